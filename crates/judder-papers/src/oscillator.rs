@@ -159,7 +159,7 @@ fn runs(folder: &Path, quick: bool) -> Result<Vec<Run>, StudyError> {
         if quick {
             exhibits::thin_out(&mut file.case);
         }
-        let hash = analysis_hash(&file.case.resolved(), 0);
+        let hash = analysis_hash(&file.case, &file.case.resolved(), 0);
         runs.push(Run { name: name.to_owned(), hash, file, analysis: 0 });
     }
     // a computed law is what its case and this version make it: their hash names it before it is there
@@ -175,7 +175,7 @@ fn runs(folder: &Path, quick: bool) -> Result<Vec<Run>, StudyError> {
                 resolved["files"][LAW_FILE] = json!(law_hash);
                 use_law(&mut file.case, folder.join(LAW_FILE));
             }
-            let hash = analysis_hash(&resolved, 0);
+            let hash = analysis_hash(&file.case, &resolved, 0);
             runs.push(Run { name: analysis_name(source, reading), hash, file, analysis: 0 });
         }
     }
@@ -190,7 +190,7 @@ fn motion_runs(quick: bool) -> Result<Vec<Run>, StudyError> {
         if quick {
             exhibits::thin_out(&mut file.case);
         }
-        let hash = analysis_hash(&file.case.resolved(), analysis);
+        let hash = analysis_hash(&file.case, &file.case.resolved(), analysis);
         Ok(Run { name, hash, file, analysis })
     };
     motion_exhibits::runs().into_iter().map(run).collect()

@@ -1,6 +1,9 @@
 //! What the engine asks of a model and of an analysis; nothing else of them is known here.
 
-use crate::case::analysis::AsAny;
+mod analysed;
+
+pub use analysed::{Analysed, Analyses, Analysis, wanted};
+
 use crate::case::file::{Case, CaseFile};
 use crate::case::study_sweep::{StudySweep, SweptKey};
 use crate::error::StudyError;
@@ -13,28 +16,13 @@ use dyn_clone::{DynClone, clone_trait_object};
 use judder_keys::cause::Cause;
 use judder_keys::error::CaseError;
 use judder_keys::file_reference::FileReference;
-use judder_store::Declared;
-use serde_json::{Map, Value};
+use serde_json::Value;
 use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
 /// A case of a model.
-pub trait Model: Any + DynClone + fmt::Debug + Send + Sync {
-    /// Its name in a case file.
-    fn name(&self) -> &'static str;
-
-    /// The names of its analyses, in their order.
-    fn analysis_names(&self) -> Vec<&str>;
-
-    /// The keys of the summary of an analysis, by its position.
-    fn summary_keys(&self, index: usize) -> Vec<Declared>;
-
-    /// The names of the analyses whose results an analysis takes up.
-    fn takes_up(&self, _analysis: &str) -> Vec<&str> {
-        Vec::new()
-    }
-
+pub trait Model: Analyses + Any + DynClone + fmt::Debug + Send + Sync {
     /// The files that it names: results depend on what they hold.
     fn files(&self) -> Vec<&FileReference> {
         Vec::new()
@@ -79,7 +67,9 @@ pub trait Model: Any + DynClone + fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// As [`Model::prepared`], and the first refusal.
-    fn preflight(&self, file: &CaseFile, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError>;
+    fn preflight(&self, _file: &CaseFile, _is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        self.prepared()
+    }
 
     /// The same of a case that differs from that of which `known` is prepared by the values of these swept keys alone: what they do not
     /// concern is not made again.
@@ -90,13 +80,11 @@ pub trait Model: Any + DynClone + fmt::Debug + Send + Sync {
         &self,
         file: &CaseFile,
         is_wanted: &dyn Fn(&str) -> bool,
-        _known: (&Prepared, &[&str]),
+        _known: &Prepared,
+        _keys: &[&str],
     ) -> Result<Prepared, StudyError> {
         self.preflight(file, is_wanted)
     }
-
-    /// How many steps an analysis announces to its progress.
-    fn steps(&self, index: usize) -> usize;
 
     /// Runs an analysis.
     ///
@@ -104,21 +92,11 @@ pub trait Model: Any + DynClone + fmt::Debug + Send + Sync {
     /// [`StudyError::Interrupted`], and what the analysis is refused for.
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError>;
 
-    /// The place in the case file of what a run found wrong with an analysis; `None` where no key is to blame.
-    fn blamed(&self, _error: &StudyError, _place: Place<'_>) -> Option<CaseError> {
-        None
-    }
-
     /// What `judder check` shows.
     ///
     /// # Errors
     /// What a run would refuse.
     fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError>;
-
-    /// The quantities of its operating point that a sweep can ask for; none without an operating point.
-    fn operating_quantities(&self) -> &'static [OperatingQuantity] {
-        &[]
-    }
 
     /// The operating points of a sweep at which the case need not be read anew; `None` where it must be.
     ///
@@ -161,70 +139,6 @@ pub trait Model: Any + DynClone + fmt::Debug + Send + Sync {
 }
 
 clone_trait_object!(Model);
-
-/// An analysis of a model: what it announces, is refused for, computes and takes.
-pub trait Analysis<M: Analysed + ?Sized>: AsAny + DynClone + fmt::Debug + Send + Sync {
-    /// How many steps it announces to its progress.
-    fn steps(&self) -> usize {
-        1
-    }
-
-    /// Refuses what is known to be too much before anything is computed.
-    ///
-    /// # Errors
-    /// The key to blame, and why.
-    fn fits(&self, _of: &M::Known<'_>) -> Result<Result<(), Refusal>, M::Error> {
-        Ok(Ok(()))
-    }
-
-    /// Refuses what its first step would refuse, for `judder check`, which computes nothing.
-    ///
-    /// # Errors
-    /// As [`Analysis::run`].
-    fn admit(&self, _of: &M::Known<'_>) -> Result<(), M::Error> {
-        Ok(())
-    }
-
-    /// Computes it.
-    ///
-    /// # Errors
-    /// [`StudyError::Interrupted`], or what it is refused for.
-    fn run(&self, of: &M::Subject<'_>, task: Task<'_>) -> Result<Outcome, M::Error>;
-
-    /// Which of its own keys is to blame for what it found; `None` where that does not depend on the kind.
-    fn blame(&self, _error: &M::Error) -> Option<Refusal> {
-        None
-    }
-
-    /// What it would take.
-    ///
-    /// # Errors
-    /// What cannot be read.
-    fn estimate(&self, of: &M::Known<'_>) -> Result<M::Estimate, M::Error>;
-
-    /// The keys of its summary.
-    fn summary_keys(&self) -> Vec<Declared>;
-
-    /// The names of the analyses whose results it takes up.
-    fn takes_up(&self) -> Vec<&str> {
-        Vec::new()
-    }
-
-    /// Puts its settings into a canonical form.
-    fn write(&self, json: &mut Map<String, Value>);
-}
-
-/// What the analyses of a model have in common.
-pub trait Analysed {
-    /// What they are run on.
-    type Subject<'a>;
-    /// What is known of it before anything is computed.
-    type Known<'a>;
-    /// What is told of one before it runs.
-    type Estimate;
-    /// What is wrong with one.
-    type Error: Into<StudyError>;
-}
 
 /// A quantity of an operating point, as a column of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

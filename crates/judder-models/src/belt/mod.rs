@@ -10,23 +10,30 @@ use crate::motion::model::BeltModel;
 use crate::motion::{MotionCase, MotionOf};
 use judder_keys::declared::Settings;
 use judder_keys::keys::Keys;
-use judder_store::Declared;
 use judder_study::StudyError;
-use judder_study::case::analysis::names;
+use judder_study::case::analysis::Planned;
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::case::reference::section;
 use judder_study::case::root::schema;
-use judder_study::model::{Analysed, Model, Prepared, Task};
+use judder_study::model::{Analysed, Analysis, Model, Task};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{ModelKind, entries};
 use judder_study::resolve::Resolved;
+use std::sync::Arc;
 
 impl Analysed for BeltCase {
+    const NAME: &'static str = MODEL.name;
+
+    type Asked = dyn Analysis<Self>;
     type Subject<'a> = BeltModel<'a>;
     /// The name of the analysis.
     type Known<'a> = &'a str;
     type Estimate = Estimate;
     type Error = ModelError;
+
+    fn analyses(&self) -> &[Planned<Arc<Self::Asked>>] {
+        &self.analyses
+    }
 }
 
 impl MotionCase for BeltCase {
@@ -63,28 +70,8 @@ pub(crate) const MODEL: ModelKind = ModelKind {
 };
 
 impl Model for BeltCase {
-    fn name(&self) -> &'static str {
-        MODEL.name
-    }
-
-    fn analysis_names(&self) -> Vec<&str> {
-        names(&self.analyses)
-    }
-
-    fn summary_keys(&self, index: usize) -> Vec<Declared> {
-        self.analyses[index].kind.summary_keys()
-    }
-
     fn resolved(&self) -> serde_json::Value {
         BeltCase::resolved(self)
-    }
-
-    fn preflight(&self, _: &CaseFile, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
-        Ok(Prepared::NOTHING)
-    }
-
-    fn steps(&self, index: usize) -> usize {
-        self.analyses[index].kind.steps()
     }
 
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {

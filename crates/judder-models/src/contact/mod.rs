@@ -31,16 +31,14 @@ use judder_contact::material::Discretisation;
 use judder_contact::steady::profile::Profile;
 use judder_contact::unilateral::Loading;
 use judder_keys::declared::Settings;
-use judder_keys::error::CaseError;
 use judder_keys::file_reference::FileReference;
 use judder_store::{Declared, Results};
 use judder_study::StudyError;
-use judder_study::case::analysis::Kind;
-use judder_study::case::analysis::names;
+use judder_study::case::analysis::{Kind, Planned};
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::case::reference::section;
 use judder_study::case::root::schema;
-use judder_study::model::{Analysed, Analysis, Model, Place, Prepared, Refusal, Task};
+use judder_study::model::{Analysed, Analysis, Model, Prepared, Refusal, Task, wanted};
 use judder_study::outcome::{CheckRecord, Outcome};
 use judder_study::registry::{ModelKind, entries};
 use judder_study::resolve::Resolved;
@@ -105,10 +103,26 @@ impl<'a> Subject<'a> {
 }
 
 impl Analysed for ContactCase {
+    const NAME: &'static str = MODEL.name;
+    const LIMITS: &'static [&'static str] = &["memory_limit"];
+
+    type Asked = dyn Exciting;
     type Subject<'a> = Subject<'a>;
     type Known<'a> = Subject<'a>;
     type Estimate = ContactEstimate;
     type Error = ModelError;
+
+    fn analyses(&self) -> &[Planned<Arc<Self::Asked>>] {
+        &self.analyses
+    }
+
+    fn common_summary_keys() -> Vec<Declared> {
+        Option::<ToldTerms>::declared()
+    }
+
+    fn blame(error: &ModelError) -> Option<Refusal> {
+        blame::blame(error)
+    }
 }
 
 /// The model.
@@ -131,20 +145,6 @@ pub(crate) const MODEL: ModelKind = ModelKind {
 };
 
 impl Model for ContactCase {
-    fn name(&self) -> &'static str {
-        MODEL.name
-    }
-
-    fn analysis_names(&self) -> Vec<&str> {
-        names(&self.analyses)
-    }
-
-    fn summary_keys(&self, index: usize) -> Vec<Declared> {
-        let mut keys = self.analyses[index].kind.summary_keys();
-        keys.extend(Option::<ToldTerms>::declared());
-        keys
-    }
-
     fn files(&self) -> Vec<&FileReference> {
         ContactCase::files(self)
     }
@@ -162,16 +162,11 @@ impl Model for ContactCase {
         let scales = ContactScales::new(self)?;
         let mut subject = Subject::new(self, &scales, "");
         subject.profile()?;
-        for (index, own) in self.analyses.iter().enumerate().filter(|(_, own)| is_wanted(&own.name)) {
-            subject.name = &own.name;
-            let place = Place { file, index, name: &own.name };
-            own.kind.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
+        for (place, asked) in wanted(self, file, is_wanted) {
+            subject.name = place.name;
+            asked.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
         }
         Ok(Prepared::NOTHING)
-    }
-
-    fn steps(&self, index: usize) -> usize {
-        self.analyses[index].kind.steps()
     }
 
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
@@ -185,12 +180,6 @@ impl Model for ContactCase {
             tell_discretisation(&mut outcome, found);
         }
         Ok(outcome)
-    }
-
-    fn blamed(&self, error: &StudyError, place: Place<'_>) -> Option<CaseError> {
-        let (own, error) = (&self.analyses.get(place.index)?.kind, ModelError::of(error)?);
-        let refusal = own.blame(error).or_else(|| blame::blame(error))?;
-        Some(refusal.placed(place))
     }
 
     fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {

@@ -53,8 +53,7 @@ use judder_oscillator::Contact;
 use judder_store::{Declared, Results};
 use judder_study::Progress;
 use judder_study::StudyError;
-use judder_study::case::analysis::Kind;
-use judder_study::case::analysis::names;
+use judder_study::case::analysis::{Kind, Planned};
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::case::reference::section;
 use judder_study::case::root::schema;
@@ -132,11 +131,23 @@ pub struct Subject<'a> {
 }
 
 impl Analysed for OscillatorCase {
+    const NAME: &'static str = MODEL.name;
+    const OPERATING_QUANTITIES: &'static [OperatingQuantity] = MODEL.operating_quantities;
+
+    type Asked = dyn Operated;
     type Subject<'a> = Subject<'a>;
     /// The name of the analysis.
     type Known<'a> = &'a str;
     type Estimate = Estimate;
     type Error = ModelError;
+
+    fn analyses(&self) -> &[Planned<Arc<Self::Asked>>] {
+        &self.analyses
+    }
+
+    fn common_summary_keys() -> Vec<Declared> {
+        Option::<ToldCondition>::declared()
+    }
 }
 
 /// The model.
@@ -159,20 +170,6 @@ pub(crate) const MODEL: ModelKind = ModelKind {
 };
 
 impl Model for OscillatorCase {
-    fn name(&self) -> &'static str {
-        MODEL.name
-    }
-
-    fn analysis_names(&self) -> Vec<&str> {
-        names(&self.analyses)
-    }
-
-    fn summary_keys(&self, index: usize) -> Vec<Declared> {
-        let mut keys = self.analyses[index].kind.summary_keys();
-        keys.extend(Option::<ToldCondition>::declared());
-        keys
-    }
-
     fn files(&self) -> Vec<&FileReference> {
         OscillatorCase::files(self)
     }
@@ -207,10 +204,6 @@ impl Model for OscillatorCase {
         Ok(Prepared::NOTHING)
     }
 
-    fn steps(&self, index: usize) -> usize {
-        self.analyses[index].kind.steps()
-    }
-
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
         let case = &bridge::with_material(self)?;
         let (law, points) = (task.law, task.law.known());
@@ -231,10 +224,6 @@ impl Model for OscillatorCase {
 
     fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
         Ok(check::resolve(file, &bridge::with_material(self)?)?)
-    }
-
-    fn operating_quantities(&self) -> &'static [OperatingQuantity] {
-        MODEL.operating_quantities
     }
 
     fn operating_points(

@@ -27,14 +27,11 @@ use crate::error::ModelError;
 use crate::estimate::Estimate;
 use crate::sliding::case::{SlidingCase, SystemKeys};
 use judder_keys::declared::Settings;
-use judder_keys::error::CaseError;
 use judder_keys::file_reference::FileReference;
-use judder_store::Declared;
 use judder_study::StudyError;
-use judder_study::case::analysis::Kind;
-use judder_study::case::analysis::names;
+use judder_study::case::analysis::{Kind, Planned};
 use judder_study::case::file::{Case, CaseFile};
-use judder_study::model::{Analysed, Analysis, Model, Place, Prepared, Task};
+use judder_study::model::{Analysed, Analysis, Model, Prepared, Refusal, Task, wanted};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{ModelKind, entries};
 use judder_study::resolve::Resolved;
@@ -53,22 +50,33 @@ pub struct Subject<'a> {
 }
 
 impl Analysed for SlidingCase {
+    const NAME: &'static str = MODEL.name;
+
+    type Asked = dyn Analysis<Self>;
     type Subject<'a> = Subject<'a>;
     type Known<'a> = Subject<'a>;
     type Estimate = Estimate;
     type Error = ModelError;
+
+    fn analyses(&self) -> &[Planned<Arc<Self::Asked>>] {
+        &self.analyses
+    }
+
+    fn blame(error: &ModelError) -> Option<Refusal> {
+        blame::blame(error)
+    }
 }
 
 /// The pair, where what the wanted analyses keep fits.
 fn fitting(
-    (case, system): (&SlidingCase, SlidingSystem),
+    case: &SlidingCase,
+    system: SlidingSystem,
     file: &CaseFile,
     is_wanted: &dyn Fn(&str) -> bool,
 ) -> Result<Prepared, ModelError> {
-    for (index, own) in case.analyses.iter().enumerate().filter(|(_, own)| is_wanted(&own.name)) {
-        let subject = Subject { case, system: &system, name: &own.name };
-        let place = Place { file, index, name: &own.name };
-        own.kind.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
+    for (place, asked) in wanted(case, file, is_wanted) {
+        let subject = Subject { case, system: &system, name: place.name };
+        asked.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
     }
     Ok(Prepared::new(Arc::new(system)))
 }
@@ -86,23 +94,6 @@ pub(crate) const MODEL: ModelKind = ModelKind {
 };
 
 impl Model for SlidingCase {
-    fn name(&self) -> &'static str {
-        MODEL.name
-    }
-
-    fn analysis_names(&self) -> Vec<&str> {
-        names(&self.analyses)
-    }
-
-    fn takes_up(&self, analysis: &str) -> Vec<&str> {
-        let found = self.analyses.iter().find(|own| own.name == analysis);
-        found.map_or_else(Vec::new, |found| found.kind.takes_up())
-    }
-
-    fn summary_keys(&self, index: usize) -> Vec<Declared> {
-        self.analyses[index].kind.summary_keys()
-    }
-
     fn files(&self) -> Vec<&FileReference> {
         SlidingCase::files(self)
     }
@@ -118,22 +109,19 @@ impl Model for SlidingCase {
 
     fn preflight(&self, file: &CaseFile, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         let system = SlidingSystem::new(self).map_err(|uncoupled| uncoupled.placed(file))?;
-        Ok(fitting((self, system), file, is_wanted)?)
+        Ok(fitting(self, system, file, is_wanted)?)
     }
 
     fn preflight_at(
         &self,
         file: &CaseFile,
         is_wanted: &dyn Fn(&str) -> bool,
-        (known, keys): (&Prepared, &[&str]),
+        known: &Prepared,
+        keys: &[&str],
     ) -> Result<Prepared, StudyError> {
         let Some(known) = known.get::<SlidingSystem>() else { return self.preflight(file, is_wanted) };
         let system = known.swept(self, keys).map_err(|uncoupled| uncoupled.placed(file))?;
-        Ok(fitting((self, system), file, is_wanted)?)
-    }
-
-    fn steps(&self, index: usize) -> usize {
-        self.analyses[index].kind.steps()
+        Ok(fitting(self, system, file, is_wanted)?)
     }
 
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
@@ -149,12 +137,6 @@ impl Model for SlidingCase {
         let mut outcome = own.kind.run(&subject, task)?;
         outcome.warnings.extend(system.warnings.iter().cloned());
         Ok(outcome)
-    }
-
-    fn blamed(&self, error: &StudyError, place: Place<'_>) -> Option<CaseError> {
-        let (own, error) = (&self.analyses.get(place.index)?.kind, ModelError::of(error)?);
-        let refusal = own.blame(error).or_else(|| blame::blame(error))?;
-        Some(refusal.placed(place))
     }
 
     fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {

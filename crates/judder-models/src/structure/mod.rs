@@ -27,12 +27,10 @@ use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
 use build::Structure;
 use judder_keys::file_reference::FileReference;
-use judder_store::Declared;
 use judder_study::StudyError;
-use judder_study::case::analysis::Kind;
-use judder_study::case::analysis::names;
+use judder_study::case::analysis::{Kind, Planned};
 use judder_study::case::file::{Case, CaseFile};
-use judder_study::model::{Analysed, Analysis, Model, Place, Prepared, Task};
+use judder_study::model::{Analysed, Analysis, Model, Prepared, Task, wanted};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{ModelKind, entries};
 use judder_study::resolve::Resolved;
@@ -50,11 +48,18 @@ pub struct Subject<'a> {
 }
 
 impl Analysed for StructureCase {
+    const NAME: &'static str = MODEL.name;
+
+    type Asked = dyn Analysis<Self>;
     type Subject<'a> = Subject<'a>;
     type Known<'a> = Subject<'a>;
     /// What is asked, in words.
     type Estimate = String;
     type Error = ModelError;
+
+    fn analyses(&self) -> &[Planned<Arc<Self::Asked>>] {
+        &self.analyses
+    }
 }
 
 /// The structure, where what the wanted analyses name is there.
@@ -65,10 +70,9 @@ fn fitting(
     is_wanted: &dyn Fn(&str) -> bool,
 ) -> Result<Prepared, ModelError> {
     let Some(structure) = prepared.get::<Structure>() else { return Ok(prepared) };
-    for (index, own) in case.analyses.iter().enumerate().filter(|(_, own)| is_wanted(&own.name)) {
-        let subject = Subject { case, structure: &structure, name: &own.name };
-        let place = Place { file, index, name: &own.name };
-        own.kind.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
+    for (place, asked) in wanted(case, file, is_wanted) {
+        let subject = Subject { case, structure: &structure, name: place.name };
+        asked.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
     }
     Ok(prepared)
 }
@@ -86,18 +90,6 @@ pub(crate) const MODEL: ModelKind = ModelKind {
 };
 
 impl Model for StructureCase {
-    fn name(&self) -> &'static str {
-        MODEL.name
-    }
-
-    fn analysis_names(&self) -> Vec<&str> {
-        names(&self.analyses)
-    }
-
-    fn summary_keys(&self, index: usize) -> Vec<Declared> {
-        self.analyses[index].kind.summary_keys()
-    }
-
     fn files(&self) -> Vec<&FileReference> {
         StructureCase::files(self)
     }
@@ -120,7 +112,8 @@ impl Model for StructureCase {
         &self,
         file: &CaseFile,
         is_wanted: &dyn Fn(&str) -> bool,
-        (known, keys): (&Prepared, &[&str]),
+        known: &Prepared,
+        keys: &[&str],
     ) -> Result<Prepared, StudyError> {
         let is_of_analyses = keys.iter().all(|key| key.starts_with("analysis."));
         if is_of_analyses {
@@ -128,10 +121,6 @@ impl Model for StructureCase {
         } else {
             self.preflight(file, is_wanted)
         }
-    }
-
-    fn steps(&self, index: usize) -> usize {
-        self.analyses[index].kind.steps()
     }
 
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {

@@ -19,25 +19,32 @@ use crate::swept_keys::ParameterKeys;
 use crate::two_degrees::case::{TwoDegreesCase, TwoDegreesSections};
 use judder_keys::declared::Settings;
 use judder_oscillator::LinearSystem;
-use judder_store::Declared;
 use judder_study::Progress;
 use judder_study::StudyError;
-use judder_study::case::analysis::{Kind, names};
+use judder_study::case::analysis::{Kind, Planned};
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::case::reference::section;
 use judder_study::case::root::schema;
-use judder_study::model::{Analysed, Analysis, Model, OperatingQuantity, Prepared, Task};
+use judder_study::model::{Analysed, Analysis, Model, OperatingQuantity, Task};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{ModelKind, entries};
 use judder_study::resolve::Resolved;
 use std::sync::Arc;
 
 impl Analysed for TwoDegreesCase {
+    const NAME: &'static str = MODEL.name;
+    const OPERATING_QUANTITIES: &'static [OperatingQuantity] = MODEL.operating_quantities;
+
+    type Asked = dyn Varying;
     type Subject<'a> = &'a TwoDegreesCase;
     /// The name of the analysis.
     type Known<'a> = &'a str;
     type Estimate = Estimate;
     type Error = ModelError;
+
+    fn analyses(&self) -> &[Planned<Arc<Self::Asked>>] {
+        &self.analyses
+    }
 }
 
 /// An analysis that varies parameters.
@@ -70,36 +77,12 @@ pub(crate) const MODEL: ModelKind = ModelKind {
 };
 
 impl Model for TwoDegreesCase {
-    fn name(&self) -> &'static str {
-        MODEL.name
-    }
-
-    fn analysis_names(&self) -> Vec<&str> {
-        names(&self.analyses)
-    }
-
-    fn summary_keys(&self, index: usize) -> Vec<Declared> {
-        self.analyses[index].kind.summary_keys()
-    }
-
     fn resolved(&self) -> serde_json::Value {
         TwoDegreesCase::resolved(self)
     }
 
-    fn preflight(&self, _: &CaseFile, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
-        Ok(Prepared::NOTHING)
-    }
-
-    fn steps(&self, index: usize) -> usize {
-        self.analyses[index].kind.steps()
-    }
-
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
         Ok(self.analyses[index].kind.run(&self, task)?)
-    }
-
-    fn operating_quantities(&self) -> &'static [OperatingQuantity] {
-        MODEL.operating_quantities
     }
 
     fn operating_point(

@@ -1,7 +1,7 @@
 //! What a run is asked for, and under which hash each result of it stands.
 
 use super::RunOptions;
-use crate::case::file::CaseFile;
+use crate::case::file::{Case, CaseFile};
 use crate::case::study_sweep::StudySweep;
 use crate::case::study_sweep::quantity_path::QuantitySource;
 use crate::error::StudyError;
@@ -40,7 +40,8 @@ impl<'a> Asked<'a> {
             });
         }
         let (resolved, files) = resolved_with_files(file)?;
-        let hashed = |(index, name): (usize, &String)| (name.clone(), analysis_hash(&resolved, index));
+        let hashed =
+            |(index, name): (usize, &String)| (name.clone(), analysis_hash(&file.case, &resolved, index));
         let analyses = names.iter().enumerate().map(hashed).collect();
         let sweeps = file.sweeps.iter().map(|sweep| sweep_hash(&resolved, sweep)).collect();
         Ok(Self { file, only: &options.only, kept: &options.files, resolved, analyses, sweeps, files })
@@ -107,24 +108,27 @@ pub fn resolved_with_files(case: &CaseFile) -> Result<(Value, Vec<KnownFile>), S
     Ok((resolved, files))
 }
 
-/// Names all that the result of an analysis depends on: the case without its list of analyses and its title, this analysis, the version.
-pub fn analysis_hash(resolved: &Value, index: usize) -> String {
+/// Names all that the result of an analysis of a case depends on: its canonical form without its list of analyses and its title, this
+/// analysis, those whose results it takes up, the version.
+pub fn analysis_hash(case: &Case, resolved: &Value, index: usize) -> String {
     let model = model(resolved);
     let mut analysis = resolved.get("analysis").and_then(|list| list.get(index)).cloned();
+    let others = taken_up(case, resolved, analysis.as_ref());
     if let Some(object) = analysis.as_mut().and_then(Value::as_object_mut) {
-        // it decides whether there is a result, not which
-        object.remove("memory_limit");
+        for key in case.limits() {
+            object.remove(*key);
+        }
     }
-    let others = used_by(resolved, analysis.as_ref());
     if others.is_empty() {
         return content_hash(json!([VERSION, model, analysis]).to_string().as_bytes());
     }
     content_hash(json!([VERSION, model, analysis, others]).to_string().as_bytes())
 }
 
-/// The other analyses whose results an analysis takes, as the case describes them.
-fn used_by<'a>(resolved: &'a Value, analysis: Option<&Value>) -> Vec<&'a Value> {
-    let names: Vec<&str> = ["of", "locus"].iter().filter_map(|key| analysis?.get(key)?.as_str()).collect();
+/// The other analyses whose results an analysis takes up, as the case describes them.
+fn taken_up<'a>(case: &Case, resolved: &'a Value, analysis: Option<&Value>) -> Vec<&'a Value> {
+    let name = analysis.and_then(|analysis| analysis["name"].as_str()).unwrap_or_default();
+    let names = case.takes_up(name);
     let all = resolved.get("analysis").and_then(Value::as_array).into_iter().flatten();
     all.filter(|other| other["name"].as_str().is_some_and(|name| names.contains(&name))).collect()
 }

@@ -183,7 +183,7 @@ impl<'a> Evaluator<'a> {
         }
         let names: Vec<&str> = wanted.iter().map(|(_, name)| *name).collect();
         let paths: Vec<&str> = self.plan.sweep.axes.iter().map(|axis| axis.path.as_str()).collect();
-        let prepared = file.case.preflight_at(&file, &|name| names.contains(&name), (prepared, &paths))?;
+        let prepared = file.case.preflight_at(&file, &|name| names.contains(&name), prepared, &paths)?;
         for (index, name) in wanted {
             match run_alone((&file.case, &prepared), index, &Within(progress)) {
                 Ok(outcome) => self.fill_scalars((index, name), &outcome, row, &mut told),

@@ -94,24 +94,25 @@ class Oscillator(Model):
                   be given
             - ``temperature``: T: temperature of the substrate; needs ``shift``; such as ``"25 degC"`` or ``"298 K"``
         sweep: the whole case at many points
-            - ``chunk``: points of a unit of work; chosen by the program by default
+            - ``chunk``: points of a unit of work; chosen by the program where left out
             - ``method``: how points are chosen; ``"grid"`` where left out
             - ``name``: under which results are kept; no analysis and no other sweep has it; must be given
-            - ``over``: the swept keys; must be given
-              - ``from``: a number, or a quantity with the key's unit
+            - ``over``: the swept keys, see below; must be given
+              - ``from``: first value
               - ``key``: dotted path of any number of the case; an item of a list goes by its name; must be given
-              - ``points``: of "grid": how many values, both ends included
-              - ``scale``: spacing of the points; ``"linear"`` where left out
-              - ``to``: a number, or a quantity with the key's unit
-              - ``values``: of "grid" and "list": in place of a range
-            - ``points``: of "latin-hypercube" and "sobol": how many points; with sensitivity how many rows of k + 2 points for k keys
-            - ``quantities``: what is kept of every point: a quantity of the operating point, or ANALYSIS.PATH into the results of an
-              analysis; must be given
-            - ``seed``: of "latin-hypercube" and "sobol": which of all such points; ``1`` where left out
-            - ``sensitivity``: of "latin-hypercube" and "sobol": first-order and total Sobol' indices of every quantity; ``false`` where
-              left out
-              - ``confidence``: of the intervals; ``0.95`` where left out
-              - ``resamples``: of the bootstrap; ``1000`` where left out
+              - ``points``: how many values, both ends included
+              - ``scale``: spacing of the values; ``"linear"`` where left out
+              - ``to``: last value
+              - ``values``: in place of a range
+            - ``points``: of ``latin-hypercube`` and ``sobol``: how many points; with sensitivity how many rows of k + 2 points for k keys.
+              A power of two fills the ranges most evenly with ``sobol``
+            - ``quantities``: what is kept of every point, see below: a quantity of the operating point, or ANALYSIS.PATH into the results
+              of an analysis; must be given
+            - ``seed``: of these two: which of all such points; the same seed gives the same points; ``1`` where left out
+            - ``sensitivity``: of ``latin-hypercube`` and ``sobol``: first-order and total Sobol' indices of every quantity, with bootstrap
+              intervals
+              - ``confidence``: confidence of the intervals; ``0.95`` where left out
+              - ``resamples``: bootstrap resamples from which they are taken; ``1000`` where left out
         title: the title; ``""`` where left out
     """
 
@@ -156,14 +157,13 @@ class Oscillator(Model):
         Args:
             sweep: one key over a range; a table ``{ key, from, to, points, scale }``; must be given
                 - ``key``: dotted path of the key; the dotted path of a number of the case; must be given
-                - ``from``: first value; a plain number, which is the group of the key, or a quantity with its unit; must be given
-                - ``to``: last value; a plain number, which is the group of the key, or a quantity with its unit; must be given
+                - ``from``: first value; a number, or a quantity with the key's unit; must be given
+                - ``to``: last value; a number, or a quantity with the key's unit; must be given
                 - ``points``: number of points, both ends included; an integer from 2 to 134217728; must be given
                 - ``scale``: spacing of the points; ``"linear"`` (equal steps), ``"log"`` (equal ratios); ``"linear"`` where left out
             family: one curve for each value of another key; a table ``{ key, values }``
                 - ``key``: dotted path of the key; the dotted path of a number of the case; must be given
-                - ``values``: its values; a list, each a plain number, which is the group of the key, or a quantity with its unit; must be
-                  given
+                - ``values``: its values; a list, each a number, or a quantity with the key's unit; must be given
             threads, progress: as of :func:`judder.run`.
         """
         keys: dict[str, Any] = {
@@ -185,14 +185,13 @@ class Oscillator(Model):
         Args:
             sweep: one key over a range; a table ``{ key, from, to, points, scale }``; must be given
                 - ``key``: dotted path of the key; the dotted path of a number of the case; must be given
-                - ``from``: first value; a plain number, which is the group of the key, or a quantity with its unit; must be given
-                - ``to``: last value; a plain number, which is the group of the key, or a quantity with its unit; must be given
+                - ``from``: first value; a number, or a quantity with the key's unit; must be given
+                - ``to``: last value; a number, or a quantity with the key's unit; must be given
                 - ``points``: number of points, both ends included; an integer from 2 to 134217728; must be given
                 - ``scale``: spacing of the points; ``"linear"`` (equal steps), ``"log"`` (equal ratios); ``"linear"`` where left out
             family: one curve for each value of another key; a table ``{ key, values }``
                 - ``key``: dotted path of the key; the dotted path of a number of the case; must be given
-                - ``values``: its values; a list, each a plain number, which is the group of the key, or a quantity with its unit; must be
-                  given
+                - ``values``: its values; a list, each a number, or a quantity with the key's unit; must be given
             threads, progress: as of :func:`judder.run`.
         """
         keys: dict[str, Any] = {
@@ -216,8 +215,8 @@ class Oscillator(Model):
         Args:
             sweep: one key over a range; a table ``{ key, from, to, points, scale }``; must be given
                 - ``key``: dotted path of the key; the dotted path of a number of the case; must be given
-                - ``from``: first value; a plain number, which is the group of the key, or a quantity with its unit; must be given
-                - ``to``: last value; a plain number, which is the group of the key, or a quantity with its unit; must be given
+                - ``from``: first value; a number, or a quantity with the key's unit; must be given
+                - ``to``: last value; a number, or a quantity with the key's unit; must be given
                 - ``points``: number of points, both ends included; an integer from 2 to 134217728; must be given
                 - ``scale``: spacing of the points; ``"linear"`` (equal steps), ``"log"`` (equal ratios); ``"linear"`` where left out
             within: where roots are sought; a table ``{ from, to }``; ``{ from = 1e-6, to = 1000.0 }`` where left out
@@ -225,8 +224,7 @@ class Oscillator(Model):
                 - ``to``: upper end; a plain number (τ0/E0*) or a stress such as 1 MPa, > 0; must be given
             family: one curve for each value of another key; a table ``{ key, values }``
                 - ``key``: dotted path of the key; the dotted path of a number of the case; must be given
-                - ``values``: its values; a list, each a plain number, which is the group of the key, or a quantity with its unit; must be
-                  given
+                - ``values``: its values; a list, each a number, or a quantity with the key's unit; must be given
             global_margin: follow the cycles beside every subcritical threshold back to [their fold](theory/motion.md#the-global-margin),
                 and seek motions beyond: some seconds a threshold; ``true`` or ``false``; ``true`` where left out
             threads, progress: as of :func:`judder.run`.
@@ -254,8 +252,8 @@ class Oscillator(Model):
         Args:
             sweep: one key over a range; a table ``{ key, from, to, points, scale }``; must be given
                 - ``key``: dotted path of the key; the dotted path of a number of the case; must be given
-                - ``from``: first value; a plain number, which is the group of the key, or a quantity with its unit; must be given
-                - ``to``: last value; a plain number, which is the group of the key, or a quantity with its unit; must be given
+                - ``from``: first value; a number, or a quantity with the key's unit; must be given
+                - ``to``: last value; a number, or a quantity with the key's unit; must be given
                 - ``points``: number of points, both ends included; an integer from 2 to 134217728; must be given
                 - ``scale``: spacing of the points; ``"linear"`` (equal steps), ``"log"`` (equal ratios); ``"linear"`` where left out
             within: where roots are sought; a table ``{ from, to }``; ``{ from = 1e-10, to = 1.0 }`` where left out
@@ -263,8 +261,7 @@ class Oscillator(Model):
                 - ``to``: upper end; a plain number (F_n/(E0* R²)) or a force such as 0.2 N, > 0; must be given
             family: one curve for each value of another key; a table ``{ key, values }``
                 - ``key``: dotted path of the key; the dotted path of a number of the case; must be given
-                - ``values``: its values; a list, each a plain number, which is the group of the key, or a quantity with its unit; must be
-                  given
+                - ``values``: its values; a list, each a number, or a quantity with the key's unit; must be given
             global_margin: follow the cycles beside every subcritical threshold back to [their fold](theory/motion.md#the-global-margin),
                 and seek motions beyond: some seconds a threshold; ``true`` or ``false``; ``true`` where left out
             threads, progress: as of :func:`judder.run`.
@@ -293,14 +290,14 @@ class Oscillator(Model):
         Args:
             x: the key along the abscissa, over a range; a table ``{ key, from, to, points, scale }``; must be given
                 - ``key``: dotted path of the key; the dotted path of a number of the case; must be given
-                - ``from``: first value; a plain number, which is the group of the key, or a quantity with its unit; must be given
-                - ``to``: last value; a plain number, which is the group of the key, or a quantity with its unit; must be given
+                - ``from``: first value; a number, or a quantity with the key's unit; must be given
+                - ``to``: last value; a number, or a quantity with the key's unit; must be given
                 - ``points``: number of points, both ends included; an integer from 2 to 134217728; must be given
                 - ``scale``: spacing of the points; ``"linear"`` (equal steps), ``"log"`` (equal ratios); ``"linear"`` where left out
             y: the key along the ordinate, over a range; a table ``{ key, from, to, points, scale }``; must be given
                 - ``key``: dotted path of the key; the dotted path of a number of the case; must be given
-                - ``from``: first value; a plain number, which is the group of the key, or a quantity with its unit; must be given
-                - ``to``: last value; a plain number, which is the group of the key, or a quantity with its unit; must be given
+                - ``from``: first value; a number, or a quantity with the key's unit; must be given
+                - ``to``: last value; a number, or a quantity with the key's unit; must be given
                 - ``points``: number of points, both ends included; an integer from 2 to 134217728; must be given
                 - ``scale``: spacing of the points; ``"linear"`` (equal steps), ``"log"`` (equal ratios); ``"linear"`` where left out
             method: how the points are decided; ``"adaptive"`` (cells are refined only where a boundary crosses), ``"every-point"`` (every
@@ -416,8 +413,8 @@ class Oscillator(Model):
         Args:
             sweep: one key over a range; a table ``{ key, from, to, points, scale }``; must be given
                 - ``key``: dotted path of the key; the dotted path of a number of the case; must be given
-                - ``from``: first value; a plain number, which is the group of the key, or a quantity with its unit; must be given
-                - ``to``: last value; a plain number, which is the group of the key, or a quantity with its unit; must be given
+                - ``from``: first value; a number, or a quantity with the key's unit; must be given
+                - ``to``: last value; a number, or a quantity with the key's unit; must be given
                 - ``points``: number of points, both ends included; an integer from 2 to 134217728; must be given
                 - ``scale``: spacing of the points; ``"linear"`` (equal steps), ``"log"`` (equal ratios); ``"linear"`` where left out
             direction: which way the key is followed; ``"both"`` (both ways), ``"forward"`` (from the first value to the last),
@@ -606,24 +603,25 @@ class Contact(Model):
                   be given
             - ``temperature``: T: temperature of the substrate; needs ``shift``; such as ``"25 degC"`` or ``"298 K"``
         sweep: the whole case at many points
-            - ``chunk``: points of a unit of work; chosen by the program by default
+            - ``chunk``: points of a unit of work; chosen by the program where left out
             - ``method``: how points are chosen; ``"grid"`` where left out
             - ``name``: under which results are kept; no analysis and no other sweep has it; must be given
-            - ``over``: the swept keys; must be given
-              - ``from``: a number, or a quantity with the key's unit
+            - ``over``: the swept keys, see below; must be given
+              - ``from``: first value
               - ``key``: dotted path of any number of the case; an item of a list goes by its name; must be given
-              - ``points``: of "grid": how many values, both ends included
-              - ``scale``: spacing of the points; ``"linear"`` where left out
-              - ``to``: a number, or a quantity with the key's unit
-              - ``values``: of "grid" and "list": in place of a range
-            - ``points``: of "latin-hypercube" and "sobol": how many points; with sensitivity how many rows of k + 2 points for k keys
-            - ``quantities``: what is kept of every point: a quantity of the operating point, or ANALYSIS.PATH into the results of an
-              analysis; must be given
-            - ``seed``: of "latin-hypercube" and "sobol": which of all such points; ``1`` where left out
-            - ``sensitivity``: of "latin-hypercube" and "sobol": first-order and total Sobol' indices of every quantity; ``false`` where
-              left out
-              - ``confidence``: of the intervals; ``0.95`` where left out
-              - ``resamples``: of the bootstrap; ``1000`` where left out
+              - ``points``: how many values, both ends included
+              - ``scale``: spacing of the values; ``"linear"`` where left out
+              - ``to``: last value
+              - ``values``: in place of a range
+            - ``points``: of ``latin-hypercube`` and ``sobol``: how many points; with sensitivity how many rows of k + 2 points for k keys.
+              A power of two fills the ranges most evenly with ``sobol``
+            - ``quantities``: what is kept of every point, see below: a quantity of the operating point, or ANALYSIS.PATH into the results
+              of an analysis; must be given
+            - ``seed``: of these two: which of all such points; the same seed gives the same points; ``1`` where left out
+            - ``sensitivity``: of ``latin-hypercube`` and ``sobol``: first-order and total Sobol' indices of every quantity, with bootstrap
+              intervals
+              - ``confidence``: confidence of the intervals; ``0.95`` where left out
+              - ``resamples``: bootstrap resamples from which they are taken; ``1000`` where left out
         title: the title; ``""`` where left out
     """
 
@@ -861,24 +859,25 @@ class Belt(Model):
         oscillator: the mass on its spring
             - ``damping``: ξ: damping ratio; ``0.05`` where left out
         sweep: the whole case at many points
-            - ``chunk``: points of a unit of work; chosen by the program by default
+            - ``chunk``: points of a unit of work; chosen by the program where left out
             - ``method``: how points are chosen; ``"grid"`` where left out
             - ``name``: under which results are kept; no analysis and no other sweep has it; must be given
-            - ``over``: the swept keys; must be given
-              - ``from``: a number, or a quantity with the key's unit
+            - ``over``: the swept keys, see below; must be given
+              - ``from``: first value
               - ``key``: dotted path of any number of the case; an item of a list goes by its name; must be given
-              - ``points``: of "grid": how many values, both ends included
-              - ``scale``: spacing of the points; ``"linear"`` where left out
-              - ``to``: a number, or a quantity with the key's unit
-              - ``values``: of "grid" and "list": in place of a range
-            - ``points``: of "latin-hypercube" and "sobol": how many points; with sensitivity how many rows of k + 2 points for k keys
-            - ``quantities``: what is kept of every point: a quantity of the operating point, or ANALYSIS.PATH into the results of an
-              analysis; must be given
-            - ``seed``: of "latin-hypercube" and "sobol": which of all such points; ``1`` where left out
-            - ``sensitivity``: of "latin-hypercube" and "sobol": first-order and total Sobol' indices of every quantity; ``false`` where
-              left out
-              - ``confidence``: of the intervals; ``0.95`` where left out
-              - ``resamples``: of the bootstrap; ``1000`` where left out
+              - ``points``: how many values, both ends included
+              - ``scale``: spacing of the values; ``"linear"`` where left out
+              - ``to``: last value
+              - ``values``: in place of a range
+            - ``points``: of ``latin-hypercube`` and ``sobol``: how many points; with sensitivity how many rows of k + 2 points for k keys.
+              A power of two fills the ranges most evenly with ``sobol``
+            - ``quantities``: what is kept of every point, see below: a quantity of the operating point, or ANALYSIS.PATH into the results
+              of an analysis; must be given
+            - ``seed``: of these two: which of all such points; the same seed gives the same points; ``1`` where left out
+            - ``sensitivity``: of ``latin-hypercube`` and ``sobol``: first-order and total Sobol' indices of every quantity, with bootstrap
+              intervals
+              - ``confidence``: confidence of the intervals; ``0.95`` where left out
+              - ``resamples``: bootstrap resamples from which they are taken; ``1000`` where left out
         title: the title; ``""`` where left out
     """
 
@@ -1081,24 +1080,25 @@ class TwoDegrees(Model):
             - ``stiffness``: K; must be given
         parameters: numbers that expressions use and sweeps vary
         sweep: the whole case at many points
-            - ``chunk``: points of a unit of work; chosen by the program by default
+            - ``chunk``: points of a unit of work; chosen by the program where left out
             - ``method``: how points are chosen; ``"grid"`` where left out
             - ``name``: under which results are kept; no analysis and no other sweep has it; must be given
-            - ``over``: the swept keys; must be given
-              - ``from``: a number, or a quantity with the key's unit
+            - ``over``: the swept keys, see below; must be given
+              - ``from``: first value
               - ``key``: dotted path of any number of the case; an item of a list goes by its name; must be given
-              - ``points``: of "grid": how many values, both ends included
-              - ``scale``: spacing of the points; ``"linear"`` where left out
-              - ``to``: a number, or a quantity with the key's unit
-              - ``values``: of "grid" and "list": in place of a range
-            - ``points``: of "latin-hypercube" and "sobol": how many points; with sensitivity how many rows of k + 2 points for k keys
-            - ``quantities``: what is kept of every point: a quantity of the operating point, or ANALYSIS.PATH into the results of an
-              analysis; must be given
-            - ``seed``: of "latin-hypercube" and "sobol": which of all such points; ``1`` where left out
-            - ``sensitivity``: of "latin-hypercube" and "sobol": first-order and total Sobol' indices of every quantity; ``false`` where
-              left out
-              - ``confidence``: of the intervals; ``0.95`` where left out
-              - ``resamples``: of the bootstrap; ``1000`` where left out
+              - ``points``: how many values, both ends included
+              - ``scale``: spacing of the values; ``"linear"`` where left out
+              - ``to``: last value
+              - ``values``: in place of a range
+            - ``points``: of ``latin-hypercube`` and ``sobol``: how many points; with sensitivity how many rows of k + 2 points for k keys.
+              A power of two fills the ranges most evenly with ``sobol``
+            - ``quantities``: what is kept of every point, see below: a quantity of the operating point, or ANALYSIS.PATH into the results
+              of an analysis; must be given
+            - ``seed``: of these two: which of all such points; the same seed gives the same points; ``1`` where left out
+            - ``sensitivity``: of ``latin-hypercube`` and ``sobol``: first-order and total Sobol' indices of every quantity, with bootstrap
+              intervals
+              - ``confidence``: confidence of the intervals; ``0.95`` where left out
+              - ``resamples``: bootstrap resamples from which they are taken; ``1000`` where left out
         title: the title; ``""`` where left out
     """
 
@@ -1216,7 +1216,7 @@ class Structure(Model):
         case: what the case begins with: a path, the text of a case, its tables as a mapping; nothing where left out.
         set: changed keys by their dotted paths, as of :func:`judder.check`.
         analysis: a list of tables
-        damping: the damping of a body
+        damping: the damping of a body; none where left out
             - ``rayleigh``: C = α M + β K
               - ``alpha``: α: damping in proportion to the mass, C = α M + β K; such as ``"5 1/s"``; ``"0 1/s"`` where left out
               - ``beta``: β: damping in proportion to the stiffness; such as ``"10 ms"``; ``"0 s"`` where left out
@@ -1230,29 +1230,29 @@ class Structure(Model):
                 given
         matrices: M, C and K that another program assembled
             - ``damping``: C; zero by default
-              - ``factor``: a number or an expression of the parameters; ``1`` where left out
+              - ``factor``: a number or an expression of the parameters; ``"1"`` where left out
               - ``file``: a matrix file, .mtx, .mat or .npz, relative to the folder; must be given
-              - ``triangle``: what of a symmetric matrix a file holds; ``"both"`` where left out
+              - ``triangle``: what of a symmetric matrix the file holds; what the matrices say where left out
             - ``folder``: the folder of the files, relative to the case file
             - ``freedoms``: a table with node, direction and place of every degree of freedom
             - ``mass``: M; must be given
-              - ``factor``: a number or an expression of the parameters; ``1`` where left out
+              - ``factor``: a number or an expression of the parameters; ``"1"`` where left out
               - ``file``: a matrix file, .mtx, .mat or .npz, relative to the folder; must be given
-              - ``triangle``: what of a symmetric matrix a file holds; ``"both"`` where left out
+              - ``triangle``: what of a symmetric matrix the file holds; what the matrices say where left out
             - ``stiffness``: K; must be given
-              - ``factor``: a number or an expression of the parameters; ``1`` where left out
+              - ``factor``: a number or an expression of the parameters; ``"1"`` where left out
               - ``file``: a matrix file, .mtx, .mat or .npz, relative to the folder; must be given
-              - ``triangle``: what of a symmetric matrix a file holds; ``"both"`` where left out
-            - ``triangle``: what of a symmetric matrix a file holds; ``"both"`` where left out
+              - ``triangle``: what of a symmetric matrix the file holds; what the matrices say where left out
+            - ``triangle``: what of a symmetric matrix a file holds whose term does not say; ``"both"`` where left out
         parameters: numbers that factors of matrices use and sweeps vary
-        reduction: what a Craig–Bampton reduction keeps
+        reduction: what a reduction keeps
             - ``count``: so many fixed-interface modes are kept, from the lowest on, where no cut-off is given; ``20`` where left out
             - ``cut_off``: ω_c: fixed-interface modes up to this frequency are kept; such as ``"40 rad/s"`` or ``"7 kHz"``
             - ``kept``: freedoms that are kept; must be given
               - ``directions``: directions in which they are kept; all that are free where left out; ``["x","y","z"]`` where left out
               - ``nodes``: of matrices, in place of set: nodes of the table of freedoms, by their numbers in it
               - ``set``: a set of nodes of a body
-        structure: elements with materials and supports
+        structure: a body of elements
             - ``beam``: a straight beam of eight-node quadrilaterals
               - ``angle``: ϑ: from the x-axis to the axis of the beam, counter-clockwise; such as ``"45 deg"``; ``"0 rad"`` where left out
               - ``elements``: elements of a beam along and across; must be given
@@ -1279,25 +1279,26 @@ class Structure(Model):
               - ``tied``: directions in which the nodes move as one; ``[]`` where left out
             - ``width``: a: width of a body of the plane across its plane; that of a mesh file, else 1 m where left out; such as ``"10 mm"``
         sweep: the whole case at many points
-            - ``chunk``: points of a unit of work; chosen by the program by default
+            - ``chunk``: points of a unit of work; chosen by the program where left out
             - ``method``: how points are chosen; ``"grid"`` where left out
             - ``name``: under which results are kept; no analysis and no other sweep has it; must be given
-            - ``over``: the swept keys; must be given
-              - ``from``: a number, or a quantity with the key's unit
+            - ``over``: the swept keys, see below; must be given
+              - ``from``: first value
               - ``key``: dotted path of any number of the case; an item of a list goes by its name; must be given
-              - ``points``: of "grid": how many values, both ends included
-              - ``scale``: spacing of the points; ``"linear"`` where left out
-              - ``to``: a number, or a quantity with the key's unit
-              - ``values``: of "grid" and "list": in place of a range
-            - ``points``: of "latin-hypercube" and "sobol": how many points; with sensitivity how many rows of k + 2 points for k keys
-            - ``quantities``: what is kept of every point: a quantity of the operating point, or ANALYSIS.PATH into the results of an
-              analysis; must be given
-            - ``seed``: of "latin-hypercube" and "sobol": which of all such points; ``1`` where left out
-            - ``sensitivity``: of "latin-hypercube" and "sobol": first-order and total Sobol' indices of every quantity; ``false`` where
-              left out
-              - ``confidence``: of the intervals; ``0.95`` where left out
-              - ``resamples``: of the bootstrap; ``1000`` where left out
-        title: a text
+              - ``points``: how many values, both ends included
+              - ``scale``: spacing of the values; ``"linear"`` where left out
+              - ``to``: last value
+              - ``values``: in place of a range
+            - ``points``: of ``latin-hypercube`` and ``sobol``: how many points; with sensitivity how many rows of k + 2 points for k keys.
+              A power of two fills the ranges most evenly with ``sobol``
+            - ``quantities``: what is kept of every point, see below: a quantity of the operating point, or ANALYSIS.PATH into the results
+              of an analysis; must be given
+            - ``seed``: of these two: which of all such points; the same seed gives the same points; ``1`` where left out
+            - ``sensitivity``: of ``latin-hypercube`` and ``sobol``: first-order and total Sobol' indices of every quantity, with bootstrap
+              intervals
+              - ``confidence``: confidence of the intervals; ``0.95`` where left out
+              - ``resamples``: bootstrap resamples from which they are taken; ``1000`` where left out
+        title: the title; ``""`` where left out
     """
 
     _name = "structure"
@@ -1531,7 +1532,7 @@ class Sliding(Model):
               - ``cells``: cells along each side of a block; must be given
               - ``element``: the shape of a block's elements; ``quad8`` in the plane and ``hexahedron20`` in space where left out
               - ``size``: l_x, l_y, l_z: lengths of a block, two in the plane, three in space; must be given
-            - ``damping``: the damping of a body
+            - ``damping``: its own damping; matrices have theirs
               - ``rayleigh``: C = α M + β K
                 - ``alpha``: α: damping in proportion to the mass, C = α M + β K; such as ``"5 1/s"``; ``"0 1/s"`` where left out
                 - ``beta``: β: damping in proportion to the stiffness; such as ``"10 ms"``; ``"0 s"`` where left out
@@ -1550,23 +1551,24 @@ class Sliding(Model):
             - ``materials``: materials by the names of a mesh file; ``{ }`` where left out
             - ``matrices``: M, C and K that another program assembled
               - ``damping``: C; zero by default
-                - ``factor``: a number or an expression of the parameters; ``1`` where left out
+                - ``factor``: a number or an expression of the parameters; ``"1"`` where left out
                 - ``file``: a matrix file, .mtx, .mat or .npz, relative to the folder; must be given
-                - ``triangle``: what of a symmetric matrix a file holds; ``"both"`` where left out
+                - ``triangle``: what of a symmetric matrix the file holds; what the matrices say where left out
               - ``folder``: the folder of the files, relative to the case file
               - ``freedoms``: a table with node, direction and place of every degree of freedom
               - ``mass``: M; must be given
-                - ``factor``: a number or an expression of the parameters; ``1`` where left out
+                - ``factor``: a number or an expression of the parameters; ``"1"`` where left out
                 - ``file``: a matrix file, .mtx, .mat or .npz, relative to the folder; must be given
-                - ``triangle``: what of a symmetric matrix a file holds; ``"both"`` where left out
+                - ``triangle``: what of a symmetric matrix the file holds; what the matrices say where left out
               - ``stiffness``: K; must be given
-                - ``factor``: a number or an expression of the parameters; ``1`` where left out
+                - ``factor``: a number or an expression of the parameters; ``"1"`` where left out
                 - ``file``: a matrix file, .mtx, .mat or .npz, relative to the folder; must be given
-                - ``triangle``: what of a symmetric matrix a file holds; ``"both"`` where left out
-              - ``triangle``: what of a symmetric matrix a file holds; ``"both"`` where left out
+                - ``triangle``: what of a symmetric matrix the file holds; what the matrices say where left out
+              - ``triangle``: what of a symmetric matrix a file holds whose term does not say; ``"both"`` where left out
             - ``mesh``: a mesh file, .msh or .inp, relative to the case file
             - ``name``: by which keys call this structure; must be given
-            - ``reduction``: what a Craig–Bampton reduction keeps
+            - ``reduction``: the modes that its reduction keeps, and what freedoms it keeps beside those that contact, load and observed
+              points need
               - ``count``: so many fixed-interface modes are kept, from the lowest on, where no cut-off is given; ``20`` where left out
               - ``cut_off``: ω_c: fixed-interface modes up to this frequency are kept; such as ``"40 rad/s"`` or ``"7 kHz"``
               - ``kept``: freedoms that are kept
@@ -1581,25 +1583,26 @@ class Sliding(Model):
               - ``tied``: directions in which the nodes move as one; ``[]`` where left out
             - ``width``: a: width of a body of the plane across its plane; that of a mesh file, else 1 m where left out; such as ``"10 mm"``
         sweep: the whole case at many points
-            - ``chunk``: points of a unit of work; chosen by the program by default
+            - ``chunk``: points of a unit of work; chosen by the program where left out
             - ``method``: how points are chosen; ``"grid"`` where left out
             - ``name``: under which results are kept; no analysis and no other sweep has it; must be given
-            - ``over``: the swept keys; must be given
-              - ``from``: a number, or a quantity with the key's unit
+            - ``over``: the swept keys, see below; must be given
+              - ``from``: first value
               - ``key``: dotted path of any number of the case; an item of a list goes by its name; must be given
-              - ``points``: of "grid": how many values, both ends included
-              - ``scale``: spacing of the points; ``"linear"`` where left out
-              - ``to``: a number, or a quantity with the key's unit
-              - ``values``: of "grid" and "list": in place of a range
-            - ``points``: of "latin-hypercube" and "sobol": how many points; with sensitivity how many rows of k + 2 points for k keys
-            - ``quantities``: what is kept of every point: a quantity of the operating point, or ANALYSIS.PATH into the results of an
-              analysis; must be given
-            - ``seed``: of "latin-hypercube" and "sobol": which of all such points; ``1`` where left out
-            - ``sensitivity``: of "latin-hypercube" and "sobol": first-order and total Sobol' indices of every quantity; ``false`` where
-              left out
-              - ``confidence``: of the intervals; ``0.95`` where left out
-              - ``resamples``: of the bootstrap; ``1000`` where left out
-        title: a text
+              - ``points``: how many values, both ends included
+              - ``scale``: spacing of the values; ``"linear"`` where left out
+              - ``to``: last value
+              - ``values``: in place of a range
+            - ``points``: of ``latin-hypercube`` and ``sobol``: how many points; with sensitivity how many rows of k + 2 points for k keys.
+              A power of two fills the ranges most evenly with ``sobol``
+            - ``quantities``: what is kept of every point, see below: a quantity of the operating point, or ANALYSIS.PATH into the results
+              of an analysis; must be given
+            - ``seed``: of these two: which of all such points; the same seed gives the same points; ``1`` where left out
+            - ``sensitivity``: of ``latin-hypercube`` and ``sobol``: first-order and total Sobol' indices of every quantity, with bootstrap
+              intervals
+              - ``confidence``: confidence of the intervals; ``0.95`` where left out
+              - ``resamples``: bootstrap resamples from which they are taken; ``1000`` where left out
+        title: the title; ``""`` where left out
     """
 
     _name = "sliding"
@@ -1680,8 +1683,14 @@ class Sliding(Model):
                 - ``to``: s: the last position; that of the motion where left out; a length such as 10 mm, ≥ 0
                 - ``points``: how many, both ends included; an integer from 2 to 1000000; ``1000`` where left out
             at: s: where the contact is while a key is swept; a length such as 10 mm, ≥ 0
-            sweep: any number of ``structure``, ``contact``, ``motion`` or ``parameters`` over a range; each value is a case of its own; ``{
-                key, from, to, points, scale }``, or ``{ key, values }``
+            sweep: any number of ``structure``, ``contact``, ``motion`` or ``parameters`` over a range; each value is a case of its own; a
+                table ``{ key, from, to, points, scale, values }``
+                - ``key``: dotted path of any number of the case; an item of a list goes by its name; a text; must be given
+                - ``from``: first value; a number, or a quantity with the key's unit
+                - ``to``: last value; a number, or a quantity with the key's unit
+                - ``points``: how many values, both ends included; an integer from 2 to 100000
+                - ``scale``: spacing of the values; ``"linear"`` (equal steps), ``"log"`` (equal ratios); ``"linear"`` where left out
+                - ``values``: in place of a range; a list, each a number, or a quantity with the key's unit
             threads, progress: as of :func:`judder.run`.
         """
         keys: dict[str, Any] = {

@@ -6,7 +6,7 @@ use judder_keys::file_reference::FileReference;
 use judder_models::law_cache::LawCache;
 use judder_models::sliding::case::SlidingCase;
 use judder_models::sliding_shapes::{ShapedPair, SlidingShapes};
-use judder_models::template::{TEMPLATES, template};
+use judder_models::template::template;
 use judder_study::StudyError;
 use judder_study::case::file::CaseFile;
 use judder_study::study_view::StudyView;
@@ -50,7 +50,7 @@ impl Subject {
         let base = match (given, &study) {
             (Some(given), _) => Some(given),
             (None, Some(study)) => study.case.clone(),
-            (None, None) => Some(judder_models::parse("oscillator.toml", &template(TEMPLATES[0])?, &[])?),
+            (None, None) => Some(judder_models::parse("oscillator.toml", &template("oscillator")?, &[])?),
         };
         Ok(Self { base, laws: LawCache::new(), study })
     }

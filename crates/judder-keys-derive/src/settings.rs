@@ -29,8 +29,9 @@ pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
         Data::Union(_) => return Err(Error::new(input.ident.span(), "settings are a struct or an enum")),
     };
     let (name, title, about) = (&input.ident, option(title.as_ref()), doc(&input.attrs));
+    let (generics, parameters, conditions) = input.generics.split_for_impl();
     Ok(quote! {
-        impl ::judder_keys::declared::Settings for #name {
+        impl #generics ::judder_keys::declared::Settings for #name #parameters #conditions {
             const TITLE: ::std::option::Option<&'static str> = #title;
             const DOC: &'static str = #about;
 

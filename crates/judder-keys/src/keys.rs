@@ -140,6 +140,25 @@ impl<K> Key<K> {
         Some(if value.form == Form::Group { json!(value.number) } else { json!(text) })
     }
 
+    /// Its line in a commented case: `velocity = 1e-4  # v_d τ/R, or a speed ("30 mm/s"): driving speed`; a key without a usual value shows, as a
+    /// comment, the one that follows from the others.
+    fn line(&self, followed: impl FnOnce() -> f64) -> String {
+        let Scaled { dimension, group, .. } = self.rule;
+        let (mark, value) = match self.default.zip(self.usual_value()) {
+            Some((text, Value { form: Form::Group, .. })) => ("", text.to_owned()),
+            Some((text, _)) => ("", format!("\"{text}\"")),
+            None => ("# ", format!("\"{} {}\"", followed(), dimension.unit())),
+        };
+        let symbol = match group {
+            Some(group) if !dimension.is_number() => {
+                format!("{group}, or {dimension} (\"{}\")", dimension.example())
+            }
+            _ => self.symbol.to_owned(),
+        };
+        let setting = format!("{mark}{} = {value}", self.name());
+        format!("{setting:<34}# {symbol}: {}\n", self.doc)
+    }
+
     /// As a key of the table of its section.
     pub fn declaration(&self) -> Declaration {
         let Scaled { dimension, group, range, .. } = self.rule;
@@ -150,6 +169,11 @@ impl<K> Key<K> {
         let (name, doc, symbol, default) = (self.name(), self.doc, self.symbol, self.written());
         Declaration { name, doc, symbol, default, is_required: false, alternative: None, form }
     }
+}
+
+/// The lines of a section in a commented case, one a key; `followed` says what follows where a key has no usual value.
+pub fn lines<K: Keys>(section: &str, followed: impl Fn(K) -> f64) -> String {
+    K::of_section(section).map(|entry| entry.line(|| followed(entry.key))).collect()
 }
 
 /// The numbers that a section of a case gives.
@@ -202,7 +226,7 @@ impl<K: Keys> Setting for Numbers<K> {
     }
 
     fn read(root: &Section<'_>, key: &str, node: &Node, rule: &&'static str) -> Result<Self, Fault> {
-        let section = Section::of_table(node, &root.path(key), &format!("[{key}]"))?;
+        let section = Section::of_table(node, &root.path(key), &root.title(key))?;
         let known = <Self as Flat>::keys(rule);
         both(section.refuse_others(&known), <Self as Flat>::read(&section, rule)).map(|((), numbers)| numbers)
     }

@@ -10,6 +10,8 @@ pub struct Section<'a> {
     prefix: String,
     /// How an error names the section: `[substrate]`, `this analysis`.
     name: String,
+    /// Whether it is the case itself, whose tables go by their headers.
+    is_case: bool,
     table: &'a Table,
     /// Where the table stands.
     pub place: Place,
@@ -19,6 +21,7 @@ pub struct Section<'a> {
 pub static NOTHING: Section<'static> = Section {
     prefix: String::new(),
     name: String::new(),
+    is_case: false,
     table: &Table { entries: Vec::new() },
     place: Place { source: 0, start: 0, end: 0 },
 };
@@ -36,7 +39,17 @@ impl<'a> Section<'a> {
             return Err(wrong_type(path, "a table", node));
         };
         let prefix = if path.is_empty() { String::new() } else { format!("{path}.") };
-        Ok(Self { prefix, name: name.to_owned(), table, place: node.place })
+        Ok(Self { prefix, name: name.to_owned(), is_case: false, table, place: node.place })
+    }
+
+    /// Opens the root of a case.
+    pub fn of_case(node: &'a Node, name: &str) -> Result<Self, Fault> {
+        Ok(Self { is_case: true, ..Self::of_table(node, "", name)? })
+    }
+
+    /// How an error names the table under a key: `[substrate]` of the case itself, else by its path.
+    pub fn title(&self, key: &str) -> String {
+        if self.is_case { format!("[{key}]") } else { format!("`{}`", self.path(key)) }
     }
 
     /// Whether it has no keys at all.
@@ -67,14 +80,12 @@ impl<'a> Section<'a> {
 
     /// Opens `node`, the table under `key` of this section.
     pub fn table<'b>(&self, key: &str, node: &'b Node, known: &[&str]) -> Result<Section<'b>, Fault> {
-        let path = self.path(key);
-        Section::open(node, &path, &format!("`{path}`"), known)
+        Section::open(node, &self.path(key), &self.title(key), known)
     }
 
     /// The table under `key`, where there is one, whatever its keys are.
     pub fn inner(&self, key: &str) -> Result<Option<Section<'a>>, Fault> {
-        let path = self.path(key);
-        self.get(key).map(|node| Section::of_table(node, &path, &format!("`{path}`"))).transpose()
+        self.get(key).map(|node| Section::of_table(node, &self.path(key), &self.title(key))).transpose()
     }
 
     /// The place of the first of these keys that there is, or of the section.

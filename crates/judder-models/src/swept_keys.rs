@@ -143,11 +143,7 @@ impl SweptKeys for OscillatorKeys {
     }
 
     fn value_form() -> Allowed {
-        Allowed::Told {
-            schema: json!({ "type": ["number", "string"] }),
-            words: "a plain number, which is the group of the key, or a quantity with its unit".to_owned(),
-            keys: Vec::new(),
-        }
+        Allowed::Quantity
     }
 
     fn check(&self, settings: &[(OscillatorKey, Value)]) -> Result<(), Cause> {

@@ -7,7 +7,6 @@ use judder_keys::cause::Cause;
 use judder_keys::declared::Declaration;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
-use serde_json::Value as Json;
 use std::fmt;
 use std::path::Path;
 
@@ -17,18 +16,30 @@ pub struct ModelKind {
     pub name: &'static str,
     /// Reads a case from the root of its tree; files are relative to the folder.
     pub read: fn(&Node, &Path) -> Result<Case, Fault>,
+    /// What a case is of, in words.
+    pub doc: &'static str,
     /// What a case says beside what any case has.
     pub declared: fn() -> Vec<Declaration>,
     /// The dotted paths of the numbers that its analyses vary, where they are known beforehand.
     pub swept: fn() -> Vec<&'static str>,
-    /// The schema of a case.
-    pub schema: fn() -> Json,
-    /// Its section of the book's reference.
-    pub reference: fn() -> String,
+    /// Its section of the book's reference, in which `{keys}` and `{analyses}` stand for tables.
+    pub prose: &'static str,
+    /// The commented case file of `judder new`.
+    pub template: Template,
     /// Its kinds of analyses.
     pub kinds: fn() -> Vec<KindEntry>,
     /// The quantities that an operating point of it can have.
     pub operating_quantities: &'static [OperatingQuantity],
+}
+
+/// The commented case file of a model.
+pub struct Template {
+    /// Its name, that of the model where it is none of a paper.
+    pub name: &'static str,
+    /// Its text, in which `{SECTION}` stands for the numbers of a section, a line each.
+    pub text: &'static str,
+    /// These lines.
+    pub lines: fn(&str) -> String,
 }
 
 /// The models that cases can be of.
@@ -50,7 +61,8 @@ impl Registry {
     }
 
     /// The models in their order.
-    pub(crate) fn models(self) -> &'static [&'static ModelKind] {
+    #[must_use]
+    pub fn models(self) -> &'static [&'static ModelKind] {
         self.0
     }
 

@@ -275,7 +275,7 @@ fn a_contact_case_has_its_substrate_and_its_indenter() {
 #[test]
 fn nothing_is_told_of_an_oscillator_that_is_not_there() {
     let folder = tempfile::tempdir().unwrap();
-    for name in judder_models::template::TEMPLATES.into_iter().filter(|name| *name != "oscillator") {
+    for name in judder_models::template::templates().into_iter().filter(|name| *name != "oscillator") {
         let path = folder.path().join(format!("{name}.toml"));
         std::fs::write(&path, template(name).unwrap()).unwrap();
         let served = Served::of(Some(&path), None);

@@ -60,6 +60,8 @@ pub enum Allowed {
     File,
     /// A number, or an expression of parameters.
     Expression,
+    /// A number, or a quantity whose unit another key decides.
+    Quantity,
     /// One of a few words, each with what it means.
     Choice {
         /// The words.
@@ -113,7 +115,9 @@ impl Allowed {
             Self::Named(_) => format!("{key} = {{ NAME = … }}"),
             Self::Either(forms) => forms.first().map_or(String::new(), |form| form.example(key, doc)),
             Self::File => format!("{key} = \"…\", a path relative to the case file"),
-            Self::Expression | Self::Scaled(_) | Self::Told { .. } => format!("{key} = …, {doc}"),
+            Self::Expression | Self::Quantity | Self::Scaled(_) | Self::Told { .. } => {
+                format!("{key} = …, {doc}")
+            }
             Self::Table { keys, .. } => {
                 let keys: Vec<&str> =
                     keys.iter().filter(|key| key.must_stand()).map(|key| key.name).collect();
@@ -130,7 +134,7 @@ impl Allowed {
             Self::Whole(Whole { from, to }) => json!({ "type": "integer", "minimum": from, "maximum": to }),
             Self::Flag => json!({ "type": "boolean" }),
             Self::Text | Self::File => json!({ "type": "string" }),
-            Self::Expression => json!({ "type": ["number", "string"] }),
+            Self::Expression | Self::Quantity => json!({ "type": ["number", "string"] }),
             Self::Choice { words } => {
                 json!({ "enum": words.iter().map(|(word, _)| *word).collect::<Vec<_>>() })
             }
@@ -257,6 +261,7 @@ impl Allowed {
             Self::Text => "a text".to_owned(),
             Self::File => "a path relative to the case file".to_owned(),
             Self::Expression => "a number, or an expression of the parameters in quotes".to_owned(),
+            Self::Quantity => "a number, or a quantity with the key's unit".to_owned(),
             Self::Choice { words } => {
                 let word = |(word, doc): &(&str, &str)| match *doc {
                     "" => format!("`\"{word}\"`"),

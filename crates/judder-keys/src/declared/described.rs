@@ -60,7 +60,7 @@ impl Allowed {
             Self::Told { keys, .. } if !keys.is_empty() => {
                 json!({ "kind": "table", "keys": documents(keys) })
             }
-            Self::File | Self::Expression | Self::Told { .. } => json!({ "kind": "other" }),
+            Self::File | Self::Expression | Self::Quantity | Self::Told { .. } => json!({ "kind": "other" }),
         }
     }
 }

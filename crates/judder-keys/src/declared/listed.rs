@@ -27,4 +27,9 @@ impl Listed {
     pub fn is_number(&self) -> bool {
         matches!(self.key.form, Allowed::Number(_) | Allowed::Scaled(_))
     }
+
+    /// Whether it names a file.
+    pub fn is_file(&self) -> bool {
+        matches!(self.key.form, Allowed::File)
+    }
 }

@@ -258,7 +258,7 @@ impl<T: Settings> Setting for T {
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
         let path = section.path(key);
-        let name = T::TITLE.unwrap_or("`{path}`").replace("{path}", &path);
+        let name = T::TITLE.map_or_else(|| section.title(key), |title| title.replace("{path}", &path));
         read_settings(node, &path, &name)
     }
 

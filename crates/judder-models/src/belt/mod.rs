@@ -3,21 +3,19 @@
 pub mod case;
 mod check;
 
-use crate::belt::case::{BeltCase, BeltKey, BeltKeys, BeltSections};
+use crate::belt::case::{BeltCase, BeltInputs, BeltKey, BeltKeys, BeltSections};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
 use crate::motion::model::BeltModel;
 use crate::motion::{MotionCase, MotionOf};
 use judder_keys::declared::Settings;
-use judder_keys::keys::Keys;
+use judder_keys::keys::{Keys, lines};
 use judder_study::StudyError;
 use judder_study::case::analysis::Planned;
 use judder_study::case::file::{Case, CaseFile};
-use judder_study::case::reference::section;
-use judder_study::case::root::schema;
 use judder_study::model::{Analysed, Analysis, Model, Task};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, entries};
+use judder_study::registry::{ModelKind, Template, entries};
 use judder_study::resolve::Resolved;
 use std::sync::Arc;
 
@@ -54,17 +52,15 @@ impl MotionCase for BeltCase {
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "belt",
     read: |root, _| case::read(root).map(Case::new),
+    doc: "one mass on a moving belt, friction that falls with speed",
     declared: BeltSections::declarations,
     swept: BeltKey::paths,
-    schema: || {
-        schema(
-            "belt",
-            "one mass on a moving belt, friction that falls with speed",
-            &BeltSections::declarations(),
-            &case::KINDS,
-        )
+    prose: include_str!("reference.md"),
+    template: Template {
+        name: "belt",
+        text: include_str!("template.toml"),
+        lines: |section| lines(section, |key: BeltKey| BeltInputs::default().number(key)),
     },
-    reference: || section(include_str!("reference.md"), &BeltSections::declarations(), &case::KINDS),
     kinds: || entries(&case::KINDS),
     operating_quantities: &[],
 };

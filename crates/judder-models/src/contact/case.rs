@@ -55,7 +55,6 @@ pub(crate) struct ContactSections {
 
 /// `[indenter]`.
 #[derive(Debug, Clone, PartialEq, Settings)]
-#[settings(title = "[{path}]")]
 struct IndenterKeys {
     #[key(flatten, rule = "indenter")]
     numbers: Numbers<OscillatorKey>,

@@ -25,6 +25,8 @@ use crate::error::ModelError;
 use crate::indenter::profile;
 use crate::material::{self, ContactScales};
 use crate::measured_band::MeasuredBand;
+use crate::oscillator::inputs::OscillatorInputs;
+use crate::oscillator::keys::OscillatorKey;
 use crate::spectrum_source::temperature_warning;
 use check::ContactEstimate;
 use judder_contact::material::Discretisation;
@@ -32,15 +34,14 @@ use judder_contact::steady::profile::Profile;
 use judder_contact::unilateral::Loading;
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
+use judder_keys::keys::lines;
 use judder_store::{Declared, Results};
 use judder_study::StudyError;
 use judder_study::case::analysis::{Kind, Planned};
 use judder_study::case::file::{Case, CaseFile};
-use judder_study::case::reference::section;
-use judder_study::case::root::schema;
 use judder_study::model::{Analysed, Analysis, Model, Prepared, Refusal, Task, wanted};
 use judder_study::outcome::{CheckRecord, Outcome};
-use judder_study::registry::{ModelKind, entries};
+use judder_study::registry::{ModelKind, Template, entries};
 use judder_study::resolve::Resolved;
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -129,17 +130,15 @@ impl Analysed for ContactCase {
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "contact",
     read: |root, folder| case::read(root, folder).map(Case::new),
+    doc: "a rigid indenter that slides on a viscoelastic substrate",
     declared: ContactSections::declarations,
     swept: Vec::new,
-    schema: || {
-        schema(
-            "contact",
-            "a rigid indenter that slides on a viscoelastic substrate",
-            &ContactSections::declarations(),
-            &KINDS,
-        )
+    prose: include_str!("reference.md"),
+    template: Template {
+        name: "contact",
+        text: include_str!("template.toml"),
+        lines: |section| lines(section, |key: OscillatorKey| OscillatorInputs::default().number(key)),
     },
-    reference: || section(include_str!("reference.md"), &ContactSections::declarations(), &KINDS),
     kinds: || entries(&KINDS),
     operating_quantities: &[],
 };

@@ -104,7 +104,6 @@ pub(crate) struct OscillatorSections {
 
 /// `[contact]`.
 #[derive(Debug, Settings)]
-#[settings(title = "[{path}]")]
 struct ContactSection {
     #[key(flatten, rule = "contact")]
     numbers: Numbers<OscillatorKey>,

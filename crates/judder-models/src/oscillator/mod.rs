@@ -48,22 +48,20 @@ use crate::swept_keys::{OscillatorKeys, SweptKeys};
 use judder_contact::law::sweep::SolvedPoint;
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
-use judder_keys::keys::Keys;
+use judder_keys::keys::{Keys, lines};
 use judder_oscillator::Contact;
 use judder_store::{Declared, Results};
 use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::analysis::{Kind, Planned};
 use judder_study::case::file::{Case, CaseFile};
-use judder_study::case::reference::section;
-use judder_study::case::root::schema;
 use judder_study::case::study_sweep::{StudySweep, SweptKey};
 use judder_study::labels::{Quantity, any_key};
 use judder_study::model::{
     Analysed, Analysis, Model, OperatingPoints, OperatingQuantity, OperatingWork, Prepared, Task,
 };
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, entries};
+use judder_study::registry::{ModelKind, Template, entries};
 use judder_study::resolve::Resolved;
 use operating_points::OfOneLaw;
 use quasi_steady::{Condition, ToldCondition, of_motions};
@@ -154,17 +152,15 @@ impl Analysed for OscillatorCase {
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "oscillator",
     read: |root, folder| case::read(root, folder).map(Case::new),
+    doc: "the oscillator of the oscillator paper",
     declared: OscillatorSections::declarations,
     swept: OscillatorKey::paths,
-    schema: || {
-        schema(
-            "oscillator",
-            "the oscillator of the oscillator paper",
-            &OscillatorSections::declarations(),
-            &KINDS,
-        )
+    prose: include_str!("reference.md"),
+    template: Template {
+        name: "oscillator",
+        text: include_str!("template.toml"),
+        lines: |section| lines(section, |key: OscillatorKey| OscillatorInputs::default().number(key)),
     },
-    reference: || section(include_str!("reference.md"), &OscillatorSections::declarations(), &KINDS),
     kinds: || entries(&KINDS),
     operating_quantities: &operating_points::QUANTITIES,
 };

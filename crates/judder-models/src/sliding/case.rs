@@ -24,22 +24,25 @@ use std::sync::Arc;
 
 use crate::REGISTRY;
 use crate::parameters::{Parameter, Parameters};
-use crate::sliding::KINDS;
 use crate::sliding::spectrogram::settings::check_references;
+use crate::sliding::{KINDS, MODEL};
 use contact::SlidingContact;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Settings, both};
+use judder_keys::declared::{Setting, both};
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::file_reference::FileReference;
+use judder_keys::schema::object;
 use judder_keys::section::Section;
 use judder_study::case::analysis::{Planned, read_analyses};
+use judder_study::case::root::{document, read_root};
 use judder_study::model::Analysis;
 use motion::SlidingMotion;
 use observe::{Observed, ObservedPoint};
 use problem::SlidingProblem;
-use structure::{SlidingStructure, read_structures};
+use serde_json::Value as Json;
+use structure::{SlidingStructure, Structures};
 use sweep::KeySweep;
 
 /// A validated sliding case.
@@ -96,6 +99,19 @@ impl SlidingCase {
         self.structures.iter().flat_map(|structure| structure.source.files()).collect()
     }
 
+    /// The canonical form.
+    pub(super) fn resolved(&self) -> Json {
+        let mut json = document(MODEL.name, &self.title, &self.analyses, |kind, json| kind.write(json));
+        json.extend(object([
+            ("parameters", Parameters(self.parameters.clone()).write(&())),
+            ("structure", self.structures.iter().map(SlidingStructure::written).collect()),
+            ("contact", self.contact.write(&())),
+            ("motion", self.motion.write(&())),
+            ("observe", Observed { points: self.points.clone() }.write(&())),
+        ]));
+        Json::Object(json)
+    }
+
     /// The case with a swept key at `value`, in SI units, without analyses: read anew, so that every key can be swept.
     ///
     /// # Errors
@@ -106,7 +122,7 @@ impl SlidingCase {
         let place = root.place;
         let read = root
             .set(&sweep.path, place, Node { place, data: sweep.data(value) })
-            .and_then(|()| read_system(&root, folder));
+            .and_then(|()| read_system(&root, folder).map(|(_, case)| case));
         read.map_err(|fault| {
             let cause = fault.into_cause();
             let (key, value) = (sweep.path.clone(), sweep.text(value));
@@ -120,13 +136,9 @@ impl SlidingCase {
     }
 }
 
-const KEYS: [&str; 9] =
-    ["title", "model", "parameters", "structure", "contact", "motion", "observe", "analysis", "sweep"];
-
 /// Reads a sliding case from the root of its tree; files are relative to `folder`.
 pub(crate) fn read(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
-    let mut case = read_system(node, folder)?;
-    let root = Section::open(node, "", "a sliding case", &KEYS)?;
+    let (root, mut case) = read_system(node, folder)?;
     case.analyses = read_analyses(&root, &case, &KINDS, REGISTRY)?;
     if let Some(Node { data: Data::List(nodes), .. }) = root.get("analysis") {
         check_references(&case.analyses, &case.points, nodes)?;
@@ -134,9 +146,15 @@ pub(crate) fn read(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
     Ok(case)
 }
 
-/// What a case has beside its structures and analyses.
+/// What a case says beside its analyses.
 #[derive(Debug, Settings)]
-pub(crate) struct SystemKeys {
+#[settings(title = "a sliding case")]
+pub(crate) struct SlidingSections {
+    /// Numbers that factors of matrices use and sweeps vary.
+    parameters: Parameters,
+    /// The two structures.
+    #[key(example = "[[structure]], one table for each of the two structures")]
+    structure: Structures,
     /// Who slides on what, and friction.
     #[key(example = "[contact] with slider = { … } and track = { … }")]
     contact: SlidingContact,
@@ -148,12 +166,10 @@ pub(crate) struct SystemKeys {
 }
 
 /// Everything but the analyses.
-fn read_system(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
-    let root = Section::open(node, "", "a sliding case", &KEYS)?;
-    let parameters = Parameters::of(&root)?.0;
-    let names: Vec<String> = parameters.iter().map(|parameter| parameter.name.clone()).collect();
-    let (structures, system) = both(read_structures(&root, &names, folder), SystemKeys::read_table(&root))?;
-    let SystemKeys { mut contact, motion, mut observe } = system;
+fn read_system<'a>(node: &'a Node, folder: &Path) -> Result<(Section<'a>, SlidingCase), Fault> {
+    let (root, sections) = read_root::<SlidingSections>(node)?;
+    let (title, SlidingSections { parameters, structure, mut contact, motion, mut observe }) = sections?;
+    let structures = structure.found(&root, &parameters.names(), folder)?;
     let observed = match (&mut observe, root.inner("observe")?) {
         (Some(observe), Some(section)) => observe.admit(&section, &structures),
         _ => Ok(()),
@@ -166,9 +182,8 @@ fn read_system(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
         _ => Ok(()),
     };
     both(coupled, observed)?;
-    let title = root.text("title")?.unwrap_or_default().to_owned();
     let origin = Arc::new(Origin { root: node.clone(), folder: folder.to_owned() });
     let points = observe.map_or_else(Vec::new, |observe| observe.points);
-    let (structures, analyses) = (Box::new(structures), Vec::new());
-    Ok(SlidingCase { title, parameters, structures, contact, motion, points, analyses, origin })
+    let (structures, parameters, analyses) = (Box::new(structures), parameters.0, Vec::new());
+    Ok((root, SlidingCase { title, parameters, structures, contact, motion, points, analyses, origin }))
 }

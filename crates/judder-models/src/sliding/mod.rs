@@ -16,16 +16,13 @@ pub mod growth;
 pub mod locus;
 pub mod march;
 pub mod modes;
-pub(crate) mod reference;
-pub(crate) mod resolved;
-pub(crate) mod schema;
 pub mod shapes;
 pub mod spectrogram;
 mod system;
 
 use crate::error::ModelError;
 use crate::estimate::Estimate;
-use crate::sliding::case::{SlidingCase, SystemKeys};
+use crate::sliding::case::{SlidingCase, SlidingSections};
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
 use judder_study::StudyError;
@@ -33,7 +30,7 @@ use judder_study::case::analysis::{Kind, Planned};
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::model::{Analysed, Analysis, Model, Prepared, Refusal, Task, wanted};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, entries};
+use judder_study::registry::{ModelKind, Template, entries};
 use judder_study::resolve::Resolved;
 use std::sync::Arc;
 use system::SlidingSystem;
@@ -85,10 +82,11 @@ fn fitting(
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "sliding",
     read: |root, folder| case::read(root, folder).map(Case::new),
-    declared: SystemKeys::declarations,
+    doc: "one structure slides along another",
+    declared: SlidingSections::declarations,
     swept: Vec::new,
-    schema: schema::case,
-    reference: reference::section,
+    prose: include_str!("reference.md"),
+    template: Template { name: "beams-paper", text: include_str!("template.toml"), lines: |_| String::new() },
     kinds: || entries(&KINDS),
     operating_quantities: &[],
 };
@@ -99,7 +97,7 @@ impl Model for SlidingCase {
     }
 
     fn resolved(&self) -> serde_json::Value {
-        resolved::case(self)
+        SlidingCase::resolved(self)
     }
 
     fn prepared(&self) -> Result<Prepared, StudyError> {

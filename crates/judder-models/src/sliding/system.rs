@@ -170,7 +170,7 @@ pub(crate) fn alone(case: &SlidingCase, index: usize) -> StructureCase {
         title: case.title.clone(),
         parameters: case.parameters.clone(),
         source: own.source.clone(),
-        damping: own.damping.clone(),
+        damping: own.damping(),
         reduction: None,
         analyses: Vec::new(),
     }

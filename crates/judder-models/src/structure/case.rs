@@ -19,22 +19,26 @@ use std::path::Path;
 
 use crate::REGISTRY;
 use crate::parameters::{Parameter, Parameters};
+use crate::structure::MODEL;
 use crate::swept_keys::ParameterKeys;
-use body::{Body, BodyKeys, Geometry, read_body};
+use body::{Body, Geometry};
 use damping::Damping;
+use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Settings, both, read_settings};
+use judder_keys::declared::{Setting, Settings, both};
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
 use judder_keys::file_reference::FileReference;
 use judder_keys::problem::Placed;
 use judder_keys::section::Section;
 use judder_study::case::analysis::{Planned, read_analyses};
+use judder_study::case::root::{document, read_root};
 use judder_study::model::Analysis;
-use matrices::{MatrixSums, read_matrices};
+use matrices::MatrixSums;
 use problem::StructureProblem;
-use reduction::Reduction;
+use reduction::{FixedModes, KEPT, Kept, Reduction};
 use scope::StructureScope;
+use serde_json::Value as Json;
 use std::sync::Arc;
 
 /// A validated structure case.
@@ -54,13 +58,15 @@ pub struct StructureCase {
     pub analyses: Vec<Planned<Arc<dyn Analysis<StructureCase>>>>,
 }
 
-/// Where a structure comes from.
-#[derive(Debug, Clone)]
+/// Where a structure comes from; the keys of a body stand beside those of whatever has it.
+#[derive(Debug, Clone, Settings)]
+#[settings(check = StructureSource::is_one)]
 pub enum StructureSource {
-    /// `[structure]`: elements with materials and supports.
-    Body(Box<Body>),
-    /// `[matrices]`: what another program assembled.
-    Matrices(Box<MatrixSums>),
+    /// Elements with materials and supports.
+    #[key(flatten)]
+    Body(Body),
+    /// M, C and K that another program assembled.
+    Matrices(MatrixSums),
 }
 
 impl StructureCase {
@@ -76,6 +82,39 @@ impl StructureCase {
 }
 
 impl StructureSource {
+    /// Refuses a body beside matrices, and neither.
+    fn is_one(section: &Section<'_>) -> Result<(), Fault> {
+        if section.get("matrices").is_none() {
+            if Geometry::KEYS.iter().any(|key| section.get(key).is_some()) {
+                return Ok(());
+            }
+            let expected = "beam = { … }, block = { … }, mesh = \"file.msh\" or matrices = { … }";
+            return Err(section.missing("beam", expected));
+        }
+        for key in Body::keys().into_iter().chain(["damping"]) {
+            if let Some(node) = section.get(key) {
+                let problem = Cause::Meaningless { key, with: section.path("matrices") };
+                return Err(problem.at(node.place));
+            }
+        }
+        Ok(())
+    }
+
+    /// Finds the files, which are relative to `folder`, and compiles the factors, which are expressions of `parameters`; the keys of
+    /// `section` are those of a body, or `matrices`.
+    pub(crate) fn found(
+        self,
+        section: &Section<'_>,
+        parameters: &[String],
+        folder: &Path,
+    ) -> Result<Self, Fault> {
+        match (self, section.inner("matrices")?) {
+            (Self::Body(body), _) => body.found(section, folder).map(Self::Body),
+            (Self::Matrices(sums), Some(own)) => sums.found(&own, parameters, folder).map(Self::Matrices),
+            (Self::Matrices(sums), None) => Ok(Self::Matrices(sums)),
+        }
+    }
+
     /// The files that the source names.
     pub fn files(&self) -> Vec<&FileReference> {
         match self {
@@ -88,67 +127,109 @@ impl StructureSource {
     }
 }
 
-/// Reads a structure case from the root of its tree; files are relative to `folder`.
-pub(crate) fn read(root: &Node, folder: &Path) -> Result<StructureCase, Fault> {
-    let known = [
-        "title",
-        "model",
-        "parameters",
-        "structure",
-        "matrices",
-        "damping",
-        "reduction",
-        "analysis",
-        "sweep",
-    ];
-    let root = Section::open(root, "", "a structure case", &known)?;
-    let parameters = Parameters::of(&root)?.0;
-    let keys = ParameterKeys(parameters.iter().map(|parameter| parameter.name.clone()).collect());
-    let damping = root.get("damping").map(|node| read_settings(node, "damping", "[damping]"));
-    let damping = damping.unwrap_or_else(|| Ok(Damping::default()));
-    let (source, damping) = both(read_source(&root, &keys, folder), damping)?;
-    let reduction = root.get("reduction").map(|node| {
-        let section = Section::of_table(node, "reduction", "[reduction]")?;
-        let kept = section.required("kept", "kept = [{ set = \"end\" }], the freedoms that are kept");
-        both(kept, Reduction::of(&section, &source)).map(|(_, reduction)| reduction)
-    });
-    let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value).collect();
-    let scope = StructureScope { keys, source: source.clone(), values, has_reduction: reduction.is_some() };
-    let (reduction, analyses) =
-        both(reduction.transpose(), read_analyses(&root, &scope, &super::KINDS, REGISTRY))?;
-    let title = root.text("title")?.unwrap_or_default().to_owned();
-    Ok(StructureCase { title, parameters, source, damping, reduction, analyses })
+/// What a case says beside its analyses.
+#[derive(Debug, Settings)]
+#[settings(title = "a structure case")]
+pub(crate) struct StructureSections {
+    /// Numbers that factors of matrices use and sweeps vary.
+    parameters: Parameters,
+    #[key(flatten)]
+    source: SourceSections,
+    /// The damping of a body; none where left out.
+    #[key(omitted)]
+    damping: Option<Damping>,
+    /// What a reduction keeps.
+    #[key(omitted)]
+    reduction: Option<ReductionSection>,
 }
 
-/// Reads `[structure]` or `[matrices]`.
-fn read_source(root: &Section<'_>, keys: &ParameterKeys, folder: &Path) -> Result<StructureSource, Fault> {
-    match (root.get("structure"), root.get("matrices")) {
-        (Some(node), None) => {
-            refuse(root, "parameters", "[structure]")?;
-            let section = Section::of_table(node, "structure", "[structure]")?;
-            let body = both(section.refuse_others(&BodyKeys::keys()), read_body(&section, folder));
-            body.map(|((), body)| StructureSource::Body(Box::new(body)))
+/// Where a structure comes from, in sections.
+#[derive(Debug, Settings)]
+#[settings(check = SourceSections::is_given)]
+enum SourceSections {
+    /// A body of elements.
+    Structure(Body),
+    /// M, C and K that another program assembled.
+    Matrices(MatrixSums),
+}
+
+/// `[reduction]`, which says what is kept.
+#[derive(Debug, Settings)]
+struct ReductionSection {
+    /// Freedoms that are kept.
+    #[key(rule = KEPT, example = "[{ set = \"end\" }], the freedoms that are kept")]
+    kept: Vec<Kept>,
+    #[key(flatten)]
+    modes: FixedModes,
+}
+
+impl SourceSections {
+    /// Refuses none, and what has no meaning beside the one that is given.
+    fn is_given(root: &Section<'_>) -> Result<(), Fault> {
+        let refuse = |key: &'static str, beside: &str| match root.get(key) {
+            Some(node) => Err(Cause::Meaningless { key, with: beside.to_owned() }.at(node.place)),
+            None => Ok(()),
+        };
+        match (root.get("structure"), root.get("matrices")) {
+            (Some(_), None) => refuse("parameters", "[structure]"),
+            (None, Some(_)) => refuse("damping", "[matrices]"),
+            (None, None) => Err(StructureProblem::NoStructure.at(root.place)),
+            (Some(_), Some(_)) => Ok(()),
         }
-        (None, Some(node)) => {
-            refuse(root, "damping", "[matrices]")?;
-            let section = Section::open(node, "matrices", "[matrices]", &matrices::KEYS)?;
-            Ok(StructureSource::Matrices(Box::new(read_matrices(&section, &keys.0, folder)?)))
-        }
-        (None, None) => Err(StructureProblem::NoStructure.at(root.place)),
-        (Some(_), Some(node)) => {
-            let (first, second) = ("structure".to_owned(), "matrices".to_owned());
-            Err(Cause::Conflict { first, second }.at(node.place))
+    }
+
+    /// The source, whose files are relative to `folder` and whose factors are expressions of `parameters`.
+    fn found(
+        self,
+        root: &Section<'_>,
+        parameters: &[String],
+        folder: &Path,
+    ) -> Result<StructureSource, Fault> {
+        match (self, root.inner("structure")?) {
+            (Self::Structure(body), Some(section)) => {
+                StructureSource::Body(body).found(&section, parameters, folder)
+            }
+            (Self::Structure(body), None) => Ok(StructureSource::Body(body)),
+            (Self::Matrices(sums), _) => StructureSource::Matrices(sums).found(root, parameters, folder),
         }
     }
 }
 
-/// Refuses a section that has no meaning beside another.
-fn refuse(root: &Section<'_>, key: &'static str, beside: &str) -> Result<(), Fault> {
-    match root.get(key) {
-        None => Ok(()),
-        Some(node) => {
-            let problem = Cause::Meaningless { key, with: beside.to_owned() };
-            Err(problem.at(node.place))
+/// Reads a structure case from the root of its tree; files are relative to `folder`.
+pub(crate) fn read(node: &Node, folder: &Path) -> Result<StructureCase, Fault> {
+    let (root, sections) = read_root::<StructureSections>(node)?;
+    let (title, StructureSections { parameters, source, damping, reduction }) = sections?;
+    let keys = ParameterKeys(parameters.names());
+    let source = source.found(&root, &keys.0, folder)?;
+    let reduction = reduction.map(|ReductionSection { kept, modes }| Reduction { kept, modes });
+    let admitted = match (&reduction, root.inner("reduction")?) {
+        (Some(own), Some(section)) => own.admit(&section, &source),
+        _ => Ok(()),
+    };
+    let values: Vec<f64> = parameters.0.iter().map(|parameter| parameter.value).collect();
+    let scope = StructureScope { keys, source: source.clone(), values, has_reduction: reduction.is_some() };
+    let ((), analyses) = both(admitted, read_analyses(&root, &scope, &super::KINDS, REGISTRY))?;
+    let damping = damping.unwrap_or_default();
+    Ok(StructureCase { title, parameters: parameters.0, source, damping, reduction, analyses })
+}
+
+impl StructureCase {
+    /// The canonical form.
+    pub(super) fn resolved(&self) -> Json {
+        let mut json = document(MODEL.name, &self.title, &self.analyses, |kind, json| kind.write(json));
+        match &self.source {
+            StructureSource::Body(body) => {
+                json.insert("structure".to_owned(), body.written(body.write(&())));
+                json.insert("damping".to_owned(), self.damping.write(&()));
+            }
+            StructureSource::Matrices(sums) => {
+                json.insert("parameters".to_owned(), Parameters(self.parameters.clone()).write(&()));
+                json.insert("matrices".to_owned(), sums.write(&()));
+            }
         }
+        if let Some(kept) = &self.reduction {
+            json.insert("reduction".to_owned(), kept.write(&()));
+        }
+        Json::Object(json)
     }
 }

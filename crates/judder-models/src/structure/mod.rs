@@ -15,24 +15,22 @@ mod fields;
 pub mod modes;
 pub mod receptance;
 pub mod reduction;
-pub(crate) mod reference;
-pub(crate) mod resolved;
-pub(crate) mod schema;
 pub(crate) mod shape_panels;
 mod shapes;
 mod undamped;
 
 use crate::error::ModelError;
-use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
+use crate::structure::case::{StructureCase, StructureSections};
 use build::Structure;
+use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
 use judder_study::StudyError;
 use judder_study::case::analysis::{Kind, Planned};
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::model::{Analysed, Analysis, Model, Prepared, Task, wanted};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, entries};
+use judder_study::registry::{ModelKind, Template, entries};
 use judder_study::resolve::Resolved;
 use std::sync::Arc;
 
@@ -81,10 +79,11 @@ fn fitting(
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "structure",
     read: |root, folder| case::read(root, folder).map(Case::new),
-    declared: schema::declared,
+    doc: "one linear structure alone",
+    declared: StructureSections::declarations,
     swept: Vec::new,
-    schema: schema::case,
-    reference: reference::section,
+    prose: include_str!("reference.md"),
+    template: Template { name: "structure", text: include_str!("template.toml"), lines: |_| String::new() },
     kinds: || entries(&KINDS),
     operating_quantities: &[],
 };
@@ -95,7 +94,7 @@ impl Model for StructureCase {
     }
 
     fn resolved(&self) -> serde_json::Value {
-        resolved::case(self)
+        StructureCase::resolved(self)
     }
 
     fn prepared(&self) -> Result<Prepared, StudyError> {

@@ -161,7 +161,7 @@ pub enum TermCount {
 
 /// `[substrate]`, as a case says it.
 #[derive(Debug, Clone, PartialEq, Default, Settings)]
-#[settings(check = SubstrateKeys::fit, title = "[{path}]")]
+#[settings(check = SubstrateKeys::fit)]
 pub(crate) struct SubstrateKeys {
     #[key(flatten, rule = "substrate")]
     numbers: Numbers<OscillatorKey>,

@@ -99,7 +99,6 @@ pub(crate) struct TwoDegreesSections {
 
 /// `[matrices]`.
 #[derive(Debug, Settings)]
-#[settings(title = "[{path}]")]
 struct MatrixKeys {
     /// M, 2×2 numbers or expressions; the identity by default.
     mass: Option<Entries>,

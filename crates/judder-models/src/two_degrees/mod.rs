@@ -23,11 +23,9 @@ use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::analysis::{Kind, Planned};
 use judder_study::case::file::{Case, CaseFile};
-use judder_study::case::reference::section;
-use judder_study::case::root::schema;
 use judder_study::model::{Analysed, Analysis, Model, OperatingQuantity, Task};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, entries};
+use judder_study::registry::{ModelKind, Template, entries};
 use judder_study::resolve::Resolved;
 use std::sync::Arc;
 
@@ -61,17 +59,11 @@ pub(crate) static KINDS: [Kind<ParameterKeys, Arc<dyn Varying>>; 3] =
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "two-degrees",
     read: |root, _| case::read(root).map(Case::new),
+    doc: "two degrees of freedom with given matrices",
     declared: TwoDegreesSections::declarations,
     swept: Vec::new,
-    schema: || {
-        schema(
-            "two-degrees",
-            "two degrees of freedom with given matrices",
-            &TwoDegreesSections::declarations(),
-            &KINDS,
-        )
-    },
-    reference: || section(include_str!("reference.md"), &TwoDegreesSections::declarations(), &KINDS),
+    prose: include_str!("reference.md"),
+    template: Template { name: "two-degrees", text: include_str!("template.toml"), lines: |_| String::new() },
     kinds: || entries(&KINDS),
     operating_quantities: &LINEAR_QUANTITIES,
 };

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::parse;
-use judder_models::template::{TEMPLATES, template};
+use judder_models::template::{template, templates};
 use miette::Diagnostic;
 
 /// Fragments of case files, right and wrong, from which texts are put together.
@@ -86,8 +86,8 @@ proptest! {
     }
 
     #[test]
-    fn damaged_templates(which in 0..TEMPLATES.len(), start in 0..2000_usize, length in 0..20_usize, patch in "\\PC{0,4}") {
-        let mut text: Vec<char> = template(TEMPLATES[which]).unwrap().chars().collect();
+    fn damaged_templates(which in 0..templates().len(), start in 0..2000_usize, length in 0..20_usize, patch in "\\PC{0,4}") {
+        let mut text: Vec<char> = template(templates()[which]).unwrap().chars().collect();
         let start = start.min(text.len());
         let end = (start + length).min(text.len());
         text.splice(start..end, patch.chars());

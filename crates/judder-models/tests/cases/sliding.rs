@@ -52,7 +52,7 @@ fn the_template_is_the_beams_paper() {
         let material = body.material.unwrap();
         assert_eq!((beam.length, beam.thickness, body.width.unwrap()), sizes);
         assert_eq!((material.youngs_modulus, material.poisson_ratio, material.density), elastic);
-        assert_eq!(structure.damping, Damping::Rayleigh(Rayleigh { alpha, beta, ratios: None }));
+        assert_eq!(structure.damping(), Damping::Rayleigh(Rayleigh { alpha, beta, ratios: None }));
         assert_eq!([beam.start, beam.end], [start, EndCondition::Free]);
         assert_eq!(structure.reduction.modes, FixedModes::Count(20));
     }

@@ -1,17 +1,17 @@
 //! Cases that run wherever they lie: the files that they name stand in them by their whole paths.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf, absolute};
 
 use toml_edit::{DocumentMut, Item, TableLike, Value};
 
 use crate::case::compose::with_options;
 use crate::case::file::CaseFile;
+use crate::case::keys::file_keys;
 use judder_keys::edited::put;
 use judder_keys::error::CaseError;
 use judder_keys::file_reference::FileReference;
 
-/// The keys of files.
-const FILES: [&str; 4] = ["file", "mesh", "heights", "freedoms"];
 /// The key of the folder in which the files beside and below it are sought.
 const FOLDER: &str = "folder";
 
@@ -34,13 +34,15 @@ pub(crate) fn settle(document: &mut DocumentMut, file: &CaseFile) {
     let home = Path::new(&file.origin).parent().unwrap_or(Path::new(""));
     // a folder of an option is sought where the program runs
     let folders = [home, Path::new("")].map(|folder| absolute(folder.join(".")).unwrap_or_default());
-    Home { folders, files }.settle(document.as_table_mut());
+    Home { folders, files, keys: file_keys(file.registry()) }.settle(document.as_table_mut());
 }
 
 /// Where the files of a case are sought, and which they are.
 struct Home<'a> {
     folders: [PathBuf; 2],
     files: Vec<&'a FileReference>,
+    /// The keys of files.
+    keys: BTreeSet<&'static str>,
 }
 
 impl Home<'_> {
@@ -50,7 +52,7 @@ impl Home<'_> {
             return self.replace(item, is_of_files);
         }
         for (key, item) in table.iter_mut() {
-            if FILES.contains(&key.get()) && item.is_str() {
+            if self.keys.contains(key.get()) && item.is_str() {
                 self.replace(item, is_of_files);
             } else {
                 self.settle_below(item);

@@ -4,6 +4,7 @@ use crate::case::root::COMMON;
 use crate::registry::{ModelKind, Registry};
 use judder_keys::declared::{Listed, listed};
 use serde_json::{Value as Json, json};
+use std::collections::BTreeSet;
 
 /// Every key of the cases of a model by its dotted `path`, `*` for an item of a list or a name, with what [`Declaration::document`](judder_keys::declared::Declaration::document) tells of it; those
 /// of analyses with the kind that they belong to, `analysis`; and whether the analyses can vary it, `varied`. `None` where there is no such model.
@@ -43,4 +44,10 @@ fn of_analyses(model: &ModelKind) -> impl Iterator<Item = Json> {
 pub fn is_number(registry: Registry, path: &str) -> bool {
     let is_this = |key: &Listed| key.is_number() && key.path == path;
     registry.models().iter().any(|model| listed("", &(model.declared)()).iter().any(is_this))
+}
+
+/// The names of all keys that name a file.
+pub(crate) fn file_keys(registry: Registry) -> BTreeSet<&'static str> {
+    let declared = registry.models().iter().flat_map(|model| listed("", &(model.declared)()));
+    declared.filter(Listed::is_file).map(|own| own.key.name).collect()
 }

@@ -1,11 +1,13 @@
 //! The reference page of the book: every key and every kind of analysis, from the tables that read them.
 
-mod sweep;
-
-use crate::case::analysis::Kind;
-use crate::registry::Registry;
-use judder_keys::declared::Declaration;
+use crate::case::analysis::KindEntry;
+use crate::case::study_sweep::design::POINTS_LIMIT;
+use crate::case::study_sweep::quantity_path::Reduction;
+use crate::case::study_sweep::read::SweepKeys;
+use crate::registry::{ModelKind, Registry};
+use judder_keys::declared::Settings;
 use judder_keys::reference::{settings, table, without_repetition};
+use judder_numerics::sampling::sobol::DIMENSIONS_LIMIT;
 
 /// The page, as Markdown.
 pub fn reference(registry: Registry) -> String {
@@ -16,26 +18,37 @@ pub fn reference(registry: Registry) -> String {
          A case is a file of at most 1 MiB.\n\n",
     );
     for model in registry.models() {
-        page += &(model.reference)();
+        page += &section(model);
     }
     page += "\nA sweep within an analysis is `{ key = \"operation.velocity\", from = 1e-8, to = 1e2, points = 21, scale = \"log\" }` (`scale` is `linear` where left out), a \
              `family` is `{ key = \"…\", values = [ … ] }`, one curve a value, and `within` is `{ from = 1e-6, to = 1e3 }`. `method` is `adaptive` (the \
              default) or `every-point`; `boundaries = false` leaves the curves out.\n";
-    page + &sweep::section()
+    page + &sweeps()
+}
+
+/// The section on sweeps of the whole case.
+fn sweeps() -> String {
+    let reductions = Reduction::ALL.map(|(name, _)| format!("`{name}`")).join(", ");
+    include_str!("reference/sweeps.md")
+        .replace("{keys}", table(&SweepKeys::declarations()).trim_end())
+        .replace("{dimensions}", &DIMENSIONS_LIMIT.to_string())
+        .replace("{points}", &format!("{POINTS_LIMIT:e}"))
+        .replace("{reductions}", &reductions)
 }
 
 /// The section on a model: its prose, in which `{keys}` stands for what its cases say and `{analyses}` for its kinds.
-pub fn section<S, T>(prose: &str, keys: &[Declaration], own: &[Kind<S, T>]) -> String {
-    prose.replace("{keys}", table(keys).trim_end()).replace("{analyses}", kinds(own).trim_end())
+fn section(model: &ModelKind) -> String {
+    let (keys, kinds) = (table(&(model.declared)()), kinds(&(model.kinds)()));
+    model.prose.replace("{keys}", keys.trim_end()).replace("{analyses}", kinds.trim_end())
 }
 
 /// The kinds of a model, and their keys.
-pub fn kinds<S, T>(kinds: &[Kind<S, T>]) -> String {
+fn kinds(kinds: &[KindEntry]) -> String {
     let mut list =
         String::from("| kind | keys beside `name` and `kind` | what it computes |\n| --- | --- | --- |\n");
     for kind in kinds {
-        let Kind { name, doc, .. } = kind;
-        let keys: Vec<String> = kind.keys().iter().map(|key| format!("`{key}`")).collect();
+        let KindEntry { name, doc, declared, .. } = kind;
+        let keys: Vec<String> = declared().iter().map(|key| format!("`{}`", key.name)).collect();
         list += &format!("| `{name}` | {} | {doc} |\n", keys.join(", "));
     }
     let declared = kinds.iter().map(|kind| settings(kind.name, &(kind.declared)()));

@@ -1,12 +1,8 @@
 //! The resolved case as canonical JSON: every key with the value in use, keys sorted, the same bytes each time.
 
-mod sweep;
-
-use crate::case::analysis::Planned;
-use crate::case::file::Case;
-use judder_keys::dimension::Dimension;
-use judder_keys::numeric_key::Form;
-use serde_json::{Map, Value as Json, json};
+use crate::case::file::{Case, CaseFile};
+use crate::case::study_sweep::StudySweep;
+use serde_json::Value as Json;
 
 impl Case {
     /// The case with every default filled in, for the hash of a study and for its report.
@@ -20,22 +16,14 @@ impl Case {
     }
 }
 
-/// The analyses of a case.
-pub fn analyses<K>(analyses: &[Planned<K>], write: impl Fn(&K, &mut Map<String, Json>)) -> Json {
-    let written = |planned: &Planned<K>| {
-        let mut json = Map::new();
-        write(&planned.kind, &mut json);
-        json.insert("kind".to_owned(), json!(planned.kind_name));
-        json.insert("name".to_owned(), json!(planned.name));
-        Json::Object(json)
-    };
-    analyses.iter().map(written).collect()
-}
-
-/// A number in its form.
-pub fn number(number: f64, form: Form, dimension: Dimension) -> Json {
-    match form {
-        Form::Group => json!(number),
-        Form::Si => json!({ "value": number, "unit": dimension.unit() }),
+impl CaseFile {
+    /// [`Case::resolved`](crate::case::file::Case::resolved) with the sweeps of the case under `sweep`, where it has any.
+    pub fn resolved(&self) -> Json {
+        let mut json = self.case.resolved();
+        if !self.sweeps.is_empty() {
+            json["sweep"] = self.sweeps.iter().map(StudySweep::resolved).collect();
+        }
+        json.sort_all_objects();
+        json
     }
 }

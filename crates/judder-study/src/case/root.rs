@@ -1,7 +1,8 @@
 //! What a case of any model has: a title, analyses and sweeps beside what its model declares.
 
-use crate::case::analysis::{Kind, Planned};
-use judder_keys::declared::{Declaration, Settings, both};
+use crate::case::analysis::Planned;
+use crate::registry::ModelKind;
+use judder_keys::declared::{Settings, both};
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
 use judder_keys::schema::{object, reference, with_declared};
@@ -19,7 +20,7 @@ pub type Own<T> = Result<(String, T), Fault>;
 /// # Errors
 /// A root that is no table.
 pub fn read_root<T: Settings>(node: &Node) -> Result<(Section<'_>, Own<T>), Fault> {
-    let root = Section::of_table(node, "", T::TITLE.unwrap_or("the case"))?;
+    let root = Section::of_case(node, T::TITLE.unwrap_or("the case"))?;
     let [title, model, analysis, sweep] = COMMON;
     let known = [vec![title, model], T::keys(), vec![analysis, sweep]].concat();
     let own = both(root.text(title).map(|text| text.unwrap_or_default().to_owned()), T::read_table(&root));
@@ -45,12 +46,12 @@ pub fn document<K>(
 }
 
 /// The schema of the cases of a model.
-pub fn schema<S, T>(model: &str, doc: &str, keys: &[Declaration], kinds: &[Kind<S, T>]) -> Json {
+pub fn schema(model: &ModelKind) -> Json {
     let properties = object([
         ("title", json!({ "type": "string", "description": "the title", "default": "" })),
-        ("model", json!({ "const": model })),
-        ("analysis", super::schema::analyses(kinds)),
+        ("model", json!({ "const": model.name })),
+        ("analysis", super::schema::analyses(&(model.kinds)())),
         ("sweep", reference("sweeps")),
     ]);
-    with_declared(doc, properties, keys, &["model"])
+    with_declared(model.doc, properties, &(model.declared)(), &["model"])
 }

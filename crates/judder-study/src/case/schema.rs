@@ -1,22 +1,18 @@
 //! The JSON Schema of case files, so that editors complete and check.
 
-mod sweep;
-
-use crate::case::analysis::Kind;
-use crate::case::scale::Scale;
+use crate::case::analysis::KindEntry;
+use crate::case::root;
+use crate::case::study_sweep::read::SweepKeys;
 use crate::registry::Registry;
-use judder_keys::schema::{choice, names, object, reference, table, with_declared};
+use judder_keys::declared::Settings;
+use judder_keys::schema::{declared_table, names, object, with_declared};
 use serde_json::{Value as Json, json};
 
 /// The JSON Schema (draft 2020-12) of case files of all models, with descriptions and defaults.
 ///
 /// It knows names, types, signs and defaults; units and conditions between keys are checked by reading the case.
 pub fn schema(registry: Registry) -> Json {
-    let mut definitions = json!({
-        "points": { "type": "integer", "minimum": 2, "description": "number of points, both ends included" },
-        "scale": choice(Scale::ALL.map(|(name, _)| name), "linear", "spacing of the points"),
-        "sweeps": sweep::sweeps(),
-    });
+    let mut definitions = json!({ "sweeps": sweeps() });
     for model in registry.models() {
         let paths = (model.swept)();
         if !paths.is_empty() {
@@ -28,7 +24,7 @@ pub fn schema(registry: Registry) -> Json {
         "title": "A case of judder",
         "type": "object",
         "required": ["model"],
-        "oneOf": registry.models().iter().map(|model| (model.schema)()).collect::<Vec<_>>(),
+        "oneOf": registry.models().iter().map(|model| root::schema(model)).collect::<Vec<_>>(),
         "$defs": definitions,
     });
     json.sort_all_objects();
@@ -46,7 +42,7 @@ fn name_of(kind: &str) -> Json {
 }
 
 /// The list of analyses: one alternative a kind.
-pub fn analyses<S, T>(kinds: &[Kind<S, T>]) -> Json {
+pub(super) fn analyses(kinds: &[KindEntry]) -> Json {
     let alternatives = kinds.iter().map(|kind| {
         let own = [("kind", json!({ "const": kind.name })), ("name", name_of(kind.name))];
         with_declared(kind.doc, object(own), &(kind.declared)(), &["kind"])
@@ -54,14 +50,8 @@ pub fn analyses<S, T>(kinds: &[Kind<S, T>]) -> Json {
     json!({ "type": "array", "items": { "oneOf": alternatives.collect::<Vec<_>>() } })
 }
 
-/// A key over a range.
-pub fn sweep(key: Json, end: &Json, description: &str) -> Json {
-    let entries = [
-        ("key", key),
-        ("from", end.clone()),
-        ("to", end.clone()),
-        ("points", reference("points")),
-        ("scale", reference("scale")),
-    ];
-    table(description, object(entries), &["key", "from", "to", "points"])
+/// The list of sweeps, of any model.
+fn sweeps() -> Json {
+    let sweep = declared_table(SweepKeys::DOC, &SweepKeys::declarations());
+    json!({ "type": "array", "items": sweep, "description": SweepKeys::DOC })
 }

@@ -22,8 +22,10 @@ pub(crate) use trial::at;
 use crate::case::key_sweep;
 use crate::case::scale::Scale;
 use design::Sampler;
-use judder_keys::declared::Whole;
+use judder_keys::Settings;
+use judder_keys::declared::{Number, Whole};
 use judder_keys::dimension::Dimension;
+use judder_keys::numeric_key::Range;
 use quantity_path::QuantityPath;
 
 /// Whole numbers that every reader of JSON keeps.
@@ -76,19 +78,6 @@ pub enum Design {
 }
 
 impl Design {
-    /// The names of the methods in a case file.
-    pub const NAMES: [&'static str; 4] = ["grid", "list", "latin-hypercube", "sobol"];
-
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Grid => Self::NAMES[0],
-            Self::List => Self::NAMES[1],
-            Self::LatinHypercube { .. } => Self::NAMES[2],
-            Self::Sobol { .. } => Self::NAMES[3],
-        }
-    }
-
     /// The seed; `None` where nothing is drawn.
     pub fn seed(self) -> Option<u64> {
         match self {
@@ -156,10 +145,12 @@ impl SweptKey {
 }
 
 /// How the sensitivity of the quantities to the swept keys is estimated.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
 pub struct Sensitivity {
-    /// The confidence of the intervals, between 0 and 1.
+    /// Confidence of the intervals.
+    #[key(rule = Number { dimension: Dimension::NUMBER, range: Range::Interval { above: 0.0, up_to: 0.9999 } }, default = 0.95)]
     pub confidence: f64,
-    /// The bootstrap resamples from which they are taken.
+    /// Bootstrap resamples from which they are taken.
+    #[key(rule = Whole { from: 100, to: 1_000_000 }, default = 1000)]
     pub resamples: usize,
 }

@@ -4,7 +4,7 @@ use super::agreement::Numbers;
 use super::generated::{COUNT, GeneratedCase, generated};
 use super::{case_files, file, small_cases, workspace};
 use judder_keys::error::CaseError;
-use judder_models::template::{TEMPLATES, template};
+use judder_models::template::{template, templates};
 use judder_study::case::file::CaseFile;
 use judder_study::run::identity;
 use serde_json::{Map, Value, json};
@@ -37,7 +37,7 @@ fn shipped_cases_and_templates_resolve_as_before() {
         let name = path.strip_prefix(&folder).unwrap().to_str().unwrap().replace('\\', "/");
         found.insert(name, frozen(judder_models::read(&path, &[])));
     }
-    for name in TEMPLATES {
+    for name in templates() {
         let text = template(name).unwrap();
         let case = frozen(judder_models::parse("case.toml", &text, &[]));
         found.insert(format!("judder new {name}"), case);

@@ -5,99 +5,128 @@ use std::path::Path;
 use super::plain_name::PlainName;
 use super::problem::SlidingProblem;
 use crate::structure::case::StructureSource;
-use crate::structure::case::body::{BodyKeys, read_body};
 use crate::structure::case::damping::Damping;
-use crate::structure::case::matrices::{self, read_matrices};
-use crate::structure::case::reduction::{FIXED_MODES, FixedModes, Reduction};
+use crate::structure::case::reduction::Reduction;
+use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Named, Setting, Settings, both};
-use judder_keys::document::Node;
+use judder_keys::declared::{Allowed, Named, Setting, both, read_settings};
+use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, list};
+use serde_json::Value as Json;
 
-/// One of the two structures.
-#[derive(Debug, Clone)]
+/// One of the two structures: a beam, a block, a mesh or matrices.
+#[derive(Debug, Clone, Settings)]
+#[settings(check = SlidingStructure::complete)]
 pub struct SlidingStructure {
-    /// Its name, of letters, digits, `_` and `-`.
+    /// By which keys call this structure.
+    #[key(rule = "structure", example = "\"…\", by which keys call this structure")]
     pub name: PlainName,
     /// Where it comes from.
+    #[key(flatten)]
     pub source: StructureSource,
     /// Its own damping; matrices have theirs.
-    pub damping: Damping,
+    #[key(omitted)]
+    damping: Option<Damping>,
     /// The modes that its reduction keeps, and what freedoms it keeps beside those that contact, load and observed points need.
+    #[key(default)]
     pub reduction: Reduction,
 }
 
-/// The keys of a structure beside those of a body.
-pub(crate) const OWN_KEYS: [&str; 4] = ["name", "matrices", "damping", "reduction"];
-
-/// Reads `[[structure]]`: two tables; factors of matrices are expressions of `parameters`.
-pub(super) fn read_structures(
-    root: &Section<'_>,
-    parameters: &[String],
-    folder: &Path,
-) -> Result<[SlidingStructure; 2], Fault> {
-    let node = root.required("structure", "[[structure]], one table for each of the two structures")?;
-    let nodes = list("structure", node)?;
-    let [first, second] = nodes else {
-        return Err(SlidingProblem::StructureCount { found: nodes.len() }.at(node.place));
-    };
-    let read = |node: &Node| read_structure(node, parameters, folder);
-    let (first_structure, second_structure) = both(read(first), read(second))?;
-    let structures = [first_structure, second_structure];
-    if structures[0].name == structures[1].name {
-        let (what, name) = ("structure", structures[1].name.to_string());
-        return Err(SlidingProblem::NameTwice { what, name }.at(second.place));
+impl SlidingStructure {
+    /// Fills in the damping of a body.
+    fn complete(&mut self, _: &Section<'_>) -> Result<(), Fault> {
+        if let StructureSource::Body(_) = self.source {
+            self.damping.get_or_insert_default();
+        }
+        Ok(())
     }
-    Ok(structures)
-}
 
-fn read_structure(node: &Node, parameters: &[String], folder: &Path) -> Result<SlidingStructure, Fault> {
-    let known = [&OWN_KEYS[..], &BodyKeys::keys()].concat();
-    let section = Section::open(node, "structure", "a structure", &known)?;
-    let expected = "name = \"…\", by which keys call this structure";
-    let name = PlainName::read(&section, "name", section.required("name", expected)?, &"structure")?;
-    let (path, title) = (format!("structure.{}", *name), format!("the structure `{}`", *name));
-    let section = Section::of_table(node, &path, &title)?;
-    let damping = section.get("damping").map(|node| Setting::read(&section, "damping", node, &()));
-    let damping = damping.unwrap_or_else(|| Ok(Damping::default()));
-    let (source, damping) = both(read_source(&section, parameters, folder), damping)?;
-    let reduction = match section.inner("reduction")? {
-        Some(own) => Reduction::of(&own, &source)?,
-        None => Reduction { kept: Vec::new(), modes: FixedModes::Count(FIXED_MODES) },
-    };
-    Ok(SlidingStructure { name, source, damping, reduction })
-}
+    /// Its own damping; none of matrices, which have theirs.
+    pub fn damping(&self) -> Damping {
+        self.damping.clone().unwrap_or_default()
+    }
 
-fn read_source(
-    section: &Section<'_>,
-    parameters: &[String],
-    folder: &Path,
-) -> Result<StructureSource, Fault> {
-    match section.get("matrices") {
-        Some(node) => {
-            refuse_beside_matrices(section)?;
-            let sums = section.table("matrices", node, &matrices::KEYS)?;
-            Ok(StructureSource::Matrices(Box::new(read_matrices(&sums, parameters, folder)?)))
+    /// The canonical form.
+    pub(super) fn written(&self) -> Json {
+        match &self.source {
+            StructureSource::Body(body) => body.written(self.write(&())),
+            StructureSource::Matrices(_) => self.write(&()),
         }
-        None if ["beam", "block", "mesh"].iter().all(|key| section.get(key).is_none()) => {
-            let expected = "beam = { … }, block = { … }, mesh = \"file.msh\" or matrices = { … }";
-            Err(section.missing("beam", expected))
+    }
+
+    /// How messages call it and its keys, by its name where it has one.
+    fn titles(section: &Section<'_>) -> (String, String) {
+        let name = section.get("name").map(|node| PlainName::read(section, "name", node, &"structure"));
+        match name {
+            Some(Ok(name)) => (format!("structure.{name}"), format!("the structure `{name}`")),
+            _ => ("structure".to_owned(), "a structure".to_owned()),
         }
-        None => Ok(StructureSource::Body(Box::new(read_body(section, folder)?))),
+    }
+
+    fn read_item(node: &Node) -> Result<Self, Fault> {
+        let (path, title) = Self::titles(&Section::of_table(node, "structure", "a structure")?);
+        read_settings(node, &path, &title)
+    }
+
+    /// Finds the files, which are relative to `folder`, compiles factors, and refuses kept freedoms that it cannot have.
+    fn found(mut self, node: &Node, parameters: &[String], folder: &Path) -> Result<Self, Fault> {
+        let (path, title) = (format!("structure.{}", self.name), format!("the structure `{}`", self.name));
+        let section = Section::of_table(node, &path, &title)?;
+        self.source = self.source.found(&section, parameters, folder)?;
+        match section.inner("reduction")? {
+            Some(own) => self.reduction.admit(&own, &self.source).map(|()| self),
+            None => Ok(self),
+        }
     }
 }
 
-/// Matrices have no body and no other damping beside them.
-fn refuse_beside_matrices(section: &Section<'_>) -> Result<(), Fault> {
-    for key in BodyKeys::keys().into_iter().chain(["damping"]) {
-        if let Some(node) = section.get(key) {
-            let problem = Cause::Meaningless { key, with: section.path("matrices") };
-            return Err(problem.at(node.place));
-        }
+/// The two structures in the order of the case file.
+#[derive(Debug)]
+pub(crate) struct Structures([SlidingStructure; 2]);
+
+impl Structures {
+    /// Finds the files of both, which are relative to `folder`; factors of matrices are expressions of `parameters`.
+    pub(super) fn found(
+        self,
+        root: &Section<'_>,
+        parameters: &[String],
+        folder: &Path,
+    ) -> Result<[SlidingStructure; 2], Fault> {
+        let Self([one, other]) = self;
+        let Some(Node { data: Data::List(nodes), .. }) = root.get("structure") else {
+            return Ok([one, other]);
+        };
+        let [first, second] = &nodes[..] else { return Ok([one, other]) };
+        let found = both(one.found(first, parameters, folder), other.found(second, parameters, folder));
+        found.map(|(one, other)| [one, other])
     }
-    Ok(())
+}
+
+impl Setting for Structures {
+    type Rule = ();
+
+    fn form((): &()) -> Allowed {
+        Allowed::List { of: Box::new(SlidingStructure::form(&())), length: [2, 2] }
+    }
+
+    fn read(_: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        let nodes = list(key, node)?;
+        let [first, second] = nodes else {
+            return Err(SlidingProblem::StructureCount { found: nodes.len() }.at(node.place));
+        };
+        let (one, other) = both(SlidingStructure::read_item(first), SlidingStructure::read_item(second))?;
+        if one.name == other.name {
+            let (what, name) = ("structure", other.name.to_string());
+            return Err(SlidingProblem::NameTwice { what, name }.at(second.place));
+        }
+        Ok(Self([one, other]))
+    }
+
+    fn write(&self, (): &()) -> Json {
+        self.0.iter().map(SlidingStructure::written).collect()
+    }
 }
 
 /// Finds the structure that `structure` of a section names.

@@ -3,13 +3,13 @@
 use super::SlidingCase;
 use super::problem::SlidingProblem;
 use crate::structure::case::problem::StructureProblem;
-use judder_keys::declared::{Allowed, Number, Setting};
+use judder_keys::declared::{Allowed, Number, Setting, both, read_settings};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node, STEPS_LIMIT};
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
-use judder_keys::section::{Section, text};
-use judder_study::case::key_sweep::{read_ends, read_values, shown, written};
+use judder_keys::section::Section;
+use judder_study::case::key_sweep::{AnyNumber, VariedKey, of_one_dimension, shown, written};
 use judder_study::case::scale::{Scale, spaced};
 use serde_json::{Value as Json, json};
 
@@ -49,28 +49,25 @@ impl Setting for KeySweep {
     type Rule = ();
 
     fn form((): &()) -> Allowed {
-        Allowed::Told {
-            schema: crate::sliding::schema::key_sweep(),
-            words: "`{ key, from, to, points, scale }`, or `{ key, values }`".to_owned(),
-            keys: Vec::new(),
-        }
+        VariedKey::<SWEEP_LIMIT>::form(&())
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
-        let table = section.table(key, node, &["key", "from", "to", "points", "scale", "values"])?;
+        let (path, title) = (section.path(key), section.title(key));
+        let varied: VariedKey<SWEEP_LIMIT> = read_settings(node, &path, &title)?;
+        let table = Section::of_table(node, &path, &title)?;
         let expected = "the dotted path of a number of the case, key = \"contact.friction_coefficient\"";
-        let key = table.required("key", expected)?;
-        let path = text("sweep.key", key)?.to_owned();
-        let mut steps = path.split('.');
+        let node_of_key = table.required("key", expected)?;
+        let mut steps = varied.key.split('.');
         if !steps.next().is_some_and(|first| SWEPT.contains(&first)) || steps.count() > STEPS_LIMIT {
-            return Err(SlidingProblem::NotSwept { key: path }.at(key.place));
+            return Err(SlidingProblem::NotSwept { key: varied.key }.at(node_of_key.place));
         }
-        match table.get("values") {
-            Some(values) => {
+        match (table.get("values"), &varied.values) {
+            (Some(node_of_values), Some(values)) => {
                 Section::open(node, "sweep", "`sweep` with `values`", &["key", "values"])?;
-                read_list(path, values)
+                of_list(&varied.key, node_of_values, values)
             }
-            None => read_range(path, &table),
+            _ => of_range(&varied, &table),
         }
     }
 
@@ -94,18 +91,20 @@ impl KeySweep {
     }
 }
 
-fn read_list(path: String, node: &Node) -> Result<KeySweep, Fault> {
-    let (values, _, dimension) = read_values("sweep.values", node, 2)?;
+fn of_list(path: &str, node: &Node, values: &[AnyNumber]) -> Result<KeySweep, Fault> {
+    let (values, _, dimension) = of_one_dimension("sweep.values", node, values, 2)?;
     if !values.is_sorted_by(|a, b| a < b) && !values.is_sorted_by(|a, b| a > b) {
         return Err(StructureProblem::UnsortedValues.at(node.place));
     }
-    Ok(KeySweep { path, values, dimension, scale: Scale::Linear })
+    Ok(KeySweep { path: path.to_owned(), values, dimension, scale: Scale::Linear })
 }
 
-fn read_range(path: String, table: &Section<'_>) -> Result<KeySweep, Fault> {
-    let ends = read_ends(table)?;
-    table.required("points", "points = 101, the number of points, both ends included")?;
-    let points = table.whole("points", 2, SWEEP_LIMIT)?.unwrap_or(2) as u64;
+fn of_range(varied: &VariedKey<SWEEP_LIMIT>, table: &Section<'_>) -> Result<KeySweep, Fault> {
+    let points = varied
+        .points
+        .ok_or_else(|| table.missing("points", "points = 101, the number of points, both ends included"));
+    let (ends, points) = both(varied.ends(table), points)?;
+    let points = points as u64;
     let values = (0..points).map(|index| spaced(ends.values, points, ends.scale, index)).collect();
-    Ok(KeySweep { path, values, dimension: ends.dimension, scale: ends.scale })
+    Ok(KeySweep { path: varied.key.clone(), values, dimension: ends.dimension, scale: ends.scale })
 }

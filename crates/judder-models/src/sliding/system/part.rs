@@ -70,8 +70,8 @@ impl Reduction {
         };
         let mass = symmetric("mass", problem.mass())?;
         let stiffness = symmetric("stiffness", problem.stiffness())?;
-        let damping =
-            damping(&own.damping, problem.damping(), [&mass, &stiffness]).map_err(|error| refuse(&error))?;
+        let damping = damping(&own.damping(), problem.damping(), [&mass, &stiffness])
+            .map_err(|error| refuse(&error))?;
         let cut_off = match own.reduction.modes {
             FixedModes::Count(count) => CutOff::Count(count),
             FixedModes::CutOff(limit) => CutOff::Frequency(limit / TAU),

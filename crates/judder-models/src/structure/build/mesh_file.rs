@@ -48,7 +48,7 @@ fn refuse_strangers(body: &Body, read: &MeshFile) -> Result<(), Unbuilt> {
         read.mesh.blocks.iter().map(|block| block.material.clone()).chain(of_file).collect();
     known.sort_unstable();
     known.dedup();
-    match body.materials.iter().find(|(name, _)| !known.contains(name)) {
+    match body.materials.0.iter().find(|(name, _)| !known.contains(name)) {
         None => Ok(()),
         Some((name, _)) => {
             let problem = StructureProblem::UnknownGroup { name: name.clone(), known };
@@ -65,7 +65,7 @@ fn materials(body: &Body, read: &MeshFile) -> Result<BTreeMap<String, (Elastic, 
         let name = &block.material;
         let own = read.sections.get(name);
         let of_file = own.and_then(|section| section.material.as_ref());
-        let named = body.materials.iter().find(|(given, _)| given == name || Some(given) == of_file);
+        let named = body.materials.0.iter().find(|(given, _)| given == name || Some(given) == of_file);
         let elastic = match named {
             Some((_, material)) => elastic(material)?,
             None => match (told(read, of_file)?, &body.material) {

@@ -41,7 +41,7 @@ fn read(name: &str, terms: &[MatrixTerm]) -> Result<Vec<Matrix>, Unbuilt> {
     let read = |(index, term): (usize, &MatrixTerm)| {
         let path = &term.file.path;
         let mirrored = |triangle| read_stored_matrix(path).and_then(|matrix| matrix.mirrored(triangle));
-        let matrix = match term.triangle {
+        let matrix = match term.triangle() {
             Triangle::Both => read_matrix(path),
             Triangle::Lower => mirrored(matrix::Triangle::Lower),
             Triangle::Upper => mirrored(matrix::Triangle::Upper),

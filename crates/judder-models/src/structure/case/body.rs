@@ -5,7 +5,7 @@ use std::path::Path;
 use super::lists::length;
 use super::problem::StructureProblem;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Fixed, Number, Pair, Setting, Settings, Several, Whole, all};
+use judder_keys::declared::{Allowed, Fixed, Number, Pair, Setting, Several, Whole, all};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Entry, Node};
 use judder_keys::error::Fault;
@@ -17,30 +17,37 @@ use judder_keys::{Choice, Settings};
 use serde_json::Value as Json;
 
 /// A body of elements.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = Body::fits)]
 pub struct Body {
     /// Where its elements come from.
+    #[key(flatten)]
     pub geometry: Geometry,
-    /// How the third direction of a body of the plane is meant; where the case does not say, as a mesh file says, else plane stress.
+    /// How the third direction of a body of the plane is meant; a mesh file may say it.
+    #[key(usual = PlaneSection::PlaneStress)]
     pub section: Option<PlaneSection>,
-    /// Its width across the plane, m; where the case gives none, that of a mesh file, else 1 m. In space without meaning.
+    /// Width of a body of the plane across its plane; that of a mesh file, else 1 m where left out.
+    #[key(rule = LENGTH, symbol = "a")]
     pub width: Option<f64>,
-    /// The material of all elements that have none of their own; of a mesh file it may be missing.
+    /// The material of all elements that have no other; a beam and a block must have one.
     pub material: Option<Material>,
-    /// Materials by the names that a mesh file has for them.
-    pub materials: Vec<(String, Material)>,
-    /// What holds it.
+    /// Materials by the names of a mesh file.
+    #[key(default = Materials(Vec::new()))]
+    pub materials: Materials,
+    /// What holds sets of nodes.
+    #[key(rule = SUPPORTS, default = Vec::new())]
     pub supports: Vec<Support>,
 }
 
 /// Where elements come from.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = Geometry::is_one)]
 pub enum Geometry {
     /// A straight beam of eight-node quadrilaterals.
     Beam(Beam),
-    /// A rectangle or box of equal elements.
+    /// A rectangle or box of equal cells.
     Block(Block),
-    /// A mesh file of another program.
+    /// A mesh file, .msh or .inp, relative to the case file.
     Mesh(FileReference),
 }
 
@@ -206,34 +213,9 @@ pub const ELEMENTS: (usize, usize) = (1, 100_000);
 /// The endings of mesh files that are read.
 pub const MESH_ENDINGS: &str = ".msh, .inp";
 
-/// Elements with materials and supports.
-#[derive(Debug, Clone, PartialEq, Settings)]
-pub(crate) struct BodyKeys {
-    /// A straight beam of eight-node quadrilaterals.
-    beam: Option<Beam>,
-    /// A rectangle or box of equal cells.
-    block: Option<Block>,
-    /// A mesh file, .msh or .inp, relative to the case file.
-    mesh: Option<String>,
-    /// How the third direction of a body of the plane is meant; a mesh file may say it.
-    #[key(usual = PlaneSection::PlaneStress)]
-    section: Option<PlaneSection>,
-    /// Width of a body of the plane across its plane; that of a mesh file, else 1 m where left out.
-    #[key(rule = LENGTH, symbol = "a")]
-    width: Option<f64>,
-    /// The material of all elements that have no other; a beam and a block must have one.
-    material: Option<Material>,
-    /// Materials by the names of a mesh file.
-    #[key(default = Materials(Vec::new()))]
-    materials: Materials,
-    /// What holds sets of nodes.
-    #[key(rule = SUPPORTS, default = Vec::new())]
-    supports: Vec<Support>,
-}
-
 /// Materials by their names.
 #[derive(Debug, Clone, PartialEq)]
-struct Materials(Vec<(String, Material)>);
+pub struct Materials(pub Vec<(String, Material)>);
 
 impl Setting for Materials {
     type Rule = ();
@@ -258,41 +240,66 @@ impl Setting for Materials {
     }
 }
 
-/// Reads the body that `section` describes; a mesh file is relative to `folder`.
-pub(crate) fn read_body(section: &Section<'_>, folder: &Path) -> Result<Body, Fault> {
-    let found: Vec<&'static str> =
-        ["beam", "block", "mesh"].into_iter().filter(|key| section.get(key).is_some()).collect();
-    if found.len() != 1 {
-        let place = found.last().and_then(|key| section.get(key)).map_or(section.place, |node| node.place);
-        let section = section.name().to_owned();
-        return Err(StructureProblem::OneGeometry { section, found }.at(place));
-    }
-    let keys = BodyKeys::read_table(section)?;
-    let geometry = match (keys.beam, keys.block) {
-        (Some(beam), _) => Geometry::Beam(beam),
-        (_, Some(block)) => Geometry::Block(block),
-        _ => Geometry::Mesh(read_mesh(section, folder)?),
-    };
-    let is_solid = matches!(&geometry, Geometry::Block(block) if block.element().dimension() == 3);
-    let is_mesh = matches!(geometry, Geometry::Mesh(_));
-    for (key, with, is_refused) in [
-        ("section", "elements of space", is_solid),
-        ("width", "elements of space", is_solid),
-        ("materials", "a body of one material", !is_mesh),
-    ] {
-        if let Some(node) = section.get(key).filter(|_| is_refused) {
-            let problem = Cause::Meaningless { key, with: with.to_owned() };
-            return Err(problem.at(node.place));
+impl Geometry {
+    /// The keys of which a body has one.
+    pub(super) const KEYS: [&'static str; 3] = ["beam", "block", "mesh"];
+
+    /// Refuses none and several.
+    fn is_one(section: &Section<'_>) -> Result<(), Fault> {
+        let found: Vec<_> = Self::KEYS.into_iter().filter(|key| section.get(key).is_some()).collect();
+        if found.len() == 1 {
+            return Ok(());
         }
+        let place = found.last().and_then(|key| section.get(key)).map_or(section.place, |node| node.place);
+        Err(StructureProblem::OneGeometry { section: section.name().to_owned(), found }.at(place))
     }
-    if keys.material.is_none() && !is_mesh {
+}
+
+impl Body {
+    /// Refuses what has no meaning beside its elements, and elements without a material.
+    fn fits(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        let (is_solid, is_mesh) = (self.is_solid(), matches!(self.geometry, Geometry::Mesh(_)));
+        let refused = [
+            ("section", "elements of space", is_solid),
+            ("width", "elements of space", is_solid),
+            ("materials", "a body of one material", !is_mesh),
+        ];
+        for (key, with, is_refused) in refused {
+            if let Some(node) = section.get(key).filter(|_| is_refused) {
+                return Err(Cause::Meaningless { key, with: with.to_owned() }.at(node.place));
+            }
+        }
+        if self.material.is_some() || is_mesh {
+            return Ok(());
+        }
         let example =
             "material = { youngs_modulus = \"210 GPa\", poisson_ratio = 0.3, density = \"7850 kg/m^3\" }";
-        let what = if matches!(geometry, Geometry::Beam(_)) { "a beam" } else { "a block" };
-        return Err(StructureProblem::Needs { what, key: "material", example }.at(section.place));
+        let what = if matches!(self.geometry, Geometry::Beam(_)) { "a beam" } else { "a block" };
+        Err(StructureProblem::Needs { what, key: "material", example }.at(section.place))
     }
-    let BodyKeys { section, width, material, materials: Materials(materials), supports, .. } = keys;
-    Ok(Body { geometry, section, width, material, materials, supports })
+
+    /// Whether its elements are of space.
+    pub fn is_solid(&self) -> bool {
+        matches!(&self.geometry, Geometry::Block(block) if block.element().dimension() == 3)
+    }
+
+    /// Finds its mesh file, which is relative to `folder`.
+    pub(crate) fn found(mut self, section: &Section<'_>, folder: &Path) -> Result<Self, Fault> {
+        if let Geometry::Mesh(file) = &mut self.geometry {
+            *file = read_mesh(section, folder)?;
+        }
+        Ok(self)
+    }
+
+    /// A canonical form of its keys without what means nothing to elements of space.
+    pub(crate) fn written(&self, mut json: Json) -> Json {
+        if let Json::Object(keys) = &mut json
+            && self.is_solid()
+        {
+            ["section", "width"].iter().for_each(|key| drop(keys.remove(*key)));
+        }
+        json
+    }
 }
 
 fn read_mesh(section: &Section<'_>, folder: &Path) -> Result<FileReference, Fault> {

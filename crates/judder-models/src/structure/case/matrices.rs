@@ -4,41 +4,55 @@ use std::path::{Path, PathBuf};
 
 use super::problem::StructureProblem;
 use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Setting, Several, all, both};
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::expression::Expression;
 use judder_keys::file_reference::{FileReference, read_file_reference};
 use judder_keys::problem::Placed;
-use judder_keys::section::{Section, finite_number, list, text, wrong_type};
+use judder_keys::section::{Section, finite_number, list, wrong_type};
+use judder_keys::{Choice, Settings};
+use serde_json::{Value as Json, json};
 
-/// M, C and K as sums A = Σ fᵢ Aᵢ of files with factors.
-#[derive(Debug, Clone)]
+/// M, C and K that another program assembled, as sums A = Σ fᵢ Aᵢ of files with factors.
+#[derive(Debug, Clone, Settings)]
 pub struct MatrixSums {
-    /// The folder of the files as the case has it; empty where it is that of the case.
-    pub folder: String,
-    /// The terms of M.
+    /// The folder of the files, relative to the case file.
+    #[key(unwritten)]
+    folder: Option<String>,
+    /// M.
+    #[key(rule = TERMS, example = "[{ file = \"M.mtx\" }]")]
     pub mass: Vec<MatrixTerm>,
-    /// The terms of C; none where the case gives none.
+    /// C; zero by default.
+    #[key(rule = TERMS, filled)]
     pub damping: Vec<MatrixTerm>,
-    /// The terms of K.
+    /// K.
+    #[key(rule = TERMS, example = "[{ file = \"K.mtx\" }]")]
     pub stiffness: Vec<MatrixTerm>,
-    /// Node, direction and place of each degree of freedom, where there is a table of them.
+    /// A table with node, direction and place of every degree of freedom.
     pub freedoms: Option<FileReference>,
+    /// What of a symmetric matrix a file holds whose term does not say.
+    #[key(unwritten, default = Triangle::Both)]
+    triangle: Triangle,
 }
 
-/// A term of a sum: a matrix in a file, times a factor.
-#[derive(Debug, Clone)]
+/// A matrix times a factor.
+#[derive(Debug, Clone, Settings)]
+#[settings(title = "a term of `{path}`")]
 pub struct MatrixTerm {
-    /// The file of the matrix.
+    /// A matrix file, .mtx, .mat or .npz, relative to the folder.
+    #[key(example = "\"…\", a path relative to the case file")]
     pub file: FileReference,
-    /// The factor.
+    /// A number or an expression of the parameters.
+    #[key(default = Factor::constant(1.0))]
     pub factor: Factor,
-    /// What of the matrix the file holds.
-    pub triangle: Triangle,
+    /// What of a symmetric matrix the file holds; what the matrices say where left out.
+    pub triangle: Option<Triangle>,
 }
 
 /// What of a matrix its file holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "triangle")]
 pub enum Triangle {
     /// All of it, or what the file itself says of its symmetry.
     Both,
@@ -50,18 +64,7 @@ pub enum Triangle {
     AsStored,
 }
 
-impl Triangle {
-    /// The choices with their names in a case file.
-    pub const ALL: [(&'static str, Self); 4] =
-        [("both", Self::Both), ("lower", Self::Lower), ("upper", Self::Upper), ("as-stored", Self::AsStored)];
-
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        Self::ALL[self as usize].0
-    }
-}
-
-/// A factor: an expression of the parameters, compiled once.
+/// A factor: an expression of the parameters, compiled once they are known.
 #[derive(Debug, Clone)]
 pub struct Factor {
     /// The expression as the case has it; `1` where it gives none.
@@ -73,7 +76,14 @@ pub struct Factor {
     file: String,
 }
 
+const TERMS: Several<()> = Several { of: (), length: [1, usize::MAX] };
+
 impl Factor {
+    fn constant(value: f64) -> Self {
+        let (text, expression) = (value.to_string(), Expression::constant(value));
+        Self { text, expression, parameters: Vec::new(), file: String::new() }
+    }
+
     /// The value where the parameters are `values`, in the order of the case.
     ///
     /// # Errors
@@ -119,105 +129,107 @@ impl MatrixSums {
 /// The endings of matrix files that are read.
 pub const MATRIX_ENDINGS: &str = ".mtx, .mat, .npz";
 
-/// The keys of matrices.
-pub(crate) const KEYS: [&str; 6] = ["folder", "mass", "damping", "stiffness", "freedoms", "triangle"];
+impl Setting for Factor {
+    type Rule = ();
 
-/// Reads the matrices that `section` describes, whose factors are expressions of `parameters`.
-pub(crate) fn read_matrices(
-    section: &Section<'_>,
-    parameters: &[String],
-    folder: &Path,
-) -> Result<MatrixSums, Fault> {
-    let (given, base) = read_folder(section, folder)?;
-    let usual = section.choice("triangle", "triangle", &Triangle::ALL)?.unwrap_or(Triangle::Both);
-    let scope = Scope { parameters, base: &base, usual };
-    section.required("mass", "mass = [{ file = \"M.mtx\" }]")?;
-    section.required("stiffness", "stiffness = [{ file = \"K.mtx\" }]")?;
-    let freedoms = section.get("freedoms").map(|_| read_file_reference(section, "freedoms", &base));
-    Ok(MatrixSums {
-        folder: given,
-        mass: read_sum(section, "mass", &scope)?,
-        damping: read_sum(section, "damping", &scope)?,
-        stiffness: read_sum(section, "stiffness", &scope)?,
-        freedoms: freedoms.transpose()?,
-    })
-}
-
-/// What the terms need to know.
-struct Scope<'a> {
-    parameters: &'a [String],
-    base: &'a Path,
-    usual: Triangle,
-}
-
-/// The folder of the files, as given and as found; one of a `--set` option is sought where the program runs first, as whoever types
-/// it there means it.
-fn read_folder(section: &Section<'_>, folder: &Path) -> Result<(String, PathBuf), Fault> {
-    let Some(node) = section.get("folder") else { return Ok((String::new(), folder.to_owned())) };
-    let key = section.path("folder");
-    let given = text(&key, node)?;
-    let here = PathBuf::from(given);
-    let path = if node.place.is_option() && here.is_dir() { here } else { folder.join(given) };
-    let what = match std::fs::metadata(&path) {
-        Ok(metadata) if metadata.is_dir() => return Ok((given.to_owned(), path)),
-        Ok(_) => "is not a folder",
-        Err(_) => "does not exist",
-    };
-    Err(StructureProblem::Folder { key, path, what }.at(node.place))
-}
-
-fn read_sum(section: &Section<'_>, name: &str, scope: &Scope<'_>) -> Result<Vec<MatrixTerm>, Fault> {
-    let Some(node) = section.get(name) else { return Ok(Vec::new()) };
-    let path = section.path(name);
-    let nodes = list(&path, node)?;
-    if nodes.is_empty() {
-        return Err(Cause::EmptyList { key: path }.at(node.place));
+    fn form((): &()) -> Allowed {
+        Allowed::Expression
     }
-    nodes.iter().map(|node| read_term(&path, node, scope)).collect()
-}
 
-fn read_term(path: &str, node: &Node, scope: &Scope<'_>) -> Result<MatrixTerm, Fault> {
-    let term = Section::open(node, path, &format!("a term of `{path}`"), &["file", "factor", "triangle"])?;
-    let file = read_file_reference(&term, "file", scope.base)?;
-    let ending = file.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-    if !["mtx", "mat", "npz"].contains(&ending.to_ascii_lowercase().as_str()) {
-        let place = term.get("file").map_or(term.place, |node| node.place);
-        let (key, known) = (term.path("file"), MATRIX_ENDINGS);
-        return Err(StructureProblem::Format { key, path: file.path, known }.at(place));
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        match &node.data {
+            // compiled when the parameters are known
+            Data::Text(text) => Ok(Self { text: text.clone(), ..Self::constant(f64::NAN) }),
+            Data::Number { .. } => finite_number(&section.path(key), node).map(Self::constant),
+            _ => Err(wrong_type(&section.path(key), "a number or an expression in quotes", node)),
+        }
     }
-    let factor = read_factor(&term, &file.given, scope.parameters)?;
-    let triangle = term.choice("triangle", "triangle", &Triangle::ALL)?.unwrap_or(scope.usual);
-    Ok(MatrixTerm { file, factor, triangle })
+
+    fn write(&self, (): &()) -> Json {
+        json!(self.text)
+    }
 }
 
-fn read_factor(term: &Section<'_>, file: &str, parameters: &[String]) -> Result<Factor, Fault> {
-    let constant = |value: f64| Factor {
-        text: value.to_string(),
-        expression: Expression::constant(value),
-        parameters: Vec::new(),
-        file: file.to_owned(),
-    };
-    let Some(node) = term.get("factor") else { return Ok(constant(1.0)) };
-    let key = term.path("factor");
-    let text = match &node.data {
-        Data::Text(text) => text,
-        Data::Number { .. } => return finite_number(&key, node).map(constant),
-        _ => return Err(wrong_type(&key, "a number or an expression in quotes", node)),
-    };
-    let expression = Expression::compile(text, parameters).map_err(|(problem, range)| {
-        Cause::Expression { problem, parameters: parameters.to_vec() }.at(node.part(range))
-    })?;
-    let used = parameters.iter().enumerate().filter(|(index, _)| expression.depends_on(*index));
-    let used = used.map(|(index, name)| (index, name.clone())).collect();
-    Ok(Factor { text: text.clone(), expression, parameters: used, file: file.to_owned() })
+impl MatrixSums {
+    /// Finds the files, which are relative to `folder`, and compiles the factors, which are expressions of `parameters`.
+    pub(crate) fn found(
+        mut self,
+        section: &Section<'_>,
+        parameters: &[String],
+        folder: &Path,
+    ) -> Result<Self, Fault> {
+        let base = self.find_folder(section, folder)?;
+        let freedoms = section.get("freedoms").map(|_| read_file_reference(section, "freedoms", &base));
+        let freedoms = freedoms.transpose().map(|found| self.freedoms = found);
+        let usual = self.triangle;
+        let sums =
+            [("mass", &mut self.mass), ("damping", &mut self.damping), ("stiffness", &mut self.stiffness)];
+        let found = sums.map(|(name, terms)| {
+            let Some(node) = section.get(name) else { return Ok(()) };
+            let path = section.path(name);
+            let nodes = list(&path, node)?;
+            if nodes.is_empty() {
+                return Err(Cause::EmptyList { key: path }.at(node.place));
+            }
+            all(terms.iter_mut().zip(nodes).map(|(term, node)| {
+                term.triangle.get_or_insert(usual);
+                term.find(&Section::of_table(node, &path, "")?, parameters, &base)
+            }))
+            .map(drop)
+        });
+        both(all(found), freedoms).map(|_| self)
+    }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+impl MatrixSums {
+    /// The folder of the files; one of a `--set` option is sought where the program runs first, as whoever types it there means it.
+    fn find_folder(&self, section: &Section<'_>, folder: &Path) -> Result<PathBuf, Fault> {
+        let (Some(given), Some(node)) = (&self.folder, section.get("folder")) else {
+            return Ok(folder.to_owned());
+        };
+        let here = PathBuf::from(given);
+        let path = if node.place.is_option() && here.is_dir() { here } else { folder.join(given) };
+        let what = match std::fs::metadata(&path) {
+            Ok(metadata) if metadata.is_dir() => return Ok(path),
+            Ok(_) => "is not a folder",
+            Err(_) => "does not exist",
+        };
+        Err(StructureProblem::Folder { key: section.path("folder"), path, what }.at(node.place))
+    }
+}
 
-    #[test]
-    fn names_stand_at_their_index() {
-        assert!(Triangle::ALL.iter().all(|(name, triangle)| triangle.name() == *name));
+impl MatrixTerm {
+    fn find(&mut self, section: &Section<'_>, parameters: &[String], base: &Path) -> Result<(), Fault> {
+        let file = read_file_reference(section, "file", base).and_then(|file| {
+            let ending = file.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+            if ["mtx", "mat", "npz"].contains(&ending.to_ascii_lowercase().as_str()) {
+                return Ok(file);
+            }
+            let (key, known) = (section.path("file"), MATRIX_ENDINGS);
+            Err(StructureProblem::Format { key, path: file.path, known }.at(section.place_of(&["file"])))
+        });
+        let factor = self.factor.compile(section.get("factor"), parameters);
+        let (file, ()) = both(file, factor)?;
+        self.factor.file.clone_from(&file.given);
+        self.file = file;
+        Ok(())
+    }
+
+    /// What of the matrix its file holds.
+    pub fn triangle(&self) -> Triangle {
+        self.triangle.unwrap_or(Triangle::Both)
+    }
+}
+
+impl Factor {
+    /// Compiles what stands at `node`, where that is an expression.
+    fn compile(&mut self, node: Option<&Node>, parameters: &[String]) -> Result<(), Fault> {
+        let Some(node @ Node { data: Data::Text(text), .. }) = node else { return Ok(()) };
+        self.expression = Expression::compile(text, parameters).map_err(|(problem, range)| {
+            Cause::Expression { problem, parameters: parameters.to_vec() }.at(node.part(range))
+        })?;
+        let used = parameters.iter().enumerate().filter(|(index, _)| self.expression.depends_on(*index));
+        self.parameters = used.map(|(index, name)| (index, name.clone())).collect();
+        Ok(())
     }
 }

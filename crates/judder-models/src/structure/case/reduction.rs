@@ -4,7 +4,7 @@ use super::StructureSource;
 use super::problem::{KeptProblem, StructureProblem};
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Number, Settings, Several, UNLIMITED, Whole, all, both};
+use judder_keys::declared::{Number, Several, UNLIMITED, Whole, all};
 use judder_keys::dimension::Dimension;
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
@@ -55,7 +55,7 @@ pub enum FixedModes {
     CutOff(f64),
 }
 
-const KEPT: Several<()> = Several { of: (), length: [1, usize::MAX] };
+pub(crate) const KEPT: Several<()> = Several { of: (), length: [1, usize::MAX] };
 const NUMBERS: Several<Whole> = Several { of: Whole { from: 0, to: UNLIMITED }, length: [0, usize::MAX] };
 
 /// The number of fixed-interface modes where the case does not say: that of the beams paper.
@@ -65,10 +65,9 @@ pub const FIXED_MODES: usize = 20;
 pub const FIXED_MODES_LIMIT: usize = 2000;
 
 impl Reduction {
-    /// Reads the reduction that `section` describes, of a structure from `source`.
-    pub(crate) fn of(section: &Section<'_>, source: &StructureSource) -> Result<Self, Fault> {
-        let ((), reduction) = both(section.refuse_others(&Self::keys()), Self::read_table(section))?;
-        let Some(node) = section.get("kept") else { return Ok(reduction) };
+    /// Refuses kept freedoms that a structure from `source` cannot have.
+    pub(crate) fn admit(&self, section: &Section<'_>, source: &StructureSource) -> Result<(), Fault> {
+        let Some(node) = section.get("kept") else { return Ok(()) };
         let path = section.path("kept");
         let nodes = list(&path, node)?;
         if nodes.is_empty() {
@@ -77,7 +76,7 @@ impl Reduction {
         let title = format!("an entry of `{path}`");
         let admitted =
             nodes.iter().map(|node| KeptNodes::admit(&Section::of_table(node, &path, &title)?, source));
-        all(admitted).map(|_| reduction)
+        all(admitted).map(drop)
     }
 }
 

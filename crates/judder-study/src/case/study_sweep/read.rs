@@ -7,36 +7,148 @@ use super::design::{POINTS_LIMIT, Sampler, kept_values};
 use super::known_result;
 use super::problem::SweepProblem;
 use super::quantity_path::{QuantityPath, QuantitySource};
-use super::read_axis::{read_axes, refuse, refuse_repeated_keys};
+use super::read_axis::{Axis, read_axes, refuse, refuse_repeated_keys};
 use super::trial::try_values;
-use super::{Design, SEEDS, Sensitivity, StudySweep, SweptKey};
+use super::{Design, SEEDS, Sensitivity, StudySweep, SweptKey, SweptValues};
 use crate::case::analysis::is_file_name;
 use crate::case::file::{Case, CaseTree};
+use crate::case::key_sweep::AnyNumber;
 use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Setting, Settings, Several, Whole, all, of_nothing, read_settings};
 use judder_keys::document::{Data, Node};
 use judder_keys::error::{Fault, Place};
-use judder_keys::numeric_key::Range;
 use judder_keys::problem::Placed;
-use judder_keys::section::{Section, finite_number, list, text, wrong_type};
+use judder_keys::section::{Section, list, text, wrong_type};
+use judder_keys::{Choice, Settings};
+use serde_json::{Map, Value as Json, json};
 
-/// The keys of a sweep.
-pub(crate) const KEYS: [&str; 8] =
-    ["name", "method", "points", "seed", "over", "quantities", "chunk", "sensitivity"];
+/// The whole case at many points.
+#[derive(Debug, Settings)]
+#[settings(title = "a sweep")]
+pub(crate) struct SweepKeys {
+    /// Under which results are kept; no analysis and no other sweep has it.
+    #[key(example = "\"…\", under which its results are kept")]
+    name: SweepName,
+    /// How points are chosen.
+    #[key(default = Method::Grid)]
+    method: Method,
+    /// Of `latin-hypercube` and `sobol`: how many points; with sensitivity how many rows of k + 2 points for k keys. A power of two fills the ranges most evenly with `sobol`.
+    #[key(rule = Whole { from: 2, to: POINTS_LIMIT as usize }, omitted)]
+    points: Option<usize>,
+    /// Of these two: which of all such points; the same seed gives the same points.
+    #[key(rule = SEEDS, usual = SEED, omitted)]
+    seed: Option<usize>,
+    /// The swept keys, see below.
+    #[key(rule = SOME, example = "[{ key = …, from = …, to = … }], the swept keys")]
+    over: Vec<Axis>,
+    /// What is kept of every point, see below: a quantity of the operating point, or ANALYSIS.PATH into the results of an analysis.
+    #[key(example = "[\"growth_rate\", \"ANALYSIS.PATH\"], what is kept of every point")]
+    quantities: Quantities,
+    /// Points of a unit of work; chosen by the program where left out.
+    #[key(rule = Whole { from: 1, to: CHUNK_LIMIT })]
+    chunk: Option<usize>,
+    /// Of `latin-hypercube` and `sobol`: first-order and total Sobol' indices of every quantity, with bootstrap intervals.
+    #[key(default = Asked(None))]
+    sensitivity: Asked,
+}
+
+/// How the points of a sweep are chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
+#[choice(what = "method")]
+pub(crate) enum Method {
+    /// All combinations of the values of every key, the last key fastest.
+    Grid,
+    /// The first values of all keys, then the second, and so on.
+    List,
+    /// Each range in as many parts as there are points, one point in each part.
+    LatinHypercube,
+    /// A Sobol' sequence, scrambled.
+    Sobol,
+}
+
+/// The name of a sweep, which is that of a folder.
+#[derive(Debug)]
+struct SweepName(String);
+
+/// What a sweep keeps, in the words of the case.
+#[derive(Debug)]
+struct Quantities(Vec<String>);
+
+/// The sensitivity that is asked for.
+#[derive(Debug, Clone, Copy)]
+struct Asked(Option<Sensitivity>);
 
 /// The seed where the case does not say.
-pub(crate) const SEED: usize = 1;
-
+const SEED: usize = 1;
 /// The most points of a chunk.
-pub(crate) const CHUNK_LIMIT: usize = 1 << 28;
+const CHUNK_LIMIT: usize = 1 << 28;
+const SOME: Several<()> = Several { of: (), length: [1, usize::MAX] };
 
-/// What a sensitivity is estimated with where the case does not say.
-pub(crate) const SENSITIVITY: Sensitivity = Sensitivity { confidence: 0.95, resamples: 1000 };
+impl Setting for SweepName {
+    type Rule = ();
 
-/// The resamples that a bootstrap may have.
-pub(crate) const RESAMPLES_LIMITS: [usize; 2] = [100, 1_000_000];
+    fn form((): &()) -> Allowed {
+        let pattern = "^[A-Za-z0-9_-]([A-Za-z0-9._-]{0,98}[A-Za-z0-9_-])?$";
+        let schema = json!({ "type": "string", "pattern": pattern });
+        Allowed::Told { schema, words: "a name that serves as that of a folder".to_owned(), keys: Vec::new() }
+    }
 
-/// The confidence that intervals may have.
-const CONFIDENCE: Range = Range::Interval { above: 0.0, up_to: 0.9999 };
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        let name = text(&section.path(key), node)?.to_owned();
+        // the store keeps its metadata under that name
+        if !is_file_name(&name) || name.ends_with('.') || name == "zarr.json" {
+            return Err(SweepProblem::Name { name }.at(node.place));
+        }
+        Ok(Self(name))
+    }
+
+    fn write(&self, (): &()) -> Json {
+        json!(self.0)
+    }
+}
+
+/// What they mean is found when the analyses are known.
+impl Setting for Quantities {
+    type Rule = ();
+
+    fn form((): &()) -> Allowed {
+        let path = json!({ "type": "string", "pattern": r"^[A-Za-z0-9_-]+(\.[A-Za-z0-9_-]+)*$" });
+        let schema = json!({ "type": "array", "items": path, "minItems": 1, "uniqueItems": true });
+        Allowed::Told { schema, words: "a list of texts".to_owned(), keys: Vec::new() }
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        Vec::read(section, key, node, &SOME).map(Self)
+    }
+
+    fn write(&self, (): &()) -> Json {
+        json!(self.0)
+    }
+}
+
+impl Setting for Asked {
+    type Rule = ();
+
+    fn form((): &()) -> Allowed {
+        Allowed::Either(vec![Allowed::Flag, Sensitivity::form(&())])
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        match &node.data {
+            Data::Boolean(false) => Ok(Self(None)),
+            Data::Boolean(true) => Ok(Self(of_nothing())),
+            Data::Table(_) => Setting::read(section, key, node, &()).map(|own| Self(Some(own))),
+            _ => {
+                let expected = "true, or a table { confidence, resamples }";
+                Err(wrong_type(&section.path(key), expected, node))
+            }
+        }
+    }
+
+    fn write(&self, (): &()) -> Json {
+        self.0.map_or(Json::Null, |own| own.write(&()))
+    }
+}
 
 /// Reads all sweeps of a case.
 pub(crate) fn read_sweeps(node: &Node, tree: &CaseTree, case: &Case) -> Result<Vec<StudySweep>, Fault> {
@@ -44,54 +156,60 @@ pub(crate) fn read_sweeps(node: &Node, tree: &CaseTree, case: &Case) -> Result<V
         return Err(wrong_type("sweep", "a list, each item headed [[sweep]]", node));
     };
     let analyses = case.analysis_names();
-    let mut sweeps: Vec<StudySweep> = Vec::new();
-    for node in nodes {
-        let section = Section::open(node, "", "a sweep", &KEYS)?;
-        let name = read_name(&section, &analyses, &sweeps)?;
-        sweeps.push(read_sweep(name, &section, &analyses, (tree, case))?);
-    }
-    Ok(sweeps)
+    let mut names: Vec<String> = Vec::new();
+    all(nodes.iter().map(|node| {
+        let section = Section::of_table(node, "", "a sweep")?;
+        let keys: SweepKeys = read_settings(node, "", "a sweep")?;
+        refuse_repeated_name(&keys.name.0, &section, &analyses, &names)?;
+        names.push(keys.name.0.clone());
+        read_sweep(keys, &section, &analyses, (tree, case))
+    }))
 }
 
-fn read_name(section: &Section<'_>, analyses: &[&str], sweeps: &[StudySweep]) -> Result<String, Fault> {
-    let node = section.required("name", "name = \"…\", under which its results are kept")?;
-    let name = text("name", node)?.to_owned();
-    let place = node.place;
-    // the store keeps its metadata under that name
-    if !is_file_name(&name) || name.ends_with('.') || name == "zarr.json" {
-        return Err(SweepProblem::Name { name }.at(place));
-    }
-    if analyses.iter().any(|other| other.eq_ignore_ascii_case(&name)) {
-        return Err(SweepProblem::NameTwice { name, other: "an analysis" }.at(place));
-    }
-    if sweeps.iter().any(|other| other.name.eq_ignore_ascii_case(&name)) {
-        return Err(SweepProblem::NameTwice { name, other: "another sweep" }.at(place));
-    }
-    Ok(name)
+fn refuse_repeated_name(
+    name: &str,
+    section: &Section<'_>,
+    analyses: &[&str],
+    sweeps: &[String],
+) -> Result<(), Fault> {
+    let other = if analyses.iter().any(|other| other.eq_ignore_ascii_case(name)) {
+        "an analysis"
+    } else if sweeps.iter().any(|other| other.eq_ignore_ascii_case(name)) {
+        "another sweep"
+    } else {
+        return Ok(());
+    };
+    Err(SweepProblem::NameTwice { name: name.to_owned(), other }.at(section.place_of(&["name"])))
 }
 
 fn read_sweep(
-    name: String,
+    asked: SweepKeys,
     section: &Section<'_>,
     analyses: &[&str],
     (tree, case): (&CaseTree, &Case),
 ) -> Result<StudySweep, Fault> {
-    let method = read_method(section)?;
-    let sensitivity = read_sensitivity(section, method)?;
-    let over = section.required("over", "over = [{ key = …, from = …, to = … }], the swept keys")?;
-    let axes = read_axes(over, method)?;
-    let sampler = read_sampler(method, axes.len(), sensitivity.is_some(), over.place)?;
+    let method = asked.design(section)?;
+    let SweepKeys { name: SweepName(name), over, chunk, sensitivity: Asked(sensitivity), .. } = asked;
+    if let (Some(_), Design::Grid | Design::List) = (sensitivity, method) {
+        let problem = SweepProblem::SensitivityOf { method: method.name() };
+        return Err(problem.at(section.place_of(&["sensitivity"])));
+    }
+    let place = section.place_of(&["over"]);
+    let axes = match section.get("over") {
+        Some(node) => read_axes(&over, node, method)?,
+        None => Vec::new(),
+    };
+    let sampler = read_sampler(method, axes.len(), sensitivity.is_some(), place)?;
     let keys: Vec<SweptKey> = axes.iter().map(|axis| axis.key.clone()).collect();
     let row = if sensitivity.is_some() { keys.len() as u64 + 2 } else { 1 };
     let shape = shape(method, &keys, row);
-    let points = check_size(&shape, over.place)?;
+    let points = check_size(&shape, place)?;
     let quantities = read_quantities(section, analyses, case)?;
-    let chunk = section.whole("chunk", 1, CHUNK_LIMIT)?;
     let cases = try_values(tree, &keys).map_err(|refusal| {
         let place = match refusal.axis {
             Some(axis) if refusal.is_of_key() => axes[axis].key_place,
             Some(axis) => axes[axis].place,
-            None => over.place,
+            None => place,
         };
         refusal.problem.at(place)
     })?;
@@ -114,55 +232,96 @@ fn read_sweep(
     })
 }
 
-fn read_method(section: &Section<'_>) -> Result<Design, Fault> {
-    let names = Design::NAMES.map(|name| (name, name));
-    let method = section.choice("method", "method", &names)?.unwrap_or(Design::NAMES[0]);
-    let drawn = [Design::NAMES[2], Design::NAMES[3]].contains(&method);
-    if !drawn {
-        if let (Some(node), "grid") = (section.get("points"), method) {
-            return Err(SweepProblem::PointsOfGrid.at(node.place));
+impl SweepKeys {
+    /// How points are chosen, with how many are drawn; refuses keys that mean nothing to the method.
+    fn design(&self, section: &Section<'_>) -> Result<Design, Fault> {
+        let drawn = matches!(self.method, Method::LatinHypercube | Method::Sobol);
+        if !drawn {
+            if let (Some(node), Method::Grid) = (section.get("points"), self.method) {
+                return Err(SweepProblem::PointsOfGrid.at(node.place));
+            }
+            let with = format!("method = \"{}\"", self.method.name());
+            all(["points", "seed"].map(|key| refuse(section, key, &with)))?;
         }
-        let with = format!("method = \"{method}\"");
-        ["points", "seed"].into_iter().try_for_each(|key| refuse(section, key, &with))?;
-        return Ok(if method == Design::NAMES[0] { Design::Grid } else { Design::List });
+        let points =
+            self.points.ok_or_else(|| section.missing("points", "points = 4096, the number of points"));
+        let seed = self.seed.unwrap_or(SEED) as u64;
+        Ok(match self.method {
+            Method::Grid => Design::Grid,
+            Method::List => Design::List,
+            Method::LatinHypercube => Design::LatinHypercube { points: points? as u64, seed },
+            Method::Sobol => Design::Sobol { points: points? as u64, seed },
+        })
     }
-    section.required("points", "points = 4096, the number of points")?;
-    let points = section.whole("points", 2, POINTS_LIMIT as usize)?.unwrap_or(2) as u64;
-    let seed = section.whole("seed", SEEDS.from, SEEDS.to)?.unwrap_or(SEED) as u64;
-    Ok(if method == Design::NAMES[2] {
-        Design::LatinHypercube { points, seed }
-    } else {
-        Design::Sobol { points, seed }
-    })
 }
 
-fn read_sensitivity(section: &Section<'_>, method: Design) -> Result<Option<Sensitivity>, Fault> {
-    let Some(node) = section.get("sensitivity") else { return Ok(None) };
-    let sensitivity = match &node.data {
-        Data::Boolean(false) => return Ok(None),
-        Data::Boolean(true) => SENSITIVITY,
-        Data::Table(_) => {
-            let table = section.table("sensitivity", node, &["confidence", "resamples"])?;
-            let mut sensitivity = SENSITIVITY;
-            if let Some(node) = table.get("confidence") {
-                let key = table.path("confidence");
-                let number = finite_number(&key, node)?;
-                if !CONFIDENCE.contains(number) {
-                    return Err(Cause::OutOfRange { key, number, range: CONFIDENCE }.at(node.place));
-                }
-                sensitivity.confidence = number;
+impl Design {
+    fn method(self) -> Method {
+        match self {
+            Self::Grid => Method::Grid,
+            Self::List => Method::List,
+            Self::LatinHypercube { .. } => Method::LatinHypercube,
+            Self::Sobol { .. } => Method::Sobol,
+        }
+    }
+
+    /// The name of the method in a case file.
+    pub fn name(self) -> &'static str {
+        self.method().name()
+    }
+}
+
+impl SweptKey {
+    /// As a case says it.
+    fn as_asked(&self) -> Axis {
+        let number = |value: f64| AnyNumber { value, dimension: self.dimension };
+        let (from, to, points) = match &self.values {
+            SweptValues::Listed(values) => {
+                let values = Some(values.iter().map(|value| number(*value)).collect());
+                return Axis {
+                    key: self.path.clone(),
+                    values,
+                    from: None,
+                    to: None,
+                    points: None,
+                    scale: None,
+                };
             }
-            let [from, to] = RESAMPLES_LIMITS;
-            sensitivity.resamples = table.whole("resamples", from, to)?.unwrap_or(sensitivity.resamples);
-            sensitivity
+            SweptValues::Spaced { from, to, points } => (*from, *to, Some(*points as usize)),
+            SweptValues::Between { from, to } => (*from, *to, None),
+        };
+        let [from, to] = [from, to].map(|end| Some(number(end)));
+        Axis { key: self.path.clone(), from, to, points, scale: Some(self.scale), values: None }
+    }
+}
+
+impl StudySweep {
+    /// The sweep with every default filled in; `chunk` is null where the program chooses.
+    pub fn resolved(&self) -> Json {
+        let (points, seed) = match self.method {
+            Design::LatinHypercube { points, seed } | Design::Sobol { points, seed } => {
+                (Some(points as usize), Some(seed as usize))
+            }
+            Design::Grid | Design::List => (None, None),
+        };
+        let keys = SweepKeys {
+            name: SweepName(self.name.clone()),
+            method: self.method.method(),
+            points,
+            seed,
+            over: self.axes.iter().map(SweptKey::as_asked).collect(),
+            quantities: Quantities(self.quantities.iter().map(|path| path.text.clone()).collect()),
+            chunk: self.chunk,
+            sensitivity: Asked(self.sensitivity),
+        };
+        let mut json = Map::new();
+        keys.write_table(&mut json);
+        if seed.is_none() {
+            json.remove("sensitivity");
         }
-        _ => return Err(wrong_type("sensitivity", "true, or a table { confidence, resamples }", node)),
-    };
-    match method {
-        Design::Grid | Design::List => {
-            Err(SweepProblem::SensitivityOf { method: method.name() }.at(node.place))
-        }
-        _ => Ok(Some(sensitivity)),
+        let mut json = Json::Object(json);
+        json.sort_all_objects();
+        json
     }
 }
 

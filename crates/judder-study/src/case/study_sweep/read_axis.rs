@@ -6,17 +6,18 @@ use super::design::POINTS_LIMIT;
 use super::problem::SweepProblem;
 use super::{Design, SweptKey, SweptValues};
 use crate::case::file::{Case, CaseTree};
-use crate::case::key_sweep::{Ends, read_ends, read_values};
+use crate::case::key_sweep::{Ends, VariedKey, of_one_dimension};
 use crate::case::scale::Scale;
 use judder_keys::cause::Cause;
+use judder_keys::declared::{all, both};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Node, STEPS_LIMIT};
 use judder_keys::error::{Fault, Place};
 use judder_keys::problem::Placed;
-use judder_keys::section::{Section, list, text};
+use judder_keys::section::{Section, list};
 
-/// The keys of an entry of `over`.
-pub(crate) const AXIS_KEYS: [&str; 6] = ["key", "from", "to", "points", "scale", "values"];
+/// An entry of `over`.
+pub(super) type Axis = VariedKey<{ POINTS_LIMIT as usize }>;
 
 /// A swept key with the places that later checks point at.
 pub(super) struct PlacedKey {
@@ -25,8 +26,8 @@ pub(super) struct PlacedKey {
     pub(super) place: Place,
 }
 
-/// Reads `over`.
-pub(super) fn read_axes(over: &Node, method: Design) -> Result<Vec<PlacedKey>, Fault> {
+/// The swept keys that stand at `over`.
+pub(super) fn read_axes(axes: &[Axis], over: &Node, method: Design) -> Result<Vec<PlacedKey>, Fault> {
     let nodes = list("over", over)?;
     if nodes.is_empty() {
         return Err(Cause::EmptyList { key: "over".to_owned() }.at(over.place));
@@ -35,18 +36,18 @@ pub(super) fn read_axes(over: &Node, method: Design) -> Result<Vec<PlacedKey>, F
         let problem = SweepProblem::TooManyKeys { found: nodes.len(), limit: DIMENSIONS_LIMIT };
         return Err(problem.at(over.place));
     }
-    let axes = nodes.iter().map(|node| read_axis(node, method)).collect::<Result<Vec<_>, _>>()?;
+    let axes = all(axes.iter().zip(nodes).map(|(axis, node)| read_axis(axis, node, method)))?;
     if method == Design::List {
         same_lengths(&axes)?;
     }
     Ok(axes)
 }
 
-fn read_axis(node: &Node, method: Design) -> Result<PlacedKey, Fault> {
-    let table = Section::open(node, "over", "an entry of `over`", &AXIS_KEYS)?;
+fn read_axis(axis: &Axis, node: &Node, method: Design) -> Result<PlacedKey, Fault> {
+    let table = Section::of_table(node, "over", "an entry of `over`")?;
     let key =
         table.required("key", "the dotted path of a number of the case, key = \"operation.velocity\"")?;
-    let path = text("over.key", key)?.to_owned();
+    let path = axis.key.clone();
     let key_place = key.part(0..path.len());
     let steps: Vec<&str> = path.split('.').collect();
     let is_path = steps.len() <= STEPS_LIMIT && steps.iter().all(|step| !step.trim().is_empty());
@@ -54,39 +55,38 @@ fn read_axis(node: &Node, method: Design) -> Result<PlacedKey, Fault> {
         return Err(SweepProblem::NotSwept { key: path }.at(key_place));
     }
     let (values, dimension, scale) = match method {
-        Design::Grid | Design::List => read_counted(&table, &path, method)?,
+        Design::Grid | Design::List => read_counted(axis, &table, method)?,
         Design::LatinHypercube { .. } | Design::Sobol { .. } => {
             let with = format!("method = \"{}\"", method.name());
-            ["points", "values"].into_iter().try_for_each(|key| refuse(&table, key, &with))?;
-            let Ends { values: [from, to], dimension, scale } = read_ends(&table)?;
+            all(["points", "values"].map(|key| refuse(&table, key, &with)))?;
+            let Ends { values: [from, to], dimension, scale } = axis.ends(&table)?;
             (SweptValues::Between { from, to }, dimension, scale)
         }
     };
     Ok(PlacedKey { key: SweptKey { path, dimension, scale, values }, key_place, place: node.place })
 }
 
-/// Reads the values of a key that takes a number of them.
+/// The values of a key that takes a number of them.
 fn read_counted(
+    axis: &Axis,
     table: &Section<'_>,
-    path: &str,
     method: Design,
 ) -> Result<(SweptValues, Dimension, Scale), Fault> {
-    if let Some(node) = table.get("values") {
-        ["from", "to", "points", "scale"].into_iter().try_for_each(|key| refuse(table, key, "`values`"))?;
-        let (values, places, dimension) = read_values("over.values", node, 1)?;
+    if let (Some(node), Some(values)) = (table.get("values"), &axis.values) {
+        all(["from", "to", "points", "scale"].map(|key| refuse(table, key, "`values`")))?;
+        let (values, places, dimension) = of_one_dimension("over.values", node, values, 1)?;
         if method == Design::Grid {
-            refuse_repeated_values(path, &values, &places, dimension)?;
+            refuse_repeated_values(&axis.key, &values, &places, dimension)?;
         }
         return Ok((SweptValues::Listed(values), dimension, Scale::Linear));
     }
     if method == Design::List {
         return Err(table.missing("values", "values = [ … ], one a point"));
     }
-    let Ends { values: [from, to], dimension, scale } = read_ends(table)?;
     let expected = "points = 21, the number of values; or values = [ … ] in place of the range";
-    table.required("points", expected)?;
-    let points = table.whole("points", 2, POINTS_LIMIT as usize)?.unwrap_or(2) as u64;
-    Ok((SweptValues::Spaced { from, to, points }, dimension, scale))
+    let points = axis.points.ok_or_else(|| table.missing("points", expected));
+    let (Ends { values: [from, to], dimension, scale }, points) = both(axis.ends(table), points)?;
+    Ok((SweptValues::Spaced { from, to, points: points as u64 }, dimension, scale))
 }
 
 /// Refuses a key that has no meaning beside something else.

@@ -26,7 +26,7 @@ CHART := crates/judder-report/assets/chart
 BROWSER_TESTS := crates/judder-explorer/tests/browser
 NEXTEST := $(shell $(CARGO) nextest --version >/dev/null 2>&1 && echo yes)
 
-.PHONY: help demo test bench bench-cluster bench-explorer bench-rough validate sdist-tests setup format lint rust-tests doc-tests python-tests page page-tests docs deny advisories
+.PHONY: help demo test bench bench-cluster bench-explorer bench-rough validate expensive-tests sdist-tests setup format lint rust-tests doc-tests python-tests page page-tests docs deny advisories
 
 help: ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -36,8 +36,12 @@ demo: ## build judder, reproduce the oscillator paper, say where the report lies
 	"$(JUDDER)" reproduce oscillator-paper --quick
 	@printf '\nThe report lies here: %s\n' "$(CURDIR)/out/reproduce/oscillator-paper/report.html"
 
-test: format lint rust-tests doc-tests python-tests page-tests docs deny ## everything that must hold before a change is merged
+test: format lint rust-tests doc-tests python-tests page-tests ## what must hold before a change is proposed
 	@printf '\nEvery check passed.\n'
+
+# What takes long, and what looks at all sources for what a change seldom touches. CI runs it after `make test`.
+validate: expensive-tests docs deny ## the expensive validation, the documentation, the licences
+	@printf '\nAll is validated.\n'
 
 bench: .venv/installed ## time the stability decision, the sliding contact, a limit cycle, modes, loci, marches and calls from Python, beside NumPy and SciPy peers
 	$(CARGO) bench $(LOCKED) -p judder-oscillator
@@ -61,7 +65,7 @@ bench-cluster: .venv/installed ## what sweeps on a cluster cost beside their poi
 bench-rough: .venv-peers/installed ## time the elastic contact of rough surfaces, beside Tamaas and ASPHER
 	.venv-peers/bin/python benches/compare_rough.py
 
-validate: ## the expensive validation: the tests that `make test` leaves out
+expensive-tests: ## the tests that `make test` leaves out
 ifeq ($(NEXTEST),yes)
 	$(CARGO) nextest run $(LOCKED) --workspace --run-ignored only --no-tests pass
 else

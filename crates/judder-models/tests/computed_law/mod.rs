@@ -10,6 +10,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// At low speed the critical shear strength hangs on the slope of the contact area; it does not depend on how finely the law was
 /// made: the conservative one to 1e-3, and the full one, which that slope lowers by a factor of 29, to 1 %.
 #[test]
+#[ignore = "expensive: run by make validate"]
 fn thresholds_at_low_speed_are_those_of_the_contact() {
     let point = |accuracy: f64, shear_strength: f64| {
         let text = format!(

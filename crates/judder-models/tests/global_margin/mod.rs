@@ -78,6 +78,7 @@ fn without_margins_what_grows_is_told_all_the_same() {
 }
 
 #[test]
+#[ignore = "expensive: run by make validate"]
 fn margins_do_not_depend_on_the_number_of_threads() {
     let results = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -90,6 +91,7 @@ fn margins_do_not_depend_on_the_number_of_threads() {
 /// Seen from the load: between the two thresholds of F̃_n at τ̃0 = 0.05, v̂ = 1e-2 steady sliding is unstable, and cycles live on both
 /// sides.
 #[test]
+#[ignore = "expensive: run by make validate"]
 fn loads_have_margins_on_both_sides() {
     let analysis = "kind = \"critical-load\"\nwithin = { from = 1e-9, to = 1e-3 }\n\
                     sweep = { key = \"operation.velocity\", from = 1e-2, to = 2e-2, points = 2 }";
@@ -115,6 +117,7 @@ fn codes(folder: &Path, name: &str) -> Vec<u8> {
 
 /// Points above, between and below threshold and fold at v̂ = 1e-2, on a map whose lines are all followed.
 #[test]
+#[ignore = "expensive: run by make validate"]
 fn a_map_has_a_third_region() {
     let analysis = "kind = \"stability-map\"\nglobal_margin = true\nboundaries = false\n\
         x = { key = \"operation.velocity\", from = 1e-3, to = 1e-2, points = 3, scale = \"log\" }\n\

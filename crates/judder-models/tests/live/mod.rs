@@ -154,7 +154,7 @@ fn a_watched_motion_is_the_motion() {
 const OSCILLATOR_KINDS: [&str; 10] = [
     "kind = \"equivalent-damping\"\nsweep = { key = \"operation.velocity\", from = 1e-6, to = 1.0, points = 5, scale = \"log\" }",
     "kind = \"spectrum\"\nsweep = { key = \"operation.velocity\", from = 1e-6, to = 1.0, points = 5, scale = \"log\" }",
-    "kind = \"critical-shear-strength\"\nsweep = { key = \"operation.velocity\", from = 1e-2, to = 1.0, points = 2, scale = \"log\" }",
+    "kind = \"critical-shear-strength\"\nsweep = { key = \"operation.velocity\", from = 1e-2, to = 1.0, points = 2, scale = \"log\" }\nglobal_margin = false",
     "kind = \"critical-load\"\nsweep = { key = \"operation.velocity\", from = 1e-6, to = 1.0, points = 5, scale = \"log\" }\nglobal_margin = false",
     "kind = \"stability-map\"\nx = { key = \"operation.velocity\", from = 1e-6, to = 1.0, points = 20, scale = \"log\" }\ny = { key = \"contact.shear_strength\", from = 1e-4, to = 1.0, points = 20, scale = \"log\" }",
     "kind = \"motion\"\nduration = 200\npoints = 101",

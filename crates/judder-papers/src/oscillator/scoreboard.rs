@@ -94,6 +94,7 @@ mod tests {
 
     /// The verdicts on section 5, from motions as a quick run makes them.
     #[test]
+    #[ignore = "expensive: run by make validate"]
     fn the_verdicts_on_the_motions() {
         let folder = tempfile::tempdir().unwrap();
         let lines = crate::oscillator::quick_motions(folder.path()).unwrap();

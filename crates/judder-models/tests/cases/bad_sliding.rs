@@ -165,7 +165,7 @@ fn a_motion_without_a_load() {
     let text = with_analyses("");
     let line = text.lines().find(|line| line.starts_with("load = ")).unwrap();
     let error = parse(&text.replace(line, ""), &[]).unwrap_err();
-    assert_eq!(error.to_string(), "`motion` lacks the key `load`");
+    assert_eq!(error.to_string(), "[motion] lacks the key `load`");
     assert_eq!(help_of(&error), "give load = { set = \"start\", direction = \"y\", force = \"-0.2 N\" }");
     refused_with(
         &text,

@@ -52,13 +52,13 @@ fn swept_keys_that_cannot_be() {
     let settings = "key = \"contact.frictoin_coefficient\", from = 0, to = 1, points = 3";
     sweep(
         settings,
-        "`contact.frictoin_coefficient` cannot be swept: unknown key `frictoin_coefficient` in `contact`",
+        "`contact.frictoin_coefficient` cannot be swept: unknown key `frictoin_coefficient` in [contact]",
         "\"contact.frictoin_coefficient\"",
         "did you mean `friction_coefficient`? keys here: slider, track, friction_coefficient, interpolation, initial_gap",
     );
     sweep(
         "key = \"contact.friction\", from = 0, to = 1, points = 3",
-        "`contact.friction` cannot be swept: unknown key `friction` in `contact`",
+        "`contact.friction` cannot be swept: unknown key `friction` in [contact]",
         "\"contact.friction\"",
         "did you mean `friction_coefficient`? keys here: slider, track, friction_coefficient, interpolation, initial_gap",
     );

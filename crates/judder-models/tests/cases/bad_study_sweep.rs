@@ -54,7 +54,7 @@ fn a_misspelt_heading() {
 #[test]
 fn an_unknown_key_of_a_sweep() {
     sweep(
-        "quantity = [\"rms\"]",
+        &format!("quantity = [\"rms\"]\n{OVER}{QUANTITIES}"),
         "unknown key `quantity` in a sweep",
         "quantity",
         "did you mean `quantities`? keys here: name, method, points, seed, over, quantities, chunk, sensitivity",

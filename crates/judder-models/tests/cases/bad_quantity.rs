@@ -83,6 +83,6 @@ fn a_wall_time() {
     of_a_beam(
         "modes.seconds",
         "`modes.seconds` is not the path of a quantity: it is a wall time, which no two runs share",
-        "write a name such as growth_rate, or ANALYSIS.PATH: cycle.rms, thresholds.full.min, modes.frequencies_hz.0",
+        "write a name such as growth_rate, or ANALYSIS.PATH: cycle.rms, thresholds.full.0.min, modes.frequencies_hz.0",
     );
 }

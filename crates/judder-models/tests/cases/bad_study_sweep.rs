@@ -230,7 +230,7 @@ fn two_forms_of_one_quantity() {
 
 #[test]
 fn quantities_that_cannot_be() {
-    let advice = "write a name such as growth_rate, or ANALYSIS.PATH: cycle.rms, thresholds.full.min, modes.frequencies_hz.0";
+    let advice = "write a name such as growth_rate, or ANALYSIS.PATH: cycle.rms, thresholds.full.0.min, modes.frequencies_hz.0";
     quantity("", "`` is not the path of a quantity: it is empty", advice);
     for path in ["cycle.", ".rms", "cycle..rms"] {
         quantity(path, &format!("`{path}` is not the path of a quantity: a step of it is empty"), advice);

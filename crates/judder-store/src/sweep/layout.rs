@@ -27,7 +27,7 @@ pub struct SweepDimension {
 /// One quantity that every point of a sweep has.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SweepQuantity {
-    /// Its name, such as `thresholds.full.min`: a label of the dimension `quantity`.
+    /// Its name, such as `thresholds.full.0.min`: a label of the dimension `quantity`.
     pub name: String,
     /// Unit symbol, `1` where dimensionless, empty where a unit makes no sense (classes).
     pub units: String,

@@ -242,7 +242,7 @@ impl SweepProblem {
                 "leave it out, or use method = \"sobol\" or \"latin-hypercube\", whose points fill the ranges evenly"
             }
             Self::QuantityPath { .. } => {
-                "write a name such as growth_rate, or ANALYSIS.PATH: cycle.rms, thresholds.full.min, modes.frequencies_hz.0"
+                "write a name such as growth_rate, or ANALYSIS.PATH: cycle.rms, thresholds.full.0.min, modes.frequencies_hz.0"
             }
             Self::QuantityTwice { .. } => "ask for each quantity once",
             Self::UnknownQuantity { name, known } if !known.is_empty() => {

@@ -9,7 +9,7 @@ use judder_keys::document::STEPS_LIMIT;
 /// What results call the time that a clock on the wall has shown.
 const WALL_TIME: &str = "seconds";
 
-/// The path of a quantity: `growth_rate`, `cycle.rms`, `thresholds.full.min`.
+/// The path of a quantity: `growth_rate`, `cycle.rms`, `thresholds.full.0.min`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct QuantityPath {
     /// As the case file has it: unique in its sweep.

@@ -16,7 +16,8 @@ use std::path::PathBuf;
 type Given = (Source, String, Vec<String>);
 
 /// The case, where it is of the model.
-fn read((case, model, overrides): &Given) -> Result<CaseFile, StudyError> {
+fn read(given: &Given) -> Result<CaseFile, StudyError> {
+    let (case, model, overrides) = given;
     let file = case.parse(overrides)?;
     if file.case.model() == model {
         return Ok(file);

@@ -17,12 +17,13 @@ pub fn steps(case: &Case, index: usize) -> usize {
 /// # Errors
 /// [`StudyError::Interrupted`], or arrays that the store refuses.
 pub fn run(case: &Case, index: usize, progress: &dyn Progress) -> Result<Outcome, StudyError> {
-    run_alone((case, &case.prepared()?), index, progress)
+    run_alone(case, &case.prepared()?, index, progress)
 }
 
 /// The same with what its analyses share.
 pub(crate) fn run_alone(
-    (case, prepared): (&Case, &Prepared),
+    case: &Case,
+    prepared: &Prepared,
     index: usize,
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {

@@ -105,11 +105,11 @@ pub fn run(
         return Err(StudyError::NoParts { known });
     }
     if !plans.is_empty() {
-        return sweeps::run((&asked, &prepared, &plans), folder, options, progress);
+        return sweeps::run(&asked, &prepared, &plans, folder, options, progress);
     }
     let store = taken(folder, options.fresh)?;
     let analyses = options.sweeps == SweepWork::All;
-    compute_in(store, (&asked, &prepared), (&[], analyses), progress)?.reported(file.registry(), Vec::new())
+    compute_in(store, &asked, &prepared, &[], analyses, progress)?.reported(file.registry(), Vec::new())
 }
 
 /// By what a study knows a case and what was computed of it.
@@ -209,7 +209,7 @@ pub fn compute(
 ) -> Result<Computed, StudyError> {
     let asked = Asked::new(file, options)?;
     let prepared = file.case.preflight(file, &|name| asked.is_wanted(name))?;
-    compute_in(taken(folder, options.fresh)?, (&asked, &prepared), (&[], true), progress)
+    compute_in(taken(folder, options.fresh)?, &asked, &prepared, &[], true, progress)
 }
 
 /// The study in a folder, held alone; without earlier results where it is to be fresh.
@@ -224,8 +224,10 @@ fn taken(folder: &Path, fresh: bool) -> Result<StudyFolder, StudyError> {
 /// Runs the wanted analyses that are not done yet, where they are to be run, and finishes these sweeps, whose chunks are all there.
 fn compute_in(
     store: StudyFolder,
-    (asked, prepared): (&Asked<'_>, &Prepared),
-    (sweeps, analyses): (&[SweepPlan], bool),
+    asked: &Asked<'_>,
+    prepared: &Prepared,
+    sweeps: &[SweepPlan],
+    analyses: bool,
     progress: &dyn Progress,
 ) -> Result<Computed, StudyError> {
     let start = Instant::now();

@@ -29,6 +29,6 @@ pub fn contact_case_of(name: &str, text: &str, set: &[String]) -> Result<CaseFil
     }
     CaseFile::parse(REGISTRY, name, &document.to_string(), &[]).map_err(|composed| {
         let dropped = ["contact", "oscillator", "operation", "analysis", "sweep"];
-        given_error(REGISTRY, (name, text, set), &dropped).unwrap_or(composed)
+        given_error(REGISTRY, name, text, set, &dropped).unwrap_or(composed)
     })
 }

@@ -43,7 +43,7 @@ pub(super) fn sections(store: &StudyFolder, summary: &Summary) -> Result<Vec<Pag
         (captions, "fig-12", "Motion over time, the paper's Fig. 12"),
         (text, "fig-12-text", "Motion over time with the text's speed"),
     ] {
-        if let Some(figure) = figure_12(store, summary, ways, (name, title))? {
+        if let Some(figure) = figure_12(store, summary, ways, name, title)? {
             blocks.push(write_figure(store, figure)?);
         }
     }
@@ -131,7 +131,8 @@ fn figure_12(
     store: &StudyFolder,
     summary: &Summary,
     ways: &[Way],
-    (name, title): (&str, &str),
+    name: &str,
+    title: &str,
 ) -> Result<Option<Figure>, StudyError> {
     let mut columns = Vec::new();
     for way in ways {

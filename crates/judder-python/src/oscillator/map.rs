@@ -23,7 +23,8 @@ const STRETCH: usize = 1 << 22;
 /// A key, its values, and their unit where they have one.
 type Side<'py> = (String, Bound<'py, PyAny>, Option<String>);
 
-fn axis(argument: &str, (name, values, unit): &Side<'_>) -> PyResult<KeyAxis> {
+fn axis(argument: &str, side: &Side<'_>) -> PyResult<KeyAxis> {
+    let (name, values, unit) = side;
     let key = key(name)?;
     let values = arrays::vector(argument, values)?;
     let (form, values) = match unit {
@@ -91,7 +92,7 @@ pub(crate) fn oscillator_map<'py>(
     let contact = asked.contact(py, &manner)?;
     let done = watched(py, &manner, |watch| {
         let start = Instant::now();
-        let made = decided(&contact.contact, &plane, (method, growth_rate), watch)?;
+        let made = decided(&contact.contact, &plane, method, growth_rate, watch)?;
         Ok((made, start.elapsed().as_secs_f64()))
     })?;
     let (Decided { map, growth, within_law }, seconds) =
@@ -127,7 +128,8 @@ struct Decided {
 fn decided(
     contact: &Contact,
     plane: &KeyPlane,
-    (method, wants_growth): (DecisionMethod, bool),
+    method: DecisionMethod,
+    wants_growth: bool,
     progress: &dyn Progress,
 ) -> Result<Decided, StudyError> {
     let (columns, rows) = (plane.columns(), plane.rows());

@@ -38,7 +38,7 @@ pub fn compose(
     }
     CaseFile::parse(registry, name, &document.to_string(), &[]).map_err(|composed| {
         let replaced: &[&str] = if analysis.is_some() { &["analysis", "sweep"] } else { &[] };
-        given_error(registry, (name, text, set), replaced).unwrap_or(composed)
+        given_error(registry, name, text, set, replaced).unwrap_or(composed)
     })
 }
 

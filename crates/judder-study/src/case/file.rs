@@ -257,7 +257,9 @@ fn read_case(
 /// What is wrong with a text and its options, without these parts of the case; `None` where nothing is.
 pub fn given_error(
     registry: Registry,
-    (name, text, overrides): (&str, &str, &[String]),
+    name: &str,
+    text: &str,
+    overrides: &[String],
     without: &[&str],
 ) -> Option<CaseError> {
     let read = || {

@@ -90,7 +90,7 @@ impl<'a> Asked<'a> {
     pub(super) fn plans(&self) -> Result<Vec<SweepPlan>, StudyError> {
         let sweeps = self.file.sweeps.iter().zip(&self.sweeps);
         let wanted = sweeps.filter(|(sweep, _)| self.is_wanted(&sweep.name));
-        wanted.map(|(sweep, hash)| SweepPlan::new(self.file, sweep, (hash, &self.files))).collect()
+        wanted.map(|(sweep, hash)| SweepPlan::new(self.file, sweep, hash, &self.files)).collect()
     }
 }
 

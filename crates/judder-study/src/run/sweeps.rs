@@ -19,12 +19,14 @@ struct Earlier {
 
 /// Runs analyses and sweeps. Analyses are run by whoever holds the study alone: at first where nobody else is there, else at the end.
 pub(super) fn run(
-    (asked, prepared, plans): (&Asked<'_>, &Prepared, &[SweepPlan]),
+    asked: &Asked<'_>,
+    prepared: &Prepared,
+    plans: &[SweepPlan],
     folder: &Path,
     options: &RunOptions,
     progress: &dyn Progress,
 ) -> Result<RunReport, StudyError> {
-    let earlier = begun((asked, prepared, plans), folder, options, progress)?;
+    let earlier = begun(asked, prepared, plans, folder, options, progress)?;
     let shared = joined(folder, progress)?;
     let mut notes = Vec::new();
     let mut is_whole = true;
@@ -38,7 +40,7 @@ pub(super) fn run(
         Some(store) => (store, false),
         // whose chunks are all there others may be completing
         None if is_whole && !is_part => (alone(folder, progress)?, true),
-        None => return Ok(unfinished(folder, Summary::default(), (is_part, notes))),
+        None => return Ok(unfinished(folder, Summary::default(), is_part, notes)),
     };
     let is_completed = waited && is_done(&store, plans)?;
     if is_whole && !is_part && !is_completed {
@@ -50,10 +52,10 @@ pub(super) fn run(
     }
     if is_part || !is_whole {
         let summary = store.read_summary()?.unwrap_or_default();
-        return Ok(unfinished(folder, summary, (is_part, notes)));
+        return Ok(unfinished(folder, summary, is_part, notes));
     }
     let analyses = options.sweeps == SweepWork::All;
-    let mut computed = compute_in(store, (asked, prepared), (plans, analyses), progress)?;
+    let mut computed = compute_in(store, asked, prepared, plans, analyses, progress)?;
     // what this run did before it shared the study was not done before it, and what it forgot is gone
     if let Some(Earlier { done: mut names, forgotten }) = earlier {
         let of_sweeps = |name: &String| plans.iter().any(|plan| plan.layout().name() == name);
@@ -66,7 +68,9 @@ pub(super) fn run(
 
 /// Runs the analyses where nobody else is at work; gives back what became of earlier results.
 fn begun(
-    (asked, prepared, plans): (&Asked<'_>, &Prepared, &[SweepPlan]),
+    asked: &Asked<'_>,
+    prepared: &Prepared,
+    plans: &[SweepPlan],
     folder: &Path,
     options: &RunOptions,
     progress: &dyn Progress,
@@ -85,7 +89,7 @@ fn begun(
     }
     match taken(folder, options.fresh) {
         Ok(store) if options.sweeps == SweepWork::All => {
-            let computed = compute_in(store, (asked, prepared), (&[], true), progress)?;
+            let computed = compute_in(store, asked, prepared, &[], true, progress)?;
             Ok(Some(Earlier { done: computed.skipped, forgotten: computed.forgotten }))
         }
         Ok(_) => Ok(None),
@@ -113,7 +117,7 @@ fn is_done(store: &StudyFolder, plans: &[SweepPlan]) -> Result<bool, StudyError>
 }
 
 /// A report of a run that leaves the study to others.
-fn unfinished(folder: &Path, summary: Summary, (complete, notes): (bool, Vec<String>)) -> RunReport {
+fn unfinished(folder: &Path, summary: Summary, complete: bool, notes: Vec<String>) -> RunReport {
     RunReport {
         folder: folder.to_owned(),
         summary,
@@ -144,10 +148,10 @@ fn worked(
         SweepWork::Merge => None,
     };
     if let Some(shard) = shard {
-        work((plan, &store), shard, progress)?;
+        work(plan, &store, shard, progress)?;
     }
     if let SweepWork::Part(shard) = how {
-        notes.extend(mended((plan, &store), shard, progress)?);
+        notes.extend(mended(plan, &store, shard, progress)?);
     }
     let there = store.done_chunks()?.into_iter().filter(|done| *done).count();
     let all = plan.layout().chunk_count();
@@ -180,7 +184,7 @@ fn looked_through(
     match (count, how) {
         (0, _) | (_, SweepWork::Part(_)) => Ok((None, true)),
         (_, SweepWork::All) => {
-            Ok((mended((plan, &study.sweep(plan.layout())?), Shard::WHOLE, progress)?, true))
+            Ok((mended(plan, &study.sweep(plan.layout())?, Shard::WHOLE, progress)?, true))
         }
         (_, SweepWork::Merge) => Ok((
             Some(format!("{name}: {} damaged; `judder run` computes them anew", of_chunks(count))),
@@ -191,11 +195,12 @@ fn looked_through(
 
 /// Computes the damaged chunks of a part anew; says how many they were.
 fn mended(
-    (plan, store): (&SweepPlan, &SweepStore),
+    plan: &SweepPlan,
+    store: &SweepStore,
     shard: Shard,
     progress: &dyn Progress,
 ) -> Result<Option<String>, StudyError> {
-    let count = mend((plan, store), shard, progress)?;
+    let count = mend(plan, store, shard, progress)?;
     let name = plan.layout().name();
     Ok((count > 0).then(|| format!("{name}: {count} damaged chunks were computed anew")))
 }

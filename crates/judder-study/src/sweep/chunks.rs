@@ -21,7 +21,8 @@ const SPREAD: u64 = 0x9E37_79B1;
 /// # Errors
 /// [`StudyError::Interrupted`]: what is written until then stays. Failures of the file system, a chunk of another case.
 pub(crate) fn work(
-    (plan, store): (&SweepPlan, &SweepStore),
+    plan: &SweepPlan,
+    store: &SweepStore,
     shard: Shard,
     progress: &dyn Progress,
 ) -> Result<(), StudyError> {
@@ -31,7 +32,7 @@ pub(crate) fn work(
     // processes that begin together do not all ask for the same chunks
     let first = u64::from(process::id()) * SPREAD % missing.len().max(1) as u64;
     missing.rotate_left(first as usize);
-    compute((plan, store), (missing, true), progress)
+    compute(plan, store, missing, true, progress)
 }
 
 /// Computes the chunks of a part anew that are there and cannot be read; gives back how many they are. All chunks of the part are read.
@@ -39,20 +40,23 @@ pub(crate) fn work(
 /// # Errors
 /// As of [`work`].
 pub(crate) fn mend(
-    (plan, store): (&SweepPlan, &SweepStore),
+    plan: &SweepPlan,
+    store: &SweepStore,
     shard: Shard,
     progress: &dyn Progress,
 ) -> Result<usize, StudyError> {
     let damaged = damaged(store, shard, progress)?;
     let count = damaged.len();
-    compute((plan, store), (damaged, false), progress)?;
+    compute(plan, store, damaged, false, progress)?;
     Ok(count)
 }
 
 /// Computes these chunks, but for those that others have done meanwhile; where none of them was there, a chunk that is there now is not opened.
 fn compute(
-    (plan, store): (&SweepPlan, &SweepStore),
-    (mut left, were_missing): (Vec<usize>, bool),
+    plan: &SweepPlan,
+    store: &SweepStore,
+    mut left: Vec<usize>,
+    were_missing: bool,
     progress: &dyn Progress,
 ) -> Result<(), StudyError> {
     if left.is_empty() {
@@ -61,7 +65,7 @@ fn compute(
     let evaluator = Evaluator::new(plan, progress)?;
     progress.begin(plan.layout().name(), left.len());
     let worked = loop {
-        match round(&evaluator, store, (&left, were_missing), progress) {
+        match round(&evaluator, store, &left, were_missing, progress) {
             Ok(busy) if busy.is_empty() => break Ok(()),
             Ok(busy) => left = busy,
             Err(error) => break Err(error),
@@ -76,7 +80,8 @@ fn compute(
 fn round(
     evaluator: &Evaluator<'_>,
     store: &SweepStore,
-    (chunks, were_missing): (&[usize], bool),
+    chunks: &[usize],
+    were_missing: bool,
     progress: &dyn Progress,
 ) -> Result<Vec<usize>, StudyError> {
     let busy: Result<Vec<Option<usize>>, StudyError> = chunks

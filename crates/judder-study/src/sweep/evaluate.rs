@@ -185,8 +185,8 @@ impl<'a> Evaluator<'a> {
         let paths: Vec<&str> = self.plan.sweep.axes.iter().map(|axis| axis.path.as_str()).collect();
         let prepared = file.case.preflight_at(&file, &|name| names.contains(&name), prepared, &paths)?;
         for (index, name) in wanted {
-            match run_alone((&file.case, &prepared), index, &Within(progress)) {
-                Ok(outcome) => self.fill_scalars((index, name), &outcome, row, &mut told),
+            match run_alone(&file.case, &prepared, index, &Within(progress)) {
+                Ok(outcome) => self.fill_scalars(index, name, &outcome, row, &mut told),
                 Err(error) if is_passing(&error) => return Err(error),
                 // the quantities of the others stand
                 Err(error) => {
@@ -198,7 +198,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Takes the numbers out of the results of an analysis, and what is to be said of them.
-    fn fill_scalars(&self, (own, name): (usize, &str), outcome: &Outcome, row: &mut [f64], told: &mut Told) {
+    fn fill_scalars(&self, own: usize, name: &str, outcome: &Outcome, row: &mut [f64], told: &mut Told) {
         for (column, value) in self.plan.columns.iter().zip(row) {
             let Column::Scalar { index, steps, .. } = column else { continue };
             if *index == own {

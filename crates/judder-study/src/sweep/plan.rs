@@ -54,13 +54,14 @@ impl SweepPlan {
     pub(crate) fn new(
         file: &CaseFile,
         sweep: &StudySweep,
-        (hash, files): (&str, &[KnownFile]),
+        hash: &str,
+        files: &[KnownFile],
     ) -> Result<Self, StudyError> {
         // a grid has its keys as dimensions
         let keys = if sweep.method == Design::Grid { 0 } else { sweep.axes.len() };
         let mut columns: Vec<Column> = (0..keys).map(Column::Key).collect();
         columns.extend(sweep.quantities.iter().map(column));
-        let layout = layout((file, sweep), &columns, hash)?;
+        let layout = layout(file, sweep, &columns, hash)?;
         Ok(Self { file: file.clone(), sweep: sweep.clone(), columns, layout, files: files.to_vec() })
     }
 
@@ -108,7 +109,7 @@ impl SweepPlan {
 
     /// How a swept key is called.
     pub(super) fn key(&self, k: usize) -> labels::Quantity {
-        label((&self.file, &self.sweep), k)
+        label(&self.file, &self.sweep, k)
     }
 }
 
@@ -122,7 +123,8 @@ fn column(quantity: &QuantityPath) -> Column {
 }
 
 fn layout(
-    (file, sweep): (&CaseFile, &StudySweep),
+    file: &CaseFile,
+    sweep: &StudySweep,
     columns: &[Column],
     hash: &str,
 ) -> Result<SweepLayout, StudyError> {
@@ -137,7 +139,7 @@ fn layout(
     let keys = columns.len() - sweep.quantities.len();
     let texts = (0..keys).map(|k| sweep.axes[k].path.as_str()).chain(asked);
     let quantities =
-        columns.iter().zip(texts).map(|(column, text)| described((file, sweep), column, text)).collect();
+        columns.iter().zip(texts).map(|(column, text)| described(file, sweep, column, text)).collect();
     let mut layout = SweepLayout::new(&sweep.name, hash, dimensions, quantities)?
         .attribute("kind", "sweep")?
         .attribute("judder_version", VERSION)?
@@ -145,7 +147,7 @@ fn layout(
         .attribute("keys", sweep.axes.iter().map(|axis| axis.path.clone()).collect::<Vec<_>>())?
         .attribute(
             "key_labels",
-            (0..sweep.axes.len()).map(|k| label((file, sweep), k).label).collect::<Vec<_>>(),
+            (0..sweep.axes.len()).map(|k| label(file, sweep, k).label).collect::<Vec<_>>(),
         )?
         .attribute("scales", sweep.axes.iter().map(|axis| axis.scale.name()).collect::<Vec<_>>())?;
     if let Some(seed) = sweep.method.seed() {
@@ -153,7 +155,7 @@ fn layout(
     }
     if sweep.method == Design::Grid {
         for k in 0..sweep.axes.len() {
-            layout = layout.with(coordinate((file, sweep), k))?;
+            layout = layout.with(coordinate(file, sweep, k))?;
         }
     }
     Ok(layout)
@@ -205,10 +207,10 @@ fn chunk_shape(shape: &[usize], target: usize) -> Vec<usize> {
 }
 
 /// A column as the store describes it.
-fn described(swept: (&CaseFile, &StudySweep), column: &Column, text: &str) -> SweepQuantity {
+fn described(file: &CaseFile, sweep: &StudySweep, column: &Column, text: &str) -> SweepQuantity {
     match column {
         Column::Key(k) => {
-            let quantity = label(swept, *k);
+            let quantity = label(file, sweep, *k);
             SweepQuantity::new(text, &quantity.unit, &labels::plain(&quantity.label))
         }
         Column::Point(own) => {
@@ -222,13 +224,13 @@ fn described(swept: (&CaseFile, &StudySweep), column: &Column, text: &str) -> Sw
 }
 
 /// How a swept key is called.
-fn label((file, sweep): (&CaseFile, &StudySweep), k: usize) -> labels::Quantity {
+fn label(file: &CaseFile, sweep: &StudySweep, k: usize) -> labels::Quantity {
     let key = &sweep.axes[k];
     if sweep.is_set { file.case.swept_label(key) } else { labels::any_key(&key.path, key.dimension) }
 }
 
 /// The coordinate of a dimension of a grid.
-fn coordinate((file, sweep): (&CaseFile, &StudySweep), k: usize) -> Variable {
+fn coordinate(file: &CaseFile, sweep: &StudySweep, k: usize) -> Variable {
     let axis = &sweep.axes[k];
     let count = axis.count().unwrap_or(0);
     let values: Vec<f64> = (0..count).map(|index| axis.value(index)).collect();
@@ -236,7 +238,7 @@ fn coordinate((file, sweep): (&CaseFile, &StudySweep), k: usize) -> Variable {
         SweptValues::Listed(_) => Scale::Linear,
         _ => axis.scale,
     };
-    Axis { quantity: label((file, sweep), k), values, scale }.coordinate()
+    Axis { quantity: label(file, sweep, k), values, scale }.coordinate()
 }
 
 #[cfg(test)]

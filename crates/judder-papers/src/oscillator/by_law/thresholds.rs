@@ -59,7 +59,7 @@ struct Picked {
 
 impl Picked {
     /// Neighbours on one curve as a line, and those that have none as points.
-    fn layers(&self, speeds: &[f64], (label, style): (&str, Style)) -> Vec<Layer> {
+    fn layers(&self, speeds: &[f64], label: &str, style: Style) -> Vec<Layer> {
         let Self { values, on } = self;
         let goes_on = |k: usize| on[k].is_some() && on.get(k + 1) == Some(&on[k]);
         let (x, y) = through(speeds, values, goes_on);
@@ -128,8 +128,8 @@ impl Moved {
         let panel = |(curve, value): (usize, &f64)| {
             let mut layers = Vec::new();
             for (law, (_, name, role)) in LAWS.into_iter().enumerate() {
-                layers.extend(self.full[law][curve].layers(&self.speeds, (name, role.solid())));
-                layers.extend(self.conservative[law][curve].layers(&self.speeds, ("", role.dashed())));
+                layers.extend(self.full[law][curve].layers(&self.speeds, name, role.solid()));
+                layers.extend(self.conservative[law][curve].layers(&self.speeds, "", role.dashed()));
             }
             Panel::new(self.speed.clone(), Axis::log(self.kind.vertical), layers)
                 .with_title(format!("{} = {}", self.kind.family.1, short_number(*value)))

@@ -162,7 +162,7 @@ pub(crate) fn read_sweeps(node: &Node, tree: &CaseTree, case: &Case) -> Result<V
         let keys: SweepKeys = read_settings(node, "", "a sweep")?;
         refuse_repeated_name(&keys.name.0, &section, &analyses, &names)?;
         names.push(keys.name.0.clone());
-        read_sweep(keys, &section, &analyses, (tree, case))
+        read_sweep(keys, &section, &analyses, tree, case)
     }))
 }
 
@@ -186,7 +186,8 @@ fn read_sweep(
     asked: SweepKeys,
     section: &Section<'_>,
     analyses: &[&str],
-    (tree, case): (&CaseTree, &Case),
+    tree: &CaseTree,
+    case: &Case,
 ) -> Result<StudySweep, Fault> {
     let method = asked.design(section)?;
     let SweepKeys { name: SweepName(name), over, chunk, sensitivity: Asked(sensitivity), .. } = asked;

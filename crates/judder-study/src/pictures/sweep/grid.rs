@@ -41,7 +41,7 @@ pub(super) fn panels(sweep: &Sweep<'_>) -> Drawn {
         [k] => coordinate(k).and_then(|x| shown.iter().map(|column| over_one(sweep, column, x)).collect()),
         [k, l] => coordinate(k)
             .zip(coordinate(l))
-            .and_then(|axes| shown.iter().map(|column| over_two(sweep, column, axes)).collect()),
+            .and_then(|(x, y)| shown.iter().map(|column| over_two(sweep, column, x, y)).collect()),
         _ => None,
     };
     let panels = panels.unwrap_or_default();
@@ -95,7 +95,8 @@ fn curve(label: &str, x: &[f64], y: Vec<f64>, role: Role) -> Vec<Layer> {
 fn family(
     sweep: &Sweep<'_>,
     column: &Column,
-    (x, of): (&Variable, &Variable),
+    x: &Variable,
+    of: &Variable,
     x_is_first: bool,
 ) -> Option<Panel> {
     let (along, values) = (reals(sweep.dataset, &x.name)?, reals(sweep.dataset, &of.name)?);
@@ -138,11 +139,13 @@ fn drawn_classes(column: &Column, points: impl Iterator<Item = usize>) -> (Vec<u
 }
 
 /// A map, or lines where one of the keys has few values: of numbers by the sequential colours, or from blue to red where they have both signs.
-fn over_two(sweep: &Sweep<'_>, column: &Column, (x, y): (&Variable, &Variable)) -> Option<Panel> {
+fn over_two(sweep: &Sweep<'_>, column: &Column, x: &Variable, y: &Variable) -> Option<Panel> {
     let (along, up) = (reals(sweep.dataset, &x.name)?, reals(sweep.dataset, &y.name)?);
     if column.is_number() && along.len().min(up.len()) <= FEW_LINES {
-        let is_first = along.len() >= up.len();
-        return family(sweep, column, if is_first { (x, y) } else { (y, x) }, is_first);
+        return match along.len() >= up.len() {
+            true => family(sweep, column, x, y, true),
+            false => family(sweep, column, y, x, false),
+        };
     }
     let (across, upward) = (ascending_order(along), ascending_order(up));
     // the first key stands along the horizontal axis, and varies slowest in the array

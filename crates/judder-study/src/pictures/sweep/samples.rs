@@ -21,7 +21,7 @@ pub(super) fn panels(sweep: &Sweep<'_>) -> Drawn {
     panels.extend(classes.iter().filter_map(|column| match keys[..] {
         [] => None,
         [key] => Some(strip(key.axis(), &key.values, column)),
-        [x, y, ..] => Some(plane((x, y), column)),
+        [x, y, ..] => Some(plane(x, y, column)),
     }));
     let columns = if shown.is_empty() { panels.len().clamp(1, 2) } else { per_quantity };
     let caption = format!(
@@ -68,7 +68,7 @@ fn scatter(key: &Key, column: &Column) -> Panel {
 }
 
 /// The classes of the points over two keys.
-fn plane((x, y): (&Key, &Key), column: &Column) -> Panel {
+fn plane(x: &Key, y: &Key, column: &Column) -> Panel {
     let points = |code: usize| -> (Vec<f64>, Vec<f64>) {
         let of = (0..column.values.len()).filter(|point| column.class_at(*point) == code);
         of.filter_map(|point| Some((*x.values.get(point)?, *y.values.get(point)?))).unzip()

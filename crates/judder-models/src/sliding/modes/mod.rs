@@ -44,9 +44,9 @@ pub(crate) const KIND: Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>> = Kind 
 impl Analysis<SlidingCase> for PartModes {
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         let part = &of.system.parts[*self.structure];
-        let own = (&alone(of.case, *self.structure), &*part.structure);
+        let own = alone(of.case, *self.structure);
         let reduced = Some(&part.reduced.body.eigenvalues[..]);
-        let outcome = modes::run(own, of.name, self.modes, reduced)?;
+        let outcome = modes::run(&own, &part.structure, of.name, self.modes, reduced)?;
         task.progress.advance();
         Ok(outcome)
     }

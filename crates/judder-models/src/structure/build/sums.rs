@@ -22,7 +22,10 @@ pub(super) fn structure(sums: &MatrixSums) -> Result<Structure, Unbuilt> {
         })?),
     };
     check(sums, &read, table.as_deref())?;
-    let [mass, damping, stiffness] = [0, 1, 2].map(|k| terms(sums.sums()[k], &read[k]));
+    let [mass, damping, stiffness] = [0, 1, 2].map(|k| {
+        let (name, own) = sums.sums()[k];
+        terms(name, own, &read[k])
+    });
     let family = AffineFamily::new(mass?, damping?, stiffness?)
         .map_err(|error| Unbuilt::because("matrices", &error))?;
     let layout = table.as_deref().map(Layout::of_table);
@@ -72,7 +75,7 @@ fn check(sums: &MatrixSums, read: &[Vec<Matrix>; 3], table: Option<&[Freedom]>) 
 }
 
 /// The terms of a sum, named by their files.
-fn terms((name, terms): (&str, &[MatrixTerm]), matrices: &[Matrix]) -> Result<Vec<Term>, Unbuilt> {
+fn terms(name: &str, terms: &[MatrixTerm], matrices: &[Matrix]) -> Result<Vec<Term>, Unbuilt> {
     let term = |(index, (term, matrix)): (usize, (&MatrixTerm, &Matrix))| {
         let failed = |error: &dyn std::fmt::Display| {
             Unbuilt::because(format!("matrices.{name}.{index}.file"), &error.to_string())

@@ -60,7 +60,7 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
 
 impl Analysis<StructureCase> for Eigen {
     fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run((of.case, of.structure), of.name, &self.region)
+        run::run(of.case, of.structure, of.name, &self.region)
     }
 
     fn summary_keys(&self) -> Vec<Declared> {

@@ -37,7 +37,8 @@ pub(crate) fn region(region: &EigenRegion) -> Region {
 }
 
 pub(crate) fn run(
-    (case, structure): (&StructureCase, &Structure),
+    case: &StructureCase,
+    structure: &Structure,
     name: &str,
     sought: &EigenRegion,
 ) -> Result<Outcome, ModelError> {

@@ -38,7 +38,7 @@ impl Analysis<StructureCase> for EigenSweep {
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run((of.case, of.structure), self, task.progress)
+        run::run(of.case, of.structure, self, task.progress)
     }
 
     fn summary_keys(&self) -> Vec<Declared> {

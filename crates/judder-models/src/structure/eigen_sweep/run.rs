@@ -31,7 +31,8 @@ struct Run<'a> {
 }
 
 pub(super) fn run(
-    (case, structure): (&StructureCase, &Structure),
+    case: &StructureCase,
+    structure: &Structure,
     settings: &EigenSweep,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {

@@ -149,7 +149,7 @@ impl EigenSweep {
             check_effect(scope, sums, placed.family.key, placed.key)?;
             check_size(&[(placed.family.values.len(), placed.whole), (sweep.values.len(), node.place)])?;
         }
-        check_values(scope, sums, (&sweep, node.place), family.as_ref())?;
+        check_values(scope, sums, &sweep, node.place, family.as_ref())?;
         let method = MethodKeys::read_table(section)?.method();
         let family = family.map(|placed| placed.family);
         Ok(Self { sweep, family, region: Eigen::read_table(section)?.region, method })
@@ -187,7 +187,8 @@ fn check_effect(
 fn check_values(
     scope: &StructureScope,
     sums: &MatrixSums,
-    (sweep, place): (&ParameterValues, Place),
+    sweep: &ParameterValues,
+    place: Place,
     family: Option<&PlacedFamily<ParameterKey>>,
 ) -> Result<(), Fault> {
     let along = |mut values: Vec<f64>, place: Place| {

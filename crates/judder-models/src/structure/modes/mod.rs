@@ -63,7 +63,7 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
 
 impl Analysis<StructureCase> for Modes {
     fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
-        run((of.case, of.structure), of.name, *self, None)
+        run(of.case, of.structure, of.name, *self, None)
     }
 
     fn summary_keys(&self) -> Vec<Declared> {

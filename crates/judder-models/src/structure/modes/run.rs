@@ -22,7 +22,8 @@ const ORTHOGONALITY_LIMIT: f64 = 1e-8;
 
 /// The modes; beside them those of a reduction of the structure, where its eigenvalues ω², 1/s², are given.
 pub(crate) fn run(
-    (case, structure): (&StructureCase, &Structure),
+    case: &StructureCase,
+    structure: &Structure,
     name: &str,
     wanted: super::Modes,
     reduced: Option<&[f64]>,

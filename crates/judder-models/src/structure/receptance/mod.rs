@@ -46,7 +46,7 @@ impl Analysis<StructureCase> for Receptance {
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run((of.case, of.structure), of.name, self, task.progress)
+        run::run(of.case, of.structure, of.name, self, task.progress)
     }
 
     fn summary_keys(&self) -> Vec<Declared> {

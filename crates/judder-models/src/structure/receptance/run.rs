@@ -58,7 +58,8 @@ pub(super) fn freedom(key: &'static str, place: &Place, structure: &Structure) -
 
 /// The receptance over frequency, its largest value, and a universal file of it.
 pub(super) fn run(
-    (case, structure): (&StructureCase, &Structure),
+    case: &StructureCase,
+    structure: &Structure,
     name: &str,
     asked: &Receptance,
     progress: &dyn Progress,
@@ -85,7 +86,7 @@ pub(super) fn run(
     let missing = values.iter().filter(|value| !value.is_finite()).count();
     let files = match &structure.layout {
         Some(layout) if missing == 0 => {
-            let file = written(|to| universal(to, layout, (excited, observed), &hertz, &values))?;
+            let file = written(|to| universal(to, layout, excited, observed, &hertz, &values))?;
             vec![(format!("fields/{name}.unv"), file)]
         }
         _ => Vec::new(),
@@ -168,7 +169,8 @@ pub(super) fn steps(points: usize) -> usize {
 fn universal(
     to: &mut dyn std::io::Write,
     layout: &Layout,
-    (excited, observed): (At, At),
+    excited: At,
+    observed: At,
     hertz: &[f64],
     values: &[Complex64],
 ) -> Result<(), ExchangeError> {

@@ -54,7 +54,7 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
 
 impl Analysis<StructureCase> for Compared {
     fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run((of.case, of.structure), of.name, self.count)
+        run::run(of.case, of.structure, of.name, self.count)
     }
 
     fn summary_keys(&self) -> Vec<Declared> {

@@ -18,7 +18,8 @@ const ROUNDING: f64 = 1e-7;
 const COMPLIANCE_LIMIT: f64 = 1e-8;
 
 pub(super) fn run(
-    (case, structure): (&StructureCase, &Structure),
+    case: &StructureCase,
+    structure: &Structure,
     name: &str,
     count: usize,
 ) -> Result<Outcome, ModelError> {

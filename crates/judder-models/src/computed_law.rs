@@ -76,10 +76,15 @@ impl SweepObserver for Watch<'_> {
 }
 
 /// Nothing is known, and nothing is kept.
-pub const NO_POINTS: Points<'static> = (&[], &|_| ());
+pub const NO_POINTS: Points<'static> = Points { known: &[], kept: &|_| () };
 
 /// The points that are known already, and who is handed each new one.
-pub(crate) type Points<'a> = (&'a [SolvedPoint], &'a (dyn Fn(&SolvedPoint) + Sync));
+pub struct Points<'a> {
+    /// They are not solved again.
+    pub(crate) known: &'a [SolvedPoint],
+    /// Is handed each new one.
+    pub(crate) kept: &'a (dyn Fn(&SolvedPoint) + Sync),
+}
 
 /// The laws that are remembered while the program runs: more than a case has, fewer than a slider passes in an hour.
 const REMEMBERED: usize = 32;
@@ -128,7 +133,7 @@ fn taken<'a, T>(mutex: &'a Mutex<T>, progress: &dyn Progress) -> Result<MutexGua
 
 fn compute_anew(
     task: &LawTask<'_>,
-    (known, kept): Points<'_>,
+    points: Points<'_>,
     progress: &dyn Progress,
 ) -> Result<ComputedLaw, ModelError> {
     let material = task.material.of_law();
@@ -137,6 +142,7 @@ fn compute_anew(
     let solve = |velocity: f64, indentation: f64| {
         sample(&substrate, task.indenter, velocity, indentation, shares.contacts, task.memory)
     };
+    let Points { known, kept } = points;
     let watch = Watch { progress, kept };
     let source = format!("judder {}, boundary elements, steady sliding", env!("CARGO_PKG_VERSION"));
     let accuracy = shares.interpolation;

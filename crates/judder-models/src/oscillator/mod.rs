@@ -32,6 +32,7 @@ pub(crate) mod steady_states;
 pub use stability_map::{BoundaryCurves, BoundaryKind, boundary_curves};
 
 use crate::bridge::{self, CaseContact};
+use crate::computed_law::Points;
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
 use crate::known_substrate::KnownSubstrate;
@@ -204,7 +205,8 @@ impl Model for OscillatorCase {
         let case = &bridge::with_material(self)?;
         let (law, points) = (task.law, task.law.known());
         let keep = |point: &SolvedPoint| law.add(point);
-        let CaseContact { contact, warnings } = bridge::contact(case, (&points, &keep), task.progress)?;
+        let CaseContact { contact, warnings } =
+            bridge::contact(case, Points { known: &points, kept: &keep }, task.progress)?;
         let own = &case.analyses[index].kind;
         let mut outcome = own.run(&Subject { case, contact: &contact }, task)?;
         outcome.warnings.extend(warnings);

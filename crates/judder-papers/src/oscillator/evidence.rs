@@ -157,7 +157,7 @@ pub(super) fn computed() -> Evidence {
             accuracy: settings.accuracy,
             memory: MEMORY,
         };
-        let found = compute(&task, (&[], &|_| ()), &Silent).unwrap();
+        let found = compute(&task, NO_POINTS, &Silent).unwrap();
         Evidence::new(found.law, false, &Silent).unwrap()
     };
     EVIDENCE.get_or_init(make).clone()

@@ -5,6 +5,7 @@ mod run;
 use super::check::ContactEstimate;
 use super::law::figure;
 use super::{Exciting, Subject};
+use crate::computed_law::Points;
 use crate::contact::case::ContactCase;
 use crate::contact::settings::{ContactScope, FitReading, FitSettings, LawSettings};
 use crate::error::ModelError;
@@ -51,7 +52,13 @@ impl Analysis<ContactCase> for FitSettings {
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         let known: Vec<SolvedPoint> = task.own.known();
         let keep = |point: &SolvedPoint| task.own.add(point);
-        run::run(of.case, (&self.law, self.reading.velocity_scale), (&known, &keep), task.progress)
+        run::run(
+            of.case,
+            &self.law,
+            self.reading.velocity_scale,
+            Points { known: &known, kept: &keep },
+            task.progress,
+        )
     }
 
     fn estimate(&self, of: &Subject<'_>) -> Result<ContactEstimate, ModelError> {

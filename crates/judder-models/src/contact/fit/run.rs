@@ -19,7 +19,8 @@ const RETURN_LIMIT: f64 = 1e-6;
 
 pub(super) fn run(
     case: &ContactCase,
-    (settings, velocity_scale): (&LawSettings, f64),
+    settings: &LawSettings,
+    velocity_scale: f64,
     points: Points<'_>,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {

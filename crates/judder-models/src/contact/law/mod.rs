@@ -8,6 +8,7 @@ pub use run::Plane;
 use super::check::ContactEstimate;
 use super::size::cells_of_law;
 use super::{Exciting, Subject, blame, usual_contacts};
+use crate::computed_law::Points;
 use crate::contact::case::ContactCase;
 use crate::contact::settings::{ContactScope, LawSettings};
 use crate::error::ModelError;
@@ -56,7 +57,7 @@ impl Analysis<ContactCase> for LawSettings {
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         let known: Vec<SolvedPoint> = task.own.known();
         let keep = |point: &SolvedPoint| task.own.add(point);
-        run::run(of.case, of.name, self, (&known, &keep), task.progress)
+        run::run(of.case, of.name, self, Points { known: &known, kept: &keep }, task.progress)
     }
 
     fn estimate(&self, of: &Subject<'_>) -> Result<ContactEstimate, ModelError> {

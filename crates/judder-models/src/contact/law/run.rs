@@ -128,7 +128,7 @@ pub(super) fn run(
     let errors = computed.errors();
     let file = format!("{name}.json");
     let mut outcome = Outcome {
-        scalars: told(&computed, (&errors, settings.accuracy), &scales, &file).scalars(),
+        scalars: told(&computed, &errors, settings.accuracy, &scales, &file).scalars(),
         dataset: dataset(&plane, &computed, &scales)?,
         table: Some(table(&plane, &computed.law)?),
         checks: checks(&plane, &task, &computed.law, &errors)?,
@@ -185,7 +185,8 @@ impl ToldErrors {
 
 fn told(
     computed: &ComputedLaw,
-    (errors, accuracy): (&LawErrors, f64),
+    errors: &LawErrors,
+    accuracy: f64,
     scales: &ContactScales,
     file: &str,
 ) -> ToldLaw {

@@ -44,7 +44,7 @@ pub(super) fn run(case: &ContactCase, frequency: Option<&Span>) -> Result<Outcom
         dataset = with_data(dataset, data, fit)?;
     }
     let mut outcome = Outcome {
-        scalars: told(&scales, (&frequencies, &tangent)).scalars(),
+        scalars: told(&scales, &frequencies, &tangent).scalars(),
         dataset: dataset.attribute("kind", "modulus")?,
         table: Some(
             Table::new()
@@ -169,7 +169,7 @@ struct ToldSeries {
     loss_deviation: f64,
 }
 
-fn told(scales: &ContactScales, (frequencies, tangent): (&[f64], &[f64])) -> ToldModulus {
+fn told(scales: &ContactScales, frequencies: &[f64], tangent: &[f64]) -> ToldModulus {
     let spectrum = &scales.material.spectrum;
     let peak = frequencies.iter().zip(tangent).max_by(|a, b| a.1.total_cmp(b.1));
     let terms = spectrum.terms().iter();

@@ -86,7 +86,7 @@ pub(crate) fn run(
         scalars: refined.told(&scales, velocity).scalars(),
         dataset: fields.dataset(&contact.refinement, &scales)?,
         table: Some(refined.history()?),
-        checks: checks(case, &contact, &question, (velocity, scales.material.spectrum.contrast())),
+        checks: checks(case, &contact, &question, velocity, scales.material.spectrum.contrast()),
         files: vec![(format!("fields/{name}.vtu"), fields.vtu()?)],
         missing: usize::from(!contact.converged),
         warnings: refined.missed(settings.accuracy).into_iter().collect(),
@@ -98,7 +98,8 @@ fn checks(
     case: &ContactCase,
     contact: &SteadyContact,
     question: &SteadyQuestion<'_>,
-    (velocity, contrast): (f64, f64),
+    velocity: f64,
+    contrast: f64,
 ) -> Vec<CheckRecord> {
     let errors = &contact.finest.solution.errors;
     let grid = contact.finest.grid;
@@ -129,7 +130,7 @@ fn checks(
             DISSIPATION_LIMIT,
         ));
     }
-    checks.extend(limits(case, contact, question, (velocity, contrast)));
+    checks.extend(limits(case, contact, question, velocity, contrast));
     checks
 }
 
@@ -138,7 +139,8 @@ fn limits(
     case: &ContactCase,
     contact: &SteadyContact,
     question: &SteadyQuestion<'_>,
-    (velocity, contrast): (f64, f64),
+    velocity: f64,
+    contrast: f64,
 ) -> Vec<CheckRecord> {
     let mut checks = Vec::new();
     if case.shape != Shape::Paraboloid {

@@ -165,7 +165,7 @@ pub(super) fn run(
     let mut steady = None;
     if let (Some(velocity), None) = (asked.velocity, asked.depth_frequency) {
         let memory = settings.memory.bytes;
-        let steady = steady.insert(Steady::new(&scales, &*profile, (velocity, asked.loading), memory)?);
+        let steady = steady.insert(Steady::new(&scales, &*profile, velocity, asked.loading, memory)?);
         let slid = velocity * asked.duration;
         let settled = asked.duration >= SETTLING * substrate.longest_time()
             && slid >= SETTLING * (last.area / PI).sqrt();
@@ -205,7 +205,8 @@ impl Steady {
     fn new(
         scales: &ContactScales,
         profile: &dyn Profile,
-        (velocity, loading): (f64, Loading),
+        velocity: f64,
+        loading: Loading,
         memory: u64,
     ) -> Result<Self, ModelError> {
         let contact = solve(&SteadyQuestion {

@@ -83,7 +83,7 @@ pub(crate) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
 }
 
 /// The axis over values that have markers at both ends.
-fn with_room(axis: Axis, (from, to): (f64, f64)) -> Axis {
+fn with_room(axis: Axis, from: f64, to: f64) -> Axis {
     const ROOM: f64 = 0.02;
     match axis.scale {
         Scale::Log => {
@@ -253,7 +253,7 @@ pub(crate) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
     let values = reals(dataset, &swept.name)?;
     let directions = words(dataset, "direction")?;
     let (first, last) = (*values.first()?, *values.last()?);
-    let along = || with_room(axis(swept), (first.min(last), first.max(last)));
+    let along = || with_room(axis(swept), first.min(last), first.max(last));
     let branches = branches::layers(dataset);
     let has_branches = branches.is_some();
     let (mut amplitude, mut shares) = (branches.unwrap_or_default(), Vec::new());

@@ -81,19 +81,11 @@ pub(super) struct Branches<const N: usize> {
 }
 
 impl<const N: usize> DiagramBranch<N> {
-    /// A branch whose places are told as values.
-    fn new(
-        (from, hopf): (String, Option<(f64, f64)>),
-        (points, folds): (Vec<BranchPoint<N>>, Vec<Fold>),
-        (end, shrinks): (String, bool),
-        value: impl Fn(f64) -> f64,
-    ) -> Self {
-        let points = points
-            .into_iter()
-            .map(|point| BranchPoint { parameter: value(point.parameter), ..point })
-            .collect();
-        let folds = folds.into_iter().map(|fold| Fold { parameter: value(fold.parameter), ..fold }).collect();
-        Self { from, hopf, points, folds, shrinks, end }
+    /// The branch with its places told as values.
+    fn at_values(mut self, value: impl Fn(f64) -> f64) -> Self {
+        self.points.iter_mut().for_each(|point| point.parameter = value(point.parameter));
+        self.folds.iter_mut().for_each(|fold| fold.parameter = value(fold.parameter));
+        self
     }
 
     /// Whether a simulated cycle lies on it, and if so whether a cycle there is stable: it has as many oscillations, and rms and period
@@ -179,10 +171,15 @@ impl<M: Moving<N>, const N: usize> Line<'_, M, N> {
             continue_branch(&system_at, parameter, (small.start, 1), side, options)
         })?;
         let value = |place| self.value(place);
-        let origin = Some((value(place), TAU / hopf.frequency));
-        let from = format!("Hopf point at {}", plain(value(place)));
-        let end = (branch.end.to_string(), branch.end == BranchEnd::SteadySliding);
-        Ok(DiagramBranch::new((from, origin), (branch.points, branch.folds), end, value))
+        let branch = DiagramBranch {
+            from: format!("Hopf point at {}", plain(value(place))),
+            hopf: Some((value(place), TAU / hopf.frequency)),
+            points: branch.points,
+            folds: branch.folds,
+            shrinks: branch.end == BranchEnd::SteadySliding,
+            end: branch.end.to_string(),
+        };
+        Ok(branch.at_values(value))
     }
 
     /// The branch through a simulated cycle, both ways.
@@ -206,7 +203,8 @@ impl<M: Moving<N>, const N: usize> Line<'_, M, N> {
             before.into_iter().rev().chain(other.points.into_iter().skip(usize::from(has_both))).collect();
         let folds = turns.into_iter().rev().chain(other.folds).collect();
         let shrinks = other.end == BranchEnd::SteadySliding;
-        Ok(DiagramBranch::new((from, None), (points, folds), (end, shrinks), |place| self.value(place)))
+        let branch = DiagramBranch { from, hopf: None, points, folds, shrinks, end };
+        Ok(branch.at_values(|place| self.value(place)))
     }
 
     /// Follows a branch within its budget of flights; an interruption ends it.
@@ -254,7 +252,8 @@ type SystemAt<'a, S> = dyn Fn(f64) -> Result<S, CycleError> + 'a;
 /// [`ModelError::Interrupted`].
 pub(super) fn follow<M: Moving<N>, const N: usize>(
     model: &M,
-    (sweep, following): (&Sweep<M::Key>, &Following),
+    sweep: &Sweep<M::Key>,
+    following: &Following,
     simulated: &[SimulatedCycle<N>],
     progress: &dyn Progress,
 ) -> Result<Branches<N>, ModelError> {

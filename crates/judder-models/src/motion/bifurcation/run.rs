@@ -128,7 +128,7 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     };
     if settings.branches {
         let simulated = diagram.cycles();
-        let branches = branches::follow(model, (settings.sweep, settings.following), &simulated, progress)?;
+        let branches = branches::follow(model, settings.sweep, settings.following, &simulated, progress)?;
         outcome.scalars.extend(branches.told().scalars());
         outcome.dataset = branches.add_arrays(outcome.dataset)?;
         outcome.checks.extend(branches.check());

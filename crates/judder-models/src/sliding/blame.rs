@@ -19,7 +19,7 @@ const NEAR: &str = "a locus shows the frequencies at this position; give one of 
 const NUMBER: &str = "give a number that is allowed";
 
 /// A contact that is not on the track: the key that says where it is, and where it is held, m, where one place is meant.
-pub(super) fn off_track(error: &ModelError, (key, held): (&'static str, Option<f64>)) -> Option<Refusal> {
+pub(super) fn off_track(error: &ModelError, key: &'static str, held: Option<f64>) -> Option<Refusal> {
     let ModelError::Sliding(SlidingError::OffTrack { position, length }) = error else { return None };
     let problem = match held {
         // on the track as drawn: the deformation takes the contact beyond the end

@@ -100,7 +100,7 @@ impl ShapedPair {
             .map(|s| {
                 let shape = mode_shape(&coupling, &own, &damping, *s);
                 let shape =
-                    if shape.iter().all(|q| q.is_finite()) { shape } else { pole((&own, &damping), *s) };
+                    if shape.iter().all(|q| q.is_finite()) { shape } else { pole(&own, &damping, *s) };
                 (self.displacements(&shape), gap_residual(&coupling, &shape))
             })
             .collect();
@@ -177,7 +177,7 @@ fn bodies(case: &SlidingCase) -> [usize; 2] {
 }
 
 /// The shape of a mode that the contact does not touch: its eigenvalue is that of one of the structures.
-fn pole((eigenvalues, damping): (&[f64], &[f64]), s: Complex64) -> Vec<Complex64> {
+fn pole(eigenvalues: &[f64], damping: &[f64], s: Complex64) -> Vec<Complex64> {
     let departures: Vec<f64> =
         eigenvalues.iter().zip(damping).map(|(value, d)| (s * s + d * s + value).norm()).collect();
     let nearest = (0..departures.len()).min_by(|a, b| departures[*a].total_cmp(&departures[*b]));

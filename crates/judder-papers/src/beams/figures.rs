@@ -27,7 +27,7 @@ pub(super) fn subs_and_film(subs: &Dataset, film: &Dataset) -> Option<Figure> {
     let both = logarithmic(panel(
         film,
         SIGNAL,
-        vec![swing(film, SIGNAL, ("FiLM", FILM.solid()))?, swing(subs, SIGNAL, ("Subs", SUBS.solid()))?],
+        vec![swing(film, SIGNAL, "FiLM", FILM.solid())?, swing(subs, SIGNAL, "Subs", SUBS.solid())?],
     )?);
     let mut panels = vec![own(subs, "Subs", SUBS)?, own(film, "FiLM", FILM)?];
     panels.push(both.with_title("amplitude: √2 rms of a column"));
@@ -58,14 +58,14 @@ pub(super) fn spectrograms(subs: &Dataset, film: &Dataset) -> Option<Figure> {
 /// Fig. 5: EnSubs over FiLM, the whole, the loudest moment, and their difference.
 pub(super) fn ensubs_and_film(ensubs: &Dataset, film: &Dataset) -> Option<Figure> {
     let both = vec![
-        trace(ensubs, SIGNAL, ("EnSubs", ENSUBS.solid()))?,
-        trace(film, SIGNAL, ("FiLM", FILM.dashed().with_width(0.6)))?,
+        trace(ensubs, SIGNAL, "EnSubs", ENSUBS.solid())?,
+        trace(film, SIGNAL, "FiLM", FILM.dashed().with_width(0.6))?,
     ];
     let whole = panel(ensubs, SIGNAL, both)?.with_title("whole path");
     let about = about_loudest(ensubs, &[(ensubs, "EnSubs", ENSUBS.solid()), (film, "FiLM", FILM.dashed())])?;
     let amplitudes = vec![
-        swing(ensubs, SIGNAL, ("EnSubs", ENSUBS.solid()))?,
-        difference(ensubs, film, ("FiLM − EnSubs", FILM.solid()))?,
+        swing(ensubs, SIGNAL, "EnSubs", ENSUBS.solid())?,
+        difference(ensubs, film, "FiLM − EnSubs", FILM.solid())?,
     ];
     let amplitudes = logarithmic(panel(ensubs, SIGNAL, amplitudes)?);
     let amplitudes = Panel { y: Axis::log(amplitudes.y.label.clone()), ..amplitudes };
@@ -122,9 +122,9 @@ pub(super) fn growths(method: &str, name: &str, held: &[Dataset]) -> Option<Figu
 /// Why Subs is quiet: with the static slope it is as loud as EnSubs.
 pub(super) fn reason(subs: &Dataset, sloped: &Dataset, ensubs: &Dataset) -> Option<Figure> {
     let layers = vec![
-        swing(ensubs, SIGNAL, ("EnSubs", ENSUBS.solid()))?,
-        swing(sloped, SIGNAL, ("Subs with the static slope", SUBS.dashed()))?,
-        swing(subs, SIGNAL, ("Subs", SUBS.solid()))?,
+        swing(ensubs, SIGNAL, "EnSubs", ENSUBS.solid())?,
+        swing(sloped, SIGNAL, "Subs with the static slope", SUBS.dashed())?,
+        swing(subs, SIGNAL, "Subs", SUBS.solid())?,
     ];
     let amplitudes = logarithmic(panel(ensubs, SIGNAL, layers)?).with_title("amplitude: √2 rms of a column");
     let styles = [(ensubs, "EnSubs", ENSUBS.solid()), (sloped, "Subs with the static slope", SUBS.dashed())];
@@ -137,8 +137,8 @@ pub(super) fn reason(subs: &Dataset, sloped: &Dataset, ensubs: &Dataset) -> Opti
 /// The march with residual flexibility beside EnSubs.
 pub(super) fn residual(ours: &Dataset, ensubs: &Dataset) -> Option<Figure> {
     let layers = vec![
-        swing(ensubs, SIGNAL, ("EnSubs", ENSUBS.solid()))?,
-        swing(ours, SIGNAL, ("residual flexibility", RESIDUAL.dashed().with_width(0.8)))?,
+        swing(ensubs, SIGNAL, "EnSubs", ENSUBS.solid())?,
+        swing(ours, SIGNAL, "residual flexibility", RESIDUAL.dashed().with_width(0.8))?,
     ];
     let amplitudes = logarithmic(panel(ensubs, SIGNAL, layers)?).with_title("amplitude: √2 rms of a column");
     let styles = [(ensubs, "EnSubs", ENSUBS.solid()), (ours, "residual flexibility", RESIDUAL.dashed())];
@@ -173,11 +173,11 @@ fn about_loudest(loudest: &Dataset, marches: &[(&Dataset, &str, Style)]) -> Opti
 }
 
 /// How far the difference of two marches with the same samples swings.
-fn difference(a: &Dataset, b: &Dataset, named: (&str, Style)) -> Option<Layer> {
+fn difference(a: &Dataset, b: &Dataset, label: &str, style: Style) -> Option<Layer> {
     let (first, second) = (reals(a, SIGNAL)?, reals(b, SIGNAL)?);
     let difference: Vec<f64> = second.iter().zip(first).map(|(b, a)| b - a).collect();
     let (x, y) = judder_models::sliding::march::figure::swings(reals(a, "time")?, &difference);
-    Some(Layer::line(named.0, x, y, named.1))
+    Some(Layer::line(label, x, y, style))
 }
 
 /// A history from the end of the ramps on.

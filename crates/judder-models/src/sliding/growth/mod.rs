@@ -45,11 +45,11 @@ impl Analysis<SlidingCase> for Growth {
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run((of.case, of.system), self, task.progress)
+        run::run(of.case, of.system, self, task.progress)
     }
 
     fn blame(&self, error: &ModelError) -> Option<Refusal> {
-        blame::off_track(error, ("position", Some(self.position)))
+        blame::off_track(error, "position", Some(self.position))
     }
 
     fn summary_keys(&self) -> Vec<Declared> {

@@ -29,7 +29,8 @@ const FAR: f64 = 0.5;
 const OFF: f64 = 0.03;
 
 pub(super) fn run(
-    (case, system): (&SlidingCase, &SlidingSystem),
+    case: &SlidingCase,
+    system: &SlidingSystem,
     settings: &Growth,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {

@@ -70,17 +70,14 @@ impl Analysis<SlidingCase> for Locus {
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run((of.case, of.system), self, task.progress)
+        run::run(of.case, of.system, self, task.progress)
     }
 
     fn blame(&self, error: &ModelError) -> Option<Refusal> {
-        blame::off_track(
-            error,
-            match &self.along {
-                Along::Positions(_) => ("positions", None),
-                Along::Key { at, .. } => ("at", Some(*at)),
-            },
-        )
+        match &self.along {
+            Along::Positions(_) => blame::off_track(error, "positions", None),
+            Along::Key { at, .. } => blame::off_track(error, "at", Some(*at)),
+        }
     }
 
     fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, ModelError> {

@@ -41,7 +41,8 @@ impl Family for Places<'_> {
 }
 
 pub(super) fn run(
-    (case, system): (&SlidingCase, &SlidingSystem),
+    case: &SlidingCase,
+    system: &SlidingSystem,
     settings: &Locus,
     positions: &Positions,
     progress: &dyn Progress,

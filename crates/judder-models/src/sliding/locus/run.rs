@@ -12,13 +12,14 @@ use judder_study::Progress;
 use judder_study::outcome::Outcome;
 
 pub(super) fn run(
-    (case, system): (&SlidingCase, &SlidingSystem),
+    case: &SlidingCase,
+    system: &SlidingSystem,
     settings: &Locus,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
     let (axis, traced, checks) = match &settings.along {
-        Along::Positions(positions) => positions::run((case, system), settings, positions, progress)?,
-        Along::Key { at, sweep } => swept::run((case, system), settings, (*at, sweep), progress)?,
+        Along::Positions(positions) => positions::run(case, system, settings, positions, progress)?,
+        Along::Key { at, sweep } => swept::run(case, system, settings, *at, sweep, progress)?,
     };
     let results = Locating { settings, axis: &axis, traced: &traced };
     Ok(Outcome {

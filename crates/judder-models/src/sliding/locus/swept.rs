@@ -75,9 +75,11 @@ impl Family for Values<'_> {
 }
 
 pub(super) fn run(
-    (case, system): (&SlidingCase, &SlidingSystem),
+    case: &SlidingCase,
+    system: &SlidingSystem,
     settings: &Locus,
-    (held, sweep): (f64, &KeySweep),
+    held: f64,
+    sweep: &KeySweep,
     progress: &dyn Progress,
 ) -> Result<(Axis, Traced, Vec<CheckRecord>), ModelError> {
     let falls = sweep.values.first() > sweep.values.last();

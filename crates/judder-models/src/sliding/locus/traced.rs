@@ -165,14 +165,14 @@ pub(super) fn trace(
         })
         .collect();
     let mut traced = Traced { rows: Vec::new(), zones: Vec::new(), untraced: Vec::new() };
-    let whole = followed(family, range, (0, range.values.len()), count, Some(progress));
+    let whole = followed(family, range, 0, range.values.len(), count, Some(progress));
     stop(progress)?;
     match whole {
         Ok(found) => {
             traced.zones = found.zones.clone();
             place(&mut rows, 0, found);
         }
-        Err(error) => piecewise(family, range, count, (&mut rows, &mut traced), progress, error)?,
+        Err(error) => piecewise(family, range, count, &mut rows, &mut traced, progress, error)?,
     }
     let branches = rows.iter().map(|row| row.eigenvalues.len()).max().unwrap_or(0);
     for row in &mut rows {
@@ -220,7 +220,8 @@ fn alone(spectrum: &Spectrum, count: usize) -> Followed {
 fn followed(
     family: &impl Family,
     range: &Range<'_>,
-    (first, end): (usize, usize),
+    first: usize,
+    end: usize,
     count: usize,
     progress: Option<&dyn Progress>,
 ) -> Result<Followed, SlidingError> {
@@ -256,7 +257,8 @@ fn piecewise(
     family: &impl Family,
     range: &Range<'_>,
     count: usize,
-    (rows, traced): (&mut [Row], &mut Traced),
+    rows: &mut [Row],
+    traced: &mut Traced,
     progress: &dyn Progress,
     error: SlidingError,
 ) -> Result<(), ModelError> {
@@ -277,7 +279,7 @@ fn piecewise(
     let (mut first, mut begun) = (0, 0);
     while first < spectra.len() {
         let end = (first..spectra.len()).find(|k| spectra[*k].is_err()).unwrap_or(spectra.len());
-        let run = (end > first + 1).then(|| followed(family, range, (first, end), count, None));
+        let run = (end > first + 1).then(|| followed(family, range, first, end, count, None));
         stop(progress)?;
         if let Some(Ok(found)) = run {
             traced.zones.extend(found.zones.clone());

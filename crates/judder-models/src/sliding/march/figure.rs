@@ -19,7 +19,7 @@ pub(crate) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
     let style = Role::Series(0).solid();
     let own = history(dataset, signal, style)?;
     let with_bursts = Panel { layers: own.layers.into_iter().chain(bursts(dataset)).collect(), ..own };
-    let amplitude = panel(dataset, signal, vec![swing(dataset, signal, ("", style))?])?;
+    let amplitude = panel(dataset, signal, vec![swing(dataset, signal, "", style)?])?;
     let mut panels = vec![with_bursts, logarithmic(amplitude).with_title("amplitude: √2 rms of a column")];
     for name in ["normal_force", "sliding_velocity"].into_iter().filter(|name| *name != signal) {
         panels.push(history(dataset, name, style)?);
@@ -29,17 +29,17 @@ pub(crate) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
 
 /// A signal over time.
 pub fn history(dataset: &Dataset, name: &str, style: Style) -> Option<Panel> {
-    panel(dataset, name, vec![trace(dataset, name, ("", style))?])
+    panel(dataset, name, vec![trace(dataset, name, "", style)?])
 }
 
 /// The values of a signal over time as a line.
-pub fn trace(dataset: &Dataset, name: &str, (label, style): (&str, Style)) -> Option<Layer> {
+pub fn trace(dataset: &Dataset, name: &str, label: &str, style: Style) -> Option<Layer> {
     let (x, y) = envelope(reals(dataset, "time")?, reals(dataset, name)?);
     Some(Layer::line(label, x, y, style))
 }
 
 /// How far a signal swings about its mean in each column, √2 times the rms, as a line.
-pub fn swing(dataset: &Dataset, name: &str, (label, style): (&str, Style)) -> Option<Layer> {
+pub fn swing(dataset: &Dataset, name: &str, label: &str, style: Style) -> Option<Layer> {
     let (x, y) = swings(reals(dataset, "time")?, reals(dataset, name)?);
     Some(Layer::line(label, x, y, style))
 }

@@ -87,8 +87,10 @@ impl History {
 /// The peak and the bursts of a signal after the ramps, which zones promise; `sample_rate` is that of the samples, Hz.
 pub(super) fn loudness(
     samples: &Samples<'_>,
-    (signal, points): (Signal, &[ObservedPoint]),
-    (settled, sample_rate): (f64, f64),
+    signal: Signal,
+    points: &[ObservedPoint],
+    settled: f64,
+    sample_rate: f64,
     zones: &[Amplification],
 ) -> Result<Loudness, ModelError> {
     let history = History::new(samples, &variable_name(signal, points), settled)?;

@@ -82,7 +82,7 @@ impl Analysis<SlidingCase> for March {
     }
 
     fn blame(&self, error: &ModelError) -> Option<Refusal> {
-        blame::off_track(error, ("to", None))
+        blame::off_track(error, "to", None)
     }
 
     /// A march holds the samples between two checkpoints; bursts, sound and report look at all of them when it is over.

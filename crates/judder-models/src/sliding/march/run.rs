@@ -39,7 +39,7 @@ pub(crate) fn run(of: &Marched<'_>, kept: Kept<'_>, progress: &dyn Progress) -> 
     let sample_rate = decimation.sample_rate / decimation.factor as f64;
     let zones = expected::zones(of);
     let promised = zones.as_deref().unwrap_or_default();
-    let loud = loudness(&samples, (*asked.signal, points), (of.motion.settled(), sample_rate), promised)?;
+    let loud = loudness(&samples, *asked.signal, points, of.motion.settled(), sample_rate, promised)?;
     let told = Told {
         of,
         chosen,

@@ -38,13 +38,14 @@ pub(super) fn sounds(
     points: &[ObservedPoint],
     sample_rate: f64,
 ) -> Result<Vec<Sound>, ModelError> {
-    heard.iter().map(|signal| sound(analysis, samples, (*signal, points), sample_rate)).collect()
+    heard.iter().map(|signal| sound(analysis, samples, *signal, points, sample_rate)).collect()
 }
 
 fn sound(
     analysis: &str,
     samples: &Samples<'_>,
-    (signal, points): (Signal, &[ObservedPoint]),
+    signal: Signal,
+    points: &[ObservedPoint],
     sample_rate: f64,
 ) -> Result<Sound, ModelError> {
     let mut values = samples.values(&variable_name(signal, points))?;

@@ -56,7 +56,7 @@ impl Analysis<SlidingCase> for Spectrogram {
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        let outcome = run::run((of.name, self), &of.case.points, task.own.place)?;
+        let outcome = run::run(of.name, self, &of.case.points, task.own.place)?;
         task.progress.advance();
         Ok(outcome)
     }

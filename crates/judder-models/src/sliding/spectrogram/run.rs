@@ -14,7 +14,8 @@ use serde_json::{Value, json};
 
 /// Levels of a signal over time and frequency, with the unstable zones of a locus.
 pub(crate) fn run(
-    (name, asked): (&str, &Spectrogram),
+    name: &str,
+    asked: &Spectrogram,
     points: &[ObservedPoint],
     place: Option<Place<'_>>,
 ) -> Result<Outcome, ModelError> {
@@ -45,7 +46,7 @@ pub(crate) fn run(
     let reference = format!("{} {unit}", asked.reference.number);
     Ok(Outcome {
         scalars: shown.told(asked, &reference).scalars(),
-        dataset: shown.dataset(asked, (&signal, &reference), &zones)?,
+        dataset: shown.dataset(asked, &signal, &reference, &zones)?,
         ..Outcome::default()
     })
 }
@@ -151,7 +152,8 @@ impl Shown {
     fn dataset(
         &self,
         asked: &Spectrogram,
-        (signal, reference): (&str, &str),
+        signal: &str,
+        reference: &str,
         zones: &[Zone],
     ) -> Result<Dataset, ModelError> {
         let coordinate = |name: &str, values: &[f64], unit: &str, label: &str| {

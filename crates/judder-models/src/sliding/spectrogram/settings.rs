@@ -131,13 +131,13 @@ pub(crate) fn check_references(
         let Some(spectrogram) = analysis.settings::<Spectrogram>() else { continue };
         let above = &analyses[..index];
         let is_march = |other: &Above| other.settings::<March>().is_some();
-        check_name(above, is_march, ("march", "of"), &spectrogram.of, node)?;
+        check_name(above, is_march, "march", "of", &spectrogram.of, node)?;
         check_signal(above, spectrogram, points, node)?;
         if let Some(name) = &spectrogram.locus {
             let is_locus = |other: &Above| {
                 other.settings::<Locus>().is_some_and(|locus| matches!(locus.along, Along::Positions(_)))
             };
-            check_name(above, is_locus, ("locus over positions", "locus"), name, node)?;
+            check_name(above, is_locus, "locus over positions", "locus", name, node)?;
         }
     }
     Ok(())
@@ -164,7 +164,8 @@ fn check_signal(
 fn check_name(
     above: &[Above],
     fits: impl Fn(&Above) -> bool,
-    (what, key): (&'static str, &str),
+    what: &'static str,
+    key: &str,
     name: &str,
     node: &Node,
 ) -> Result<(), Fault> {

@@ -35,7 +35,7 @@ impl ReadyCase {
     /// A group out of range, no (or more than one) equilibrium.
     pub fn point(&self) -> Result<Point, ModelError> {
         let point = point::analyse(&self.contact.contact, bridge::groups(&self.case.inputs))?;
-        Ok(point.in_contact(&self.case.inputs, (&self.contact, &self.substrate)))
+        Ok(point.in_contact(&self.case.inputs, &self.contact, &self.substrate))
     }
 }
 

@@ -72,7 +72,7 @@ fn draw(subject: &Subject, view: &View, kinds: &[BoundaryKind], reporter: &Repor
     };
     reporter.send(exact_frame(&plane, settings, map.clone(), reporter.seconds()));
     if !contact.law.is_formula() {
-        let Some(codes) = plane.within_law(contact, (&map, DecisionMethod::Adaptive), &interrupted) else {
+        let Some(codes) = plane.within_law(contact, &map, DecisionMethod::Adaptive, &interrupted) else {
             return Err(reporter.refusal(StudyError::Interrupted));
         };
         let codes = Variable::new("within_law", &["y", "x"], &[map.rows, map.columns], codes);
@@ -82,7 +82,7 @@ fn draw(subject: &Subject, view: &View, kinds: &[BoundaryKind], reporter: &Repor
         if reporter.interrupted() {
             return Err(reporter.refusal(StudyError::Interrupted));
         }
-        if let Some(curves) = boundary_curves(*kind, (&ready.case, contact), settings) {
+        if let Some(curves) = boundary_curves(*kind, &ready.case, contact, settings) {
             let along =
                 |name: &str, values: Vec<f64>| Variable::new(name, &["point"], &[values.len()], values);
             let frame = Frame::new("boundary").with("name", kind.name());

@@ -118,7 +118,8 @@ impl KeyPlane {
     pub fn within_law(
         &self,
         contact: &Contact,
-        (map, method): (&StabilityMap, DecisionMethod),
+        map: &StabilityMap,
+        method: DecisionMethod,
         interrupted: &(dyn Fn() -> bool + Sync),
     ) -> Option<Vec<u8>> {
         within_law(contact, self, map, method, interrupted)
@@ -176,7 +177,7 @@ mod tests {
     use judder_oscillator::FrictionLoad;
     use std::sync::atomic::{AtomicUsize, Ordering};
 
-    fn axis(key: OscillatorKey, form: Form, (from, to): (f64, f64), points: usize) -> KeyAxis {
+    fn axis(key: OscillatorKey, form: Form, from: f64, to: f64, points: usize) -> KeyAxis {
         let at = |k: usize| from * (to / from).powf(k as f64 / (points - 1) as f64);
         KeyAxis { key, form, values: (0..points).map(at).collect() }
     }
@@ -189,9 +190,9 @@ mod tests {
     /// Once by the short way, once by the long one.
     fn planes() -> [KeyPlane; 2] {
         let inputs = OscillatorInputs::default();
-        let y = axis(OscillatorKey::ShearStrength, Form::Group, (1e-4, 1.0), 111);
-        let x = axis(OscillatorKey::Velocity, Form::Group, (1e-8, 1e2), 120);
-        let load = axis(OscillatorKey::StiffnessX, Form::Si, (1.0, 1e3), 120);
+        let y = axis(OscillatorKey::ShearStrength, Form::Group, 1e-4, 1.0, 111);
+        let x = axis(OscillatorKey::Velocity, Form::Group, 1e-8, 1e2, 120);
+        let load = axis(OscillatorKey::StiffnessX, Form::Si, 1.0, 1e3, 120);
         [KeyPlane { inputs, x, y: y.clone() }, KeyPlane { inputs, x: load, y }]
     }
 

@@ -35,8 +35,10 @@ impl Erring {
 /// Adds the errors of a number at the states of all curves, one a point of the sweep, to an outcome whose law is no formula.
 pub(super) fn add(
     outcome: &mut Outcome,
-    (axis, curves): (&Axis, &Curves),
-    (contact, states): (&Contact, &[Option<SteadyState>]),
+    axis: &Axis,
+    curves: &Curves,
+    contact: &Contact,
+    states: &[Option<SteadyState>],
     erring: &Erring,
 ) -> Result<(), ModelError> {
     if contact.law.is_formula() {

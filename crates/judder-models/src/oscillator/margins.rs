@@ -143,7 +143,7 @@ impl Crossing<'_> {
         let away = |other: &f64| (other - threshold) * onset.stable_side;
         let on_the_side = thresholds.iter().copied().filter(|other| away(other) > 0.0);
         let next = on_the_side.min_by(|a, b| away(a).total_cmp(&away(b)));
-        let search = self.search(&onset, (own.as_ref(), next), progress);
+        let search = self.search(&onset, own.as_ref(), next, progress);
         Some(Onset { margin: Some(Margin { own, search }), ..onset })
     }
 

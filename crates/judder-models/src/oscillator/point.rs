@@ -156,7 +156,7 @@ pub fn point(case: &OscillatorCase) -> Result<Point, ModelError> {
 pub fn point_with(case: &OscillatorCase, contact: &CaseContact) -> Result<Point, ModelError> {
     let substrate = KnownSubstrate::of(case)?;
     let point = analyse(&contact.contact, bridge::groups(&case.inputs))?;
-    Ok(point.in_contact(&case.inputs, (contact, &substrate)))
+    Ok(point.in_contact(&case.inputs, contact, &substrate))
 }
 
 impl Point {
@@ -164,7 +164,8 @@ impl Point {
     pub(crate) fn in_contact(
         mut self,
         inputs: &OscillatorInputs,
-        (contact, substrate): (&CaseContact, &KnownSubstrate),
+        contact: &CaseContact,
+        substrate: &KnownSubstrate,
     ) -> Self {
         self.quasi_steady = Condition::at(inputs, Some(&contact.contact), &substrate.terms);
         let broken = self.quasi_steady.and_then(|condition| condition.warning(None));

@@ -78,7 +78,7 @@ fn boundaries_one_by_one_are_the_overlays_of_the_map() {
     let settings = case.analyses[0].settings::<StabilityMap<OscillatorKey>>().unwrap();
     let contact = bridge::contact_of(case, &Silent).unwrap().contact;
     for kind in BoundaryKind::ALL {
-        let curves = boundary_curves(kind, (case, &contact), settings).unwrap();
+        let curves = boundary_curves(kind, case, &contact, settings).unwrap();
         for (name, values) in
             [("velocity", &curves.x), ("shear_strength", &curves.y), ("frequency", &curves.frequency)]
         {
@@ -97,7 +97,7 @@ fn nothing_is_without_the_coupling_that_is_swept() {
     ));
     let settings = case.analyses[0].settings::<StabilityMap<OscillatorKey>>().unwrap();
     let contact = bridge::contact_of(&case, &Silent).unwrap().contact;
-    assert_eq!(boundary_curves(BoundaryKind::Decoupled, (&case, &contact), settings), None);
+    assert_eq!(boundary_curves(BoundaryKind::Decoupled, &case, &contact, settings), None);
 }
 
 const STICK_SLIP: &str = r#"

@@ -153,7 +153,7 @@ fn decided(
     let within_law = if contact.law.is_formula() {
         None
     } else {
-        let codes = plane.within_law(contact, (&map, DecisionMethod::Adaptive), &|| progress.interrupted());
+        let codes = plane.within_law(contact, &map, DecisionMethod::Adaptive, &|| progress.interrupted());
         Some(codes.ok_or(StudyError::Interrupted)?)
     };
     if !wants_growth {

@@ -141,7 +141,8 @@ pub(super) fn add_scalars(scalars: &mut Map<String, Value>, curve: &[Found], glo
 /// Adds to the arrays, over the same dimensions as the thresholds of the full system.
 pub(super) fn add_arrays(
     mut dataset: Dataset,
-    (axis, curves): (&Axis, &Curves),
+    axis: &Axis,
+    curves: &Curves,
     found: &[Found],
     unit: &str,
     global_margin: bool,

@@ -43,7 +43,8 @@ pub(super) struct Found {
 }
 
 pub(super) fn run(
-    (case, contact): (&OscillatorCase, &Contact),
+    case: &OscillatorCase,
+    contact: &Contact,
     settings: &CriticalThresholds,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
@@ -68,11 +69,12 @@ pub(super) fn run(
             if progress.interrupted() { Err(ModelError::Interrupted) } else { Ok(found) }
         })
         .collect::<Result<_, _>>()?;
-    let mut outcome = assemble(settings, (&axis, &curves), &found)?;
+    let mut outcome = assemble(settings, &axis, &curves, &found)?;
     if !contact.law.is_formula() {
         within_law::add(
             &mut outcome,
-            (&axis, &curves),
+            &axis,
+            &curves,
             &found,
             label(settings.sought, settings.within.form).1,
         )?;
@@ -151,7 +153,8 @@ pub(super) fn summary_keys(settings: &CriticalThresholds) -> Vec<Declared> {
 
 fn assemble(
     settings: &CriticalThresholds,
-    (axis, curves): (&Axis, &Curves),
+    axis: &Axis,
+    curves: &Curves,
     found: &[Found],
 ) -> Result<Outcome, ModelError> {
     let CriticalThresholds { sought, within, global_margin, .. } = settings;
@@ -176,13 +179,13 @@ fn assemble(
     let mut scalars = curves.scalars(scalars.collect());
     scalars.extend(ToldRange { within: [within.from, within.to] }.scalars());
     let (label, unit) = label(sought, within.form);
-    let dataset = roots((axis, curves), found, (label, unit))?;
-    let dataset = onsets::add_arrays(dataset, (axis, curves), found, unit, global_margin)?;
+    let dataset = roots(axis, curves, found, label, unit)?;
+    let dataset = onsets::add_arrays(dataset, axis, curves, found, unit, global_margin)?;
     warnings.extend(onsets::warnings(found));
     Ok(Outcome {
         scalars,
         dataset: dataset.attribute("kind", sought.kind())?,
-        table: Some(table((axis, curves), found, unit, global_margin)?),
+        table: Some(table(axis, curves, found, unit, global_margin)?),
         warnings,
         missing: failures,
         ..Outcome::default()
@@ -191,9 +194,11 @@ fn assemble(
 
 /// The thresholds of both systems.
 fn roots(
-    (axis, curves): (&Axis, &Curves),
+    axis: &Axis,
+    curves: &Curves,
     found: &[Found],
-    (label, unit): (&str, &str),
+    label: &str,
+    unit: &str,
 ) -> Result<Dataset, ModelError> {
     let mut dataset = Dataset::new().with(axis.coordinate())?;
     if let Some(coordinate) = curves.coordinate() {
@@ -222,7 +227,8 @@ fn roots(
 
 /// One row a threshold.
 fn table(
-    (axis, curves): (&Axis, &Curves),
+    axis: &Axis,
+    curves: &Curves,
     found: &[Found],
     unit: &str,
     global_margin: bool,

@@ -19,12 +19,13 @@ const SYSTEMS: [System; 2] =
 /// Adds the ranges of all curves to the outcome of an analysis with a law that is no formula.
 pub(super) fn add(
     outcome: &mut Outcome,
-    (axis, curves): (&Axis, &Curves),
+    axis: &Axis,
+    curves: &Curves,
     found: &[Found],
     unit: &str,
 ) -> Result<(), ModelError> {
     outcome.add_to_curves(found.chunks(axis.values.len()), add_scalars);
-    outcome.dataset = add_arrays(std::mem::take(&mut outcome.dataset), (axis, curves), found, unit)?;
+    outcome.dataset = add_arrays(std::mem::take(&mut outcome.dataset), axis, curves, found, unit)?;
     outcome.table = outcome.table.take().map(|table| add_columns(table, found, unit)).transpose()?;
     outcome.warnings.extend(warning(found));
     Ok(())
@@ -55,7 +56,8 @@ fn add_scalars(scalars: &mut Map<String, Value>, curve: &[Found]) {
 /// Adds where each range begins and where it ends.
 fn add_arrays(
     mut dataset: Dataset,
-    (axis, curves): (&Axis, &Curves),
+    axis: &Axis,
+    curves: &Curves,
     found: &[Found],
     unit: &str,
 ) -> Result<Dataset, ModelError> {

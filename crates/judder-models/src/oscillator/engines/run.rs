@@ -92,7 +92,8 @@ impl Comparison<'_> {
 
     fn reached(
         &self,
-        (engine, value): (Engine, f64),
+        engine: Engine,
+        value: f64,
         interrupted: Interrupted<'_>,
     ) -> Result<Reached, OscillatorError> {
         match engine {
@@ -167,8 +168,8 @@ fn all(
 ) -> Result<Vec<Reached>, ModelError> {
     points
         .par_iter()
-        .map(|point| {
-            let reached = comparison.reached(*point, &|| progress.interrupted())?;
+        .map(|(engine, value)| {
+            let reached = comparison.reached(*engine, *value, &|| progress.interrupted())?;
             progress.advance();
             if progress.interrupted() { Err(ModelError::Interrupted) } else { Ok(reached) }
         })

@@ -42,7 +42,7 @@ impl Analysis<OscillatorCase> for DampingCurves {
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run((of.case, of.contact), &self.sweep, self.family.as_ref(), task.progress)
+        run::run(of.case, of.contact, &self.sweep, self.family.as_ref(), task.progress)
     }
 
     fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {

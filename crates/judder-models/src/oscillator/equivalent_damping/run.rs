@@ -27,7 +27,8 @@ pub(super) const EQUIVALENT_DAMPING: Erring = Erring {
 };
 
 pub(super) fn run(
-    (case, contact): (&OscillatorCase, &Contact),
+    case: &OscillatorCase,
+    contact: &Contact,
     sweep: &Sweep<OscillatorKey>,
     family: Option<&Family<OscillatorKey>>,
     progress: &dyn Progress,
@@ -68,6 +69,6 @@ pub(super) fn run(
         dataset = dataset.with(coordinate)?;
     }
     outcome.dataset = dataset.with(variable)?.attribute("kind", "equivalent-damping")?;
-    law_errors::add(&mut outcome, (&axis, &curves), (contact, &states), &EQUIVALENT_DAMPING)?;
+    law_errors::add(&mut outcome, &axis, &curves, contact, &states, &EQUIVALENT_DAMPING)?;
     Ok(outcome)
 }

@@ -148,7 +148,8 @@ impl Crossing<'_> {
     pub(super) fn search(
         &self,
         onset: &Onset,
-        (own, next): (Option<&OwnBranch>, Option<f64>),
+        own: Option<&OwnBranch>,
+        next: Option<f64>,
         progress: &dyn Progress,
     ) -> Search {
         let known_to = own.and_then(|own| own.fold.or(own.reaches)).unwrap_or(onset.threshold);
@@ -163,7 +164,7 @@ impl Crossing<'_> {
                 true => options.range.1 = end.unwrap_or(all.range.1),
                 false => options.range.0 = end.unwrap_or(all.range.0),
             }
-            self.explored(onset, (known_to, own), &options, progress)
+            self.explored(onset, known_to, own, &options, progress)
         });
         match explored {
             Ok(found) => self.in_values(onset, next, &found),
@@ -174,7 +175,8 @@ impl Crossing<'_> {
     fn explored(
         &self,
         onset: &Onset,
-        (known_to, own): (f64, Option<&OwnBranch>),
+        known_to: f64,
+        own: Option<&OwnBranch>,
         options: &Continuation<4>,
         progress: &dyn Progress,
     ) -> Result<Exploration, CycleError> {

@@ -35,7 +35,8 @@ pub(crate) struct Found {
 }
 
 const fn number(
-    (name, label): (&'static str, &'static str),
+    name: &'static str,
+    label: &'static str,
     long_name: &'static str,
     value: fn(&PointState<'_>) -> f64,
 ) -> Found {
@@ -45,17 +46,19 @@ const fn number(
 }
 
 const fn root(
-    names: (&'static str, &'static str),
+    name: &'static str,
+    label: &'static str,
     long_name: &'static str,
     value: fn(&PointState<'_>) -> f64,
 ) -> Found {
-    let Found { quantity, value } = number(names, long_name, value);
+    let Found { quantity, value } = number(name, label, long_name, value);
     Found { quantity: OperatingQuantity { is_sought: true, ..quantity }, value }
 }
 
 const fn code(
     name: &'static str,
-    (long_name, flags): (&'static str, &'static [&'static str]),
+    long_name: &'static str,
+    flags: &'static [&'static str],
     value: fn(&PointState<'_>) -> f64,
 ) -> Found {
     let quantity = OperatingQuantity { name, units: "", long_name, label: None, flags, is_sought: false };
@@ -67,75 +70,84 @@ const OF_LINEAR_SYSTEMS: usize = 4;
 
 /// Those of an oscillator.
 const FOUND: [Found; 18] = [
-    number(("growth_rate", "Growth rate Re $λ$/$ω_{nx}$ (−)"), "growth rate, Re λ/ω_nx", |p| {
+    number("growth_rate", "Growth rate Re $λ$/$ω_{nx}$ (−)", "growth rate, Re λ/ω_nx", |p| {
         p.steady.growth_rate()
     }),
     number(
-        ("frequency", "Frequency Im $λ$/$ω_{nx}$ (−)"),
+        "frequency",
+        "Frequency Im $λ$/$ω_{nx}$ (−)",
         "frequency of the fastest growing mode, Im λ/ω_nx",
         |p| leading(&p.steady.eigenvalues).im,
     ),
-    code("verdict", ("verdict", &VERDICTS), |p| {
+    code("verdict", "verdict", &VERDICTS, |p| {
         position(&VERDICTS, p.steady.class.verdict().map(Verdict::name))
     }),
-    code("mechanism", ("mechanism", &MECHANISMS), |p| {
+    code("mechanism", "mechanism", &MECHANISMS, |p| {
         position(&MECHANISMS, Some(p.steady.class.mechanism().name()))
     }),
     number(
-        ("equivalent_damping", "Equivalent damping $ξ_{eq}$ (−)"),
+        "equivalent_damping",
+        "Equivalent damping $ξ_{eq}$ (−)",
         "equivalent damping ξ_eq, eq. (23)",
         |p| p.steady.linearisation.equivalent_damping(),
     ),
     number(
-        ("equivalent_damping_error", "Error of the equivalent damping $ξ_{eq}$ (−)"),
+        "equivalent_damping_error",
+        "Error of the equivalent damping $ξ_{eq}$ (−)",
         "error of ξ_eq by those of the contact law",
         |p| p.steady.equivalent_damping_error().unwrap_or(f64::NAN),
     ),
     number(
-        ("growth_rate_error", "Error of the growth rate Re $λ$/$ω_{nx}$ (−)"),
+        "growth_rate_error",
+        "Error of the growth rate Re $λ$/$ω_{nx}$ (−)",
         "error of the growth rate by those of the contact law, Re λ/ω_nx",
         |p| p.steady.growth_rate_error().unwrap_or(f64::NAN),
     ),
-    code("marginal_within_law", ("whether the law with its errors has other verdicts", &MARGINAL), |p| {
+    code("marginal_within_law", "whether the law with its errors has other verdicts", &MARGINAL, |p| {
         p.steady.marginal_within_law().map_or(f64::NAN, |marginal| f64::from(u8::from(marginal)))
     }),
-    number(("equilibrium_x", "Displacement $x_{e}$/$x_{0}$ (−)"), "displacement x_e/x_0", |p| {
+    number("equilibrium_x", "Displacement $x_{e}$/$x_{0}$ (−)", "displacement x_e/x_0", |p| {
         p.equilibrium().x
     }),
-    number(("equilibrium_y", "Displacement $y_{e}$/$x_{0}$ (−)"), "displacement y_e/x_0", |p| {
+    number("equilibrium_y", "Displacement $y_{e}$/$x_{0}$ (−)", "displacement y_e/x_0", |p| {
         p.equilibrium().y
     }),
-    number(("indentation", "Indentation $y_{e}$/$R$ (−)"), "indentation y_e/R", |p| {
+    number("indentation", "Indentation $y_{e}$/$R$ (−)", "indentation y_e/R", |p| {
         p.equilibrium().indentation
     }),
     number(
-        ("contact_force", "Contact force $F_{k}$/($E_{0}^{*}$ $R^{2}$) (−)"),
+        "contact_force",
+        "Contact force $F_{k}$/($E_{0}^{*}$ $R^{2}$) (−)",
         "contact force F_k/(E0* R²)",
         |p| p.equilibrium().response.force.value,
     ),
-    number(("contact_area", "Contact area $A$/$R^{2}$ (−)"), "contact area A/R²", |p| {
+    number("contact_area", "Contact area $A$/$R^{2}$ (−)", "contact area A/R²", |p| {
         p.equilibrium().response.area.value
     }),
-    number(("viscoelastic_friction", "Friction $μ_{visc}$ (−)"), "viscoelastic friction μ_visc", |p| {
+    number("viscoelastic_friction", "Friction $μ_{visc}$ (−)", "viscoelastic friction μ_visc", |p| {
         p.equilibrium().response.friction.value
     }),
     root(
-        ("critical_shear_strength", "Critical $τ̃_{0,crit}$, undamped (−)"),
+        "critical_shear_strength",
+        "Critical $τ̃_{0,crit}$, undamped (−)",
         "lowest τ0/E0* at which the undamped modes merge, eq. (27)",
         |p| lowest(&p.strengths().conservative),
     ),
     root(
-        ("critical_load", "Critical $F̃_{n,crit}$, undamped (−)"),
+        "critical_load",
+        "Critical $F̃_{n,crit}$, undamped (−)",
         "lowest F_n/(E0* R²) at which the undamped modes merge, eq. (28)",
         |p| lowest(&p.loads().conservative),
     ),
     root(
-        ("threshold_shear_strength", "Threshold $τ̃_{0,crit}$ (−)"),
+        "threshold_shear_strength",
+        "Threshold $τ̃_{0,crit}$ (−)",
         "lowest τ0/E0* at which stability of the damped system changes",
         |p| lowest(&p.strengths().full),
     ),
     root(
-        ("threshold_load", "Threshold $F̃_{n,crit}$ (−)"),
+        "threshold_load",
+        "Threshold $F̃_{n,crit}$ (−)",
         "lowest F_n/(E0* R²) at which stability of the damped system changes",
         |p| lowest(&p.loads().full),
     ),

@@ -50,7 +50,8 @@ pub(super) const GROWTH_RATE: Erring = Erring {
 };
 
 pub(super) fn run(
-    (case, contact): (&OscillatorCase, &Contact),
+    case: &OscillatorCase,
+    contact: &Contact,
     sweep: &Sweep<OscillatorKey>,
     family: Option<&Family<OscillatorKey>>,
     progress: &dyn Progress,
@@ -70,7 +71,7 @@ pub(super) fn run(
     let mut outcome = outcome(&axis, &curves, spectra)?;
     outcome.warnings = warnings;
     outcome.checks = checks::steady_sliding(contact, &known);
-    law_errors::add(&mut outcome, (&axis, &curves), (contact, &states), &GROWTH_RATE)?;
+    law_errors::add(&mut outcome, &axis, &curves, contact, &states, &GROWTH_RATE)?;
     Ok(outcome)
 }
 

@@ -18,6 +18,22 @@ pub(crate) struct MapArrays<'a> {
     pub(crate) one_way: &'static str,
 }
 
+/// A map, and the axes that it lies over.
+#[derive(Clone, Copy)]
+pub(super) struct MapOverAxes<'a> {
+    pub(super) x: &'a Axis,
+    pub(super) y: &'a Axis,
+    pub(super) map: &'a StabilityMap,
+}
+
+impl MapOverAxes<'_> {
+    /// An array of codes over the map.
+    pub(super) fn classes(&self, name: &str, codes: Vec<u8>, meanings: &[(u8, &str)]) -> Variable {
+        let shape = [self.map.rows, self.map.columns];
+        Variable::classes(name, &[self.y.name(), self.x.name()], &shape, codes, meanings)
+    }
+}
+
 /// In the oscillator it is the normal force that follows the speed.
 pub(crate) const NORMAL_FORCE: &str = "normal-force-coupling";
 /// A general system has no normal force.

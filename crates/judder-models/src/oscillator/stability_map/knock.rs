@@ -1,6 +1,7 @@
 //! The third region of a map: steady sliding is stable, but a knock starts a cycle.
 
 use super::super::margins::{self, Crossing, Margin, Onset, Search, fold_check};
+use super::arrays::MapOverAxes;
 use crate::axis::range;
 use crate::bridge;
 use crate::error::ModelError;
@@ -119,7 +120,8 @@ impl<'a> Lines<'a> {
         contact: &'a Contact,
         case: &OscillatorCase,
         settings: &'a MapSettings<OscillatorKey>,
-        (x, y): (&'a Axis, &'a Axis),
+        x: &'a Axis,
+        y: &'a Axis,
     ) -> Self {
         let is_usual =
             |key: OscillatorKey| matches!(key, OscillatorKey::ShearStrength | OscillatorKey::NormalLoad);
@@ -196,14 +198,14 @@ impl<'a> Lines<'a> {
                 }
                 let Some((before, behind)) = neighbours() else { return Reach::open(onset) };
                 let share = (index - before) as f64 / (behind - before).max(1) as f64;
-                self.between(&lines[before], &lines[behind], (k, line, share))
+                self.between(&lines[before], &lines[behind], k, line, share)
                     .unwrap_or_else(|| Reach::open(onset))
             })
             .collect()
     }
 
     /// The margin of a threshold between two followed lines; `None` where these do not agree in what grows from theirs.
-    fn between(&self, before: &Line, behind: &Line, (k, line, share): (usize, &Line, f64)) -> Option<Reach> {
+    fn between(&self, before: &Line, behind: &Line, k: usize, line: &Line, share: f64) -> Option<Reach> {
         let kinds = |line: &Line| {
             let kind = |onset: &Onset| (onset.hopf.is_subcritical(), onset.stable_side > 0.0);
             line.onsets.iter().map(|onset| onset.as_ref().map(kind)).collect::<Vec<_>>()
@@ -268,12 +270,14 @@ fn searched(sweep: &Sweep<OscillatorKey>) -> ParameterRange {
 /// Adds the third region to a map's outcome.
 pub(super) fn add(
     outcome: &mut Outcome,
-    (case, contact): (&OscillatorCase, &Contact),
+    case: &OscillatorCase,
+    contact: &Contact,
     settings: &MapSettings<OscillatorKey>,
-    (x, y, map): (&Axis, &Axis, &StabilityMap),
+    over: MapOverAxes<'_>,
     progress: &dyn Progress,
 ) -> Result<(), ModelError> {
-    let lines = Lines::new(contact, case, settings, (x, y));
+    let MapOverAxes { x, y, map } = over;
+    let lines = Lines::new(contact, case, settings, x, y);
     let found = lines.all(progress)?;
     let codes = lines.codes(&found, map);
     let share = |code: u8| codes.iter().filter(|c| **c == code).count() as f64 / codes.len() as f64;
@@ -304,8 +308,7 @@ pub(super) fn add(
     let folds = folds(&lines, &onsets);
     let dataset = std::mem::take(&mut outcome.dataset);
     let dataset = dataset.with(
-        Variable::classes("knock", &[y.name(), x.name()], &[map.rows, map.columns], codes, &KNOCK)
-            .long_name("what a knock does where steady sliding is stable"),
+        over.classes("knock", codes, &KNOCK).long_name("what a knock does where steady sliding is stable"),
     )?;
     let over = |axis: &Axis, values: Vec<f64>| {
         Variable::new(&format!("fold_{}", axis.name()), &["fold"], &[values.len()], values)

@@ -63,7 +63,7 @@ impl Analysis<OscillatorCase> for StabilityMap<OscillatorKey> {
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run((of.case, of.contact), self, task.progress)
+        run::run(of.case, of.contact, self, task.progress)
     }
 
     fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {

@@ -111,7 +111,8 @@ impl BoundaryCurves {
 #[must_use]
 pub fn boundary_curves(
     kind: BoundaryKind,
-    (case, contact): (&OscillatorCase, &Contact),
+    case: &OscillatorCase,
+    contact: &Contact,
     settings: &MapSettings<OscillatorKey>,
 ) -> Option<BoundaryCurves> {
     let curves = || followed(kind, contact, settings, &coefficients(kind, case, settings));

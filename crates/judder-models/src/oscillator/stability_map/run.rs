@@ -1,6 +1,6 @@
 //! Verdict and mechanism over two keys (Figs. 9, 10).
 
-use super::arrays::{NORMAL_FORCE, ToldMap};
+use super::arrays::{MapOverAxes, NORMAL_FORCE, ToldMap};
 use super::{MapArrays, incomplete, knock, overlays, within_law};
 use crate::axis;
 use crate::checks;
@@ -22,7 +22,8 @@ use judder_study::outcome::Outcome;
 const CHECKED_SIDE: usize = 24;
 
 pub(crate) fn run(
-    (case, contact): (&OscillatorCase, &Contact),
+    case: &OscillatorCase,
+    contact: &Contact,
     settings: &MapSettings<OscillatorKey>,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
@@ -66,12 +67,13 @@ pub(crate) fn run(
     outcome.checks.extend(overlays::check(&overlays));
     outcome.warnings.extend(incomplete(&overlays));
     outcome.warnings.extend(unresolved_warning(&map));
+    let over = MapOverAxes { x: &x, y: &y, map: &map };
     if !contact.law.is_formula() {
-        let codes = plane.within_law(contact, (&map, method), &|| progress.interrupted());
-        within_law::add(&mut outcome, (&x, &y, &map), codes.ok_or(ModelError::Interrupted)?)?;
+        let codes = plane.within_law(contact, &map, method, &|| progress.interrupted());
+        within_law::add(&mut outcome, over, codes.ok_or(ModelError::Interrupted)?)?;
     }
     if settings.global_margin {
-        knock::add(&mut outcome, (case, contact), settings, (&x, &y, &map), progress)?;
+        knock::add(&mut outcome, case, contact, settings, over, progress)?;
     }
     Ok(outcome)
 }

@@ -1,10 +1,10 @@
 //! Where over a map the errors of the law decide.
 
+use super::arrays::MapOverAxes;
 use crate::error::ModelError;
 use crate::within_law::MARGINAL;
-use judder_oscillator::map::{LawStanding, StabilityMap};
-use judder_store::{Results, Variable};
-use judder_study::axis::Axis;
+use judder_oscillator::map::LawStanding;
+use judder_store::Results;
 use judder_study::outcome::Outcome;
 
 /// The name of the array.
@@ -24,11 +24,7 @@ pub(super) struct ToldWithin {
 }
 
 /// Adds the codes to a map's outcome, and says how many points the law leaves open.
-pub(super) fn add(
-    outcome: &mut Outcome,
-    (x, y, map): (&Axis, &Axis, &StabilityMap),
-    codes: Vec<u8>,
-) -> Result<(), ModelError> {
+pub(super) fn add(outcome: &mut Outcome, map: MapOverAxes<'_>, codes: Vec<u8>) -> Result<(), ModelError> {
     let count = |standing: LawStanding| codes.iter().filter(|code| **code == standing as u8).count();
     let (all, marginal, unknown) = (codes.len(), count(LawStanding::Marginal), count(LawStanding::Unknown));
     let share = |count: usize| count as f64 / all as f64;
@@ -47,9 +43,9 @@ pub(super) fn add(
             "at {unknown} of {all} points it is not known what the errors of the law leave of the verdict"
         ));
     }
-    let codes =
-        Variable::classes(WITHIN_LAW, &[y.name(), x.name()], &[map.rows, map.columns], codes, &MEANINGS)
-            .long_name("what the errors of the contact law leave of the verdict");
+    let codes = map
+        .classes(WITHIN_LAW, codes, &MEANINGS)
+        .long_name("what the errors of the contact law leave of the verdict");
     outcome.dataset = std::mem::take(&mut outcome.dataset).with(codes)?;
     Ok(())
 }

@@ -2,8 +2,9 @@
 
 use crate::contact::problem::ContactProblem;
 use crate::oscillator::case::{OscillatorCase, OscillatorSections};
-use crate::oscillator::inputs::{LawName, OscillatorInputs};
+use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
+use crate::oscillator::law_name::LawName;
 use crate::sweep::ParameterKey;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Number, Settings, listed};

@@ -72,7 +72,7 @@ mod tests {
 
     #[test]
     fn the_case_of_the_reproduction_is_sound() {
-        let zone = found::Zone {
+        let zone = passage::Zone {
             from: 0.09,
             to: 0.0916,
             peak: 0.090_974_268_032_561_92,

@@ -19,7 +19,7 @@ use evidence::Evidence;
 use exhibits::{CONTACT_CASES, EXHIBITS, LAW_FILE, Source};
 use judder_keys::file_reference::FileReference;
 use judder_models::oscillator::case::OscillatorCase;
-use judder_models::oscillator::inputs::LawName;
+use judder_models::oscillator::law_name::LawName;
 use judder_store::{StudyFolder, Summary, content_hash};
 use judder_study::Progress;
 use judder_study::StudyError;

@@ -10,7 +10,7 @@ use crate::view::View;
 use axum::Json;
 use axum::extract::State;
 use judder_models::bridge;
-use judder_models::oscillator::inputs::LawName;
+use judder_models::oscillator::law_name::LawName;
 use judder_models::point::{Point, SteadyPoint};
 use judder_oscillator::groups::Scales;
 use judder_oscillator::spectrum::mode;

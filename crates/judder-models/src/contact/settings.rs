@@ -2,7 +2,8 @@
 
 use crate::contact::problem::ContactProblem;
 use crate::contact::shape::Shape;
-use crate::oscillator::inputs::{LawName, OscillatorInputs};
+use crate::oscillator::inputs::OscillatorInputs;
+use crate::oscillator::law_name::LawName;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{
     Allowed, Declaration, Ladder, Number, Scaled, Setting, Settings, Whole, all, both,

@@ -4,8 +4,9 @@ use std::path::Path;
 
 use crate::REGISTRY;
 use crate::contact::settings::{ACCURACY, LAW_ACCURACY};
-use crate::oscillator::inputs::{FrictionLoad, LawName, OscillatorInputs, TimeForm};
+use crate::oscillator::inputs::{FrictionLoad, OscillatorInputs, TimeForm};
 use crate::oscillator::keys::OscillatorKey;
+use crate::oscillator::law_name::LawName;
 use crate::oscillator::problem::OscillatorProblem;
 use crate::oscillator::{KINDS, MODEL, Operated};
 use crate::substrate::{RelaxationSource, Substrate, SubstrateKeys, refuse_conflicts};

@@ -173,7 +173,7 @@ fn in_stages<P: OperatingPlane>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::oscillator::inputs::LawName;
+    use crate::oscillator::law_name::LawName;
     use judder_oscillator::FrictionLoad;
     use std::sync::atomic::{AtomicUsize, Ordering};
 

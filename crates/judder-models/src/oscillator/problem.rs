@@ -1,6 +1,6 @@
 //! What can be wrong with the law of an oscillator case, beyond types, units and ranges.
 
-use crate::oscillator::inputs::LawName;
+use crate::oscillator::law_name::LawName;
 use judder_keys::problem::Problem;
 use thiserror::Error;
 

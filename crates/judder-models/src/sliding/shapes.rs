@@ -2,7 +2,7 @@
 
 use crate::error::ModelError;
 use crate::sliding::case::SlidingCase;
-use crate::sliding::locus::conditions as locus_conditions;
+use crate::sliding::locus::conditions::conditions as locus_conditions;
 use crate::sliding::locus::settings::{Along, Locus};
 use crate::sliding::system::SlidingSystem;
 use faer::Mat;

@@ -1,10 +1,12 @@
 //! From the keys of a structure case to its matrices.
 //!
-//! - `body`: elements with materials and supports, assembled.
+//! - `body`, `mesh_file`: bodies that a case describes, meshes of other programs.
+//! - `assembled`: elements with materials and supports, assembled.
 //! - `sums`: matrices of other programs, read.
 //! - `layout`: where freedoms lie, and the lines that show a shape.
 //! - `kept`: the freedoms that a reduction keeps.
 
+mod assembled;
 mod body;
 mod kept;
 mod layout;
@@ -114,7 +116,7 @@ impl Structure {
 /// The factors of the terms where the parameters are `values`.
 pub(crate) fn factors(case: &StructureCase, values: &[f64]) -> Result<Factors, ModelError> {
     match &case.source {
-        StructureSource::Body(_) => Ok(body::factors(&case.damping)),
+        StructureSource::Body(_) => Ok(assembled::factors(&case.damping)),
         StructureSource::Matrices(sums) => {
             sums::factors(sums, values).map_err(|cause| ModelError::Unsupported(cause.to_string()))
         }

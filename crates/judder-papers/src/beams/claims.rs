@@ -1,6 +1,7 @@
 //! The numbers and claims of the beams paper, each with the way it is measured.
 
-use super::found::{Found, Zone};
+use super::found::Found;
+use super::passage::Zone;
 use crate::claim::{Claim, Kind, measured, short, statement};
 use crate::claim::{ClaimLine, Measured};
 

@@ -1,7 +1,7 @@
 //! What the claims of the beams paper are measured on: summaries and signals of a study folder.
 
 use super::figures::SIGNAL;
-use super::passage::{Passage, passages};
+use super::passage::{Passage, Zone, passages};
 use crate::is_done;
 use judder_models::band::Band;
 use judder_store::{Dataset, StudyFolder, Summary};
@@ -23,19 +23,6 @@ pub(super) struct Found {
 const BETWEEN: f64 = 1e-3;
 /// Of the largest amplitude, what is worth a comparison.
 const LOUD: f64 = 0.1;
-
-/// An unstable zone of a locus.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Zone {
-    pub(super) from: f64,
-    pub(super) to: f64,
-    /// Where it grows fastest; NaN where that is not told.
-    pub(super) peak: f64,
-    pub(super) frequency: f64,
-    pub(super) growth: f64,
-    /// ∫ σ dt of a march through it; NaN where none was computed.
-    pub(super) nepers: f64,
-}
 
 /// A burst of a march.
 #[derive(Debug, Clone, Copy)]

@@ -1,6 +1,6 @@
 //! Where the contact is held: at the peaks of the zones that the loci have found.
 
-use super::found::Zone;
+use super::passage::Zone;
 use std::fmt::Write as _;
 
 /// How many zones of each locus: those that grow fastest.

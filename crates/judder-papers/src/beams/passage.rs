@@ -1,6 +1,5 @@
 //! What an unstable zone does to the mode that it concerns, in a march that passes it.
 
-use super::found::Zone;
 use judder_models::band::Sampled;
 use judder_models::sliding::locus::figure::zone_profiles;
 use judder_report::figure::ShadedRegion;
@@ -14,6 +13,19 @@ const WORTH: f64 = 1.0;
 /// Positions at which the amplitude is taken, and how far they reach beyond the zone, over its width.
 const PLACES: usize = 161;
 const BEYOND: f64 = 0.75;
+
+/// An unstable zone of a locus.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Zone {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    /// Where it grows fastest; NaN where that is not told.
+    pub(super) peak: f64,
+    pub(super) frequency: f64,
+    pub(super) growth: f64,
+    /// ∫ σ dt of a march through it; NaN where none was computed.
+    pub(super) nepers: f64,
+}
 
 /// A zone that a march has passed, with the amplitude of its mode.
 pub(super) struct Passage {

@@ -10,7 +10,7 @@ use judder_contact::law::{KnotValues, LawSamples, PerQuantity, SampledLaw};
 use judder_contact::{ContactLaw, ContactPoint, ContactResponse, Law, LawError};
 use judder_models::bridge;
 use judder_models::oscillator::case::OscillatorCase;
-use judder_models::oscillator::inputs::LawName;
+use judder_models::oscillator::law_name::LawName;
 use numpy::{IntoPyArray, PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -1,7 +1,7 @@
 //! The bifurcation diagram as scalars, arrays and a table.
 
 use super::branches::SimulatedCycle;
-use super::run::{Point, Settling};
+use super::point::{Point, Settling};
 use crate::error::ModelError;
 use crate::motion::becomes::{BECOMES, CYCLE, LOST, UNCONFIRMED};
 use crate::motion::bifurcation::SweepDirection;

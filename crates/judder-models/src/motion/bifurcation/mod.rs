@@ -3,6 +3,7 @@
 pub(super) mod branch_layers;
 mod branches;
 mod diagram;
+mod point;
 mod run;
 
 use super::model::Moving;

@@ -1,5 +1,6 @@
 //! `critical-shear-strength`, `critical-load`: thresholds along one key.
 
+mod found;
 mod onsets;
 mod run;
 mod within_law;

@@ -1,6 +1,6 @@
 //! What grows from thresholds, as scalars, arrays and columns of a table.
 
-use super::run::Found;
+use super::found::Found;
 use crate::axis::Curves;
 use crate::error::ModelError;
 use crate::oscillator::margins::{self, Margin, Onset, TOLD, ToldBasin, ToldSearch};

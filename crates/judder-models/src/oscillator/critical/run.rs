@@ -1,5 +1,6 @@
 //! Thresholds along one key (Figs. 7, 8).
 
+use super::found::Found;
 use super::{onsets, within_law};
 use crate::axis::{self, Curves, keys_of_curves};
 use crate::bridge;
@@ -12,7 +13,7 @@ use crate::oscillator::settings::{CriticalThresholds, Sought};
 use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::Contact;
 use judder_oscillator::critical::{ParameterRange, RangeScale, Thresholds, thresholds};
-use judder_oscillator::undecided::{Undecided, undecided};
+use judder_oscillator::undecided::undecided;
 use judder_store::{Dataset, Declared, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::axis::Axis;
@@ -30,16 +31,6 @@ fn label(sought: Sought, form: Form) -> (&'static str, &'static str) {
         (Sought::Load, Form::Group) => ("Critical load $F̃_{n,crit}$ (−)", "1"),
         (Sought::Load, Form::Si) => ("Critical load $F_{n,crit}$ (N)", "N"),
     }
-}
-
-/// The thresholds at one value of the swept key.
-pub(super) struct Found {
-    pub(super) inputs: OscillatorInputs,
-    pub(super) thresholds: Thresholds,
-    /// One for each threshold of the full system.
-    pub(super) onsets: Vec<Option<Onset>>,
-    /// Where the errors of the law leave the thresholds; `None` where they are not known.
-    pub(super) within_law: Option<Undecided>,
 }
 
 pub(super) fn run(

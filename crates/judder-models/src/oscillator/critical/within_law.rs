@@ -1,6 +1,6 @@
 //! The ranges in which the errors of the law leave thresholds, as scalars, arrays and columns of a table.
 
-use super::run::Found;
+use super::found::Found;
 use crate::axis::Curves;
 use crate::error::ModelError;
 use judder_oscillator::critical::Thresholds;

@@ -1,6 +1,6 @@
 //! One engine along its steps or widths, against the cycle by events.
 
-use super::run::{BECOMES, Reached};
+use super::reached::{BECOMES, Reached};
 use judder_store::{Dataset, Results, StoreError, Variable};
 use judder_study::outcome::CheckRecord;
 

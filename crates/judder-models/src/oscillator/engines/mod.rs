@@ -2,6 +2,7 @@
 
 mod figure;
 mod ladder;
+mod reached;
 mod run;
 pub mod settings;
 

@@ -1,6 +1,7 @@
 //! `engines`: the cycle that a motion settles to, by events, by time-stepping and with a smoothed sign.
 
 use super::ladder::{self, Engine, Ladder, ToldErrors};
+use super::reached::{BECOMES, LOST, PERIODS, Reached};
 use crate::error::ModelError;
 use crate::motion::limit_cycle::shooting;
 use crate::motion::model::{Moving, Operating, OscillatorModel};
@@ -9,7 +10,7 @@ use judder_keys::numeric_key::Value as CaseValue;
 use judder_numerics::piecewise::StepSettings;
 use judder_oscillator::cycle::shooting::{Cycle, from_simulation};
 use judder_oscillator::motion::attractor::Patience;
-use judder_oscillator::motion::laps::{LapCourse, Laps, Moments, by_time_stepping, with_smoothed_sign};
+use judder_oscillator::motion::laps::{LapCourse, by_time_stepping, with_smoothed_sign};
 use judder_oscillator::motion::{
     ContactState, Interrupted, SlidingSystem, Smoothed, StickSlip, TimeStepping,
 };
@@ -19,48 +20,10 @@ use judder_study::Progress;
 use judder_study::outcome::Outcome;
 use rayon::prelude::*;
 
-/// Periods of the cycle that an engine is followed, and the last of them, which are measured.
-const PERIODS: usize = 6;
-const MEASURED: usize = 2;
 /// How many times longer than they should take they may take.
 const SLACK: f64 = 2.0;
-/// Difference of the measured periods' rms, relative, below which they are one cycle.
-const REPEATS: f64 = 1e-3;
-/// Speed, over v_d, below which a motion without returns has come to rest.
-const AT_REST: f64 = 1e-3;
 /// ε over v_d of most codes that smooth the sign.
 const TYPICAL: f64 = 0.1;
-
-/// What an engine has come to.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Reached {
-    /// 0: a cycle, 1: irregular, 2: steady sliding, 3: lost.
-    pub(super) becomes: u8,
-    /// Over the measured periods; zero in steady sliding, NaN where the motion is lost.
-    pub(super) rms: f64,
-    /// The mean of the measured periods; NaN where there are none.
-    pub(super) period: f64,
-}
-
-pub(crate) const BECOMES: [(u8, &str); 4] =
-    [(0, "cycle"), (1, "irregular"), (2, "steady sliding"), (3, "lost")];
-const LOST: Reached = Reached { becomes: 3, rms: f64::NAN, period: f64::NAN };
-
-impl Reached {
-    fn of(laps: &Laps, belt_velocity: f64) -> Self {
-        if laps.laps.len() < PERIODS {
-            let speed = laps.state[2].abs().max(laps.state[3].abs());
-            let is_at_rest = speed < AT_REST * belt_velocity;
-            return if is_at_rest { Self { becomes: 2, rms: 0.0, period: f64::NAN } } else { LOST };
-        }
-        let measured = &laps.laps[PERIODS - MEASURED..PERIODS];
-        let whole = measured.iter().fold(Moments::default(), |sum, lap| sum + *lap);
-        let rms = whole.rms();
-        let differ = measured.iter().map(|lap| (lap.rms() / rms - 1.0).abs()).fold(0.0, f64::max);
-        let becomes = u8::from(differ > REPEATS);
-        Self { becomes, rms, period: whole.duration / MEASURED as f64 }
-    }
-}
 
 /// The cycle, and what it takes to follow it otherwise.
 struct Comparison<'a> {

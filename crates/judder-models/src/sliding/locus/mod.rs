@@ -5,6 +5,7 @@
 //! - `doubt`: a few values against full matrices.
 //! - `results`: scalars, arrays, table.
 
+pub(super) mod conditions;
 mod doubt;
 pub mod figure;
 mod positions;
@@ -13,8 +14,6 @@ mod run;
 pub mod settings;
 mod swept;
 mod traced;
-
-pub(super) use run::conditions;
 
 use super::{Subject, blame, cost};
 use crate::error::ModelError;

@@ -1,6 +1,6 @@
 //! The locus over positions of the contact.
 
-use super::conditions;
+use super::conditions::conditions;
 use super::doubt::doubted;
 use super::traced::{Family, Range, State, Traced, trace};
 use crate::error::ModelError;

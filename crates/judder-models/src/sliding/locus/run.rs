@@ -4,9 +4,8 @@ use super::results::Locating;
 use super::{positions, swept};
 use crate::error::ModelError;
 use crate::sliding::case::SlidingCase;
-use crate::sliding::locus::settings::{self, Along, Locus};
+use crate::sliding::locus::settings::{Along, Locus};
 use crate::sliding::system::SlidingSystem;
-use judder_sliding::locus::{Conditions, Configuration};
 use judder_store::Results;
 use judder_study::Progress;
 use judder_study::outcome::Outcome;
@@ -32,17 +31,4 @@ pub(super) fn run(
         files: Vec::new(),
         ..Outcome::default()
     })
-}
-
-/// Under what the pair of a case slides.
-pub(crate) fn conditions(case: &SlidingCase, settings: &Locus) -> Conditions {
-    Conditions {
-        configuration: match settings.configuration {
-            settings::Configuration::Undeformed => Configuration::Undeformed,
-            settings::Configuration::Deformed => Configuration::Deformed,
-        },
-        is_damped: settings.damping,
-        velocity: case.motion.velocity,
-        load: case.motion.load.force,
-    }
 }

@@ -1,6 +1,6 @@
 //! The freedoms that a reduction keeps.
 
-use super::body::nodes_of;
+use super::assembled::nodes_of;
 use super::{Structure, Unbuilt};
 use crate::structure::case::problem::StructureProblem;
 use crate::structure::case::reduction::{Kept, KeptNodes, Reduction};

@@ -1,6 +1,6 @@
 //! Mesh files of other programs, with the materials and supports of the case.
 
-use super::body::{add_supports, assembled, elastic, section};
+use super::assembled::{add_supports, assembled, elastic, section};
 use super::{Structure, Unbuilt};
 use crate::structure::case::body::Body;
 use crate::structure::case::damping::Damping;

@@ -119,21 +119,10 @@ pub fn with_material(case: &OscillatorCase) -> Result<OscillatorCase, ModelError
     Ok(OscillatorCase { inputs, ..case.clone() })
 }
 
-/// The three scales that turn groups into quantities: E0* = E0/(1 − ν²), R, ω_nx.
-#[must_use]
-pub fn scales(inputs: &OscillatorInputs) -> Scales {
-    let poisson_ratio = inputs.number(OscillatorKey::PoissonRatio);
-    Scales {
-        reduced_modulus: inputs.number(OscillatorKey::RubberyModulus) / (1.0 - poisson_ratio * poisson_ratio),
-        radius: inputs.number(OscillatorKey::Radius),
-        natural_frequency: inputs.number(OscillatorKey::NaturalFrequency),
-    }
-}
-
 /// The dimensionless groups (11); what was given as a group stays that group, whatever scales are swept.
 #[must_use]
 pub fn groups(inputs: &OscillatorInputs) -> Groups {
-    let Scales { reduced_modulus, radius, natural_frequency } = scales(inputs);
+    let Scales { reduced_modulus, radius, natural_frequency } = inputs.scales();
     let retardation_time = inputs.number(OscillatorKey::RetardationTime);
     let group = |key: OscillatorKey, per_unit: f64| {
         let value = inputs.get(key);

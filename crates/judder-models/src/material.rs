@@ -1,6 +1,5 @@
 //! From `[substrate]` to a viscoelastic material, and from groups to quantities of a contact case.
 
-use crate::bridge;
 use crate::contact::case::ContactCase;
 use crate::error::ModelError;
 use crate::oscillator::inputs::OscillatorInputs;
@@ -143,7 +142,7 @@ impl ContactScales {
         let material = Material::new(&case.substrate, &case.inputs)?;
         // an elastic substrate has no time: that of the case makes the groups
         let time = material.mean_time().unwrap_or(case.inputs.number(OscillatorKey::RetardationTime));
-        let scales = bridge::scales(&material.told_to(&case.inputs));
+        let scales = material.told_to(&case.inputs).scales();
         Ok(Self { material, scales, time })
     }
 

@@ -1,6 +1,5 @@
 //! Sweeps, families and maps: what an analysis varies.
 
-use crate::belt::case::{BeltInputs, BeltKey};
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use judder_keys::numeric_key::{Form, Value};
@@ -42,13 +41,6 @@ impl Sweep<OscillatorKey> {
     /// Sets the swept key of one operating point.
     pub fn set(&self, inputs: &mut OscillatorInputs, value: f64) {
         inputs.set(self.key, Value { number: value, form: self.form });
-    }
-}
-
-impl Sweep<BeltKey> {
-    /// Sets the swept key of one operating point.
-    pub fn set(&self, inputs: &mut BeltInputs, value: f64) {
-        inputs.set(self.key, value);
     }
 }
 

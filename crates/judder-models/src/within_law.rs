@@ -1,6 +1,5 @@
 //! What the errors of a contact law leave of results, in words.
 
-use crate::oscillator::point::SteadyPoint;
 use judder_contact::Law;
 use judder_oscillator::undecided::Ranges;
 use judder_study::text::short;
@@ -15,22 +14,6 @@ pub(crate) fn unknown_errors(law: &Law) -> Option<String> {
          threshold is not known"
             .to_owned()
     })
-}
-
-/// That the errors of the law decide at a point, in words.
-pub(crate) fn told_marginal(steady: &SteadyPoint) -> Option<String> {
-    if steady.marginal_within_law() != Some(true) {
-        return None;
-    }
-    let unknown = || "unknown".to_owned();
-    let off = steady.equivalent_damping_error().map_or_else(unknown, short);
-    let rates = steady.growth_rate_within_law();
-    let rates =
-        rates.map_or_else(unknown, |[least, most]| format!("from {} to {}", short(least), short(most)));
-    Some(format!(
-        "the errors of the law decide here: ξ_eq = {} ± {off}, growth rate {rates}; a law of a finer accuracy has smaller errors",
-        short(steady.linearisation.equivalent_damping()),
-    ))
 }
 
 /// Ranges in a row; `None` where there are none.

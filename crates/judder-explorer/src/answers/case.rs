@@ -31,7 +31,7 @@ pub(crate) async fn answer(
 
 /// The values of all keys of the case's sections, and the scales between their two forms.
 pub(crate) fn document(inputs: &OscillatorInputs, sections: &[&str]) -> Value {
-    let (groups, scales) = (bridge::groups(inputs), bridge::scales(inputs));
+    let (groups, scales) = (bridge::groups(inputs), inputs.scales());
     let dimensional = groups.dimensional(&scales);
     let own = OscillatorKey::ALL.iter().filter(|entry| sections.contains(&entry.section()));
     let values: Vec<Value> = own.map(|entry| value(entry.key, inputs, &groups, &dimensional)).collect();

@@ -9,7 +9,6 @@ use crate::subject::Subject;
 use crate::view::View;
 use axum::Json;
 use axum::extract::State;
-use judder_models::bridge;
 use judder_models::oscillator::law_name::LawName;
 use judder_models::point::{Point, SteadyPoint};
 use judder_oscillator::groups::Scales;
@@ -38,7 +37,7 @@ pub(crate) async fn answer(
 
 fn compute(subject: &Subject, file: &CaseFile, watch: &Watch) -> Result<Json<Value>, Refusal> {
     let ready = subject.laws.ready(oscillator(file)?, watch).map_err(|error| watch.refusal(error))?;
-    Ok(Json(document(&ready.point()?, &bridge::scales(&ready.case.inputs))))
+    Ok(Json(document(&ready.point()?, &ready.case.inputs.scales())))
 }
 
 fn document(point: &Point, scales: &Scales) -> Value {

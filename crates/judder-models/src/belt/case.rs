@@ -6,6 +6,7 @@ use crate::REGISTRY;
 use crate::belt::MODEL;
 use crate::motion::settings::{MotionKinds, MotionModel};
 use crate::motion::{Motion, MotionOf};
+use crate::sweep::Sweep;
 use crate::swept_keys::{SweptKeys, key_of};
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Declaration, Settings, all, both};
@@ -66,6 +67,13 @@ impl BeltInputs {
     /// Sets a key; its range is the reader's part.
     pub fn set(&mut self, key: BeltKey, value: f64) {
         self.values[key as usize] = value;
+    }
+}
+
+impl Sweep<BeltKey> {
+    /// Sets the swept key of one operating point.
+    pub fn set(&self, inputs: &mut BeltInputs, value: f64) {
+        inputs.set(self.key, value);
     }
 }
 

@@ -61,23 +61,20 @@ pub(crate) const MOTION_STEPS: usize = 10_000_000;
 
 /// Settings that say how a motion is followed.
 macro_rules! followed {
-    ($($settings:ty),*) => {
-        $(impl $settings {
+    ($settings:ty) => {
+        impl $settings {
             /// How a motion is followed.
-            pub fn following(&self) -> Following {
-                Following { duration: self.duration, tolerance: self.tolerance, steps: self.steps }
+            pub fn following(&self) -> $crate::motion::settings::Following {
+                $crate::motion::settings::Following {
+                    duration: self.duration,
+                    tolerance: self.tolerance,
+                    steps: self.steps,
+                }
             }
-        })*
+        }
     };
 }
-
-followed!(
-    super::history::History,
-    super::limit_cycle::LimitCycle,
-    super::bifurcation::Diagram,
-    super::basin::Basin,
-    crate::oscillator::engines::settings::EnginesSettings
-);
+pub(crate) use followed;
 
 impl MotionStart {
     /// Where a motion starts where the case does not say.

@@ -1,5 +1,7 @@
 //! The oscillator case: the paper's values, then whatever the case file says otherwise.
 
+pub(crate) mod swept_keys;
+
 use std::path::Path;
 
 use crate::REGISTRY;
@@ -9,13 +11,13 @@ use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::law_name::LawName;
 use crate::oscillator::problem::OscillatorProblem;
 use crate::oscillator::{KINDS, MODEL, Operated};
+use crate::substrate::blame::moduli_place;
 use crate::substrate::{RelaxationSource, Substrate, SubstrateKeys, refuse_conflicts};
-use crate::swept_keys::OscillatorKeys;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Setting, Settings, both};
 use judder_keys::document::{Data, Node};
-use judder_keys::error::{Fault, Place};
+use judder_keys::error::Fault;
 use judder_keys::file_reference::{FileReference, read_file_reference};
 use judder_keys::keys::Numbers;
 use judder_keys::problem::Placed;
@@ -24,6 +26,7 @@ use judder_study::case::analysis::{Planned, read_analyses};
 use judder_study::case::root::{document, read_root};
 use serde_json::{Value as Json, json};
 use std::sync::Arc;
+use swept_keys::OscillatorKeys;
 
 /// A validated oscillator case.
 #[derive(Debug, Clone)]
@@ -249,19 +252,6 @@ pub(crate) fn read(node: &Node, folder: &Path) -> Result<OscillatorCase, Fault> 
     let (mut case, analyses) = both(case, read_analyses(&root, &keys, &KINDS, REGISTRY))?;
     case.analyses = analyses;
     Ok(case)
-}
-
-/// Where the ratio of the moduli was given: the key that says most about it.
-pub(crate) fn moduli_place(root: &Section<'_>) -> Place {
-    let node = match root.get("substrate").map(|node| &node.data) {
-        Some(Data::Table(table)) => {
-            ["prony", "relaxation", "continuous", "dma", "glassy_modulus", "rubbery_modulus"]
-                .into_iter()
-                .find_map(|key| table.get(key))
-        }
-        _ => None,
-    };
-    node.map_or(root.place, |entry| entry.node.place)
 }
 
 /// Checks the moduli, and that a fitted law is asked about one retardation time alone.

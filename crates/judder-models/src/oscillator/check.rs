@@ -25,7 +25,7 @@ const LATER: &str = "the law `bem` is computed by a run, which takes seconds to 
 
 pub(super) fn resolve(file: &CaseFile, case: &OscillatorCase) -> Result<Resolved, ModelError> {
     let groups = bridge::groups(&case.inputs);
-    let dimensional = groups.dimensional(&bridge::scales(&case.inputs));
+    let dimensional = groups.dimensional(&case.inputs.scales());
     let limits = match case.law {
         LawName::Bem => Err(LATER.to_owned()),
         _ => point::point(case).map_err(|error| format!("no answer: {error}")),

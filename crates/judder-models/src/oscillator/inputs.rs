@@ -7,6 +7,7 @@ use judder_keys::Choice;
 use judder_keys::cause::Cause;
 use judder_keys::keys::{Keys, Numbers};
 use judder_keys::numeric_key::Value;
+use judder_oscillator::groups::Scales;
 use std::sync::LazyLock;
 
 /// The force that the viscoelastic friction coefficient multiplies.
@@ -90,6 +91,18 @@ impl OscillatorInputs {
     /// The number of a key, in the form that [`OscillatorInputs::get`] tells.
     pub fn number(&self, key: OscillatorKey) -> f64 {
         self.get(key).number
+    }
+
+    /// The three scales that turn groups into quantities: E0* = E0/(1 − ν²), R, ω_nx.
+    #[must_use]
+    pub fn scales(&self) -> Scales {
+        let poisson_ratio = self.number(OscillatorKey::PoissonRatio);
+        Scales {
+            reduced_modulus: self.number(OscillatorKey::RubberyModulus)
+                / (1.0 - poisson_ratio * poisson_ratio),
+            radius: self.number(OscillatorKey::Radius),
+            natural_frequency: self.number(OscillatorKey::NaturalFrequency),
+        }
     }
 
     /// How the relaxation of the substrate was given.

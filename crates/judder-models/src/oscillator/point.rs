@@ -6,7 +6,7 @@ use crate::known_substrate::KnownSubstrate;
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::quasi_steady::Condition;
-use crate::within_law::{MARGINAL, ranges_text, told_marginal};
+use crate::within_law::{MARGINAL, ranges_text};
 use judder_contact::ContactLaw;
 use judder_oscillator::critical::{ParameterRange, RangeScale, Thresholds, thresholds};
 use judder_oscillator::equilibrium::{Equilibrium, equilibrium};
@@ -222,6 +222,22 @@ pub fn analyse(contact: &Contact, groups: Groups) -> Result<Point, ModelError> {
         quasi_steady: None,
         warnings,
     })
+}
+
+/// That the errors of the law decide at a point, in words.
+fn told_marginal(steady: &SteadyPoint) -> Option<String> {
+    if steady.marginal_within_law() != Some(true) {
+        return None;
+    }
+    let unknown = || "unknown".to_owned();
+    let off = steady.equivalent_damping_error().map_or_else(unknown, short);
+    let rates = steady.growth_rate_within_law();
+    let rates =
+        rates.map_or_else(unknown, |[least, most]| format!("from {} to {}", short(least), short(most)));
+    Some(format!(
+        "the errors of the law decide here: ξ_eq = {} ± {off}, growth rate {rates}; a law of a finer accuracy has smaller errors",
+        short(steady.linearisation.equivalent_damping()),
+    ))
 }
 
 /// A complex number as `[re, im]`.

@@ -3,13 +3,14 @@
 use crate::motion::settings::MotionModel;
 use crate::motion::{Motion, MotionOf};
 use crate::oscillator::Operated;
+use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::keys::OscillatorKey;
 use crate::read_sweep::{
     PlacedSweep, SWEEP, family_declaration, map_declarations, read_family, read_map, read_within,
     within_declaration, write_family, write_map, write_within,
 };
 use crate::sweep::{Family, StabilityMap, Sweep, Within};
-use crate::swept_keys::{OscillatorKeys, SweptKeys};
+use crate::swept_keys::SweptKeys;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Declaration, Settings, both};

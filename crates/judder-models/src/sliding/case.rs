@@ -24,13 +24,12 @@ use std::sync::Arc;
 
 use crate::REGISTRY;
 use crate::parameters::{Parameter, Parameters};
-use crate::sliding::spectrogram::settings::check_references;
 use crate::sliding::{KINDS, MODEL};
 use contact::SlidingContact;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Setting, both};
-use judder_keys::document::{Data, Node};
+use judder_keys::document::Node;
 use judder_keys::error::Fault;
 use judder_keys::file_reference::FileReference;
 use judder_keys::schema::object;
@@ -136,13 +135,10 @@ impl SlidingCase {
     }
 }
 
-/// Reads a sliding case from the root of its tree; files are relative to `folder`.
+/// Reads a sliding case from the root of its tree; files are relative to `folder`. What its analyses name is not sought here.
 pub(crate) fn read(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
     let (root, mut case) = read_system(node, folder)?;
     case.analyses = read_analyses(&root, &case, &KINDS, REGISTRY)?;
-    if let Some(Node { data: Data::List(nodes), .. }) = root.get("analysis") {
-        check_references(&case.analyses, &case.points, nodes)?;
-    }
     Ok(case)
 }
 

@@ -24,6 +24,8 @@ use crate::error::ModelError;
 use crate::estimate::Estimate;
 use crate::sliding::case::{SlidingCase, SlidingSections};
 use judder_keys::declared::Settings;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::Fault;
 use judder_keys::file_reference::FileReference;
 use judder_study::StudyError;
 use judder_study::case::analysis::{Kind, Planned};
@@ -32,6 +34,8 @@ use judder_study::model::{Analysed, Analysis, Model, Prepared, Refusal, Task, wa
 use judder_study::outcome::Outcome;
 use judder_study::registry::{ModelKind, Template, entries};
 use judder_study::resolve::Resolved;
+use spectrogram::settings::check_references;
+use std::path::Path;
 use std::sync::Arc;
 use system::SlidingSystem;
 
@@ -78,10 +82,19 @@ fn fitting(
     Ok(Prepared::new(Arc::new(system)))
 }
 
+/// Reads a case from the root of its tree; files are relative to `folder`.
+fn read(root: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
+    let case = case::read(root, folder)?;
+    if let Some(Node { data: Data::List(nodes), .. }) = root.entry("analysis") {
+        check_references(&case.analyses, &case.points, nodes)?;
+    }
+    Ok(case)
+}
+
 /// The model.
 pub(crate) const MODEL: ModelKind = ModelKind {
     name: "sliding",
-    read: |root, folder| case::read(root, folder).map(Case::new),
+    read: |root, folder| read(root, folder).map(Case::new),
     doc: "one structure slides along another",
     declared: SlidingSections::declarations,
     swept: Vec::new,

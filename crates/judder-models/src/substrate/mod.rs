@@ -1,5 +1,6 @@
 //! The substrate of a case: moduli and one time, a series of terms, or measured data; and its temperature.
 
+pub(crate) mod blame;
 pub mod continuous;
 pub mod temperature;
 

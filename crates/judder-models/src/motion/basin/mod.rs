@@ -5,7 +5,7 @@ mod run;
 use super::model::Moving;
 use super::settings::{
     ANY, DURATION, MOTION_STEPS, MotionKinds, MotionModel, SETTLING_DURATION, STEPS, TOLERANCE, declared,
-    in_order, read,
+    followed, in_order, read,
 };
 use super::{MotionOf, Size, pictures, settling};
 use crate::error::ModelError;
@@ -44,6 +44,8 @@ pub struct Basin {
     #[key(rule = STEPS, default = MOTION_STEPS)]
     pub steps: usize,
 }
+
+followed!(Basin);
 
 /// The range of each coordinate of a start; what is left out stands as in steady sliding.
 #[derive(Debug, Clone, Copy, PartialEq, Settings)]

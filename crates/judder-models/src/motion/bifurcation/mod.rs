@@ -9,7 +9,7 @@ mod run;
 use super::model::Moving;
 use super::settings::{
     DURATION, MOTION_STEPS, MotionKinds, MotionModel, MotionStart, STEPS, TOLERANCE, TRANSIENT, declared,
-    leave_some, read,
+    followed, leave_some, read,
 };
 use super::{MotionOf, Size, pictures, settling};
 use crate::error::ModelError;
@@ -61,6 +61,8 @@ pub struct Diagram {
     #[key(default = false)]
     pub branches: bool,
 }
+
+followed!(Diagram);
 
 /// Which way a bifurcation diagram is followed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]

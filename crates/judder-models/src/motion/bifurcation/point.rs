@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 /// What the motion at a point of the diagram settles to.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct Settling {
-    /// Its place in [`super::becomes::BECOMES`].
+    /// Its place in [`BECOMES`](crate::motion::becomes::BECOMES).
     pub(crate) becomes: u8,
     /// Of x about its mean.
     pub(crate) rms: f64,

@@ -6,7 +6,7 @@ mod watched;
 use super::model::Moving;
 use super::settings::{
     DURATION, MOTION_STEPS, MotionKinds, MotionModel, MotionStart, STEPS, TOLERANCE, TRANSIENT, declared,
-    leave_some, read,
+    followed, leave_some, read,
 };
 use super::{MotionOf, Size, USUAL_TIME, pictures};
 use crate::error::ModelError;
@@ -44,6 +44,8 @@ pub struct History {
     #[key(rule = STEPS, default = MOTION_STEPS)]
     pub steps: usize,
 }
+
+followed!(History);
 
 impl History {
     fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {

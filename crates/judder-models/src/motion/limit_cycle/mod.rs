@@ -7,7 +7,7 @@ pub(crate) use run::shooting;
 use super::model::Moving;
 use super::settings::{
     CYCLE_TOLERANCE, DURATION, MOTION_STEPS, MotionKinds, MotionModel, MotionStart, SETTLING_DURATION, STEPS,
-    TOLERANCE, declared, read,
+    TOLERANCE, declared, followed, read,
 };
 use super::{MotionOf, Size, pictures, settling};
 use crate::error::ModelError;
@@ -36,6 +36,8 @@ pub struct LimitCycle {
     #[key(rule = STEPS, default = MOTION_STEPS)]
     pub steps: usize,
 }
+
+followed!(LimitCycle);
 
 impl<S: MotionModel> MotionKinds<S> {
     /// The kind.

@@ -1,7 +1,7 @@
 //! `engines`: one cycle of an oscillator by three engines.
 
 use crate::motion::settings::{
-    CYCLE_TOLERANCE, DURATION, MOTION_STEPS, MotionStart, SETTLING_DURATION, STEPS, TOLERANCE,
+    CYCLE_TOLERANCE, DURATION, MOTION_STEPS, MotionStart, SETTLING_DURATION, STEPS, TOLERANCE, followed,
 };
 use judder_keys::Settings;
 use judder_keys::declared::{Ladder, Scaled};
@@ -31,6 +31,8 @@ pub struct EnginesSettings {
     #[key(rule = STEPS, default = MOTION_STEPS)]
     pub steps: usize,
 }
+
+followed!(EnginesSettings);
 
 /// The points that a range of steps or widths may have.
 const LADDER_POINTS: usize = 200;

@@ -1,9 +1,7 @@
 //! What a march keeps of its motion: which signals, how they are sampled, which of them are left as sound.
 
-use super::motion::Axis;
-use super::observe::{CONTACT_SIGNALS, ObservedPoint, PointQuantity, Signal};
+use super::observe::{ObservedPoint, PointQuantity, Signal};
 use super::problem::SlidingProblem;
-use crate::sliding::march::settings::March;
 use judder_keys::Settings;
 use judder_keys::declared::{Allowed, Named, Number, Setting, Several, all};
 use judder_keys::dimension::Dimension;
@@ -47,43 +45,6 @@ const QUANTITIES: Several<()> = Several { of: (), length: [0, usize::MAX] };
 const FREQUENCY: Number = Number::positive(Dimension::ANGULAR_FREQUENCY);
 /// A rate of exactly twice the pass band is none above it, however the factor 2π rounds.
 const ROUNDING: f64 = 1e-9;
-
-impl March {
-    /// The signals that are kept: the quantities of so many observed points, those of the contact, what is told, what is heard.
-    pub fn kept(&self, points: usize) -> Vec<Signal> {
-        let of_point = |point: usize| {
-            let all = self.signals.quantities.iter();
-            all.flat_map(move |&quantity| Axis::ALL.map(|(_, axis)| Signal::Point { point, axis, quantity }))
-        };
-        let mut kept: Vec<Signal> = (0..points).flat_map(of_point).collect();
-        kept.extend(CONTACT_SIGNALS.map(|(_, signal)| signal));
-        let heard = match &self.sound {
-            Sound::Signals(signals) => &signals[..],
-            Sound::Nothing | Sound::Accelerations => &[],
-        };
-        for signal in std::iter::once(&self.signal).chain(heard) {
-            if !kept.contains(signal) {
-                kept.push(**signal);
-            }
-        }
-        kept
-    }
-
-    /// The signals that are left as sound, of so many observed points.
-    pub fn heard(&self, points: usize) -> Vec<Signal> {
-        let is_acceleration =
-            |signal: &Signal| matches!(signal, Signal::Point { quantity: PointQuantity::Acceleration, .. });
-        match &self.sound {
-            Sound::Nothing => Vec::new(),
-            Sound::Signals(signals) => signals.iter().map(|signal| **signal).collect(),
-            Sound::Accelerations => {
-                let mut kept = self.kept(points);
-                kept.retain(|signal| *signal == *self.signal || is_acceleration(signal));
-                kept
-            }
-        }
-    }
-}
 
 impl Sampling {
     /// The quantities in the order in which they are stored, whatever order the case has them in.

@@ -1,8 +1,8 @@
 //! `march`: explicit time integration of the coupled structures along the path.
 
 use crate::sliding::case::SlidingCase;
-use crate::sliding::case::motion::check_course;
-use crate::sliding::case::observe::Signal;
+use crate::sliding::case::motion::{Axis, check_course};
+use crate::sliding::case::observe::{CONTACT_SIGNALS, PointQuantity, Signal};
 use crate::sliding::case::problem::SlidingProblem;
 use crate::sliding::case::signals::{Sampling, Sound};
 use judder_keys::cause::Cause;
@@ -183,6 +183,43 @@ impl March {
                 Err(problem.at(section.place_of(&["step"])))
             }
             _ => Ok(()),
+        }
+    }
+}
+
+impl March {
+    /// The signals that are kept: the quantities of so many observed points, those of the contact, what is told, what is heard.
+    pub fn kept(&self, points: usize) -> Vec<Signal> {
+        let of_point = |point: usize| {
+            let all = self.signals.quantities.iter();
+            all.flat_map(move |&quantity| Axis::ALL.map(|(_, axis)| Signal::Point { point, axis, quantity }))
+        };
+        let mut kept: Vec<Signal> = (0..points).flat_map(of_point).collect();
+        kept.extend(CONTACT_SIGNALS.map(|(_, signal)| signal));
+        let heard = match &self.sound {
+            Sound::Signals(signals) => &signals[..],
+            Sound::Nothing | Sound::Accelerations => &[],
+        };
+        for signal in std::iter::once(&self.signal).chain(heard) {
+            if !kept.contains(signal) {
+                kept.push(**signal);
+            }
+        }
+        kept
+    }
+
+    /// The signals that are left as sound, of so many observed points.
+    pub fn heard(&self, points: usize) -> Vec<Signal> {
+        let is_acceleration =
+            |signal: &Signal| matches!(signal, Signal::Point { quantity: PointQuantity::Acceleration, .. });
+        match &self.sound {
+            Sound::Nothing => Vec::new(),
+            Sound::Signals(signals) => signals.iter().map(|signal| **signal).collect(),
+            Sound::Accelerations => {
+                let mut kept = self.kept(points);
+                kept.retain(|signal| *signal == *self.signal || is_acceleration(signal));
+                kept
+            }
         }
     }
 }

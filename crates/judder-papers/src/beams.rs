@@ -7,7 +7,8 @@ mod held;
 pub(super) mod page;
 mod passage;
 
-use crate::{KEY, Reproduction};
+use crate::Reproduction;
+use crate::summary::KEY;
 use found::Found;
 use judder_models::template::template;
 use judder_study::Progress;

@@ -1,24 +1,22 @@
 //! The papers, recomputed: their figures, and what their text claims, with a scoreboard.
 //!
 //! - `claim`: a claim, what it is measured on, its line of the scoreboard.
+//! - `summary`: what the summary of a reproduction says.
 //! - `oscillator`: a sphere on rubber with two degrees of freedom.
 //! - `beams`: two beams in sliding contact.
 
 mod beams;
 mod claim;
 mod oscillator;
+mod summary;
 
-use judder_store::{Status, Summary};
-use judder_study::ledger::Keepsakes;
 use judder_study::{StudyError, report};
 use std::path::{Path, PathBuf};
+use summary::KEY;
 
 pub use beams::beams_paper;
 pub use claim::ClaimLine;
 pub use oscillator::oscillator_paper;
-
-/// Where a summary keeps that it is a reproduction, and its scoreboard.
-const KEY: &str = "reproduction";
 
 /// What a reproduction left.
 #[derive(Debug, Clone)]
@@ -48,26 +46,4 @@ pub fn rebuild(folder: &Path) -> Result<PathBuf, StudyError> {
         Some(beams::PAPER) => beams::page::write(&store, &summary),
         _ => oscillator::page::write(&store, &summary),
     }
-}
-
-/// How many claims and checks of a reproduction came out how, in a sentence each.
-fn tally(lines: &[ClaimLine], kept: &Keepsakes) -> String {
-    let count = |verdict: &str| lines.iter().filter(|line| line.verdict == verdict).count();
-    let misprints = match count("misprint") {
-        0 => String::new(),
-        count => format!(" {count} are misprints whose right value is known,"),
-    };
-    let checks = kept.checks.values().flatten().count();
-    let passed = kept.checks.values().flatten().filter(|check| check.passed()).count();
-    format!(
-        "Of {} claims {} agree,{misprints} {} are open. {passed} of {checks} checks are within their limits.",
-        lines.len(),
-        count("agrees"),
-        count("open")
-    )
-}
-
-/// Whether an analysis of a summary has its result.
-fn is_done(summary: &Summary, name: &str) -> bool {
-    summary.analyses.get(name).is_some_and(|record| record.status == Status::Done)
 }

@@ -13,7 +13,8 @@ pub(crate) mod page;
 mod readings;
 pub(crate) mod scoreboard;
 
-use crate::{KEY, Reproduction};
+use crate::Reproduction;
+use crate::summary::KEY;
 use claims::motion::Motions;
 use evidence::Evidence;
 use exhibits::{CONTACT_CASES, EXHIBITS, LAW_FILE, Source};

@@ -2,7 +2,7 @@
 
 use super::figures::SIGNAL;
 use super::passage::{Passage, Zone, passages};
-use crate::is_done;
+use crate::summary::is_done;
 use judder_models::band::Band;
 use judder_store::{Dataset, StudyFolder, Summary};
 use judder_study::StudyError;

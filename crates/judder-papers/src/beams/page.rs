@@ -4,7 +4,7 @@ use super::figures::{self, SIGNAL};
 use super::found::Found;
 use super::passage::passages;
 use crate::claim::{self, ClaimLine};
-use crate::{KEY, is_done, tally};
+use crate::summary::{KEY, is_done, tally};
 use judder_report::{Figure, Page, PageBlock, PageSection};
 use judder_store::{Dataset, StudyFolder, Summary};
 use judder_study::StudyError;

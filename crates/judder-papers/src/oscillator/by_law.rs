@@ -5,7 +5,7 @@ mod thresholds;
 use super::exhibits::{EXHIBITS, Source};
 use super::readings::{READINGS, ReadLaw, Reading};
 use super::{analysis_name, computed_for};
-use crate::is_done;
+use crate::summary::is_done;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_report::figure::{Class, ClassMap};
 use judder_report::page::PageTable;

@@ -3,7 +3,7 @@
 use super::computed_for;
 use super::evidence::{CORRECTED, r_squared};
 use super::exhibits::{FIT, LAW, MODULUS};
-use crate::is_done;
+use crate::summary::is_done;
 use judder_contact::law::PerQuantity;
 use judder_contact::{ContactLaw, ContactPoint, FittedLaw};
 use judder_report::figure::ValueMap;

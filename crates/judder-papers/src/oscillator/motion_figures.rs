@@ -2,7 +2,7 @@
 
 use super::motion_exhibits::{ENGINES, LOAD, OF_CAPTIONS, Part, WAYS, Way};
 use crate::claim::ClaimLine;
-use crate::is_done;
+use crate::summary::is_done;
 use judder_models::motion::pictures::ending;
 use judder_report::{Axis, Figure, Layer, Legend, PageSection, Panel, Role};
 use judder_store::{Dataset, StudyFolder, Summary};

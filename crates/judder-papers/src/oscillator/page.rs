@@ -7,7 +7,7 @@ use super::motion_exhibits::{MOTION_CASES, WAYS};
 use super::readings::READINGS;
 use super::{analysis_name, by_law, computed_for, contact_figures, motion_figures};
 use crate::claim::{self, ClaimLine};
-use crate::{KEY, is_done, tally};
+use crate::summary::{KEY, is_done, tally};
 use judder_report::page::{Code, Details, PageTable};
 use judder_report::{Figure, Legend, Page, PageBlock, PageSection};
 use judder_store::{StudyFolder, Summary};

@@ -2,9 +2,9 @@
 
 use crate::claim::Measured;
 use crate::claim::{Claim, measured, short, statement};
-use crate::is_done;
 use crate::oscillator::measures::{state, strengths};
 use crate::oscillator::motion_exhibits::{LOAD, Part, STRENGTHS, Way};
+use crate::summary::is_done;
 use judder_models::motion::becomes::{CYCLE, STEADY_SLIDING};
 use judder_oscillator::hopf::hopf_point;
 use judder_oscillator::motion::{ContactState, StickSlip};

@@ -129,13 +129,17 @@ pub fn reference() -> String {
 mod tests {
     use super::*;
 
-    /// `JUDDER_BLESS=1` writes the page anew.
+    /// `JUDDER_GOLDEN=write` writes the page anew.
     #[test]
-    fn the_page_of_the_book_is_this_one() {
+    fn the_golden_reference_of_the_book_is_this_one() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/src/case-files.md");
-        if std::env::var_os("JUDDER_BLESS").is_some() {
+        if std::env::var("JUDDER_GOLDEN").is_ok_and(|mode| mode == "write") {
             std::fs::write(path, reference()).unwrap();
         }
-        assert_eq!(std::fs::read_to_string(path).unwrap(), reference(), "run this test with JUDDER_BLESS=1");
+        assert_eq!(
+            std::fs::read_to_string(path).unwrap(),
+            reference(),
+            "run this test with JUDDER_GOLDEN=write"
+        );
     }
 }

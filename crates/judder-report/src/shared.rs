@@ -76,7 +76,7 @@ fn palette() -> Value {
 }
 
 #[test]
-fn the_palette_of_the_chart_is_this_one() {
+fn the_golden_palette_of_the_chart_is_this_one() {
     let mut palette = palette();
     palette.sort_all_objects();
     let palette = serde_json::to_string_pretty(&palette).unwrap();
@@ -128,7 +128,7 @@ fn axes() -> Vec<(Scale, f64, f64)> {
 }
 
 #[test]
-fn the_marks_with_which_those_of_the_chart_are_compared_are_these() {
+fn the_golden_marks_with_which_those_of_the_chart_are_compared_are_these() {
     let marks: Vec<String> = axes()
         .into_iter()
         .flat_map(|(scale, from, to)| [3, 6, 11].map(|room| (scale, from, to, room)))

@@ -144,7 +144,7 @@ fn swinging_lines_carry_their_amplitudes() {
 
 /// What the sources of the chart are tested with; `JUDDER_GOLDEN=write` writes it anew.
 #[test]
-fn the_figure_with_which_the_chart_is_tested_is_this_one() {
+fn the_golden_figure_with_which_the_chart_is_tested_is_this_one() {
     let mut figure = every_layer("$τ̃_{0}$ (N)");
     let x: Vec<f64> = (0..40).map(|k| 0.1 * f64::from(k)).collect();
     let part = |factor: f64| x.iter().map(|x| factor * x.sin()).collect::<Vec<f64>>();

@@ -18,7 +18,7 @@ use std::io::Write;
 /// Writes the units, dataset 164: SI.
 ///
 /// # Errors
-/// [`crate::Cause::Unwritable`].
+/// [`crate::FileCause::Unwritable`].
 pub fn write_units(to: &mut dyn Write) -> Result<(), ExchangeError> {
     begin(to, 164)?;
     writeln!(to, "{:>10}{:<20}{:>10}", 1, "SI: Meter (newton)", 2)?;
@@ -30,7 +30,7 @@ pub fn write_units(to: &mut dyn Write) -> Result<(), ExchangeError> {
 /// Writes places, dataset 2411, with the labels of the geometry.
 ///
 /// # Errors
-/// What is wrong with the geometry, and [`crate::Cause::Unwritable`].
+/// What is wrong with the geometry, and [`crate::FileCause::Unwritable`].
 pub fn write_nodes(to: &mut dyn Write, geometry: &Geometry) -> Result<(), ExchangeError> {
     geometry.check()?;
     begin(to, 2411)?;
@@ -48,7 +48,7 @@ const PIECES: usize = 83;
 /// Writes the lines of a drawing, datasets 82: the outer edges of the elements.
 ///
 /// # Errors
-/// What is wrong with the geometry, and [`crate::Cause::Unwritable`].
+/// What is wrong with the geometry, and [`crate::FileCause::Unwritable`].
 pub fn write_lines(to: &mut dyn Write, geometry: &Geometry) -> Result<(), ExchangeError> {
     geometry.check()?;
     for (k, pieces) in geometry.lines().chunks(PIECES).enumerate() {

@@ -2,21 +2,25 @@
 
 use crate::field::doc;
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 use syn::{Data, DeriveInput, Error, Fields, Ident, LitStr, Result};
 
 pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
     let Data::Enum(data) = &input.data else {
         return Err(Error::new(input.ident.span(), "a choice is an enum"));
     };
-    let mut what: Option<LitStr> = None;
+    let (mut what, mut list): (Option<LitStr>, Ident) = (None, format_ident!("ALL"));
     for attribute in input.attrs.iter().filter(|attribute| attribute.path().is_ident("choice")) {
         attribute.parse_nested_meta(|meta| {
             if meta.path.is_ident("what") {
                 what = Some(meta.value()?.parse()?);
                 return Ok(());
             }
-            Err(meta.error("a choice takes what"))
+            if meta.path.is_ident("list") {
+                list = meta.value()?.parse()?;
+                return Ok(());
+            }
+            Err(meta.error("a choice takes what, list"))
         })?;
     }
     let Some(what) = what else {
@@ -35,7 +39,7 @@ pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
     Ok(quote! {
         impl #name {
             /// Every word in the order of the declaration, with what it means.
-            pub const ALL: [(&'static str, Self); #count] = [#((#words, Self::#variants)),*];
+            pub const #list: [(&'static str, Self); #count] = [#((#words, Self::#variants)),*];
 
             /// The word in a case file.
             pub fn name(self) -> &'static str {
@@ -58,11 +62,11 @@ pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
                 node: &::judder_keys::document::Node,
                 (): &(),
             ) -> ::std::result::Result<Self, ::judder_keys::error::Fault> {
-                ::judder_keys::section::word(&section.path(key), #what, node, &Self::ALL)
+                ::judder_keys::section::word(&section.path(key), #what, node, &Self::#list)
             }
 
-            fn write(&self, (): &()) -> ::serde_json::Value {
-                ::serde_json::Value::from(self.name())
+            fn write(&self, (): &()) -> ::judder_keys::serde_json::Value {
+                ::judder_keys::serde_json::Value::from(self.name())
             }
         }
     })

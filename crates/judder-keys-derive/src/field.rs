@@ -191,7 +191,7 @@ pub(crate) fn option(text: Option<&LitStr>) -> TokenStream {
     }
 }
 
-/// The doc comment of a field or a variant in one line.
+/// The first paragraph of a doc comment in one line.
 pub(crate) fn doc(attributes: &[Attribute]) -> String {
     let line = |attribute: &Attribute| match &attribute.meta {
         Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
@@ -200,7 +200,8 @@ pub(crate) fn doc(attributes: &[Attribute]) -> String {
         },
         _ => None,
     };
-    let text = attributes.iter().filter_map(line).collect::<Vec<_>>().join(" ");
+    let text =
+        attributes.iter().filter_map(line).take_while(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
     let text = text.strip_suffix('.').unwrap_or(&text);
     let first: String = text.chars().take_while(|letter| letter.is_alphabetic()).collect();
     let rest = &text[first.len()..];

@@ -10,7 +10,7 @@
 //! }
 //! ```
 //!
-//! The doc comment of a field says what the key is. Its attribute takes
+//! The doc comment of a field says what the key is, in its first paragraph. Its attribute takes
 //!
 //! - `rule`: what the type of the field needs to read it, as a unit, a range, a length of a list;
 //! - `default`: the value where the key is left out, without a value that of an empty table; `usual`: that of an optional key, which other keys may
@@ -24,6 +24,8 @@
 //! An enum has an alternative a variant: one key, called as the variant and declared there, or the fields of the variant. Keys of two are refused, the
 //! first variant is meant where there is no key of any; its `check` sees the section before.
 
+//!
+//! A choice takes `#[choice(what = "…")]`, what its words are; `list`, the constant of its words, where it is not `ALL`.
 //!
 //! An enum of keys is a list of the numbers of a case that its analyses can vary: a variant a key, called as the variant is, whose attribute takes
 //! `section`, in which it stands, `symbol` and `rule`, and `default` as a case file has it, without quotes; `typical`, between which its values usually lie;

@@ -49,7 +49,7 @@ pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
                 #read
             }
 
-            fn write_table(&self, json: &mut ::serde_json::Map<::std::string::String, ::serde_json::Value>) {
+            fn write_table(&self, json: &mut ::judder_keys::serde_json::Map<::std::string::String, ::judder_keys::serde_json::Value>) {
                 #write
             }
         }

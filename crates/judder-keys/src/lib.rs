@@ -38,3 +38,6 @@ pub mod section;
 pub mod span;
 
 pub use judder_keys_derive::{Choice, Keys, Settings};
+/// What is derived names it, in crates that need not depend on it.
+#[doc(hidden)]
+pub use serde_json;

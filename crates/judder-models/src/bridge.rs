@@ -4,7 +4,7 @@ use crate::computed_law::{self, NO_POINTS, Points};
 use crate::error::ModelError;
 use crate::material::Material;
 use crate::oscillator::case::OscillatorCase;
-use crate::oscillator::inputs::{FrictionLoad as CaseLoad, OscillatorInputs};
+use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::law_name::LawName;
 use crate::within_law::unknown_errors;
@@ -14,7 +14,7 @@ use judder_contact::law::material::{LawMaterial, LawTerm};
 use judder_contact::{FittedLaw, HertzLaw, Law};
 use judder_keys::numeric_key::Form;
 use judder_oscillator::groups::Scales;
-use judder_oscillator::{Coefficients, Contact, FrictionLoad, Groups};
+use judder_oscillator::{Coefficients, Contact, Groups};
 use judder_study::Progress;
 use judder_study::input_file;
 
@@ -78,16 +78,7 @@ pub(crate) fn contact(
 pub fn with_law(case: &OscillatorCase, law: Law) -> Result<CaseContact, ModelError> {
     let of_origin = shape_warning(case, &law).into_iter().chain(law_warning(case, &law)?);
     let warnings = of_origin.chain(unknown_errors(&law)).collect();
-    Ok(CaseContact { contact: Contact { law, friction_load: friction_load(case.friction_load) }, warnings })
-}
-
-/// The friction load of a case.
-#[must_use]
-pub fn friction_load(load: CaseLoad) -> FrictionLoad {
-    match load {
-        CaseLoad::NormalLoad => FrictionLoad::NormalLoad,
-        CaseLoad::ContactForce => FrictionLoad::ContactForce,
-    }
+    Ok(CaseContact { contact: Contact { law, friction_load: case.friction_load }, warnings })
 }
 
 /// That a law was computed for another indenter than the paraboloid of an oscillator, in words.

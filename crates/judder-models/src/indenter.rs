@@ -1,10 +1,8 @@
 //! From `[indenter]` to the surface that presses on the substrate.
 
-use crate::contact::shape::{HeightFile, RoughSurface, Roughness, Shape};
+use crate::contact::shape::{GeneratedSurface, HeightFile, Shape};
 use crate::error::ModelError;
-use judder_contact::indenter::{
-    HeightMap, IndenterShape as Surface, RoughSurface as Generator, Roughness as Measure,
-};
+use judder_contact::indenter::{HeightMap, IndenterShape as Surface, RoughSurface, Roughness};
 use judder_contact::law::LawIndenter;
 use judder_contact::steady::profile::Profile;
 use judder_exchange::heights::{HeightsError, read_heights};
@@ -47,16 +45,16 @@ fn from_file(heights: &HeightFile, radius: f64) -> Result<HeightMap, ModelError>
     Ok(if heights.turned_over { map.turned_over() } else { map })
 }
 
-fn generated(rough: &RoughSurface, radius: f64) -> Generator {
-    Generator {
+fn generated(rough: &GeneratedSurface, radius: f64) -> RoughSurface {
+    RoughSurface {
         period: rough.period / radius,
         cells: rough.cells,
         hurst: rough.hurst,
         roll_off: rough.roll_off() / radius,
         cut_off: rough.cut_off() / radius,
         roughness: match rough.roughness() {
-            Roughness::Height(height) => Measure::Height(height / radius),
-            Roughness::Slope(slope) => Measure::Slope(slope),
+            Roughness::Height(height) => Roughness::Height(height / radius),
+            slope @ Roughness::Slope(_) => slope,
         },
         seed: rough.seed as u64,
     }

@@ -5,10 +5,10 @@ use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::substrate::continuous::{ContinuousSource, Density, TermChoice};
 use crate::substrate::temperature::{Arrhenius, Shift, Wlf};
-use crate::substrate::{RelaxationSource, Substrate, TermCount};
+use crate::substrate::{FitTerms, RelaxationSource, Substrate};
 use judder_contact::material::{
-    ContinuousSpectrum, CreepSpectrum, CreepTerm, Discretisation, DmaData, DmaError, DmaMeasurement,
-    MaterialError, PronyFit, RelaxationSpectrum, RelaxationTerm, TemperatureShift, TermCount as FitTerms,
+    ContinuousSpectrum, CreepSpectrum, Discretisation, DmaData, DmaError, DmaMeasurement, MaterialError,
+    PronyFit, RelaxationSpectrum, TemperatureShift, TermCount,
 };
 use judder_exchange::dma_table::{DmaTable, read_dma_table};
 use judder_keys::file_reference::FileReference;
@@ -42,19 +42,9 @@ impl FoundSpectrum {
             RelaxationSource::OneTime => {
                 CreepSpectrum::single(rubbery, glassy, inputs.number(OscillatorKey::RetardationTime))?
             }
-            RelaxationSource::Prony(terms) => {
-                let term = |term: &crate::substrate::PronyTerm| CreepTerm {
-                    retardation_time: term.retardation_time,
-                    compliance: term.compliance,
-                };
-                CreepSpectrum::new(glassy, terms.iter().map(term).collect())?
-            }
+            RelaxationSource::Prony(terms) => CreepSpectrum::new(glassy, terms.clone())?,
             RelaxationSource::Relaxation(terms) => {
-                let term = |term: &crate::substrate::RelaxationTerm| RelaxationTerm {
-                    relaxation_time: term.relaxation_time,
-                    modulus: term.modulus,
-                };
-                RelaxationSpectrum::new(rubbery, terms.iter().map(term).collect())?.creep_form()?
+                RelaxationSpectrum::new(rubbery, terms.clone())?.creep_form()?
             }
             RelaxationSource::Continuous(source) => {
                 return Ok(Self::continuous(source, rubbery, glassy)?);
@@ -88,7 +78,7 @@ impl FoundSpectrum {
 
     fn measured(
         file: &FileReference,
-        terms: TermCount,
+        terms: FitTerms,
         rubbery_modulus: Option<f64>,
         substrate: &Substrate,
     ) -> Result<Self, ModelError> {
@@ -112,8 +102,8 @@ impl FoundSpectrum {
         };
         let data = one_curve(moduli, substrate).map_err(unusable_curve)?;
         let terms = match terms {
-            TermCount::Given(count) => FitTerms::Exactly(count),
-            TermCount::Auto => FitTerms::Within {
+            FitTerms::Given(count) => TermCount::Exactly(count),
+            FitTerms::Auto => TermCount::Within {
                 deviation: AUTO_DEVIATION,
                 most: judder_contact::material::prony_fit::MOST_TERMS,
             },
@@ -132,7 +122,7 @@ impl FoundSpectrum {
 /// What a fit depends on, and the fit.
 struct Fitted {
     data: DmaData,
-    terms: FitTerms,
+    terms: TermCount,
     rubbery_modulus: Option<f64>,
     fit: PronyFit,
 }
@@ -143,7 +133,7 @@ static FITS: Mutex<Vec<Fitted>> = Mutex::new(Vec::new());
 /// The series fitted to data, made once for the same data.
 fn remembered_fit(
     data: &DmaData,
-    terms: FitTerms,
+    terms: TermCount,
     rubbery_modulus: Option<f64>,
 ) -> Result<PronyFit, MaterialError> {
     /// As many as cases have substrates, and a few more.
@@ -226,6 +216,7 @@ pub(crate) fn shift(rule: &Shift) -> TemperatureShift {
 mod tests {
     use super::*;
     use crate::substrate::temperature::TemperatureDifference;
+    use judder_contact::material::CreepTerm;
 
     fn moduli(text: &str) -> DmaMeasurement {
         moduli_of(&read_dma_table(text).unwrap()).unwrap()
@@ -271,7 +262,7 @@ mod tests {
         let path = folder.path().join("dma.csv");
         std::fs::write(&path, dma(295.0)).unwrap();
         let file = FileReference { given: "dma.csv".to_owned(), path };
-        let source = RelaxationSource::Dma { file, terms: TermCount::Auto, rubbery_modulus: None };
+        let source = RelaxationSource::Dma { file, terms: FitTerms::Auto, rubbery_modulus: None };
         for second in [55.0, 80.0, 200.0] {
             let shift =
                 Shift::Wlf(Wlf { first: 10.0, second: TemperatureDifference(second), reference: 300.0 });
@@ -281,7 +272,7 @@ mod tests {
             let data = one_curve(moduli(&dma(295.0)), &substrate).unwrap();
             let most = judder_contact::material::prony_fit::MOST_TERMS;
             let anew =
-                PronyFit::new(&data, FitTerms::Within { deviation: AUTO_DEVIATION, most }, None).unwrap();
+                PronyFit::new(&data, TermCount::Within { deviation: AUTO_DEVIATION, most }, None).unwrap();
             assert_eq!(moved.fit.unwrap().0, data);
             assert_eq!(moved.spectrum.terms().len(), anew.creep.terms().len());
             for (moved, anew) in moved.spectrum.terms().iter().zip(anew.creep.terms()) {
@@ -295,7 +286,7 @@ mod tests {
     #[test]
     fn another_fit_is_not_taken_for_one_that_was_made() {
         let data = |temperature: f64| moduli(&dma(temperature)).single().unwrap();
-        let terms = |count: usize| FitTerms::Exactly(count);
+        let terms = |count: usize| TermCount::Exactly(count);
         let first = remembered_fit(&data(295.0), terms(3), None).unwrap();
         assert_eq!(first, PronyFit::new(&data(295.0), terms(3), None).unwrap());
         assert_eq!(remembered_fit(&data(295.0), terms(3), None).unwrap(), first);

@@ -2,8 +2,9 @@
 
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
+use judder_keys::Settings;
 use judder_keys::numeric_key::{Form, Value};
-use judder_keys::{Choice, Settings};
+use judder_oscillator::map::DecisionMethod;
 use judder_study::case::scale::{Scale, spaced};
 
 /// One key over a range: at least two points, both ends among them.
@@ -95,16 +96,6 @@ pub struct Within {
     pub form: Form,
 }
 
-/// How the points of a map are decided.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
-#[choice(what = "method")]
-pub enum MapMethod {
-    /// Cells are refined only where a boundary crosses.
-    Adaptive,
-    /// Every point is decided.
-    EveryPoint,
-}
-
 /// A stability map over two keys.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StabilityMap<K> {
@@ -122,8 +113,8 @@ pub struct StabilityMap<K> {
 #[derive(Debug, Clone, Copy, PartialEq, Settings)]
 pub struct MapOptions {
     /// How the points are decided.
-    #[key(default = MapMethod::Adaptive)]
-    pub method: MapMethod,
+    #[key(default = DecisionMethod::Adaptive)]
+    pub method: DecisionMethod,
     /// Trace the boundary curves as well.
     #[key(default = true)]
     pub boundaries: bool,

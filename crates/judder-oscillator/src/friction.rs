@@ -4,12 +4,17 @@ use crate::groups::Coefficients;
 use judder_contact::{ContactResponse, WithDerivatives};
 
 /// Which load carries the viscoelastic friction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Choice), choice(what = "friction load"))]
 pub enum FrictionLoad {
-    /// F_n μ_visc: the externally applied load, as (5) and (12) print it.
+    /// F_n μ_visc, as printed.
+    ///
+    /// The externally applied load, as (5) and (12) print it.
     #[default]
     NormalLoad,
-    /// F_k μ_visc: the instantaneous contact force, so that friction vanishes with the contact.
+    /// F_k μ_visc, the instantaneous contact force.
+    ///
+    /// Friction vanishes with the contact.
     ContactForce,
 }
 

@@ -112,12 +112,15 @@ impl StabilityMap {
 }
 
 /// How a map decides its points.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Choice), choice(what = "method"))]
 pub enum DecisionMethod {
-    /// On a coarse grid, then wherever neighbours differ.
+    /// Cells are refined only where a boundary crosses.
+    ///
+    /// A coarse grid first, then wherever neighbours differ.
     #[default]
     Adaptive,
-    /// At every grid point.
+    /// Every point is decided.
     EveryPoint,
 }
 

@@ -2,7 +2,7 @@
 //!
 //! In the order in which the data flows:
 //!
-//! - `arrays`: arrays from Python, checked.
+//! - `arrays`, `choice`: arrays and words from Python, checked.
 //! - `pool`, `watched`: long calls without the interpreter's lock, which Ctrl-C ends and whose progress is told.
 //! - `oscillator`, `contact`, `sliding`: one module a crate of the second floor.
 //! - `cases`: whole cases, and the command. `analyses`: one more analysis of a case.
@@ -12,6 +12,7 @@
 mod analyses;
 mod arrays;
 mod cases;
+mod choice;
 mod contact;
 mod errors;
 mod oscillator;

@@ -8,6 +8,5 @@ mod keys;
 mod map;
 mod operating_point;
 
-pub(crate) use keys::named;
 pub(crate) use map::oscillator_map;
 pub(crate) use operating_point::{OscillatorPoint, point, rebuilt_point, repeated_points};

@@ -9,11 +9,16 @@ pub const STENCIL: usize = 4;
 
 /// How the edge runs between its nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Choice), choice(what = "interpolation"))]
 pub enum Interpolation {
-    /// Straight from node to node: slope and contact row jump at nodes.
+    /// Straight: the slope jumps at a node.
+    ///
+    /// So does the contact row.
     #[default]
     Linear,
-    /// C¹: cubic from node to node, with the slope of the chord between a node's neighbours (Hermite; Catmull and Rom).
+    /// Cubic, with continuous slope.
+    ///
+    /// C¹: with the slope of the chord between a node's neighbours (Hermite; Catmull and Rom).
     Hermite,
 }
 

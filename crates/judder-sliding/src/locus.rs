@@ -19,11 +19,14 @@ use rayon::prelude::*;
 
 /// The geometry in which the contact is linear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Choice), choice(what = "configuration"))]
 pub enum Configuration {
-    /// Both structures as they are without load.
+    /// As drawn.
+    ///
+    /// Both structures are as they are without load.
     #[default]
     Undeformed,
-    /// Both at rest under the load, sliding steadily.
+    /// Under load and friction of steady sliding.
     Deformed,
 }
 

@@ -62,9 +62,12 @@ impl ContactMethod {
 
 /// Which displacements of the next step the geometry of the contact is taken from, by EnSubs and FiLM.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Choice), choice(what = "predictor"))]
 pub enum Predictor {
-    /// Those without the contact's force, as equation (16) has them. What the force does to the slope at the contact is then missing,
-    /// an error of second order in the step, but of about 1 % in the bursts of the paper's pair at its step.
+    /// Those without the contact's force, as equation (16) of the beams paper has them.
+    ///
+    /// What the force does to the slope at the contact is then missing, an error of second order in the step, but of about 1 % in the
+    /// bursts of the paper's pair at its step.
     Printed,
     /// Those under the force of the last step.
     #[default]

@@ -1,8 +1,16 @@
 //! What is prescribed: motion, load, and how both begin.
 
 use crate::SlidingError;
+#[cfg(feature = "keys")]
+use judder_keys::{
+    declared::{Number, UNLIMITED, Whole},
+    dimension::Dimension,
+};
 use judder_numerics::counter::uniform;
 use std::f64::consts::PI;
+
+#[cfg(feature = "keys")]
+const DURATION: Number = Number::non_negative(Dimension::TIME);
 
 /// The prescribed motion of the slider, its load, and their ramps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,14 +33,21 @@ pub struct Motion {
     pub initial_damping: Option<InitialDamping>,
 }
 
-/// A random force on C along the normal of the track: even numbers of a seed, one every [`Noise::INTERVAL`], straight between them.
+/// A random force on C across the track.
+///
+/// Along its normal: even numbers of a seed, one every [`Noise::INTERVAL`], straight between them.
 ///
 /// It is a function of time alone, the same for every method and step; its spectrum is flat to about a third of 1/INTERVAL.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Settings))]
 pub struct Noise {
-    /// Root mean square of the numbers, N; 0 for none.
+    /// Root mean square of a random force on C across the track; 0 is none.
+    ///
+    /// Of the numbers, N.
+    #[cfg_attr(feature = "keys", key(rule = Number::non_negative(Dimension::FORCE), symbol = "f_rms", default = 0.0))]
     pub force: f64,
-    /// The seed.
+    /// Which one: the same seed gives the same force.
+    #[cfg_attr(feature = "keys", key(rule = Whole { from: 0, to: UNLIMITED }, default = 1))]
     pub seed: u64,
 }
 
@@ -54,29 +69,49 @@ impl Noise {
     }
 }
 
-/// Durations of half-cosine ramps from rest, s; 0 is at once.
+/// Times of half a cosine from zero, s; 0 is at once.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Settings))]
 pub struct Ramps {
-    /// Of the speed.
+    /// Time over which the velocity rises from zero.
+    #[cfg_attr(feature = "keys", key(rule = DURATION, symbol = "T", default = 0.1))]
     pub velocity: f64,
-    /// Of the load.
+    /// Time over which the load rises from zero.
+    #[cfg_attr(feature = "keys", key(rule = DURATION, symbol = "T", default = 0.1))]
     pub load: f64,
-    /// Of the friction coefficient.
+    /// Time over which friction rises from zero.
+    #[cfg_attr(feature = "keys", key(rule = DURATION, symbol = "T", default = 0.1))]
     pub friction: f64,
-    /// Of the gap or penetration that is there at the start.
+    /// Time over which the initial gap closes.
+    #[cfg_attr(feature = "keys", key(rule = DURATION, symbol = "T", default = 0.1))]
     pub gap: f64,
 }
 
-/// Rayleigh damping of both structures at the start, against what a start stirs up.
+/// Damping C = α_0 M + β_0 K of both structures at the start, which gives way to their own.
+///
+/// It is against what a start stirs up.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Settings))]
 pub struct InitialDamping {
+    /// Damping of both structures in proportion to their mass at the start.
+    ///
     /// α₀, 1/s.
+    #[cfg_attr(feature = "keys", key(rule = Number::non_negative(Dimension::RATE), symbol = "α_0", default = 40.0))]
     pub alpha: f64,
+    /// Damping of both structures in proportion to their stiffness at the start.
+    ///
     /// β₀, s.
+    #[cfg_attr(feature = "keys", key(rule = DURATION, symbol = "β_0", default = 4e-8))]
     pub beta: f64,
-    /// How long it is held, s.
+    /// Time for which it holds.
+    ///
+    /// In s.
+    #[cfg_attr(feature = "keys", key(rule = DURATION, symbol = "T", default = 0.2))]
     pub hold: f64,
-    /// How long it takes from there to the structures' own, s.
+    /// Time over which it then gives way to the structures' own.
+    ///
+    /// In s.
+    #[cfg_attr(feature = "keys", key(rule = DURATION, symbol = "T", default = 0.05))]
     pub release: f64,
 }
 

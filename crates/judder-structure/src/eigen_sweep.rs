@@ -17,6 +17,7 @@ use crate::complex_modes::{
 use faer::c64;
 use rayon::prelude::*;
 use samples::FullSamples;
+use std::fmt::{self, Display, Formatter};
 use std::ops::Range;
 use tracking::SweepTracker;
 
@@ -30,6 +31,15 @@ pub enum SweepMethod {
         /// The share.
         tolerance: f64,
     },
+}
+
+impl Display for SweepMethod {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Full => "full",
+            Self::Projected { .. } => "projected",
+        })
+    }
 }
 
 /// Eigenvalues over points, as branches.

@@ -6,6 +6,7 @@ use std::fmt;
 
 /// A direction of displacement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Choice), choice(what = "direction", list = WORDS))]
 pub enum Direction {
     /// Along x.
     X,

@@ -1,15 +1,32 @@
 //! Linear elastic materials, and how an element of the plane is meant.
 
 use crate::StructureError;
+#[cfg(feature = "keys")]
+use judder_keys::{declared::Number, dimension::Dimension, numeric_key::Range};
+
+/// Below a half by as much as elements bear.
+#[cfg(feature = "keys")]
+const POISSON_RATIO: Number =
+    Number { dimension: Dimension::NUMBER, range: Range::Interval { above: -1.0, up_to: 0.499_999 } };
 
 /// An isotropic linear elastic material.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Settings))]
 pub struct Elastic {
+    /// Young's modulus.
+    ///
     /// E in Pa.
+    #[cfg_attr(feature = "keys", key(rule = Number::positive(Dimension::STRESS), symbol = "E"))]
     pub youngs_modulus: f64,
+    /// Poisson's ratio.
+    ///
     /// ν.
+    #[cfg_attr(feature = "keys", key(rule = POISSON_RATIO, symbol = "ν"))]
     pub poisson_ratio: f64,
+    /// Density.
+    ///
     /// ρ in kg/m³.
+    #[cfg_attr(feature = "keys", key(rule = Number::positive(Dimension::DENSITY), symbol = "ρ"))]
     pub density: f64,
 }
 

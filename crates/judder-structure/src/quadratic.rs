@@ -23,12 +23,23 @@ pub(crate) enum MatrixSide {
     Left,
 }
 
-/// A rectangle of the complex plane, in 1/s.
+/// Two plain numbers.
+#[cfg(feature = "keys")]
+const RANGE: judder_keys::declared::Pair = judder_keys::declared::Pair {
+    of: judder_keys::declared::Number::any(judder_keys::dimension::Dimension::NUMBER),
+    what: "two numbers, from and to",
+    is_ascending: true,
+};
+
+/// A rectangle of the complex plane: λ = re + i im.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Settings))]
 pub struct Region {
-    /// Growth rates from, to.
+    /// Growth rates from and to, 1/s.
+    #[cfg_attr(feature = "keys", key(rule = RANGE, example = "[-50.0, 1000.0], growth rates in 1/s"))]
     pub re: [f64; 2],
-    /// Angular frequencies from, to.
+    /// Angular frequencies from and to, rad/s.
+    #[cfg_attr(feature = "keys", key(rule = RANGE, example = "[0.0, 20000.0], angular frequencies in rad/s"))]
     pub im: [f64; 2],
 }
 

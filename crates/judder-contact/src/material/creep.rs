@@ -2,14 +2,23 @@
 
 use super::error::{MaterialError, positive};
 use crate::kernel::substrate::{SlidingSubstrate, WakeTerm};
+#[cfg(feature = "keys")]
+use judder_keys::{declared::Number, dimension::Dimension};
 use num_complex::Complex64;
 
-/// One retardation time.
+/// A term of the creep compliance, C (1 − e^{−t/τ}).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Settings), settings(title = "a prony term"))]
 pub struct CreepTerm {
-    /// τ_k \[s\], retardation (creep) time: not the relaxation time.
+    /// Retardation (creep) time of a term.
+    ///
+    /// τ_k \[s\]: not the relaxation time.
+    #[cfg_attr(feature = "keys", key(name = "time", rule = Number::positive(Dimension::TIME), symbol = "τ_k"))]
     pub retardation_time: f64,
-    /// C_k [1/Pa], compliance that appears after this time.
+    /// Creep compliance of a term.
+    ///
+    /// C_k [1/Pa], which appears after its time.
+    #[cfg_attr(feature = "keys", key(rule = Number::positive(Dimension::COMPLIANCE), symbol = "C_k"))]
     pub compliance: f64,
 }
 

@@ -1,14 +1,25 @@
 //! The relaxation spectrum: how the stress decays under a strain that stays.
 
 use super::error::{MaterialError, positive};
+#[cfg(feature = "keys")]
+use judder_keys::{declared::Number, dimension::Dimension};
 use num_complex::Complex64;
 
-/// One relaxation time: a Maxwell element.
+/// A term of the relaxation modulus, E e^{−t/ρ}.
+///
+/// A Maxwell element.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Settings), settings(title = "a relaxation term"))]
 pub struct RelaxationTerm {
-    /// ρ_j \[s\], relaxation time: not the retardation time.
+    /// Relaxation time of a term.
+    ///
+    /// ρ_j \[s\]: not the retardation time.
+    #[cfg_attr(feature = "keys", key(name = "time", rule = Number::positive(Dimension::TIME), symbol = "ρ_j"))]
     pub relaxation_time: f64,
-    /// E_j \[Pa\], modulus that is lost after this time.
+    /// Modulus of a term.
+    ///
+    /// E_j \[Pa\], which is lost after its time.
+    #[cfg_attr(feature = "keys", key(rule = Number::positive(Dimension::STRESS), symbol = "E_j"))]
     pub modulus: f64,
 }
 

@@ -95,6 +95,22 @@ impl Setting for usize {
     }
 }
 
+impl Setting for u64 {
+    type Rule = Whole;
+
+    fn form(rule: &Whole) -> Allowed {
+        Allowed::Whole(*rule)
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Whole) -> Result<Self, Fault> {
+        usize::read(section, key, node, rule).map(|number| number as Self)
+    }
+
+    fn write(&self, _: &Whole) -> Json {
+        json!(self)
+    }
+}
+
 impl Setting for bool {
     type Rule = ();
 

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::contact::problem::ContactProblem;
+use judder_contact::indenter::Roughness;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Declaration, Number, Setting, Settings, Whole, both};
@@ -28,7 +29,7 @@ pub enum Shape {
     /// Heights from a file.
     Heights(HeightFile),
     /// A generated self-affine surface, periodic.
-    Rough(RoughSurface),
+    Rough(GeneratedSurface),
 }
 
 /// A height map; lengths in m.
@@ -58,8 +59,8 @@ pub struct HeightFile {
 
 /// A generated self-affine surface; lengths in m.
 #[derive(Debug, Clone, PartialEq, Settings)]
-#[settings(check = RoughSurface::complete)]
-pub struct RoughSurface {
+#[settings(check = GeneratedSurface::complete)]
+pub struct GeneratedSurface {
     /// Side of the periodic square.
     #[key(rule = LENGTH, symbol = "L", example = "\"1 mm\"")]
     pub period: f64,
@@ -84,15 +85,6 @@ pub struct RoughSurface {
     /// The seed of its phases.
     #[key(rule = Whole { from: 0, to: usize::MAX }, default = 0)]
     pub seed: usize,
-}
-
-/// The measure to which a rough surface is scaled.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Roughness {
-    /// Root mean square of the heights, m.
-    Height(f64),
-    /// Root mean square of the slope.
-    Slope(f64),
 }
 
 const LENGTH: Number = Number::positive(Dimension::LENGTH);
@@ -190,10 +182,10 @@ impl Setting for Shape {
 #[derive(Debug, Clone, PartialEq, Settings)]
 struct Surface {
     /// A generated self-affine surface.
-    rough: RoughSurface,
+    rough: GeneratedSurface,
 }
 
-impl RoughSurface {
+impl GeneratedSurface {
     /// Fills in the waves that are left out, and refuses those that do not descend, and two measures or none.
     fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
         (self.roll_off, self.cut_off) = (Some(self.roll_off()), Some(self.cut_off()));

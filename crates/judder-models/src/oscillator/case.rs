@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::REGISTRY;
 use crate::contact::settings::{ACCURACY, LAW_ACCURACY};
-use crate::oscillator::inputs::{FrictionLoad, OscillatorInputs, TimeForm};
+use crate::oscillator::inputs::{OscillatorInputs, TimeForm};
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::law_name::LawName;
 use crate::oscillator::problem::OscillatorProblem;
@@ -22,6 +22,7 @@ use judder_keys::file_reference::{FileReference, read_file_reference};
 use judder_keys::keys::Numbers;
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, word};
+use judder_oscillator::FrictionLoad;
 use judder_study::case::analysis::{Planned, read_analyses};
 use judder_study::case::root::{document, read_root};
 use serde_json::{Value as Json, json};

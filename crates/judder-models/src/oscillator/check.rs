@@ -53,10 +53,7 @@ pub(super) fn resolve(file: &CaseFile, case: &OscillatorCase) -> Result<Resolved
         Err(_) => {
             let substrate = KnownSubstrate::of(case)?;
             // how large the contact is an elastic one tells near enough
-            let hertz = Contact {
-                law: Law::Hertz(HertzLaw::default()),
-                friction_load: bridge::friction_load(case.friction_load),
-            };
+            let hertz = Contact { law: Law::Hertz(HertzLaw::default()), friction_load: case.friction_load };
             let excited = excited_at(&hertz, &case.inputs).filter(|_| case.law == LawName::Bem);
             (
                 Condition::at(&case.inputs, None, &substrate.terms),

@@ -3,22 +3,11 @@
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::law_name::LawName;
 use crate::oscillator::problem::OscillatorProblem;
-use judder_keys::Choice;
 use judder_keys::cause::Cause;
 use judder_keys::keys::{Keys, Numbers};
 use judder_keys::numeric_key::Value;
 use judder_oscillator::groups::Scales;
 use std::sync::LazyLock;
-
-/// The force that the viscoelastic friction coefficient multiplies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
-#[choice(what = "friction load")]
-pub enum FrictionLoad {
-    /// F_n μ_visc, as printed.
-    NormalLoad,
-    /// F_k μ_visc, the instantaneous contact force.
-    ContactForce,
-}
 
 /// How the substrate's relaxation was given; the other quantities follow from what was given.
 #[derive(Debug, Clone, Copy, PartialEq)]

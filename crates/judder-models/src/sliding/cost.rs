@@ -1,7 +1,7 @@
 //! Seconds on one core, measured on the beams paper's pair of 243 modes in the release build; good to a factor of a few.
 
 use super::system::{self, SlidingSystem};
-use crate::sliding::march::settings::MarchMethod;
+use judder_sliding::march::ContactMethod;
 use judder_sliding::motion::Motion;
 
 /// One step of a march and one mode.
@@ -21,8 +21,8 @@ pub(super) fn freedoms(system: &SlidingSystem, structure: usize) -> f64 {
 }
 
 /// The step that is given, or chosen; where it is refused, the one asked for.
-pub(super) fn step(system: &SlidingSystem, method: MarchMethod, given: Option<f64>, motion: Motion) -> f64 {
-    match system::step(&system.pair, system::method(method), given, motion) {
+pub(super) fn step(system: &SlidingSystem, method: ContactMethod, given: Option<f64>, motion: Motion) -> f64 {
+    match system::step(&system.pair, method, given, motion) {
         Ok(step) => step.step,
         Err(_) => given.unwrap_or(f64::INFINITY),
     }

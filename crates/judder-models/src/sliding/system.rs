@@ -13,11 +13,11 @@ mod part;
 mod step;
 
 pub(crate) use part::Part;
-pub(crate) use step::{Step, method, predictor, step};
+pub(crate) use step::{Step, step};
 
 use crate::error::ModelError;
 use crate::sliding::case::SlidingCase;
-use crate::sliding::case::contact;
+use crate::sliding::case::contact::FrictionCoefficient;
 use crate::sliding::case::motion::Axis;
 use crate::sliding::case::problem::SlidingProblem;
 use crate::sliding::march::settings::March;
@@ -28,7 +28,7 @@ use judder_sliding::SlidingError;
 use judder_sliding::body::ModalPoint;
 use judder_sliding::edge::{Interpolation, STENCIL};
 use judder_sliding::friction::Friction;
-use judder_sliding::motion::{InitialDamping, Motion, Noise, Ramps};
+use judder_sliding::motion::Motion;
 use judder_sliding::pair::{Observed, Pair, PairSide, Slider, Track};
 use judder_sliding::plane::Vector;
 use judder_study::case::file::CaseFile;
@@ -209,7 +209,7 @@ fn coupled(
     };
     let points = edge.points.iter().map(|at| point(track, *at)).collect::<Result<_, _>>()?;
     let track = Track { body: track.reduced.body.clone(), nodes: points };
-    let interpolation = interpolation(case.contact.interpolation);
+    let interpolation = case.contact.interpolation;
     if interpolation == Interpolation::Hermite && edge.points.len() < STENCIL {
         let nodes = edge.points.len();
         let reason =
@@ -223,8 +223,10 @@ fn coupled(
 
 fn friction(case: &SlidingCase) -> Result<Friction, Uncoupled> {
     let friction = match &case.contact.friction {
-        contact::Friction::Constant(coefficient) => Friction::constant(*coefficient),
-        contact::Friction::Table(table) => Friction::table(table.velocity.clone(), table.coefficient.clone()),
+        FrictionCoefficient::Constant(coefficient) => Friction::constant(*coefficient),
+        FrictionCoefficient::Table(table) => {
+            Friction::table(table.velocity.clone(), table.coefficient.clone())
+        }
     };
     friction.map_err(|error| {
         Uncoupled::because(
@@ -273,26 +275,8 @@ fn motion(case: &SlidingCase) -> Motion {
         velocity: own.velocity,
         load: own.load.force,
         initial_gap: case.contact.initial_gap,
-        ramps: Ramps {
-            velocity: own.ramps.velocity,
-            load: own.ramps.load,
-            friction: own.ramps.friction,
-            gap: own.ramps.gap,
-        },
-        initial_damping: own.initial_damping.map(|initial| InitialDamping {
-            alpha: initial.alpha,
-            beta: initial.beta,
-            hold: initial.hold,
-            release: initial.release,
-        }),
-        noise: Noise { force: own.noise.force, seed: own.noise.seed as u64 },
-    }
-}
-
-/// How the edge runs between its nodes.
-fn interpolation(asked: contact::Interpolation) -> Interpolation {
-    match asked {
-        contact::Interpolation::Linear => Interpolation::Linear,
-        contact::Interpolation::Hermite => Interpolation::Hermite,
+        ramps: own.ramps,
+        initial_damping: own.initial_damping,
+        noise: own.noise,
     }
 }

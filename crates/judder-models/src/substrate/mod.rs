@@ -11,6 +11,7 @@ use crate::oscillator::inputs::{OscillatorInputs, TimeForm};
 use crate::oscillator::keys::OscillatorKey;
 use crate::substrate::continuous::{ContinuousSource, Density};
 use crate::substrate::temperature::{Shift, Temperature};
+use judder_contact::material::{CreepTerm, RelaxationTerm};
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Number, Setting, Several, both, conflict};
@@ -88,7 +89,7 @@ pub enum RelaxationSource {
     #[default]
     OneTime,
     /// Creep terms: 1/E∞ = 1/E0 − Σ C_k.
-    Prony(Vec<PronyTerm>),
+    Prony(Vec<CreepTerm>),
     /// Terms of the relaxation modulus: E∞ = E0 + Σ E_j.
     Relaxation(Vec<RelaxationTerm>),
     /// A continuous spectrum, which is taken apart into terms.
@@ -98,7 +99,7 @@ pub enum RelaxationSource {
         /// The measured data.
         file: FileReference,
         /// The number of terms.
-        terms: TermCount,
+        terms: FitTerms,
         /// E0 where the case gives it, Pa; otherwise the data decide.
         rubbery_modulus: Option<f64>,
     },
@@ -127,33 +128,9 @@ impl RelaxationSource {
     }
 }
 
-/// A term of the creep compliance, C (1 − e^{−t/τ}).
-#[derive(Debug, Clone, Copy, PartialEq, Settings)]
-#[settings(title = "a prony term")]
-pub struct PronyTerm {
-    /// Retardation (creep) time of a term.
-    #[key(name = "time", rule = TIME, symbol = "τ_k")]
-    pub retardation_time: f64,
-    /// Creep compliance of a term.
-    #[key(rule = Number::positive(Dimension::COMPLIANCE), symbol = "C_k")]
-    pub compliance: f64,
-}
-
-/// A term of the relaxation modulus, E e^{−t/ρ}.
-#[derive(Debug, Clone, Copy, PartialEq, Settings)]
-#[settings(title = "a relaxation term")]
-pub struct RelaxationTerm {
-    /// Relaxation time of a term.
-    #[key(name = "time", rule = TIME, symbol = "ρ_j")]
-    pub relaxation_time: f64,
-    /// Modulus of a term.
-    #[key(rule = Number::positive(Dimension::STRESS), symbol = "E_j")]
-    pub modulus: f64,
-}
-
 /// How many terms a fit has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum TermCount {
+pub enum FitTerms {
     /// As few as describe the data.
     Auto,
     /// This many.
@@ -168,7 +145,7 @@ pub(crate) struct SubstrateKeys {
     numbers: Numbers<OscillatorKey>,
     /// Terms of the creep compliance: 1/E∞ = 1/E0 − Σ compliance.
     #[key(rule = TERMS, omitted)]
-    prony: Option<Vec<PronyTerm>>,
+    prony: Option<Vec<CreepTerm>>,
     /// Terms of the relaxation modulus: E∞ = E0 + Σ modulus.
     #[key(rule = TERMS, omitted)]
     relaxation: Option<Vec<RelaxationTerm>>,
@@ -193,8 +170,8 @@ struct MeasuredModuli {
     #[key(example = "\"…\", a path relative to the case file")]
     file: FileReference,
     /// Number of terms of the fitted series.
-    #[key(default = TermCount::Auto)]
-    terms: TermCount,
+    #[key(default = FitTerms::Auto)]
+    terms: FitTerms,
 }
 
 /// The most terms that a series or a fit may have.
@@ -210,7 +187,7 @@ pub(crate) trait Timed {
     fn time(&self) -> f64;
 }
 
-impl Timed for PronyTerm {
+impl Timed for CreepTerm {
     fn time(&self) -> f64 {
         self.retardation_time
     }
@@ -222,7 +199,7 @@ impl Timed for RelaxationTerm {
     }
 }
 
-impl Setting for TermCount {
+impl Setting for FitTerms {
     type Rule = ();
 
     fn form((): &()) -> Allowed {

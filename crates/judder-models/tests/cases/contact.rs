@@ -1,13 +1,14 @@
 //! Contact cases that are read, and the substrates that oscillator cases share with them.
 
 use super::parse;
+use judder_contact::indenter::Roughness;
 use judder_keys::numeric_key::{Form, Value};
 use judder_models::contact::case::ContactCase;
 use judder_models::contact::settings::{
     ContactSettings, FitSettings, LawMethod, LawSettings, Loading, ModulusSettings,
 };
 use judder_models::contact::settings::{LAW_ACCURACY, LAW_INDENTATION, LAW_VELOCITY};
-use judder_models::contact::shape::{Roughness, Shape};
+use judder_models::contact::shape::Shape;
 use judder_models::contact::transient::settings::{Motion, Oscillation, TransientSettings};
 use judder_models::is_number;
 use judder_models::oscillator::case::OscillatorCase;
@@ -15,7 +16,7 @@ use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::oscillator::law_name::LawName;
 use judder_models::substrate::continuous::{Density, LogNormal, PowerLaw, TermChoice};
 use judder_models::substrate::temperature::{Shift, Wlf};
-use judder_models::substrate::{RelaxationSource, TermCount};
+use judder_models::substrate::{FitTerms, RelaxationSource};
 
 fn contact(text: &str) -> ContactCase {
     parse(&format!("model = \"contact\"\n{text}"), &[])
@@ -183,7 +184,7 @@ fn files_are_relative_to_the_case_file() {
     let RelaxationSource::Dma { file: data, terms, rubbery_modulus: None } = &case.substrate.source else {
         panic!()
     };
-    assert_eq!((data.given.as_str(), *terms), ("data/rubber.csv", TermCount::Given(9)));
+    assert_eq!((data.given.as_str(), *terms), ("data/rubber.csv", FitTerms::Given(9)));
     assert_eq!(data.path, folder.path().join("data/rubber.csv"));
     let Shape::Heights(heights) = &case.shape else { panic!() };
     assert_eq!((heights.spacing, heights.unit, heights.periodic), (Some(2e-6), 1e-9, true));

@@ -6,12 +6,14 @@ use super::parse;
 use judder_keys::keys::Keys;
 use judder_keys::numeric_key::{Form, Value};
 use judder_models::oscillator::case::OscillatorCase;
-use judder_models::oscillator::inputs::{FrictionLoad, OscillatorInputs, TimeForm};
+use judder_models::oscillator::inputs::{OscillatorInputs, TimeForm};
 use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::oscillator::law_name::LawName;
 use judder_models::oscillator::settings::SHEAR_STRENGTH_WITHIN;
 use judder_models::oscillator::settings::{CriticalThresholds, Sought};
-use judder_models::sweep::{MapMethod, StabilityMap};
+use judder_models::sweep::StabilityMap;
+use judder_oscillator::FrictionLoad;
+use judder_oscillator::map::DecisionMethod;
 use judder_study::case::scale::Scale;
 
 /// The case of the interface, word for word, with the first analysis of its second example.
@@ -74,7 +76,7 @@ fn the_case_of_the_interface_says_the_papers_values() {
     assert_eq!((map.x.from, map.x.to, map.x.points, map.x.scale), (1e-8, 1e2, 400, Scale::Log));
     assert_eq!(
         (map.options.method, map.options.boundaries, map.y.form),
-        (MapMethod::Adaptive, true, Form::Group)
+        (DecisionMethod::Adaptive, true, Form::Group)
     );
     let CriticalThresholds { within, family, .. } = case.analyses[1].settings().unwrap();
     assert_eq!((within.from, within.to, family.is_none()), (1e-6, 1e3, true));

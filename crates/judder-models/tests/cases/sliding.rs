@@ -2,18 +2,21 @@
 
 use super::parse;
 use judder_models::sliding::case::SlidingCase;
-use judder_models::sliding::case::contact::{Friction, FrictionTable, Interpolation};
+use judder_models::sliding::case::contact::{FrictionCoefficient, FrictionTable};
 use judder_models::sliding::case::motion::Axis;
 use judder_models::sliding::case::observe::{PointNode, PointQuantity, Signal};
 use judder_models::sliding::growth::settings::Growth;
-use judder_models::sliding::locus::settings::{Along, Configuration, Locus};
-use judder_models::sliding::march::settings::{March, MarchMethod, Predictor};
-use judder_models::sliding::spectrogram::settings::{Spectrogram, Window};
+use judder_models::sliding::locus::settings::{Along, Locus};
+use judder_models::sliding::march::settings::March;
+use judder_models::sliding::spectrogram::settings::{Spectrogram, SpectrogramWindow};
 use judder_models::structure::case::StructureSource;
 use judder_models::structure::case::body::{EndCondition, Geometry};
 use judder_models::structure::case::damping::{Damping, Rayleigh};
 use judder_models::structure::case::reduction::{FixedModes, KeptNodes};
 use judder_models::template::template;
+use judder_sliding::edge::Interpolation;
+use judder_sliding::locus::Configuration;
+use judder_sliding::march::{ContactMethod, Predictor};
 use std::f64::consts::TAU;
 
 pub(crate) fn sliding(text: &str, overrides: &[&str]) -> SlidingCase {
@@ -63,7 +66,7 @@ fn the_template_is_the_beams_paper() {
     );
     assert_eq!(
         (&case.contact.friction, case.contact.interpolation),
-        (&Friction::Constant(0.3), Interpolation::Linear)
+        (&FrictionCoefficient::Constant(0.3), Interpolation::Linear)
     );
     let motion = &case.motion;
     assert_eq!((motion.start, motion.end, motion.velocity), (0.01, 0.0985, 0.03));
@@ -132,7 +135,7 @@ fn friction_may_fall_with_the_speed() {
     let table = "friction_coefficient = { velocity = [\"0 mm/s\", \"10 mm/s\"], coefficient = [0.4, 0.3] }";
     let case = sliding(&with_analyses("").replace("friction_coefficient = 0.3", &format!("{table} #")), &[]);
     let expected = FrictionTable { velocity: vec![0.0, 0.01], coefficient: vec![0.4, 0.3] };
-    assert_eq!(case.contact.friction, Friction::Table(expected));
+    assert_eq!(case.contact.friction, FrictionCoefficient::Table(expected));
 }
 
 #[test]
@@ -193,7 +196,7 @@ fn a_march_takes_the_whole_path_and_chooses_its_step() {
     assert!((march.signals.sample_rate.0 - 400e3).abs() < 1e-6);
     assert!((march.signals.pass_band / TAU - 50e3).abs() < 1e-6);
     let vertical = Signal::Point { point: 0, axis: Axis::Y, quantity: PointQuantity::Acceleration };
-    assert_eq!((march.method(), *march.signal), (MarchMethod::Ensubs, vertical));
+    assert_eq!((march.method(), *march.signal), (ContactMethod::EnSubs, vertical));
 }
 
 #[test]
@@ -203,16 +206,14 @@ fn what_belongs_to_a_method_is_read_with_it() {
         (march.method(), march.step)
     };
     let found = method("kind = \"march\"\nmethod = \"subs\"\nslope = \"static\"");
-    assert_eq!(found, (MarchMethod::Subs { static_slope: true }, None));
+    assert_eq!(found, (ContactMethod::Subs { static_slope: true }, None));
     let (found, step) = method("kind = \"march\"\nmethod = \"residual-flexibility\"\ncut_off = \"100 kHz\"");
-    assert!(
-        matches!(found, MarchMethod::ResidualFlexibility { cut_off } if (cut_off / TAU - 1e5).abs() < 1e-6)
-    );
+    assert!(matches!(found, ContactMethod::ResidualFlexibility { cut_off } if (cut_off - 1e5).abs() < 1e-6));
     assert_eq!(step, None);
     let growth: Growth = analysis(
         "kind = \"growth\"\nmethod = \"film\"\nposition = \"82 mm\"\nfrequency = \"3.5 kHz\"\nstep = \"2e-7 s\"",
     );
-    assert_eq!((growth.method(), growth.step), (MarchMethod::Film, Some(2e-7)));
+    assert_eq!((growth.method(), growth.step), (ContactMethod::Film, Some(2e-7)));
 }
 
 #[test]
@@ -287,7 +288,10 @@ fn a_spectrogram_has_the_unit_of_its_signal() {
     ] {
         let case = sliding(&with_analyses(&format!("{march}{settings}\n")), &[]);
         let found: &Spectrogram = case.analyses[1].settings().unwrap();
-        assert_eq!((found.reference.number, found.window, found.length), (reference, Window::Hann, 5e-3));
+        assert_eq!(
+            (found.reference.number, found.window, found.length),
+            (reference, SpectrogramWindow::Hann, 5e-3)
+        );
         assert_eq!(found.waterfall, None);
     }
 }

@@ -1,13 +1,15 @@
 //! Structure cases that are read.
 
 use super::parse;
-use judder_models::structure::case::body::{BlockElement, EndCondition, Geometry};
+use judder_models::structure::case::body::{EndCondition, Geometry};
 use judder_models::structure::case::damping::Damping;
 use judder_models::structure::case::damping::Rayleigh;
 use judder_models::structure::case::reduction::{FixedModes, KeptNodes};
 use judder_models::structure::case::{StructureCase, StructureSource};
-use judder_models::structure::eigen_sweep::settings::{EigenMethod, EigenSweep};
+use judder_models::structure::eigen_sweep::settings::EigenSweep;
 use judder_models::structure::modes::Modes;
+use judder_structure::eigen_sweep::SweepMethod;
+use judder_structure::element::ElementKind;
 use judder_study::case::file::Case;
 use std::f64::consts::TAU;
 
@@ -67,8 +69,8 @@ fn two_ratios_become_alpha_and_beta() {
 #[test]
 fn a_block_is_of_quadratic_elements_where_nothing_is_said() {
     for (size, cells, element) in [
-        (r#"["1 m", "2 m"]"#, "[3, 4]", BlockElement::Quad8),
-        (r#"["1 m", "2 m", "3 m"]"#, "[3, 4, 5]", BlockElement::Hexahedron20),
+        (r#"["1 m", "2 m"]"#, "[3, 4]", ElementKind::Quad8),
+        (r#"["1 m", "2 m", "3 m"]"#, "[3, 4, 5]", ElementKind::Hexahedron20),
     ] {
         let case = structure(&format!(
             "model = \"structure\"\n[structure]\nblock = {{ size = {size}, cells = {cells} }}\n\
@@ -139,7 +141,7 @@ fn sums_of_matrices_have_factors_of_parameters() {
     let sweep: &EigenSweep = case.analyses[1].settings().unwrap();
     assert_eq!(
         (&sweep.sweep.values[..], sweep.method),
-        (&[1.0, 2.0, 4.0][..], EigenMethod::Projected { tolerance: 1e-4 })
+        (&[1.0, 2.0, 4.0][..], SweepMethod::Projected { tolerance: 1e-4 })
     );
 }
 

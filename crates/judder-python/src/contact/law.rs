@@ -1,8 +1,8 @@
 //! Contact laws.
 
 use crate::arrays;
+use crate::choice::named;
 use crate::errors;
-use crate::oscillator;
 use crate::watched::{Manner, watched};
 use judder_contact::law::file::{from_json, to_json};
 use judder_contact::law::sampled::{SampleRequest, sampled};
@@ -70,7 +70,7 @@ impl Unsampled {
 impl PyLaw {
     #[new]
     fn new(py: Python<'_>, name: &str) -> PyResult<Self> {
-        let of_name = oscillator::named("name", name, &LawName::ALL)?;
+        let of_name = named("name", name, &LawName::ALL)?;
         let case = OscillatorCase { law: of_name, ..OscillatorCase::default() };
         let done = watched(py, &Manner::default(), |watch| bridge::contact_of(&case, watch))?;
         let contact = done.settled(|error| errors::model(&error))?;

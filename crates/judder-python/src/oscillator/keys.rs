@@ -1,15 +1,17 @@
 //! Keyword arguments as the keys of an oscillator case: a plain number is a group, a text carries its unit.
 
+use crate::choice::named;
 use crate::contact::PyLaw;
 use crate::errors;
 use crate::watched::{Manner, watched};
 use judder_keys::keys::{Given, Key, Keys};
 use judder_models::bridge::{self, CaseContact};
 use judder_models::oscillator::case::OscillatorCase;
-use judder_models::oscillator::inputs::{FrictionLoad, OscillatorInputs};
+use judder_models::oscillator::inputs::OscillatorInputs;
 use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::oscillator::law_name::LawName;
 use judder_oscillator::Contact;
+use judder_oscillator::FrictionLoad;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyString};
@@ -92,7 +94,7 @@ impl Asked {
             Some(law) => law.get().law().clone(),
             None => bridge::formula(self.case.law)?,
         };
-        Some(Contact { law, friction_load: bridge::friction_load(self.case.friction_load) })
+        Some(Contact { law, friction_load: self.case.friction_load })
     }
 
     /// The contact with its warnings; the law `bem` is computed where it was not before.
@@ -114,13 +116,5 @@ pub(crate) fn key(name: &str) -> PyResult<OscillatorKey> {
     entry.map(|entry| entry.key).ok_or_else(|| {
         let known: Vec<&str> = OscillatorKey::ALL.iter().map(Key::name).collect();
         errors::input(name, format!("no key of an oscillator; known are {}", known.join(", ")))
-    })
-}
-
-/// The choice of this name.
-pub(crate) fn named<T: Copy>(argument: &str, name: &str, all: &[(&'static str, T)]) -> PyResult<T> {
-    all.iter().find(|(known, _)| *known == name).map(|(_, choice)| *choice).ok_or_else(|| {
-        let known: Vec<&str> = all.iter().map(|(known, _)| *known).collect();
-        errors::input(argument, format!("`{name}` is not known; known are {}", known.join(", ")))
     })
 }

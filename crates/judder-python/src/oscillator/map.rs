@@ -1,7 +1,8 @@
 //! A plane of operating points.
 
-use super::keys::{Asked, key, named};
+use super::keys::{Asked, key};
 use crate::arrays;
+use crate::choice::named;
 use crate::errors;
 use crate::watched::{Manner, watched};
 use judder_keys::keys::{Given, Keys};

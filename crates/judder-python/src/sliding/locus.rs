@@ -2,8 +2,8 @@
 
 use super::pair::PyPair;
 use crate::arrays;
+use crate::choice::named;
 use crate::errors;
-use crate::oscillator::named;
 use crate::watched::{Manner, watched};
 use judder_sliding::locus::{Conditions, Configuration, Locus, LocusSettings, locus_until};
 use judder_study::Progress;
@@ -27,7 +27,6 @@ pub(crate) fn sliding_locus<'py>(
     threads: Option<usize>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let pair: &PyPair = &pair;
-    let configurations = [("undeformed", Configuration::Undeformed), ("deformed", Configuration::Deformed)];
     let number = |name: &str, given: Option<f64>, known: Option<f64>| {
         let number =
             given.or(known).ok_or_else(|| errors::input(name, "a pair that comes from no case needs it"))?;
@@ -38,7 +37,7 @@ pub(crate) fn sliding_locus<'py>(
         }
     };
     let conditions = Conditions {
-        configuration: named("configuration", configuration, &configurations)?,
+        configuration: named("configuration", configuration, &Configuration::ALL)?,
         is_damped: damped,
         velocity: number("velocity", velocity, pair.motion.map(|motion| motion.velocity))?,
         load: number("load", load, pair.motion.map(|motion| motion.load))?,

@@ -1,11 +1,10 @@
 //! The pair through time.
 
 use super::pair::PyPair;
+use crate::choice::named;
 use crate::errors;
-use crate::oscillator::named;
 use crate::watched::{Manner, watched};
 use judder_models::coupled_pair::own_step;
-use judder_models::sliding::march::settings;
 use judder_sliding::SlidingError;
 use judder_sliding::march::{ContactMethod, March, MarchSample, MarchSettings, Predictor, Reached};
 use judder_sliding::motion::{Motion, Noise, Ramps};
@@ -119,7 +118,7 @@ fn predictor(name: Option<&str>, method: ContactMethod) -> PyResult<Predictor> {
     match (name, method) {
         (None, _) => Ok(Predictor::default()),
         (Some(name), ContactMethod::EnSubs | ContactMethod::Film) => {
-            named("predictor", name, &settings::Predictor::ALL).map(Predictor::from)
+            named("predictor", name, &Predictor::ALL)
         }
         (Some(_), _) => Err(errors::input("predictor", "only the marches `ensubs` and `film` have one")),
     }

@@ -2,8 +2,8 @@
 
 use crate::arrays;
 use crate::cases::Source;
+use crate::choice::named;
 use crate::errors;
-use crate::oscillator::named;
 use crate::watched::{Manner, watched};
 use judder_models::coupled_pair::{CoupledPair, coupled_pair};
 use judder_sliding::body::{Body, ModalPoint};
@@ -136,8 +136,7 @@ impl PyPair {
         side: &str,
         observed: Vec<Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let interpolations = [("linear", Interpolation::Linear), ("hermite", Interpolation::Hermite)];
-        let interpolation = named("interpolation", interpolation, &interpolations)?;
+        let interpolation = named("interpolation", interpolation, &Interpolation::ALL)?;
         let is_left = named("side", side, &[("left", true), ("right", false)])?;
         let watched = observed.iter().map(self::observed).collect::<PyResult<_>>()?;
         let structures = (self::slider(slider)?, self::track(track)?);

@@ -4,6 +4,7 @@ use std::fmt;
 
 /// The shape of an element; its nodes stand in the order of VTK and Abaqus: corners first, then the middles of edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Choice), choice(what = "element", list = WORDS))]
 pub enum ElementKind {
     /// Four-node quadrilateral with incompatible modes.
     Quad4,

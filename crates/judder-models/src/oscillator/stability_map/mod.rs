@@ -22,8 +22,9 @@ use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::settings;
-use crate::sweep::{MapMethod, StabilityMap};
+use crate::sweep::StabilityMap;
 use arrays::NORMAL_FORCE;
+use judder_oscillator::map::DecisionMethod;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
@@ -50,7 +51,7 @@ pub(crate) const KIND: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
 impl Analysis<OscillatorCase> for StabilityMap<OscillatorKey> {
     /// The decisions and the boundaries are a step each, the growth rates one a row.
     fn steps(&self) -> usize {
-        if self.options.method == MapMethod::EveryPoint { 2 + self.y.points } else { 2 }
+        if self.options.method == DecisionMethod::EveryPoint { 2 + self.y.points } else { 2 }
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
@@ -69,9 +70,9 @@ impl Analysis<OscillatorCase> for StabilityMap<OscillatorKey> {
     fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
         let points = self.x.points * self.y.points;
         let decisions = match self.options.method {
-            MapMethod::EveryPoint => points as f64 * (cost::DECISION + cost::EIGENVALUES),
+            DecisionMethod::EveryPoint => points as f64 * (cost::DECISION + cost::EIGENVALUES),
             // about two dozen decisions along each unit of the sides
-            MapMethod::Adaptive => {
+            DecisionMethod::Adaptive => {
                 (24 * (self.x.points + self.y.points)).min(2 * points) as f64 * 2.0 * cost::DECISION
             }
         };

@@ -9,7 +9,7 @@ use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::key_plane::{KeyAxis, KeyPlane};
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::steady_states::{SteadyState, validity_warnings};
-use crate::sweep::{MapMethod, StabilityMap as MapSettings, Sweep};
+use crate::sweep::{StabilityMap as MapSettings, Sweep};
 use judder_oscillator::Contact;
 use judder_oscillator::map::{DecisionMethod, OperatingPlane, StabilityMap};
 use judder_oscillator::mechanism::StabilityClass;
@@ -34,10 +34,7 @@ pub(crate) fn run(
         values: axis.values.clone(),
     };
     let plane = KeyPlane { inputs: case.inputs, x: side(&settings.x, &x), y: side(&settings.y, &y) };
-    let method = match settings.options.method {
-        MapMethod::Adaptive => DecisionMethod::Adaptive,
-        MapMethod::EveryPoint => DecisionMethod::EveryPoint,
-    };
+    let method = settings.options.method;
     let (map, seconds) = plane.decide(contact, method);
     progress.advance();
     if progress.interrupted() {

@@ -3,6 +3,7 @@
 use super::problem::SlidingProblem;
 use super::structure::{SlidingStructure, find_structure};
 use crate::structure::case::reduction::KeptNodes;
+use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Named, Number, Setting, Several, both};
 use judder_keys::dimension::Dimension;
@@ -10,7 +11,7 @@ use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
 use judder_keys::section::Section;
-use judder_keys::{Choice, Settings};
+use judder_sliding::edge::Interpolation;
 use serde_json::Value as Json;
 
 /// Who slides on what, and friction.
@@ -23,8 +24,8 @@ pub struct SlidingContact {
     #[key(example = "{ structure = \"…\", set = \"upper-corners\" }")]
     pub track: NodesOf,
     /// Friction coefficient, or a table against the sliding speed.
-    #[key(name = "friction_coefficient", symbol = "μ", default = Friction::Constant(0.3))]
-    pub friction: Friction,
+    #[key(name = "friction_coefficient", symbol = "μ", default = FrictionCoefficient::Constant(0.3))]
+    pub friction: FrictionCoefficient,
     /// How the edge runs between its nodes.
     #[key(default = Interpolation::Linear)]
     pub interpolation: Interpolation,
@@ -46,7 +47,7 @@ pub struct NodesOf {
 
 /// The friction coefficient.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Friction {
+pub enum FrictionCoefficient {
     /// μ, whatever the speed.
     Constant(f64),
     /// μ against the sliding speed.
@@ -63,16 +64,6 @@ pub struct FrictionTable {
     /// Friction coefficients there, linear between the speeds and constant beyond them.
     #[key(rule = COEFFICIENTS, symbol = "μ(v)", example = "[0.4, 0.3]")]
     pub coefficient: Vec<f64>,
-}
-
-/// How the contact edge runs between its nodes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
-#[choice(what = "interpolation")]
-pub enum Interpolation {
-    /// Straight: the slope jumps at a node.
-    Linear,
-    /// Cubic, with continuous slope.
-    Hermite,
 }
 
 const COEFFICIENT: Number = Number::non_negative(Dimension::NUMBER);
@@ -135,7 +126,7 @@ pub(super) fn check_one_node(key: &str, nodes: &KeptNodes) -> Result<(), Sliding
     }
 }
 
-impl Setting for Friction {
+impl Setting for FrictionCoefficient {
     type Rule = ();
 
     fn form((): &()) -> Allowed {

@@ -4,12 +4,13 @@ use super::contact::check_one_node;
 use super::problem::SlidingProblem;
 use super::structure::SlidingStructure;
 use crate::structure::case::reduction::KeptNodes;
-use judder_keys::declared::{Number, UNLIMITED, Whole};
+use judder_keys::declared::Number;
 use judder_keys::dimension::Dimension;
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
 use judder_keys::section::Section;
 use judder_keys::{Choice, Settings};
+use judder_sliding::motion::{InitialDamping, Noise, Ramps};
 
 /// Path, velocity and load of the slider.
 #[derive(Debug, Clone, PartialEq, Settings)]
@@ -60,53 +61,7 @@ pub enum Axis {
     Y,
 }
 
-/// Times of half a cosine from zero, s; 0 is at once.
-#[derive(Debug, Clone, Copy, PartialEq, Settings)]
-pub struct Ramps {
-    /// Time over which the velocity rises from zero.
-    #[key(rule = DURATION, symbol = "T", default = 0.1)]
-    pub velocity: f64,
-    /// Time over which the load rises from zero.
-    #[key(rule = DURATION, symbol = "T", default = 0.1)]
-    pub load: f64,
-    /// Time over which friction rises from zero.
-    #[key(rule = DURATION, symbol = "T", default = 0.1)]
-    pub friction: f64,
-    /// Time over which the initial gap closes.
-    #[key(rule = DURATION, symbol = "T", default = 0.1)]
-    pub gap: f64,
-}
-
-/// Damping C = α_0 M + β_0 K of both structures at the start, which gives way to their own.
-#[derive(Debug, Clone, Copy, PartialEq, Settings)]
-pub struct InitialDamping {
-    /// Damping of both structures in proportion to their mass at the start.
-    #[key(rule = Number::non_negative(Dimension::RATE), symbol = "α_0", default = 40.0)]
-    pub alpha: f64,
-    /// Damping of both structures in proportion to their stiffness at the start.
-    #[key(rule = DURATION, symbol = "β_0", default = 4e-8)]
-    pub beta: f64,
-    /// Time for which it holds.
-    #[key(rule = DURATION, symbol = "T", default = 0.2)]
-    pub hold: f64,
-    /// Time over which it then gives way to the structures' own.
-    #[key(rule = DURATION, symbol = "T", default = 0.05)]
-    pub release: f64,
-}
-
-/// A random force on C across the track.
-#[derive(Debug, Clone, Copy, PartialEq, Settings)]
-pub struct Noise {
-    /// Root mean square of a random force on C across the track; 0 is none.
-    #[key(rule = Number::non_negative(Dimension::FORCE), symbol = "f_rms", default = 0.0)]
-    pub force: f64,
-    /// Which one: the same seed gives the same force.
-    #[key(rule = Whole { from: 0, to: UNLIMITED }, default = 1)]
-    pub seed: usize,
-}
-
 const POSITION: Number = Number::non_negative(Dimension::LENGTH);
-const DURATION: Number = Number::non_negative(Dimension::TIME);
 
 impl SlidingMotion {
     /// When all ramps are over and the initial damping has given way, s.

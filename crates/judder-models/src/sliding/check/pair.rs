@@ -1,7 +1,7 @@
 //! What is known of a pair before anything is computed.
 
 use crate::sliding::case::SlidingCase;
-use crate::sliding::march::settings::{CUT_OFF, March, MarchMethod};
+use crate::sliding::march::settings::{CUT_OFF, March};
 use crate::sliding::system::{self, SlidingSystem};
 use judder_sliding::SlidingError;
 use judder_sliding::coupling::{Coupling, Sliding};
@@ -116,7 +116,7 @@ fn locked(system: &SlidingSystem, sliding: Sliding) -> Option<SlidingError> {
 /// The largest step of every method along the path, s.
 fn limits(case: &SlidingCase, system: &SlidingSystem) -> (Value, String) {
     let own = case.analyses.iter().find_map(|analysis| match analysis.settings::<March>()?.method() {
-        MarchMethod::ResidualFlexibility { cut_off } => Some(cut_off),
+        ContactMethod::ResidualFlexibility { cut_off } => Some(cut_off),
         _ => None,
     });
     let methods = [
@@ -125,7 +125,7 @@ fn limits(case: &SlidingCase, system: &SlidingSystem) -> (Value, String) {
         ("film", ContactMethod::Film),
         (
             "residual-flexibility",
-            ContactMethod::ResidualFlexibility { cut_off: own.unwrap_or(CUT_OFF) / TAU },
+            ContactMethod::ResidualFlexibility { cut_off: own.unwrap_or(CUT_OFF / TAU) },
         ),
     ];
     let mut rows = Vec::new();

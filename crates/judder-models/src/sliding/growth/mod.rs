@@ -5,7 +5,7 @@ mod history;
 mod run;
 pub mod settings;
 
-use super::system::{method, step};
+use super::system::step;
 use super::{Subject, blame, cost};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost::FIGURE};
@@ -40,7 +40,7 @@ impl Analysis<SlidingCase> for Growth {
     fn admit(&self, of: &Subject<'_>) -> Result<(), ModelError> {
         let (pair, motion) = (&of.system.pair, of.system.motion.held(self.position));
         pair.edge_point(self.position)?;
-        step(pair, method(self.method()), self.step, motion)?;
+        step(pair, self.method(), self.step, motion)?;
         Ok(())
     }
 

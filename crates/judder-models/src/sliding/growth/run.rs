@@ -4,7 +4,7 @@ use super::history::History;
 use crate::error::ModelError;
 use crate::sliding::case::SlidingCase;
 use crate::sliding::growth::settings::Growth;
-use crate::sliding::system::{SlidingSystem, Step, method, step};
+use crate::sliding::system::{SlidingSystem, Step, step};
 use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::growth::{AMPLITUDE, GrowthSettings, Held, watched_growth};
 use judder_sliding::pair::Pair;
@@ -35,7 +35,7 @@ pub(super) fn run(
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
     let (pair, position) = (&system.pair, settings.position);
-    let method = method(settings.method());
+    let method = settings.method();
     pair.edge_point(position)?;
     let Step { step, limit } = step(pair, method, settings.step, system.motion.held(position))?;
     let (velocity, load) = (case.motion.velocity, case.motion.load.force);

@@ -1,11 +1,12 @@
 //! `growth`: the motion with the contact held, against the eigenvalue there.
 
-use crate::sliding::march::settings::{CUT_OFF, MarchMethod, MarchWord, refuse_with};
+use crate::sliding::march::settings::{CUT_OFF, MarchWord, refuse_with};
 use judder_keys::Settings;
 use judder_keys::declared::Number;
 use judder_keys::dimension::Dimension;
 use judder_keys::error::Fault;
 use judder_keys::section::Section;
+use judder_sliding::march::ContactMethod;
 
 /// A march with the contact held, against the eigenvalue there.
 #[derive(Debug, Clone, PartialEq, Settings)]
@@ -39,14 +40,7 @@ impl Growth {
     }
 
     /// How it integrates.
-    pub fn method(&self) -> MarchMethod {
-        match self.word {
-            MarchWord::Subs => MarchMethod::Subs { static_slope: false },
-            MarchWord::Ensubs => MarchMethod::Ensubs,
-            MarchWord::Film => MarchMethod::Film,
-            MarchWord::ResidualFlexibility => {
-                MarchMethod::ResidualFlexibility { cut_off: self.cut_off.unwrap_or(CUT_OFF) }
-            }
-        }
+    pub fn method(&self) -> ContactMethod {
+        self.word.method(self.cut_off)
     }
 }

@@ -1,16 +1,13 @@
 //! Under what small motions of the pair are meant.
 
 use crate::sliding::case::SlidingCase;
-use crate::sliding::locus::settings::{self, Locus};
-use judder_sliding::locus::{Conditions, Configuration};
+use crate::sliding::locus::settings::Locus;
+use judder_sliding::locus::Conditions;
 
 /// Under what the pair of a case slides.
 pub(crate) fn conditions(case: &SlidingCase, settings: &Locus) -> Conditions {
     Conditions {
-        configuration: match settings.configuration {
-            settings::Configuration::Undeformed => Configuration::Undeformed,
-            settings::Configuration::Deformed => Configuration::Deformed,
-        },
+        configuration: settings.configuration,
         is_damped: settings.damping,
         velocity: case.motion.velocity,
         load: case.motion.load.force,

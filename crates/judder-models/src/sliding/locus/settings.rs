@@ -3,13 +3,14 @@
 use crate::sliding::case::SlidingCase;
 use crate::sliding::case::sweep::KeySweep;
 use crate::structure::modes::{MODES, MODES_LIMIT};
+use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Number, Whole};
 use judder_keys::dimension::Dimension;
 use judder_keys::error::Fault;
 use judder_keys::section::Section;
 use judder_keys::span::ascending;
-use judder_keys::{Choice, Settings};
+use judder_sliding::locus::Configuration;
 
 /// Complex eigenvalues along an axis.
 #[derive(Debug, Clone, PartialEq, Settings)]
@@ -26,16 +27,6 @@ pub struct Locus {
     /// What varies.
     #[key(flatten)]
     pub along: Along,
-}
-
-/// The configuration about which small motions are meant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
-#[choice(what = "configuration")]
-pub enum Configuration {
-    /// As drawn.
-    Undeformed,
-    /// Under load and friction of steady sliding.
-    Deformed,
 }
 
 /// What varies along a locus.

@@ -1,10 +1,10 @@
 //! The growth that the unstable zones along the path promise, beside the bursts.
 
 use super::Marched;
-use crate::sliding::march::settings::MarchMethod;
 use judder_sliding::SlidingError;
 use judder_sliding::amplification::{Amplification, amplifications};
 use judder_sliding::locus::{Conditions, Configuration};
+use judder_sliding::march::ContactMethod;
 use judder_store::Results;
 
 /// Branches whose zones are sought.
@@ -16,7 +16,7 @@ const NEAR: f64 = 0.05;
 pub(super) fn zones(of: &Marched<'_>) -> Result<Vec<Amplification>, SlidingError> {
     let start = of.motion.at(of.motion.settled()).position;
     let configuration = match of.march.method() {
-        MarchMethod::Subs { static_slope: false } => Configuration::Undeformed,
+        ContactMethod::Subs { static_slope: false } => Configuration::Undeformed,
         _ => Configuration::Deformed,
     };
     let conditions =

@@ -16,7 +16,7 @@ mod summary;
 pub(super) use signals::variable_name;
 pub(super) use size::Size;
 
-use super::system::{method, step};
+use super::system::step;
 use super::{Subject, blame, cost};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost::FIGURE};
@@ -67,7 +67,7 @@ impl Analysis<SlidingCase> for March {
     }
 
     fn admit(&self, of: &Subject<'_>) -> Result<(), ModelError> {
-        step(&of.system.pair, method(self.method()), self.step, of.system.along(self))?;
+        step(&of.system.pair, self.method(), self.step, of.system.along(self))?;
         Ok(())
     }
 

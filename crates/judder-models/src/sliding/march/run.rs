@@ -7,7 +7,7 @@ use super::summary::Told;
 use super::{Marched, expected, sampling, signals, sound};
 use crate::error::ModelError;
 use crate::sliding::case::signals::Sound;
-use crate::sliding::system::{method, predictor, step};
+use crate::sliding::system::step;
 use judder_sliding::march::{March, MarchSettings};
 use judder_sliding::recorder::Recorder;
 use judder_store::Results;
@@ -18,12 +18,12 @@ use judder_study::outcome::Outcome;
 /// Marches along the path of an analysis, or goes on where an interrupted run was.
 pub(crate) fn run(of: &Marched<'_>, kept: Kept<'_>, progress: &dyn Progress) -> Result<Outcome, ModelError> {
     let (asked, points) = (of.march, of.points);
-    let method = method(asked.method());
+    let method = asked.method();
     let chosen = step(of.pair, method, asked.step, of.motion)?;
     let decimation = sampling::decimation(&asked.signals, chosen.step);
     let signals = asked.kept(points.len());
     let channels: Vec<_> = signals.iter().map(|signal| signals::channel(*signal)).collect();
-    let predictor = predictor(asked.predictor);
+    let predictor = asked.predictor.unwrap_or_default();
     let march_settings = MarchSettings { method, step: chosen.step, motion: of.motion, predictor };
     let mut marching = Marching {
         march: March::new(of.pair, march_settings)?,

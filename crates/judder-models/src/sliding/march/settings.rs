@@ -12,27 +12,8 @@ use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
 use judder_keys::section::Section;
 use judder_keys::{Choice, Settings};
-use judder_sliding::march;
+use judder_sliding::march::{ContactMethod, Predictor};
 use std::f64::consts::TAU;
-
-/// How the coupled structures are integrated.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum MarchMethod {
-    /// Couplings of the rigid, a-priori motion (section 2.2 of the beams paper).
-    Subs {
-        /// Whether the static slope of the deformed track is put in.
-        static_slope: bool,
-    },
-    /// Couplings of the deformed structures (section 3).
-    Ensubs,
-    /// Forward increment Lagrange multipliers (section 2.1): stick, slip and separation.
-    Film,
-    /// The modal form integrated exactly between contacts.
-    ResidualFlexibility {
-        /// Modes above, rad/s, are replaced by their flexibility.
-        cut_off: f64,
-    },
-}
 
 /// The word of a method, before what belongs to it is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
@@ -48,6 +29,20 @@ pub enum MarchWord {
     ResidualFlexibility,
 }
 
+impl MarchWord {
+    /// The method of the word, `subs` without the static slope; the cut-off is that of `residual-flexibility`, rad/s.
+    pub(crate) fn method(self, cut_off: Option<f64>) -> ContactMethod {
+        match self {
+            Self::Subs => ContactMethod::Subs { static_slope: false },
+            Self::Ensubs => ContactMethod::EnSubs,
+            Self::Film => ContactMethod::Film,
+            Self::ResidualFlexibility => {
+                ContactMethod::ResidualFlexibility { cut_off: cut_off.unwrap_or(CUT_OFF) / TAU }
+            }
+        }
+    }
+}
+
 /// Whether the rigid, a-priori motion knows of the deformed track.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
 #[choice(what = "slope")]
@@ -56,25 +51,6 @@ pub enum Slope {
     None,
     /// Its static slope is put in.
     Static,
-}
-
-/// Which displacements of the next step the geometry of the contact is taken from, by EnSubs and FiLM.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
-#[choice(what = "predictor")]
-pub enum Predictor {
-    /// Those without the contact's force, as equation (16) of the beams paper has them.
-    Printed,
-    /// Those under the force of the last step.
-    WithForce,
-}
-
-impl From<Predictor> for march::Predictor {
-    fn from(word: Predictor) -> Self {
-        match word {
-            Predictor::Printed => Self::Printed,
-            Predictor::WithForce => Self::WithForce,
-        }
-    }
 }
 
 /// A march along the path, or along a part of it.
@@ -125,14 +101,10 @@ pub const STEPS: f64 = 1e12;
 
 impl March {
     /// How it integrates.
-    pub fn method(&self) -> MarchMethod {
+    pub fn method(&self) -> ContactMethod {
         match self.word {
-            MarchWord::Subs => MarchMethod::Subs { static_slope: self.slope == Some(Slope::Static) },
-            MarchWord::Ensubs => MarchMethod::Ensubs,
-            MarchWord::Film => MarchMethod::Film,
-            MarchWord::ResidualFlexibility => {
-                MarchMethod::ResidualFlexibility { cut_off: self.cut_off.unwrap_or(CUT_OFF) }
-            }
+            MarchWord::Subs => ContactMethod::Subs { static_slope: self.slope == Some(Slope::Static) },
+            other => other.method(self.cut_off),
         }
     }
 
@@ -221,19 +193,6 @@ impl March {
                 kept
             }
         }
-    }
-}
-
-impl MarchMethod {
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Subs { .. } => MarchWord::Subs,
-            Self::Ensubs => MarchWord::Ensubs,
-            Self::Film => MarchWord::Film,
-            Self::ResidualFlexibility { .. } => MarchWord::ResidualFlexibility,
-        }
-        .name()
     }
 }
 

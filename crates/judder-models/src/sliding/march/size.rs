@@ -2,7 +2,7 @@
 
 use crate::sliding::case::problem::SlidingProblem;
 use crate::sliding::march::settings::March;
-use crate::sliding::system::{SlidingSystem, method, step};
+use crate::sliding::system::{SlidingSystem, step};
 use judder_keys::memory::Memory;
 use judder_numerics::signal::Decimation;
 use judder_study::model::Refusal;
@@ -27,7 +27,7 @@ pub(crate) struct Size {
 impl Size {
     /// Of a march with the step that it would choose; `None` where that is refused.
     pub(crate) fn of(system: &SlidingSystem, march: &March) -> Option<Self> {
-        let chosen = step(&system.pair, method(march.method()), march.step, system.along(march)).ok()?;
+        let chosen = step(&system.pair, march.method(), march.step, system.along(march)).ok()?;
         Some(Self::new(system, march, chosen.step))
     }
 

@@ -8,12 +8,13 @@ use super::signals::{unit, variable_name};
 use super::sound::ToldSound;
 use crate::error::ModelError;
 use crate::sliding::case::observe::{PointQuantity, Signal};
-use crate::sliding::march::settings::{March, MarchMethod, Predictor};
+use crate::sliding::march::settings::March;
 use crate::sliding::system::Step;
 use judder_numerics::signal::extremes::Extremes;
 use judder_sliding::SlidingError;
 use judder_sliding::amplification::Amplification;
 use judder_sliding::coupling::Sliding;
+use judder_sliding::march::{ContactMethod, Predictor};
 use judder_sliding::recorder::Tally;
 use judder_sliding::statics::PairEquilibrium;
 use judder_store::{Dataset, Declared, Results, Table, Variable};
@@ -41,7 +42,7 @@ impl Told<'_> {
         let (peak, peak_acceleration) =
             if is_acceleration(*asked.signal) { (None, Some(peak)) } else { (Some(peak), None) };
         ToldMarch {
-            method: asked.method().name(),
+            method: asked.word.name(),
             steps: self.steps,
             step_s: self.chosen.step,
             step_limit_s: self.chosen.limit,
@@ -84,7 +85,7 @@ impl Told<'_> {
         let asked = self.of.march;
         let mut dataset = Dataset::new()
             .attribute("kind", "march")?
-            .attribute("method", asked.method().name())?
+            .attribute("method", asked.word.name())?
             .attribute("signal", variable_name(*asked.signal, self.of.points))?
             .attribute("step_s", self.chosen.step)?
             .attribute("step_limit_s", self.chosen.limit)?
@@ -140,12 +141,12 @@ impl Told<'_> {
         if let (Ok(_), Err(error @ SlidingError::NoEquilibrium { .. })) = (self.zones, at_rest) {
             warnings.push(format!("{error}: the contact opens"));
         }
-        let knows_sliding_alone = asked.method() != MarchMethod::Film;
+        let knows_sliding_alone = asked.method() != ContactMethod::Film;
         let Tally { reversed_steps, open_steps, .. } = self.tally;
         if knows_sliding_alone && *reversed_steps > 0 {
             warnings.push(format!(
                 "in {reversed_steps} steps the contact slid backwards, which `{}` takes for sliding ahead; `film` knows stick and both directions",
-                asked.method().name()
+                asked.word.name()
             ));
         }
         if *open_steps > 0 {

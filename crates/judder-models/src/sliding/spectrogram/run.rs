@@ -3,9 +3,9 @@
 use crate::error::ModelError;
 use crate::sliding::case::observe::ObservedPoint;
 use crate::sliding::march::variable_name;
-use crate::sliding::spectrogram::settings::{Spectrogram, Window};
+use crate::sliding::spectrogram::settings::{Spectrogram, SpectrogramWindow};
 use judder_numerics::signal::spectrogram::{self as levels, SpectrogramSettings};
-use judder_numerics::signal::window;
+use judder_numerics::signal::window::Window;
 use judder_store::{Dataset, Results, Variable};
 use judder_study::kept::Place;
 use judder_study::outcome::Outcome;
@@ -93,10 +93,10 @@ impl<'a> History<'a> {
         SpectrogramSettings {
             start: self.times.first().copied().unwrap_or(0.0),
             window: match asked.window {
-                Window::Hann => window::Window::Hann,
-                Window::Hamming => window::Window::Hamming,
-                Window::Blackman => window::Window::Blackman,
-                Window::Rectangular => window::Window::Rectangular,
+                SpectrogramWindow::Hann => Window::Hann,
+                SpectrogramWindow::Hamming => Window::Hamming,
+                SpectrogramWindow::Blackman => Window::Blackman,
+                SpectrogramWindow::Rectangular => Window::Rectangular,
             },
             length: (asked.length * self.sample_rate).round() as usize,
             overlap: asked.overlap,

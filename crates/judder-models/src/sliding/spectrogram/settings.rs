@@ -30,8 +30,8 @@ pub struct Spectrogram {
     #[key(filled)]
     pub signal: Named<Signal>,
     /// How a piece of the signal fades in and out.
-    #[key(default = Window::Hann)]
-    pub window: Window,
+    #[key(default = SpectrogramWindow::Hann)]
+    pub window: SpectrogramWindow,
     /// Length of its window.
     #[key(rule = Number::positive(Dimension::TIME), symbol = "T", default = 5e-3)]
     pub length: f64,
@@ -63,7 +63,7 @@ pub struct Amplitude {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
 #[choice(what = "window")]
 #[allow(missing_docs)]
-pub enum Window {
+pub enum SpectrogramWindow {
     Hann,
     Hamming,
     Blackman,

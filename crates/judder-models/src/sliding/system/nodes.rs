@@ -1,7 +1,6 @@
 //! The nodes that a sliding case names, and the freedoms that each structure has to keep for them.
 
 use super::Uncoupled;
-use super::interpolation;
 use crate::sliding::case::SlidingCase;
 use crate::sliding::case::observe::PointNode;
 use crate::sliding::case::problem::SlidingProblem;
@@ -110,7 +109,7 @@ fn nearest(structure: &Structure, place: [f64; 2], path: &str) -> Result<usize, 
 
 /// Refuses more points than a march watches.
 fn check_count(case: &SlidingCase) -> Result<(), Uncoupled> {
-    let interpolation = interpolation(case.contact.interpolation);
+    let interpolation = case.contact.interpolation;
     for (index, structure) in case.structures.iter().enumerate() {
         let side = if index == *case.contact.slider.structure { PairSide::Slider } else { PairSide::Track };
         let limit = most_observed(side, interpolation) / 2;

@@ -1,11 +1,9 @@
 //! Methods and steps of marches.
 
-use crate::sliding::march::settings::{self, MarchMethod};
 use judder_sliding::SlidingError;
 use judder_sliding::march::{ContactMethod, March, MarchSettings, Predictor};
 use judder_sliding::motion::Motion;
 use judder_sliding::pair::Pair;
-use std::f64::consts::TAU;
 
 /// The step of a march and its limit, s.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,23 +20,6 @@ const CENTRAL: (f64, f64) = (0.9, 3e-7);
 const RESIDUAL: (f64, f64) = (0.75, 3e-6);
 /// A step that any pair could take; the limit does not depend on it.
 const ANY: f64 = 1e-9;
-
-/// The method of a case as the march has it.
-pub(crate) fn method(own: MarchMethod) -> ContactMethod {
-    match own {
-        MarchMethod::Subs { static_slope } => ContactMethod::Subs { static_slope },
-        MarchMethod::Ensubs => ContactMethod::EnSubs,
-        MarchMethod::Film => ContactMethod::Film,
-        MarchMethod::ResidualFlexibility { cut_off } => {
-            ContactMethod::ResidualFlexibility { cut_off: cut_off / TAU }
-        }
-    }
-}
-
-/// The predictor of a case as the march has it; methods without one take any.
-pub(crate) fn predictor(own: Option<settings::Predictor>) -> Predictor {
-    own.map_or_else(Predictor::default, Predictor::from)
-}
 
 /// The step that a case gives, or that the march chooses, with the limit along the path of the motion.
 ///

@@ -1,7 +1,7 @@
 //! Elements with materials and supports, assembled.
 
 use super::{Elements, Layout, Structure, Unbuilt};
-use crate::structure::case::body::{Body, Material, PlaneSection};
+use crate::structure::case::body::{Body, PlaneSection};
 use crate::structure::case::damping::Damping;
 use crate::structure::case::problem::StructureProblem;
 use judder_structure::affine::{AffineFamily, Factors, Term};
@@ -64,11 +64,6 @@ pub(super) fn section(body: &Body, dimension: usize) -> ElementSection {
         (_, Some(PlaneSection::PlaneStrain)) => ElementSection::PlaneStrain { thickness },
         (_, Some(PlaneSection::PlaneStress) | None) => ElementSection::PlaneStress { thickness },
     }
-}
-
-pub(super) fn elastic(material: &Material) -> Result<Elastic, Unbuilt> {
-    Elastic::new(material.youngs_modulus, material.poisson_ratio, material.density)
-        .map_err(|error| Unbuilt::because("structure.material", &error))
 }
 
 /// Adds the supports that a case names by sets.

@@ -1,11 +1,10 @@
 //! The bodies that a case describes: their meshes, and what holds them.
 
-use super::assembled::{add_supports, assembled, dimension_of, elastic, hold, section};
+use super::assembled::{add_supports, assembled, dimension_of, hold, section};
 use super::{Structure, Unbuilt};
-use crate::structure::case::body::{Beam, Block, BlockElement, Body, EndCondition, Geometry};
+use crate::structure::case::body::{Beam, Block, Body, EndCondition, Geometry};
 use crate::structure::case::damping::Damping;
 use judder_structure::beam;
-use judder_structure::element::ElementKind;
 use judder_structure::freedom::Supports;
 use judder_structure::grid::Grid;
 use judder_structure::mesh::Mesh;
@@ -20,7 +19,7 @@ pub(super) fn structure(body: &Body, damping: &Damping) -> Result<Structure, Unb
         Geometry::Mesh(file) => return super::mesh_file::structure(body, file, damping),
     };
     add_supports(body, &mesh, &mut supports)?;
-    let material = body.material.as_ref().map(elastic).transpose()?;
+    let material = body.material;
     let dimension = dimension_of(&mesh);
     let section = section(body, dimension);
     let materials = material.map(|material| (OWN.to_owned(), (material, section))).into_iter().collect();
@@ -47,16 +46,8 @@ fn beam_mesh(beam: &Beam) -> Result<(Mesh, Supports), Unbuilt> {
 }
 
 fn block_mesh(block: &Block) -> Result<Mesh, Unbuilt> {
-    let kind = match block.element() {
-        BlockElement::Quad4 => ElementKind::Quad4,
-        BlockElement::Quad8 => ElementKind::Quad8,
-        BlockElement::Triangle6 => ElementKind::Triangle6,
-        BlockElement::Hexahedron8 => ElementKind::Hexahedron8,
-        BlockElement::Hexahedron20 => ElementKind::Hexahedron20,
-        BlockElement::Tetrahedron10 => ElementKind::Tetrahedron10,
-    };
     let size = std::array::from_fn(|axis| block.size.get(axis).copied().unwrap_or(0.0));
     let cells = std::array::from_fn(|axis| block.cells.get(axis).copied().unwrap_or(0));
-    let grid = Grid { kind, size, cells };
+    let grid = Grid { kind: block.element(), size, cells };
     grid.mesh(OWN, |place| place).map_err(|error| Unbuilt::because("structure.block", &error))
 }

@@ -1,6 +1,6 @@
 //! Mesh files of other programs, with the materials and supports of the case.
 
-use super::assembled::{add_supports, assembled, elastic, section};
+use super::assembled::{add_supports, assembled, section};
 use super::{Structure, Unbuilt};
 use crate::structure::case::body::Body;
 use crate::structure::case::damping::Damping;
@@ -67,10 +67,10 @@ fn materials(body: &Body, read: &MeshFile) -> Result<BTreeMap<String, (Elastic, 
         let of_file = own.and_then(|section| section.material.as_ref());
         let named = body.materials.0.iter().find(|(given, _)| given == name || Some(given) == of_file);
         let elastic = match named {
-            Some((_, material)) => elastic(material)?,
+            Some((_, material)) => *material,
             None => match (told(read, of_file)?, &body.material) {
                 (Some(elastic), _) => elastic,
-                (None, Some(material)) => elastic(material)?,
+                (None, Some(material)) => *material,
                 (None, None) => {
                     let problem = StructureProblem::NoMaterial { name: name.clone() };
                     return Err(Unbuilt::new("structure", problem));

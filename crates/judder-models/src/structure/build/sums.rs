@@ -1,10 +1,10 @@
 //! Matrices of other programs, read.
 
 use super::{Layout, Structure, Unbuilt};
-use crate::structure::case::matrices::{MatrixSums, MatrixTerm, Triangle};
+use crate::structure::case::matrices::{MatrixSums, MatrixTerm, StoredPart};
 use crate::structure::case::problem::StructureProblem;
 use judder_exchange::freedom_table::read_freedoms;
-use judder_exchange::matrix::{self, Matrix, read_matrix, read_stored_matrix};
+use judder_exchange::matrix::{Matrix, Triangle, read_matrix, read_stored_matrix};
 use judder_exchange::system::{NamedMatrix, SystemParts};
 use judder_keys::cause::Cause;
 use judder_structure::affine::{AffineFamily, Factors, Term};
@@ -45,10 +45,10 @@ fn read(name: &str, terms: &[MatrixTerm]) -> Result<Vec<Matrix>, Unbuilt> {
         let path = &term.file.path;
         let mirrored = |triangle| read_stored_matrix(path).and_then(|matrix| matrix.mirrored(triangle));
         let matrix = match term.triangle() {
-            Triangle::Both => read_matrix(path),
-            Triangle::Lower => mirrored(matrix::Triangle::Lower),
-            Triangle::Upper => mirrored(matrix::Triangle::Upper),
-            Triangle::AsStored => read_stored_matrix(path),
+            StoredPart::Both => read_matrix(path),
+            StoredPart::Lower => mirrored(Triangle::Lower),
+            StoredPart::Upper => mirrored(Triangle::Upper),
+            StoredPart::AsStored => read_stored_matrix(path),
         };
         matrix.map_err(|error| {
             let reason = error.to_string();

@@ -10,10 +10,11 @@ use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Entry, Node};
 use judder_keys::error::Fault;
 use judder_keys::file_reference::{FileReference, read_file_reference};
-use judder_keys::numeric_key::Range;
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, wrong_type};
 use judder_keys::{Choice, Settings};
+use judder_structure::element::ElementKind;
+use judder_structure::material::Elastic;
 use serde_json::Value as Json;
 
 /// A body of elements.
@@ -30,7 +31,7 @@ pub struct Body {
     #[key(rule = LENGTH, symbol = "a")]
     pub width: Option<f64>,
     /// The material of all elements that have no other; a beam and a block must have one.
-    pub material: Option<Material>,
+    pub material: Option<Elastic>,
     /// Materials by the names of a mesh file.
     #[key(default = Materials(Vec::new()))]
     pub materials: Materials,
@@ -94,7 +95,7 @@ pub enum EndCondition {
 #[settings(check = Block::complete)]
 pub struct Block {
     /// The shape of a block's elements; `quad8` in the plane and `hexahedron20` in space where left out.
-    pub element: Option<BlockElement>,
+    pub element: Option<ElementKind>,
     /// Lengths of a block, two in the plane, three in space.
     #[key(rule = SIDES, symbol = "l_x, l_y, l_z", example = "[\"1 m\", \"0.1 m\", \"0.1 m\"]")]
     pub size: Vec<f64>,
@@ -103,23 +104,10 @@ pub struct Block {
     pub cells: Vec<usize>,
 }
 
-/// The shape of a block's elements.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
-#[choice(what = "element")]
-#[allow(missing_docs)]
-pub enum BlockElement {
-    Quad4,
-    Quad8,
-    Triangle6,
-    Hexahedron8,
-    Hexahedron20,
-    Tetrahedron10,
-}
-
 impl Block {
     /// The shape of its elements.
-    pub fn element(&self) -> BlockElement {
-        let usual = if self.size.len() == 2 { BlockElement::Quad8 } else { BlockElement::Hexahedron20 };
+    pub fn element(&self) -> ElementKind {
+        let usual = if self.size.len() == 2 { ElementKind::Quad8 } else { ElementKind::Hexahedron20 };
         self.element.unwrap_or(usual)
     }
 
@@ -137,13 +125,6 @@ impl Block {
     }
 }
 
-impl BlockElement {
-    /// 2 in the plane, 3 in space.
-    pub fn dimension(self) -> usize {
-        if matches!(self, Self::Quad4 | Self::Quad8 | Self::Triangle6) { 2 } else { 3 }
-    }
-}
-
 /// How the third direction of a body of the plane is meant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
 #[choice(what = "section")]
@@ -152,20 +133,6 @@ pub enum PlaneSection {
     PlaneStress,
     /// A slice of a long body.
     PlaneStrain,
-}
-
-/// An isotropic linear elastic material.
-#[derive(Debug, Clone, Copy, PartialEq, Settings)]
-pub struct Material {
-    /// Young's modulus.
-    #[key(rule = Number::positive(Dimension::STRESS), symbol = "E")]
-    pub youngs_modulus: f64,
-    /// Poisson's ratio.
-    #[key(rule = POISSON_RATIO, symbol = "ν")]
-    pub poisson_ratio: f64,
-    /// Density.
-    #[key(rule = Number::positive(Dimension::DENSITY), symbol = "ρ")]
-    pub density: f64,
 }
 
 /// What holds the nodes of a set.
@@ -195,9 +162,6 @@ impl Support {
 
 /// A length of a body.
 const LENGTH: Number = Number::positive(Dimension::LENGTH);
-/// Below a half by as much as elements bear.
-const POISSON_RATIO: Number =
-    Number { dimension: Dimension::NUMBER, range: Range::Interval { above: -1.0, up_to: 0.499_999 } };
 /// Elements along a side.
 const ELEMENTS_RANGE: Whole = Whole { from: ELEMENTS.0, to: ELEMENTS.1 };
 const ELEMENTS_TWICE: Fixed<Whole> = Fixed { of: ELEMENTS_RANGE, what: "two numbers, along and across" };
@@ -215,13 +179,13 @@ pub const MESH_ENDINGS: &str = ".msh, .inp";
 
 /// Materials by their names.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Materials(pub Vec<(String, Material)>);
+pub struct Materials(pub Vec<(String, Elastic)>);
 
 impl Setting for Materials {
     type Rule = ();
 
     fn form((): &()) -> Allowed {
-        Allowed::Named(Box::new(Material::form(&())))
+        Allowed::Named(Box::new(Elastic::form(&())))
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
@@ -229,7 +193,7 @@ impl Setting for Materials {
         let Data::Table(table) = &node.data else { return Err(wrong_type(&path, "a table", node)) };
         let section = Section::of_table(node, &path, "")?;
         let read = |entry: &Entry| {
-            Material::read(&section, &entry.key, &entry.node, &()).map(|own| (entry.key.clone(), own))
+            Elastic::read(&section, &entry.key, &entry.node, &()).map(|own| (entry.key.clone(), own))
         };
         all(table.entries.iter().map(read)).map(Self)
     }

@@ -32,8 +32,8 @@ pub struct MatrixSums {
     /// A table with node, direction and place of every degree of freedom.
     pub freedoms: Option<FileReference>,
     /// What of a symmetric matrix a file holds whose term does not say.
-    #[key(unwritten, default = Triangle::Both)]
-    triangle: Triangle,
+    #[key(unwritten, default = StoredPart::Both)]
+    triangle: StoredPart,
 }
 
 /// A matrix times a factor.
@@ -47,13 +47,13 @@ pub struct MatrixTerm {
     #[key(default = Factor::constant(1.0))]
     pub factor: Factor,
     /// What of a symmetric matrix the file holds; what the matrices say where left out.
-    pub triangle: Option<Triangle>,
+    pub triangle: Option<StoredPart>,
 }
 
 /// What of a matrix its file holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
 #[choice(what = "triangle")]
-pub enum Triangle {
+pub enum StoredPart {
     /// All of it, or what the file itself says of its symmetry.
     Both,
     /// The lower triangle of a symmetric matrix.
@@ -216,8 +216,8 @@ impl MatrixTerm {
     }
 
     /// What of the matrix its file holds.
-    pub fn triangle(&self) -> Triangle {
-        self.triangle.unwrap_or(Triangle::Both)
+    pub fn triangle(&self) -> StoredPart {
+        self.triangle.unwrap_or(StoredPart::Both)
     }
 }
 

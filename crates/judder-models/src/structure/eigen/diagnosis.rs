@@ -4,7 +4,6 @@ use super::super::undamped::Undamped;
 use crate::error::ModelError;
 use crate::structure::build::{Structure, factors};
 use crate::structure::case::StructureCase;
-use crate::structure::eigen::EigenRegion;
 use judder_store::Results;
 use judder_structure::StructureError;
 use judder_structure::affine::Factors;
@@ -111,7 +110,7 @@ struct Moved {
 pub(super) fn of_growing(
     case: &StructureCase,
     structure: &Structure,
-    sought: &EigenRegion,
+    sought: &Region,
     found: &[ComplexMode],
 ) -> Result<Option<Told>, ModelError> {
     let mut growing: Vec<(usize, &ComplexMode)> = found

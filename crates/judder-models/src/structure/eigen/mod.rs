@@ -9,9 +9,9 @@ use crate::error::ModelError;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
 use judder_keys::Settings;
-use judder_keys::declared::{Number, Pair, Settings};
-use judder_keys::dimension::Dimension;
+use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
+use judder_structure::quadratic::Region;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
@@ -24,23 +24,8 @@ use std::sync::Arc;
 pub struct Eigen {
     /// The rectangle of λ = re + i im in which eigenvalues are sought.
     #[key(example = "{ re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s")]
-    pub region: EigenRegion,
+    pub region: Region,
 }
-
-/// A rectangle of the complex plane: λ = re + i im.
-#[derive(Debug, Clone, Copy, PartialEq, Settings)]
-pub struct EigenRegion {
-    /// Growth rates from and to, 1/s.
-    #[key(rule = RANGE, example = "[-50.0, 1000.0], growth rates in 1/s")]
-    pub re: [f64; 2],
-    /// Angular frequencies from and to, rad/s.
-    #[key(rule = RANGE, example = "[0.0, 20000.0], angular frequencies in rad/s")]
-    pub im: [f64; 2],
-}
-
-/// Two plain numbers.
-const RANGE: Pair =
-    Pair { of: Number::any(Dimension::NUMBER), what: "two numbers, from and to", is_ascending: true };
 
 /// The kind.
 pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = Kind {

@@ -6,7 +6,6 @@ use super::diagnosis::{self, Diagnosed};
 use crate::error::ModelError;
 use crate::structure::build::Structure;
 use crate::structure::case::StructureCase;
-use crate::structure::eigen::EigenRegion;
 use judder_store::{Results, Variable};
 use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{
@@ -31,19 +30,14 @@ pub(crate) fn code(verdict: EigenvalueVerdict) -> u8 {
     }
 }
 
-/// The region of a case as the engine takes it.
-pub(crate) fn region(region: &EigenRegion) -> Region {
-    Region { re: region.re, im: region.im }
-}
-
 pub(crate) fn run(
     case: &StructureCase,
     structure: &Structure,
     name: &str,
-    sought: &EigenRegion,
+    sought: &Region,
 ) -> Result<Outcome, ModelError> {
     let problem = structure.at(case, &case.values())?;
-    let mut found = complex_modes(&problem, &region(sought), &ComplexModeSettings::default())?;
+    let mut found = complex_modes(&problem, sought, &ComplexModeSettings::default())?;
     found.modes.sort_by(|a, b| in_order(&a.eigenvalue, &b.eigenvalue));
     let values: Vec<Eigenvalue> = found.modes.iter().map(|mode| mode.eigenvalue).collect();
     let unstable = values.iter().filter(|value| value.verdict() == EigenvalueVerdict::Unstable).count();

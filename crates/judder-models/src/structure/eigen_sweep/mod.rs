@@ -10,12 +10,13 @@ use crate::error::ModelError;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
 use judder_store::{Declared, Results};
+use judder_structure::eigen_sweep::SweepMethod;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
 use run::{ToldCurve, ToldSweep};
 use serde_json::{Map, Value as Json};
-use settings::{EigenMethod, EigenSweep};
+use settings::EigenSweep;
 use std::sync::Arc;
 
 /// The kind.
@@ -50,8 +51,8 @@ impl Analysis<StructureCase> for EigenSweep {
     fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {
         let (count, path) = (self.sweep.values.len(), &self.sweep.path);
         let method = match self.method {
-            EigenMethod::Full => "full".to_owned(),
-            EigenMethod::Projected { tolerance } => format!("projected to {tolerance:e}"),
+            SweepMethod::Full => "full".to_owned(),
+            SweepMethod::Projected { tolerance } => format!("projected to {tolerance:e}"),
         };
         let curves = self.family.as_ref().map_or_else(String::new, |family| {
             format!(" for each of {} values of {}", family.values.len(), family.path)

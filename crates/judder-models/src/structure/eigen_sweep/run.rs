@@ -1,7 +1,7 @@
 //! `eigen-sweep`: complex modes along a parameter, followed from value to value.
 
-use super::super::eigen::run::{ToldMode, VERDICTS, code, gap_warnings, in_order, region};
-use super::settings::{EigenMethod, EigenSweep};
+use super::super::eigen::run::{ToldMode, VERDICTS, code, gap_warnings, in_order};
+use super::settings::EigenSweep;
 use crate::axis::{Curves, name_of};
 use crate::error::ModelError;
 use crate::labels::parameter;
@@ -10,7 +10,7 @@ use crate::structure::case::StructureCase;
 use judder_store::{Dataset, Results, Table, Variable};
 use judder_structure::affine::Factors;
 use judder_structure::complex_modes::{ComplexModeSettings, Eigenvalue, EigenvalueVerdict, complex_modes};
-use judder_structure::eigen_sweep::{PointEigenvalues, SweepMethod, SweptEigenvalues, Tracked, eigen_sweeps};
+use judder_structure::eigen_sweep::{PointEigenvalues, SweptEigenvalues, Tracked, eigen_sweeps};
 use judder_study::Progress;
 use judder_study::axis::Axis;
 use judder_study::labels::Quantity;
@@ -42,14 +42,14 @@ pub(super) fn run(
         .iter()
         .map(|inputs| along(case, settings, inputs))
         .collect::<Result<Vec<Vec<Factors>>, _>>()?;
-    let method = match settings.method {
-        EigenMethod::Full => SweepMethod::Full,
-        EigenMethod::Projected { tolerance } => SweepMethod::Projected { tolerance },
-    };
     let each_curve: Vec<&[Factors]> = points.iter().map(Vec::as_slice).collect();
-    let sought = region(&settings.region);
-    let mut sweeps =
-        eigen_sweeps(&structure.family, &each_curve, &sought, &ComplexModeSettings::default(), method)?;
+    let mut sweeps = eigen_sweeps(
+        &structure.family,
+        &each_curve,
+        &settings.region,
+        &ComplexModeSettings::default(),
+        settings.method,
+    )?;
     for point in sweeps.iter_mut().flat_map(|sweep| &mut sweep.points) {
         point.eigenvalues.sort_by(|a, b| in_order(&a.eigenvalue, &b.eigenvalue));
     }
@@ -107,7 +107,7 @@ fn against_full(
     let mut found = Disagreement::default();
     for point in &chosen {
         let problem = structure.family.at(factors[*point])?;
-        let full = complex_modes(&problem, &region(&settings.region), &ComplexModeSettings::default())?;
+        let full = complex_modes(&problem, &settings.region, &ComplexModeSettings::default())?;
         let projected = points[*point].eigenvalues.iter().map(|tracked| tracked.eigenvalue).collect();
         let full = full.modes.iter().map(|mode| mode.eigenvalue).collect();
         compare(projected, full, &mut found);
@@ -142,7 +142,7 @@ pub(super) struct ToldSweep {
     /// the swept parameter
     key: String,
     /// `full` or `projected`
-    method: &'static str,
+    method: String,
     /// vectors of the basis of a projected sweep
     basis: Option<usize>,
     /// values at which that was sampled
@@ -206,7 +206,7 @@ impl Run<'_> {
         // one basis serves all curves
         let (basis, samples) =
             self.sweeps.first().map_or((None, 0), |sweep| (sweep.basis, sweep.samples.len()));
-        let (key, method) = (self.settings.sweep.path.clone(), self.settings.method.name());
+        let (key, method) = (self.settings.sweep.path.clone(), self.settings.method.to_string());
         scalars.extend(ToldSweep { key, method, basis, samples }.scalars());
         scalars
     }

@@ -6,7 +6,7 @@ use crate::read_sweep::{
 use crate::structure::case::matrices::MatrixSums;
 use crate::structure::case::problem::StructureProblem;
 use crate::structure::case::scope::StructureScope;
-use crate::structure::eigen::{Eigen, EigenRegion};
+use crate::structure::eigen::Eigen;
 use crate::sweep::{Family, ParameterKey};
 use crate::swept_keys::{ParameterKeys, SweptKeys};
 use judder_keys::cause::Cause;
@@ -18,6 +18,8 @@ use judder_keys::numeric_key::Range;
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, finite_number, list, text};
 use judder_keys::{Choice, Settings};
+use judder_structure::eigen_sweep::SweepMethod;
+use judder_structure::quadratic::Region;
 use judder_study::case::scale::Scale;
 use serde_json::{Map, Value as Json, json};
 
@@ -29,9 +31,9 @@ pub struct EigenSweep {
     /// One curve for each value of another parameter.
     pub family: Option<Family<ParameterKey>>,
     /// Where eigenvalues are sought.
-    pub region: EigenRegion,
+    pub region: Region,
     /// How each value is solved.
-    pub method: EigenMethod,
+    pub method: SweepMethod,
 }
 
 /// A parameter with the values that it takes one after the other.
@@ -45,18 +47,6 @@ pub struct ParameterValues {
     pub values: Vec<f64>,
     /// How they are spaced, for the axis of figures.
     pub scale: Scale,
-}
-
-/// How the points of a sweep of complex modes are solved.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum EigenMethod {
-    /// Every point on the full matrices.
-    Full,
-    /// On a basis of the modes of a few points, which grows until the full matrices leave no larger error.
-    Projected {
-        /// Relative error of an eigenvalue.
-        tolerance: f64,
-    },
 }
 
 /// How the points are solved, as a case says it.
@@ -97,20 +87,10 @@ impl MethodKeys {
         }
     }
 
-    fn method(&self) -> EigenMethod {
+    fn method(&self) -> SweepMethod {
         match self.method {
-            MethodWord::Full => EigenMethod::Full,
-            MethodWord::Projected => EigenMethod::Projected { tolerance: self.tolerance },
-        }
-    }
-}
-
-impl EigenMethod {
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Full => "full",
-            Self::Projected { .. } => "projected",
+            MethodWord::Full => SweepMethod::Full,
+            MethodWord::Projected => SweepMethod::Projected { tolerance: self.tolerance },
         }
     }
 }
@@ -159,11 +139,11 @@ impl EigenSweep {
     pub(super) fn write_table(&self, json: &mut Map<String, Json>) {
         let Self { sweep, family, region, method } = self;
         json.insert("region".to_owned(), Setting::write(region, &()));
-        json.insert("method".to_owned(), json!(method.name()));
+        json.insert("method".to_owned(), json!(method.to_string()));
         let sweep = json!({ "key": sweep.path, "values": sweep.values, "scale": sweep.scale.name() });
         json.insert("sweep".to_owned(), sweep);
         write_family::<ParameterKeys>(family.as_ref(), json);
-        if let EigenMethod::Projected { tolerance } = method {
+        if let SweepMethod::Projected { tolerance } = method {
             json.insert("tolerance".to_owned(), json!(tolerance));
         }
     }

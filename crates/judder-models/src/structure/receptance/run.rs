@@ -39,7 +39,7 @@ pub(super) struct At {
 
 /// The degree of freedom that a place under `key` names.
 pub(super) fn freedom(key: &'static str, place: &Place, structure: &Structure) -> Result<At, Cause> {
-    let direction = place.direction.direction();
+    let direction = place.direction;
     let refused = |found| Cause::from(NotOneFreedom { key, along: place.direction, found });
     let layout = structure.layout.as_ref().ok_or_else(|| refused(0))?;
     let points = points_of(&place.nodes, structure, key).map_err(|unbuilt| unbuilt.problem)?;

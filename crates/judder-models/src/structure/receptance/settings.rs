@@ -3,11 +3,11 @@
 use crate::structure::case::reduction::KeptNodes;
 use crate::structure::case::scope::StructureScope;
 use crate::structure::modes::BAND;
+use judder_keys::Settings;
 use judder_keys::declared::{Settings, Whole, both};
 use judder_keys::error::Fault;
 use judder_keys::problem::Problem;
 use judder_keys::section::Section;
-use judder_keys::{Choice, Settings};
 use judder_structure::freedom::Direction;
 use thiserror::Error;
 
@@ -39,30 +39,7 @@ pub struct Place {
     #[key(flatten)]
     pub nodes: KeptNodes,
     /// The direction.
-    pub direction: Along,
-}
-
-/// A direction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
-#[choice(what = "direction")]
-pub enum Along {
-    /// Along x.
-    X,
-    /// Along y.
-    Y,
-    /// Along z.
-    Z,
-}
-
-impl Along {
-    /// As freedoms have it.
-    pub fn direction(self) -> Direction {
-        match self {
-            Self::X => Direction::X,
-            Self::Y => Direction::Y,
-            Self::Z => Direction::Z,
-        }
-    }
+    pub direction: Direction,
 }
 
 impl Receptance {
@@ -86,12 +63,12 @@ impl Receptance {
 
 /// A place that is no single degree of freedom.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("`{key}` names {found} degrees of freedom along {}, but must name one", along.name())]
+#[error("`{key}` names {found} degrees of freedom along {along}, but must name one")]
 pub struct NotOneFreedom {
     /// The key.
     pub key: &'static str,
     /// The direction.
-    pub along: Along,
+    pub along: Direction,
     /// How many there are.
     pub found: usize,
 }

@@ -4,7 +4,7 @@ use super::CycleError;
 use crate::motion::measures::Measures;
 use crate::motion::{ContactState, SlidingSystem};
 use judder_numerics::dense::product;
-use judder_numerics::piecewise::tangent::{SquareMatrix, along_leg, identity, onto_plane, saltation};
+use judder_numerics::piecewise::tangent::{SquareMatrix, identity, onto_plane, saltation};
 use judder_numerics::piecewise::{Advance, PiecewiseMarch, StepSettings};
 
 /// A motion from the section to its return there.
@@ -42,8 +42,8 @@ pub fn return_map<const N: usize>(
     let mut pattern = vec![system.contact_state(&section.project(&start))];
     let march = fly(system, start, returns, settings, longest, |advance| {
         if let Some(leg) = &advance.leg {
-            monodromy = along_leg(system, leg, &monodromy);
-            measures.add(system, leg, centre);
+            monodromy = system.along_leg(leg, &monodromy);
+            system.measure(leg, centre, &mut measures);
         }
         if let Some(crossing) = advance.crossing.filter(|crossing| crossing.to != crossing.from) {
             monodromy = product(&saltation(system, &crossing), &monodromy);
@@ -97,7 +97,7 @@ fn fly<S: SlidingSystem<N>, const N: usize>(
         if march.time() >= longest {
             return Err(CycleError::NoReturn { time: longest });
         }
-        let advance = march.advance(longest)?;
+        let advance = system.advance(&mut march, longest)?;
         watch(&advance);
         left -= usize::from(advance.on_section);
     }

@@ -89,11 +89,11 @@ pub fn settle<const N: usize>(
         if interrupted() {
             return Err(MarchError::Interrupted { time: march.time() });
         }
-        let advance = march.advance(patience.time)?;
+        let advance = system.advance(&mut march, patience.time)?;
         if march.time() > patience.transient
             && let Some(leg) = &advance.leg
         {
-            late.add(system, leg, rest[0]);
+            system.measure(leg, rest[0], &mut late);
             late.changes += usize::from(advance.crossing.is_some());
         }
         // after every step: not every motion to steady sliding oscillates
@@ -219,9 +219,9 @@ fn one_period<S: SlidingSystem<N>, const N: usize>(
     let oscillations = returns.len();
     let mut left = oscillations;
     while left > 0 {
-        let advance = lap.advance(f64::INFINITY)?;
+        let advance = system.advance(&mut lap, f64::INFINITY)?;
         if let Some(leg) = &advance.leg {
-            measures.add(system, leg, rest[0]);
+            system.measure(leg, rest[0], &mut measures);
         }
         measures.changes += usize::from(advance.crossing.is_some());
         left -= usize::from(advance.on_section);

@@ -1,9 +1,11 @@
 //! The mass on a belt: one degree of freedom, friction that falls with speed. The literature's benchmarks speak of it.
 
 use super::ContactState;
+use super::measures::Measures;
 use super::sliding_system::{Powers, SlidingSystem};
 use crate::OscillatorError;
-use judder_numerics::piecewise::PiecewiseSmooth;
+use judder_numerics::piecewise::tangent::{SquareMatrix, along_leg};
+use judder_numerics::piecewise::{Advance, Leg, MarchError, PiecewiseMarch, PiecewiseSmooth};
 
 /// A friction coefficient that falls from rest with the speed: μ(v) = μ_∞ + (μ_0 − μ_∞) e^{−|v|/v_0}.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -178,5 +180,21 @@ impl SlidingSystem<2> for BeltOscillator {
 
     fn energy(&self, state: &[f64; 2]) -> f64 {
         0.5 * (state[0] * state[0] + state[1] * state[1])
+    }
+
+    fn advance(
+        &self,
+        march: &mut PiecewiseMarch<'_, Self, 2>,
+        until: f64,
+    ) -> Result<Advance<ContactState, 2>, MarchError> {
+        march.advance(until)
+    }
+
+    fn along_leg(&self, leg: &Leg<ContactState, 2>, disturbance: &SquareMatrix<2>) -> SquareMatrix<2> {
+        along_leg(self, leg, disturbance)
+    }
+
+    fn measure(&self, leg: &Leg<ContactState, 2>, centre: f64, measures: &mut Measures) {
+        measures.add(self, leg, centre);
     }
 }

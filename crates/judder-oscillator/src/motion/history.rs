@@ -152,7 +152,7 @@ pub fn follow_watched<const N: usize>(
             if interrupted() {
                 return Err(lost(&march, MarchError::Interrupted { time: march.time() }));
             }
-            recorder.add(&advance(&mut march, until)?);
+            recorder.add(&advance(system, &mut march, until)?);
             told = tell(&recorder.history, told, &mut watch);
         }
     }
@@ -192,7 +192,7 @@ pub fn follow_cycle<const N: usize>(
     let mut recorder = MotionRecorder::new(system, &window, settings.relative);
     recorder.begin(&march);
     while recorder.history.oscillations.len() < returns {
-        recorder.add(&advance(&mut march, f64::INFINITY)?);
+        recorder.add(&advance(system, &mut march, f64::INFINITY)?);
     }
     Ok(recorder.finish(&march))
 }
@@ -209,10 +209,11 @@ fn begin<S: SlidingSystem<N>, const N: usize>(
 }
 
 fn advance<S: SlidingSystem<N>, const N: usize>(
+    system: &S,
     march: &mut PiecewiseMarch<'_, S, N>,
     until: f64,
 ) -> Result<Advance<ContactState, N>, LostMotion> {
-    march.advance(until).map_err(|source| lost(march, source))
+    system.advance(march, until).map_err(|source| lost(march, source))
 }
 
 fn lost<S: SlidingSystem<N>, const N: usize>(

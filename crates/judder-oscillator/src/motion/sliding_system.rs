@@ -1,7 +1,9 @@
 //! What the nonsmooth engine and everything built on it ask of an oscillator.
 
 use super::ContactState;
-use judder_numerics::piecewise::{PiecewiseSmooth, SectionPlane};
+use super::measures::Measures;
+use judder_numerics::piecewise::tangent::SquareMatrix;
+use judder_numerics::piecewise::{Advance, Leg, MarchError, PiecewiseMarch, PiecewiseSmooth, SectionPlane};
 
 /// An oscillator in sliding contact, as a system that changes between stick, slip and lift-off.
 ///
@@ -25,6 +27,27 @@ pub trait SlidingSystem<const N: usize>: PiecewiseSmooth<N, Mode = ContactState>
 
     /// The energy of the oscillator's masses and springs, less the work of the constant load.
     fn energy(&self, state: &[f64; N]) -> f64;
+
+    /// [`PiecewiseMarch::advance`] for a motion of this oscillator.
+    ///
+    /// All that is built on the engine is generic and compiled where it is called; the time goes into these three, which
+    /// each oscillator has compiled with itself.
+    ///
+    /// # Errors
+    /// As that.
+    fn advance(
+        &self,
+        march: &mut PiecewiseMarch<'_, Self, N>,
+        until: f64,
+    ) -> Result<Advance<ContactState, N>, MarchError>
+    where
+        Self: Sized;
+
+    /// [`tangent::along_leg`](judder_numerics::piecewise::tangent::along_leg) for a motion of this oscillator.
+    fn along_leg(&self, leg: &Leg<ContactState, N>, disturbance: &SquareMatrix<N>) -> SquareMatrix<N>;
+
+    /// [`Measures::add`] for a motion of this oscillator.
+    fn measure(&self, leg: &Leg<ContactState, N>, centre: f64, measures: &mut Measures);
 
     /// Whether the indenter presses on the substrate, or is about to.
     fn is_in_contact(&self, _state: &[f64; N]) -> bool {

@@ -6,13 +6,14 @@
 
 use super::ContactState;
 use super::equations::{self, ContactForces, balance, contact_forces, structure_forces};
+use super::measures::Measures;
 use super::sliding_system::{Powers, SlidingSystem};
 use crate::equilibrium::equilibrium;
 use crate::groups::Coefficients;
 use crate::{Contact, OscillatorError};
 use judder_contact::{ContactResponse, WithDerivatives};
-use judder_numerics::piecewise::PiecewiseSmooth;
-use judder_numerics::piecewise::tangent::SquareMatrix;
+use judder_numerics::piecewise::tangent::{SquareMatrix, along_leg};
+use judder_numerics::piecewise::{Advance, Leg, MarchError, PiecewiseMarch, PiecewiseSmooth};
 
 /// Guards of a mode in contact: the depth, then the margin towards each change of slip.
 const DEPTH: usize = 0;
@@ -235,5 +236,21 @@ impl SlidingSystem<4> for StickSlip {
         0.5 * (velocity_x * velocity_x + velocity_y * velocity_y + c.k11 * x * x + c.k22 * y * y)
             + c.k12 * x * y
             - y
+    }
+
+    fn advance(
+        &self,
+        march: &mut PiecewiseMarch<'_, Self, 4>,
+        until: f64,
+    ) -> Result<Advance<ContactState, 4>, MarchError> {
+        march.advance(until)
+    }
+
+    fn along_leg(&self, leg: &Leg<ContactState, 4>, disturbance: &SquareMatrix<4>) -> SquareMatrix<4> {
+        along_leg(self, leg, disturbance)
+    }
+
+    fn measure(&self, leg: &Leg<ContactState, 4>, centre: f64, measures: &mut Measures) {
+        measures.add(self, leg, centre);
     }
 }

@@ -56,7 +56,7 @@ impl<'a, S: SlidingSystem<N>, const N: usize> MotionRecorder<'a, S, N> {
 
     pub(super) fn add(&mut self, advance: &Advance<ContactState, N>) {
         if let Some(leg) = &advance.leg {
-            self.history.measures.add(self.system, leg, self.centre);
+            self.system.measure(leg, self.centre, &mut self.history.measures);
             self.add_samples(leg);
             self.widen(leg);
             self.add_to_path(leg, advance.crossing.is_some());

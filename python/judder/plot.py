@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from judder._packages import needed
+from judder._palette import AREAS, LINES, SERIES
 from judder.errors import InputError
 from judder.oscillator import LAW_STANDINGS, StabilityMap
 
@@ -20,24 +21,13 @@ if TYPE_CHECKING:
 __all__ = ["COLOURS", "SERIES", "stability"]
 
 COLOURS: Final = {
-    "stable": "#f3f3ef",
-    "flutter": "#5b90c4",
-    "negative-damping": "#eeab55",
-    "both": "#6a4682",
-    "normal-force-coupling": "#efdc8f",
-    "one-way-coupling": "#efdc8f",
-    "destabilised-by-damping": "#6fb09a",
-    "marginal": "#6b6b6b",
-    "unresolved": "#8c8c8c",
-    "marginal-within-the-law": "#dfdfe6",
-    "full-boundary": "#000000",
-    "conservative-boundary": "#000000",
-    "decoupled-boundary": "#c8102e",
-    "reference": "#6b6b6b",
+    **AREAS,
+    **LINES,
+    "one-way-coupling": AREAS["normal-force-coupling"],
+    "marginal": LINES["reference"],
+    "marginal-within-the-law": AREAS["within-law"],
 }
 """The colours of areas and boundaries of a stability map; areas are apart in grey too."""
-SERIES: Final = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000")
-"""The colours of curves that have no order."""
 
 _BOUNDARIES = {
     "full": ("boundary, full system", "-"),

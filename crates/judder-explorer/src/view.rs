@@ -3,11 +3,8 @@
 use crate::limits::check_analysis;
 use crate::refusal::Refusal;
 use crate::subject::Subject;
-use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::contact_case::contact_case_of;
-use judder_models::oscillator::law_name::LawName;
-use judder_models::{compose, is_number};
-use judder_oscillator::FrictionLoad;
+use judder_models::{REGISTRY, compose, is_number, worded};
 use judder_study::case::file::CaseFile;
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -89,34 +86,6 @@ impl View {
     }
 }
 
-/// A key of an oscillator case that takes one of a few words here, and no file.
-pub(crate) struct WordKey {
-    pub(crate) path: &'static str,
-    /// What it is.
-    pub(crate) doc: &'static str,
-    pub(crate) words: Vec<&'static str>,
-    /// What a case says.
-    pub(crate) value: fn(&OscillatorCase) -> &'static str,
-}
-
-/// All of them.
-pub(crate) fn word_keys() -> [WordKey; 2] {
-    [
-        WordKey {
-            path: "contact.law",
-            doc: "contact law",
-            words: LawName::ALL.map(|(name, _)| name).to_vec(),
-            value: |case| case.law.name(),
-        },
-        WordKey {
-            path: "contact.friction_load",
-            doc: "the force that μ_visc multiplies",
-            words: FrictionLoad::ALL.map(|(name, _)| name).to_vec(),
-            value: |case| case.friction_load.name(),
-        },
-    ]
-}
-
 fn check_option(option: &str) -> Result<(), Refusal> {
     if option.len() > LONGEST_OPTION {
         let shown = &option[..option.floor_char_boundary(40)];
@@ -136,9 +105,11 @@ fn check_option(option: &str) -> Result<(), Refusal> {
     if is_number {
         return Err(Refusal::wrong(format!("`{key}` takes a number or a quantity here")));
     }
-    let Some(WordKey { words, .. }) = word_keys().into_iter().find(|word_key| word_key.path == key) else {
+    let of_any = REGISTRY.models().iter().flat_map(|model| worded(model.name));
+    let words: Vec<&str> = of_any.filter(|own| own.path == key).flat_map(|own| own.words()).collect();
+    if words.is_empty() {
         return Err(Refusal::wrong(format!("`{key}` cannot be set from the page; set it in the case file")));
-    };
+    }
     match words.contains(&value) {
         true => Ok(()),
         false => Err(Refusal::wrong(format!("`{key}` takes one of these here; {}", words.join(", ")))),

@@ -49,6 +49,7 @@ pub use error::ModelError;
 pub use oscillator::{key_plane, point, quasi_steady};
 pub use sliding::{coupled_pair, shapes as sliding_shapes};
 
+use judder_keys::declared::Listed;
 use judder_keys::error::CaseError;
 use judder_study::Registry;
 use judder_study::case::analysis::KindEntry;
@@ -117,6 +118,12 @@ pub fn keys(model: &str) -> Option<Value> {
 #[must_use]
 pub fn is_number(path: &str) -> bool {
     keys::is_number(REGISTRY, path)
+}
+
+/// Keys of the cases of a model that take one of a few words, as of [`keys::worded`].
+#[must_use]
+pub fn worded(model: &str) -> Vec<Listed> {
+    keys::worded(REGISTRY, model)
 }
 
 /// The reference page of the book, as Markdown.

@@ -29,8 +29,8 @@ impl fmt::Display for Colour {
 pub const INK: Colour = Colour(0x1a, 0x1a, 0x1a);
 /// Ink of what steps back: reference lines, notes.
 pub const QUIET: Colour = Colour(0x6b, 0x6b, 0x6b);
-/// The ground of unresolved cells, under their hatch.
-pub const UNRESOLVED_GROUND: Colour = Colour(0xff, 0xff, 0xff);
+/// The ground of a picture, of what is hatched for want of an answer, and of the rims that keep lines and letters apart from areas.
+pub const GROUND: Colour = Colour(0xff, 0xff, 0xff);
 
 /// Side of the tile of a pattern, in points.
 pub(crate) const PATTERN_TILE: f64 = 4.0;

@@ -1,18 +1,19 @@
-//! What the interactive chart shares with the drawings, written for its TypeScript and checked to be current: the palette, which it takes
-//! from here, and marks of axes, with which its own are compared. `JUDDER_GOLDEN=write` writes both anew.
+//! What others share with the drawings, written for them and checked to be current: the palette, which the interactive chart and Python take
+//! from here, and marks of axes, with which those of the chart are compared. `JUDDER_GOLDEN=write` writes all of it anew.
 
 use crate::axis::{Axis, Scale};
 use crate::palette::{
-    Colour, ColourMap, DASH_CYCLE, Dash, GRADED_END, INK, MARKER_CYCLE, QUALITATIVE, QUIET, Role, Style,
+    Colour, ColourMap, DASH_CYCLE, Dash, GRADED_END, GROUND, INK, MARKER_CYCLE, QUALITATIVE, QUIET, Role,
+    Style,
 };
 use crate::scale::PlacedAxis;
 use crate::ticks::ticks;
 use serde_json::{Map, Value, json};
 use std::path::Path;
 
-/// Compares a file of the page's sources with what it should be, or writes it.
+/// Compares a file of the sources with what it should be, or writes it.
 fn check(file: &str, wanted: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../judder-explorer/web").join(file);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(file);
     if std::env::var("JUDDER_GOLDEN").is_ok_and(|mode| mode == "write") {
         std::fs::write(&path, wanted).unwrap();
     }
@@ -22,6 +23,8 @@ fn check(file: &str, wanted: &str) {
         "{file} is not current: JUDDER_GOLDEN=write writes it, `make page` builds with it"
     );
 }
+
+const PAGE: &str = "crates/judder-explorer/web";
 
 /// The name under which a figure's JSON speaks of a meaning, a dash or a marker.
 fn name(value: impl serde::Serialize) -> String {
@@ -37,24 +40,26 @@ fn line(role: Role) -> Value {
     json!({ "colour": role.colour().to_string(), "dash": dash, "marker": marker, "width": width })
 }
 
+const AREAS: [Role; 14] = [
+    Role::Stable,
+    Role::Flutter,
+    Role::NegativeDamping,
+    Role::Both,
+    Role::NormalForceCoupling,
+    Role::DestabilisedByDamping,
+    Role::Unresolved,
+    Role::Knock,
+    Role::KnockUnknown,
+    Role::WithinLaw,
+    Role::UnstableZone,
+    Role::Stick,
+    Role::SlipAhead,
+    Role::LiftOff,
+];
+const LINES: [Role; 4] =
+    [Role::FullBoundary, Role::ConservativeBoundary, Role::DecoupledBoundary, Role::Reference];
+
 fn palette() -> Value {
-    let areas = [
-        Role::Stable,
-        Role::Flutter,
-        Role::NegativeDamping,
-        Role::Both,
-        Role::NormalForceCoupling,
-        Role::DestabilisedByDamping,
-        Role::Unresolved,
-        Role::Knock,
-        Role::KnockUnknown,
-        Role::WithinLaw,
-        Role::UnstableZone,
-        Role::Stick,
-        Role::SlipAhead,
-        Role::LiftOff,
-    ];
-    let lines = [Role::FullBoundary, Role::ConservativeBoundary, Role::DecoupledBoundary, Role::Reference];
     let dashes = [Dash::Solid, Dash::Dashed, Dash::DashDotted, Dash::Dotted];
     let named = |roles: &[Role], of: &dyn Fn(Role) -> Value| -> Map<String, Value> {
         roles.iter().map(|role| (name(role), of(*role))).collect()
@@ -62,8 +67,9 @@ fn palette() -> Value {
     json!({
         "ink": INK.to_string(),
         "quiet": QUIET.to_string(),
-        "areas": named(&areas, &|role| json!(role.colour().to_string())),
-        "lines": named(&lines, &line),
+        "ground": GROUND.to_string(),
+        "areas": named(&AREAS, &|role| json!(role.colour().to_string())),
+        "lines": named(&LINES, &line),
         "series": {
             "colours": hex(&QUALITATIVE), "dashes": DASH_CYCLE, "markers": MARKER_CYCLE, "width": Style::from(Role::Series(0)).width,
         },
@@ -81,7 +87,29 @@ fn the_golden_palette_of_the_chart_is_this_one() {
     palette.sort_all_objects();
     let palette = serde_json::to_string_pretty(&palette).unwrap();
     let head = "/** Colours, dashes and markers by meaning, written by the tests of `judder-report` from its palette: change them there. */";
-    check("src/chart/meanings.ts", &format!("{head}\nexport const MEANINGS = {palette} as const;\n"));
+    check(
+        &format!("{PAGE}/src/chart/meanings.ts"),
+        &format!("{head}\nexport const MEANINGS = {palette} as const;\n"),
+    );
+}
+
+#[test]
+fn the_golden_palette_of_python_is_this_one() {
+    let named = |name: &str, roles: &[Role]| {
+        let colours: String =
+            roles.iter().map(|role| format!("    {}: \"{}\",\n", json!(role), role.colour())).collect();
+        format!("{name}: Final = {{\n{colours}}}\n")
+    };
+    let head = "\"\"\"Colours by meaning, written by the tests of `judder-report` from its palette: change them there.\"\"\"";
+    let series = QUALITATIVE.map(|colour| format!("\"{colour}\""));
+    let (areas, lines) = (named("AREAS", &AREAS), named("LINES", &LINES));
+    check(
+        "python/judder/_palette.py",
+        &format!(
+            "{head}\n\nfrom __future__ import annotations\n\nfrom typing import Final\n\n{areas}{lines}SERIES: Final = ({})\n\"\"\"The colours of curves that have no order.\"\"\"\n",
+            series.join(", ")
+        ),
+    );
 }
 
 /// Axes of every kind, wide and narrow, on both sides of zero.
@@ -145,5 +173,5 @@ fn the_golden_marks_with_which_those_of_the_chart_are_compared_are_these() {
             marks.to_string()
         })
         .collect();
-    check("tests/ticks.json", &format!("[\n{}\n]\n", marks.join(",\n")));
+    check(&format!("{PAGE}/tests/ticks.json"), &format!("[\n{}\n]\n", marks.join(",\n")));
 }

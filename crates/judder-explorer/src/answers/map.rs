@@ -14,7 +14,7 @@ use axum::response::Response;
 use judder_keys::keys::Keys;
 use judder_models::key_plane::{KeyAxis, KeyPlane};
 use judder_models::oscillator::keys::OscillatorKey;
-use judder_models::oscillator::{BoundaryKind, boundary_curves};
+use judder_models::oscillator::{BoundaryKind, STANDINGS, boundary_curves};
 use judder_models::sweep::{StabilityMap as Settings, Sweep};
 use judder_oscillator::map::{CoarseMap, DecisionMethod, StabilityMap};
 use judder_oscillator::mechanism::StabilityClass;
@@ -75,7 +75,7 @@ fn draw(subject: &Subject, view: &View, kinds: &[BoundaryKind], reporter: &Repor
         let Some(codes) = plane.within_law(contact, &map, DecisionMethod::Adaptive, &interrupted) else {
             return Err(reporter.refusal(StudyError::Interrupted));
         };
-        let codes = Variable::new("within_law", &["y", "x"], &[map.rows, map.columns], codes);
+        let codes = Variable::classes("within_law", &["y", "x"], &[map.rows, map.columns], codes, &STANDINGS);
         reporter.send(Frame::new("within-law").with("seconds", reporter.seconds()).array(&codes));
     }
     for kind in kinds {
@@ -144,6 +144,8 @@ impl Shown {
             Variable::coordinate(name, values).long_name(&sweep.key.entry().label(sweep.form))
         };
         let (x, y) = (axis("x", &settings.x, self.x), axis("y", &settings.y, self.y));
-        frame.array(&x).array(&y).array(&Variable::new("classes", &["y", "x"], &shape, self.classes))
+        let meanings = StabilityClass::ALL.map(|class| (class as u8, class.name()));
+        let classes = Variable::classes("classes", &["y", "x"], &shape, self.classes, &meanings);
+        frame.array(&x).array(&y).array(&classes)
     }
 }

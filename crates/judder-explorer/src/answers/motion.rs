@@ -8,6 +8,7 @@ use crate::site::SharedSite;
 use crate::view::View;
 use axum::extract::State;
 use axum::response::Response;
+use judder_oscillator::motion::ContactState;
 use judder_store::Variable;
 use judder_study::model::MotionBlock;
 
@@ -21,5 +22,6 @@ fn frame(block: MotionBlock) -> Frame {
     let over = |name: &str, values: Vec<f64>| Variable::new(name, &["time"], &[values.len()], values);
     let frame = Frame::new("block").array(&Variable::coordinate("time", time).units("1"));
     let frame = coordinates.into_iter().fold(frame, |frame, (name, values)| frame.array(&over(name, values)));
-    frame.array(&Variable::new("contact_state", &["time"], &[contact_state.len()], contact_state))
+    let shape = [contact_state.len()];
+    frame.array(&Variable::classes("contact_state", &["time"], &shape, contact_state, &ContactState::CODES))
 }

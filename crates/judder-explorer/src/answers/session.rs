@@ -3,20 +3,18 @@
 use super::{case, inputs, oscillator, sections};
 use crate::limits::is_settable;
 use crate::site::SharedSite;
-use crate::view::{WordKey, word_keys};
 use axum::Json;
 use axum::extract::State;
 use judder_keys::cause::Cause;
-use judder_keys::declared::Declaration;
+use judder_keys::declared::{Declaration, Listed};
 use judder_keys::keys::{Key, Keys};
 use judder_keys::numeric_key::Form;
-use judder_models::REGISTRY;
 use judder_models::contact::case::ContactCase;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::inputs::TimeForm;
 use judder_models::oscillator::keys::OscillatorKey;
-use judder_models::oscillator::law_name::LawName;
 use judder_models::sweep::{StabilityMap, Sweep};
+use judder_models::{REGISTRY, worded};
 use judder_study::case::analysis::KindEntry;
 use judder_study::case::file::CaseFile;
 use serde_json::{Map, Value, json};
@@ -36,7 +34,6 @@ pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
             .find_map(|analysis| analysis.settings().map(axes))
             .unwrap_or_else(usual_axes)
     });
-    let laws = LawName::ALL.map(|(name, _)| name);
     let keys = OscillatorKey::ALL.iter().filter(|entry| own.contains(&entry.section()));
     Json(json!({
         "version": env!("CARGO_PKG_VERSION"),
@@ -44,9 +41,7 @@ pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
         "case": base.map(|base| json!({ "name": base.name, "file": base.origin, "model": base.case.model(), "text": base.text })),
         "keys": keys.map(|entry| key(entry, base.is_some_and(|base| takes(base, entry)))).collect::<Vec<_>>(),
         "values": values,
-        "laws": if oscillator.is_some() { &laws[..] } else { &[] },
-        "choices": oscillator.map(choices).unwrap_or_default(),
-        "law": oscillator.map(|oscillator| oscillator.law.name()),
+        "choices": base.map(|base| choices(base.case.model(), own, &resolved)).unwrap_or_default(),
         "map": map,
         "analyses": analyses(&resolved),
         "settings": base.map(|base| settings(base.case.model())).unwrap_or_default(),
@@ -54,13 +49,28 @@ pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
     }))
 }
 
-/// The keys that take one of a few words.
-fn choices(case: &OscillatorCase) -> Vec<Value> {
-    let choice = |WordKey { path, doc, words, value }: WordKey| {
-        let section = path.split_once('.').map_or("", |(section, _)| section);
-        json!({ "path": path, "section": section, "doc": doc, "words": words, "value": value(case) })
+/// The keys of these sections that take one of a few words, with what the case says.
+fn choices(model: &str, sections: &[&str], resolved: &Value) -> Vec<Value> {
+    let choice = |own: Listed| {
+        let (section, key) = own.path.split_once('.')?;
+        let words = own.words();
+        sections.contains(&section).then(|| {
+            json!({
+                "path": own.path, "section": section, "doc": own.key.doc, "value": word(&resolved[section][key], &words), "words": words,
+            })
+        })
     };
-    word_keys().into_iter().map(choice).collect()
+    worded(model).into_iter().filter_map(choice).collect()
+}
+
+/// The word that a value is, or that its table has; of another table its first key.
+fn word<'a>(value: &'a Value, words: &[&str]) -> Option<&'a str> {
+    let in_table = || {
+        let table = value.as_object()?;
+        let known = table.values().filter_map(Value::as_str).find(|word| words.contains(word));
+        known.or_else(|| table.keys().next().map(String::as_str))
+    };
+    value.as_str().or_else(in_table)
 }
 
 /// The analyses of the case, with their kinds.

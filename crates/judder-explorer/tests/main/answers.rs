@@ -54,7 +54,12 @@ fn the_session_has_the_declared_keys_of_each_kind_of_analysis() {
     assert_eq!(names(motion), declared);
     let points = motion.as_array().unwrap().iter().find(|key| key["name"] == "points").unwrap();
     assert_eq!((&points["default"], &points["form"]["range"]["from"]), (&json!(4096), &json!(16)));
-    let law = &session["choices"][0];
+    let (law, friction) = (&session["choices"][0], &session["choices"][1]);
+    assert_eq!(
+        (&friction["path"], &friction["value"]),
+        (&json!("contact.friction_load"), &json!("normal-load"))
+    );
+    assert_eq!(session["choices"].as_array().unwrap().len(), 2);
     assert_eq!(
         (&law["path"], &law["value"], &law["words"][2]),
         (&json!("contact.law"), &json!("oscillator-paper"), &json!("hertz"))
@@ -288,7 +293,7 @@ fn nothing_is_told_of_an_oscillator_that_is_not_there() {
         };
         assert!(is_own(&session["keys"]) && is_own(&session["values"]["values"]), "{name}: {session}");
         assert_eq!(session["keys"].as_array().unwrap().is_empty(), own.is_empty(), "{name}");
-        assert!(session["map"].is_null() && session["laws"].as_array().unwrap().is_empty(), "{name}");
+        assert!(session["map"].is_null() && session["choices"].as_array().unwrap().is_empty(), "{name}");
         if name == "contact" {
             let scales = served
                 .post("/api/case", &json!({ "set": ["substrate.retardation_time=20 ms"] }))

@@ -6,7 +6,7 @@ import { draw } from "../src/chart/draw";
 import { chartSvg } from "../src/chart/export";
 import { homeWindow } from "../src/chart/frame";
 import { drawLegend, legendEntries } from "../src/chart/legend";
-import { type AreaStyle, CONTACT_STATES, STABILITY, colourAt, hex, lineStyle, rgb } from "../src/chart/palette";
+import { classOf, colourAt, hex, lineStyle, rgb } from "../src/chart/palette";
 import { cellsOf, letterPlaces, pixelsOf, valueRange } from "../src/chart/raster";
 import { widthOf } from "../src/chart/markup";
 import { readings } from "../src/chart/readout";
@@ -56,13 +56,15 @@ describe("decimation", () => {
   });
 });
 
+const MECHANISMS = ["stable", "flutter", "negative-damping", "both", "normal-force-coupling", "marginal", "unresolved"];
+
 const map: ClassesLayer = {
   kind: "classes",
   label: "mechanism",
   x: [1e-2, 1e-1, 1],
   y: [0, 1],
   codes: Uint8Array.from([0, 1, 2, 3, 4, 6]),
-  classes: STABILITY,
+  classes: MECHANISMS.map(classOf),
 };
 const scales = { x: "log", y: "linear" } as const;
 
@@ -77,7 +79,7 @@ describe("maps", () => {
   it("have their first row at the bottom, and nothing outside of the data", () => {
     const pixels = pixelsOf(map, scales, { x: [1e-2, 1], y: [0, 1] }, 3, 2);
     const at = (column: number, row: number) => hex([...pixels.slice(4 * (row * 3 + column), 4 * (row * 3 + column) + 3)] as never);
-    expect([at(0, 1), at(1, 1), at(2, 1), at(0, 0), at(1, 0)]).toEqual([0, 1, 2, 3, 4].map((code) => STABILITY[code]?.colour));
+    expect([at(0, 1), at(1, 1), at(2, 1), at(0, 0), at(1, 0)]).toEqual(MECHANISMS.slice(0, 5).map((word) => classOf(word).colour));
     const beyond = pixelsOf(map, scales, { x: [1e3, 1e4], y: [0, 1] }, 2, 2);
     expect([...beyond].every((channel) => channel === 0)).toBe(true);
     expect(pixelsOf(map, scales, { x: [1e-2, 1], y: [0, 1] }, 1, 1).length).toBe(4);
@@ -109,8 +111,8 @@ describe("colours", () => {
   };
 
   it("of areas are apart in grey", () => {
-    const order = [0, 4, 2, 7, 1, 3].map((code) => lightness(STABILITY[code]?.colour ?? ""));
-    const states = [100, ...[3, 0, 2].map((code) => lightness(CONTACT_STATES[code]?.colour ?? ""))];
+    const order = ["stable", "normal-force-coupling", "negative-damping", "destabilised-by-damping", "flutter", "both"].map((word) => lightness(classOf(word).colour));
+    const states = [100, ...["lift-off", "stick", "slip ahead"].map((word) => lightness(classOf(word).colour))];
     for (const list of [order, states]) list.slice(1).forEach((next, i) => expect((list[i] as number) - next).toBeGreaterThan(7));
   });
 
@@ -149,14 +151,14 @@ describe("exports", () => {
   });
 
   it("have a column for ends, and none for classes without a map", () => {
-    const bands = { kind: "bands", label: "stick", from: [1, 4], to: [2, 5], style: STABILITY[1] as AreaStyle } as const;
+    const bands = { kind: "bands", label: "stick", from: [1, 4], to: [2, 5], style: classOf("flutter") } as const;
     expect(chartCsv({ ...curves, layers: [bands] })).toBe("layer,Time t (s),Velocity v (m/s),end\nstick,1,,2\nstick,4,,5\n");
     expect(chartCsv({ ...curves, layers: [{ ...bands, across: "y" }] })).toContain("stick,,4,5\n");
   });
 
   it("leave out what only helps the eye, and name each line with the key along it", () => {
     const line = { kind: "line", x: [1, 2], y: [3, 4], role: { series: 0 } } as const;
-    const far = { kind: "bands", label: "stable", from: [-1e200], to: [0], style: STABILITY[0] as AreaStyle, scenery: true } as const;
+    const far = { kind: "bands", label: "stable", from: [-1e200], to: [0], style: classOf("stable"), scenery: true } as const;
     const axisRule = { kind: "rule", label: "", across: "y", at: 0, role: "reference" } as const;
     const along = { name: "load (N)", values: [10, 20] };
     const layers = [far, axisRule, { ...line, label: "path", name: "line 1", along }, { ...line, x: [5, 6], label: "", name: "line 2", along }];

@@ -1,6 +1,6 @@
 /** What the server declares of some settings, cut short. */
 
-import type { Bounds, Declaration, Form } from "../src/wire/api";
+import type { Bounds, Choice, Declaration, Form } from "../src/wire/api";
 import { pageFields } from "../src/state/pages";
 
 const key = (name: string, form: Form, of: unknown = null): Declaration => ({ name, doc: `what ${name} is.`, symbol: "", required: false, default: of, words: "a value", form });
@@ -23,4 +23,5 @@ export const settings = {
   fit: { doc: "", keys: [span("velocity"), number("accuracy", { above: 0, to: 0.2 }, 1e-2), number("velocity_scale", { above: 0 }, 0.01)] },
 };
 
-export const PAGE_FIELDS = pageFields({ settings, laws: ["hertz", "bem"] });
+const law: Choice = { path: "contact.law", section: "contact", doc: "", words: ["hertz", "bem"], value: "hertz" };
+export const PAGE_FIELDS = pageFields({ settings, choices: [law] });

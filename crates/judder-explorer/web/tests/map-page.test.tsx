@@ -14,7 +14,7 @@ const key = (path: string): Key => ({
   path, section: "", symbol: path, group: path, unit: "1", doc: "", range: { above: 0 }, slider: { from: 0.01, to: 1, scale: "log" }, label: "", label_si: "",
 });
 const keys = new Map(["operation.velocity", "contact.shear_strength"].map((path) => [path, key(path)]));
-const session = { map: null, keys: [...keys.values()], laws: [], case: { model: "oscillator", text: "" } } as unknown as Session;
+const session = { map: null, keys: [...keys.values()], case: { model: "oscillator", text: "" } } as unknown as Session;
 
 /** What the panel of the place says with this address, before the server has answered. */
 async function panel(address: string): Promise<string> {

@@ -86,7 +86,8 @@ describe("the map's picture", () => {
 
   it("has no verdict where the errors of the law decide, until another map comes", () => {
     const bytes = (kind: string, name: string, codes: readonly number[]) => {
-      const arrays = [{ name, type: "u8", shape: [2, 2], offset: 0, dimensions: ["y", "x"] }];
+      const attributes = { flag_values: [0, 1, 2], flag_meanings: "decided marginal_within_the_law unknown" };
+      const arrays = [{ name, type: "u8", shape: [2, 2], offset: 0, dimensions: ["y", "x"], attributes }];
       return decodeFrame(encode({ kind, stage: "exact", arrays }, Uint8Array.from([...codes, 0, 0, 0, 0])));
     };
     const map = bytes("map", "classes", [0, 1, 0, 4]);

@@ -180,6 +180,8 @@ describe("a mode shape", () => {
   });
 });
 
+const STATES = ["stick", "slip", "slip_ahead", "lift-off"];
+
 const arrays = (columns: Record<string, readonly number[]>, kind = "block") => {
   const entries = Object.entries(columns);
   const length = entries[0]?.[1].length ?? 0;
@@ -189,7 +191,7 @@ const arrays = (columns: Record<string, readonly number[]>, kind = "block") => {
   const listed = entries.map(([name, values]) => {
     const isCode = name === "contact_state";
     payload.set(isCode ? Uint8Array.from(values) : new Uint8Array(Float64Array.from(values).buffer), offset);
-    const entry = { name, type: isCode ? "u8" : "f64", shape: [length], dimensions: ["time"], offset };
+    const entry = { name, type: isCode ? "u8" : "f64", shape: [length], dimensions: ["time"], offset, attributes: isCode ? { flag_meanings: STATES.join(" ") } : {} };
     offset += isCode ? stride : 8 * length;
     return entry;
   });
@@ -206,12 +208,13 @@ describe("a motion", () => {
     }
     expect(last?.time.length).toBe(9000);
     expect(last?.x[8999]).toBe(8999);
+    expect(last?.states.map(({ state }) => state)).toEqual(["stick", "slip", "slip ahead", "lift-off"]);
     expect([...(last?.states[0]?.from ?? [])]).toEqual([4500]);
     expect(take(arrays({ time: [0] }, "progress"))).toBeNull();
   });
 
   it("has stretches that meet, and steps between the points of its grid", () => {
-    const states = stretchesOf(Float64Array.of(0, 1, 2, 3), Uint8Array.of(1, 0, 0, 3));
+    const states = stretchesOf(Float64Array.of(0, 1, 2, 3), Uint8Array.of(1, 0, 0, 3), STATES);
     expect([...(states[1]?.to ?? [])]).toEqual([1]);
     expect([...(states[0]?.from ?? []), ...(states[0]?.to ?? [])]).toEqual([1, 3]);
     const curve = (...time: number[]) => ({ time: Float64Array.from(time), x: Float64Array.from(time), velocity: Float64Array.from(time) });

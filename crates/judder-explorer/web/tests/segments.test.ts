@@ -146,7 +146,7 @@ const CHARTS: Readonly<Record<string, (seed: number) => readonly Case[]>> = {
     const next = random(seed);
     const pieces = times(1 + Math.floor(3 * next()), (piece) => [...times(2 + Math.floor(5 * next()), (): Row => ({ x: next(), y: next(), run: `piece ${piece}` })), { x: nan, y: nan, run: "gap" }]).flat();
     const curve = { x: Float64Array.from(pieces, (row) => row.x), y: Float64Array.from(pieces, (row) => row.y) };
-    const picture = { plane: "", options: "", stage: "exact", x: Float64Array.of(0, 1), y: Float64Array.of(0, 1), classes: new Uint8Array(4), withinLaw: null, unresolved: 0, boundaries: { full: curve } } as const;
+    const picture = { plane: "", options: "", stage: "exact", x: Float64Array.of(0, 1), y: Float64Array.of(0, 1), classes: new Uint8Array(4), words: ["stable"], withinLaw: null, unresolved: 0, boundaries: { full: curve } } as const;
     const key = (path: string): Key => ({ path, section: "", symbol: "a", group: "a", unit: "1", doc: "", range: { above: 0 }, slider: { from: 0, to: 1, scale: "linear" }, label: "", label_si: "" });
     const side = (path: string) => ({ key: path, from: 0, to: 1, scale: "linear" }) as const;
     const state: MapState = { x: side("a.x"), y: side("a.y"), show: ["full"], marks: [], cursor: null, pin: null };

@@ -28,6 +28,19 @@ impl Listed {
         matches!(self.key.form, Allowed::Number(_) | Allowed::Scaled(_))
     }
 
+    /// The words that it may be, among other things.
+    pub fn words(&self) -> Vec<&'static str> {
+        let forms = match &self.key.form {
+            Allowed::Either(forms) => forms.as_slice(),
+            form => std::slice::from_ref(form),
+        };
+        let words = forms.iter().map(|form| match form {
+            Allowed::Choice { words } => *words,
+            _ => &[],
+        });
+        words.flatten().map(|(word, _)| *word).collect()
+    }
+
     /// Whether it names a file.
     pub fn is_file(&self) -> bool {
         matches!(self.key.form, Allowed::File)

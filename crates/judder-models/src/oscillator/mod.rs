@@ -30,7 +30,7 @@ pub mod spectrum;
 pub mod stability_map;
 pub(crate) mod steady_states;
 
-pub use stability_map::{BoundaryCurves, BoundaryKind, boundary_curves};
+pub use stability_map::{BoundaryCurves, BoundaryKind, STANDINGS, boundary_curves};
 
 use crate::bridge::{self, CaseContact};
 use crate::computed_law::Points;

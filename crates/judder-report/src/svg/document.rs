@@ -5,7 +5,7 @@ use super::written::{append, number};
 use crate::figure::{Figure, Layer};
 use crate::layout::{Frame, Layout};
 use crate::markup::{escape, plain_html};
-use crate::palette::{INK, PATTERN_TILE, QUIET, Role, UNRESOLVED_GROUND};
+use crate::palette::{GROUND, INK, PATTERN_TILE, QUIET, Role};
 use crate::typeface::{FAMILIES, SMALL_SIZE};
 use std::fmt::Arguments;
 
@@ -33,7 +33,7 @@ impl SvgDocument {
         let hatch = Role::Unresolved.colour();
         document.put(format_args!(
             "<defs><pattern id=\"{name}-hatch\" width=\"4\" height=\"4\" patternUnits=\"userSpaceOnUse\" \
-             patternTransform=\"rotate(45)\"><rect width=\"4\" height=\"4\" fill=\"{UNRESOLVED_GROUND}\"/>\
+             patternTransform=\"rotate(45)\"><rect width=\"4\" height=\"4\" fill=\"{GROUND}\"/>\
              <rect width=\"1.2\" height=\"4\" fill=\"{hatch}\"/></pattern></defs>"
         ));
         for role in [Role::Knock, Role::KnockUnknown, Role::WithinLaw] {
@@ -41,7 +41,7 @@ impl SvgDocument {
                 document.define_pattern(role);
             }
         }
-        document.put(format_args!("<rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>"));
+        document.put(format_args!("<rect width=\"{width}\" height=\"{height}\" fill=\"{GROUND}\"/>"));
         document
     }
 

@@ -6,7 +6,7 @@ use super::text::{Anchor, Text};
 use super::written::number;
 use crate::figure::{Layer, Line, Rule, RuleDirection, ShadedRegion};
 use crate::layout::{DrawnPanel, Frame};
-use crate::palette::{Marker, QUIET, Role, Style};
+use crate::palette::{GROUND, Marker, QUIET, Role, Style};
 use crate::raster::{self, MapPicture};
 use crate::typeface::{SMALL_SIZE, width};
 
@@ -125,7 +125,7 @@ pub(super) fn draw_rim(document: &mut SvgDocument, layer: &Layer, panel: &DrawnP
     if !data.is_empty() {
         let (id, width) = (document.id(number), super::written::number(line.style.width + 1.3));
         document.put(format_args!(
-            "<g fill=\"none\" stroke=\"#ffffff\" stroke-opacity=\"0.8\" stroke-width=\"{width}\" \
+            "<g fill=\"none\" stroke=\"{GROUND}\" stroke-opacity=\"0.8\" stroke-width=\"{width}\" \
              stroke-linejoin=\"round\"><path id=\"{id}\" d=\"{data}\"/></g>"
         ));
     }
@@ -185,7 +185,7 @@ pub(super) fn marker_path(style: &Style, places: impl Iterator<Item = ((f64, f64
         }
         (_, true) => format!("<path d=\"{data}\" fill=\"{colour}\"/>"),
         (_, false) => {
-            format!("<path d=\"{data}\" fill=\"{colour}\" stroke=\"#ffffff\" stroke-width=\"0.5\"/>")
+            format!("<path d=\"{data}\" fill=\"{colour}\" stroke=\"{GROUND}\" stroke-width=\"0.5\"/>")
         }
     }
 }

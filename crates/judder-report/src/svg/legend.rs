@@ -7,7 +7,7 @@ use super::written::number;
 use crate::figure::Panel;
 use crate::layout::{DrawnPanel, Frame};
 use crate::legend::{INSET, LegendEntry, ROW, SAMPLE, SAMPLE_GAP, entries};
-use crate::palette::{QUIET, Role, Style};
+use crate::palette::{GROUND, QUIET, Role, Style};
 use crate::typeface::SMALL_SIZE;
 
 /// Draws the legend of a panel, where it stands inside the frame.
@@ -15,7 +15,7 @@ pub(super) fn draw_inside(document: &mut SvgDocument, panel: &Panel, drawn: &Dra
     let Some(place) = drawn.legend else { return };
     let (x, y) = (drawn.frame.x + place.x, drawn.frame.y + place.y);
     let ground = Frame { x, y, width: place.width, height: place.height };
-    document.put(format_args!("{}", rectangle(ground, "fill=\"#ffffff\" fill-opacity=\"0.88\"")));
+    document.put(format_args!("{}", rectangle(ground, &format!("fill=\"{GROUND}\" fill-opacity=\"0.88\""))));
     for (index, entry) in entries(panel).iter().enumerate() {
         draw_entry(document, entry, x + INSET, y + INSET - 1.0 + index as f64 * ROW);
     }

@@ -2,7 +2,7 @@
 
 use super::written::{append, number};
 use crate::markup::{TextSpan, escape, parse};
-use crate::palette::Colour;
+use crate::palette::{Colour, GROUND};
 use crate::typeface::{SMALL_SIZE, span_rise, span_size};
 
 /// Which part of a label stands at its place.
@@ -78,8 +78,11 @@ impl Text {
             append(&mut attributes, format_args!(" fill=\"{colour}\""));
         }
         if self.halo {
-            attributes.push_str(
-                " stroke=\"#ffffff\" stroke-width=\"2.4\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
+            append(
+                &mut attributes,
+                format_args!(
+                    " stroke=\"{GROUND}\" stroke-width=\"2.4\" stroke-linejoin=\"round\" paint-order=\"stroke\""
+                ),
             );
         }
         let place = if self.upright {

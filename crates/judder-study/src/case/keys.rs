@@ -46,6 +46,14 @@ pub fn is_number(registry: Registry, path: &str) -> bool {
     registry.models().iter().any(|model| listed("", &(model.declared)()).iter().any(is_this))
 }
 
+/// Keys of the cases of a model that take one of a few words, among other things, outside of lists, names and analyses.
+pub fn worded(registry: Registry, model: &str) -> Vec<Listed> {
+    let declared = registry.models().iter().filter(|own| own.name == model).flat_map(|own| (own.declared)());
+    let mut keys = listed("", &declared.collect::<Vec<_>>());
+    keys.retain(|key| !key.path.contains('*') && !key.words().is_empty());
+    keys
+}
+
 /// The names of all keys that name a file.
 pub(crate) fn file_keys(registry: Registry) -> BTreeSet<&'static str> {
     let declared = registry.models().iter().flat_map(|model| listed("", &(model.declared)()));

@@ -7,7 +7,7 @@ import { type Frame, type Size, homeWindow } from "./frame";
 import { type Cursor, type Phase, useInteraction, zoomBy } from "./interaction";
 import { plainText } from "./markup";
 import { type Found, found } from "./nearest";
-import { INK, type Theme } from "./palette";
+import { INK, type Theme, lineStyle } from "./palette";
 import { RasterView } from "./RasterView";
 import { isShown, readings } from "./readout";
 import type { Window } from "./scale";
@@ -185,7 +185,9 @@ interface MarksProps {
 
 /** Cross hairs of the cursor, the pinned point, and the marked value. */
 function Marks({ frame, theme, cursor, found, pin, mark, onAreas }: MarksProps) {
-  const { ink } = INK[onAreas ? "light" : theme];
+  const over = onAreas ? "light" : theme;
+  const { ink } = INK[over];
+  const rim = onAreas ? INK.light.ground : "none";
   const at = (point: Cursor) => {
     const [x, y] = [frame.px(point.x), frame.py(point.y)];
     const inside = x >= frame.left && x <= frame.left + frame.width && y >= frame.top && y <= frame.top + frame.height;
@@ -198,18 +200,18 @@ function Marks({ frame, theme, cursor, found, pin, mark, onAreas }: MarksProps) 
     <g class="chart-marks" aria-hidden="true">
       {marked && (
         <>
-          <path d={`M${across} ${frame.top}v${frame.height}`} stroke={onAreas ? "#ffffff" : "none"} stroke-opacity={0.6} stroke-width={5} />
-          <path class="chart-mark" d={`M${across} ${frame.top}v${frame.height}`} stroke={onAreas || theme === "light" ? "#c8102e" : "#ff6b7d"} stroke-width={2} />
+          <path d={`M${across} ${frame.top}v${frame.height}`} stroke={rim} stroke-opacity={0.6} stroke-width={5} />
+          <path class="chart-mark" d={`M${across} ${frame.top}v${frame.height}`} stroke={lineStyle("decoupled-boundary", over).colour} stroke-width={2} />
         </>
       )}
       {hair && (
         <>
-          <path d={cross(frame, hair)} stroke={onAreas ? "#ffffff" : "none"} stroke-opacity={0.6} stroke-width={3} />
+          <path d={cross(frame, hair)} stroke={rim} stroke-opacity={0.6} stroke-width={3} />
           <path d={cross(frame, hair)} stroke={ink} stroke-width={1} stroke-dasharray="3 2" />
         </>
       )}
       {ring && <circle class="chart-found" cx={ring.x} cy={ring.y} r={5} fill="none" stroke={ink} stroke-width={1.5} />}
-      {pinned && <circle cx={pinned.x} cy={pinned.y} r={6} fill="#ffffff" stroke="#c8102e" stroke-width={3} />}
+      {pinned && <circle cx={pinned.x} cy={pinned.y} r={6} fill={INK.light.ground} stroke={lineStyle("decoupled-boundary", "light").colour} stroke-width={3} />}
     </g>
   );
 }

@@ -81,7 +81,7 @@ export function drawRim(layer: Layer, drawing: Drawing): Shape[] {
   const path = drawing.overAreas && layer.kind === "line" ? linePath(layer, drawing) : "";
   if (path === "" || layer.kind !== "line") return [];
   const width = styleOf(layer, drawing).width + 2;
-  return [shape("path", { d: path, stroke: "#ffffff", "stroke-width": width, "stroke-opacity": 0.6, fill: "none" })];
+  return [shape("path", { d: path, stroke: INK.light.ground, "stroke-width": width, "stroke-opacity": 0.6, fill: "none" })];
 }
 
 /** Points within the plot, each whole; all of them are one path: thousands of elements would be slow. */
@@ -98,7 +98,7 @@ function drawPoints(layer: PointsLayer, drawing: Drawing): Shape[] {
     if (isOnPlot(frame, x, y)) parts.push(marker(i)(x, y));
   }
   if (parts.length === 0) return [];
-  const rim = drawing.overAreas ? "#ffffff" : INK[drawing.theme].ground;
+  const rim = INK[drawing.overAreas ? "light" : drawing.theme].ground;
   const paint = layer.hollow
     ? { fill: "none", stroke: style.colour, "stroke-width": 1.5 }
     : { fill: style.colour, ...(layer.crowded ? {} : { stroke: rim, "stroke-width": 0.8 }) };
@@ -218,9 +218,9 @@ export function drawLetters(layer: ClassesLayer, drawing: Drawing): Shape[] {
       x: frame.left + x * frame.width,
       y: frame.top + y * frame.height + 6,
       size: 17,
-      colour: "#1a1a1a",
+      colour: INK.light.ink,
       anchor: "middle",
-      rim: "#ffffff",
+      rim: INK.light.ground,
       bold: true,
     }),
   );

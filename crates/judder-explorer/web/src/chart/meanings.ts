@@ -37,6 +37,7 @@ export const MEANINGS = {
     "end": 0.82,
     "width": 1.35
   },
+  "ground": "#ffffff",
   "ink": "#1a1a1a",
   "lines": {
     "conservative-boundary": {

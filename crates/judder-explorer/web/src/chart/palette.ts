@@ -48,7 +48,7 @@ export const PIXELS_PER_POINT = 4 / 3;
 
 /** Inks of frames and texts. */
 export const INK: Record<Theme, { ink: string; quiet: string; grid: string; ground: string }> = {
-  light: { ink: MEANINGS.ink, quiet: MEANINGS.quiet, grid: "#e3e3e3", ground: "#ffffff" },
+  light: { ink: MEANINGS.ink, quiet: MEANINGS.quiet, grid: "#e3e3e3", ground: MEANINGS.ground },
   dark: { ink: "#ececec", quiet: "#a8a8a8", grid: "#34383d", ground: "#16191d" },
 };
 
@@ -68,10 +68,7 @@ export function lineStyle(role: LineRole, theme: Theme): LineStyle {
   }
   if ("graded" in role) {
     const share = role.graded / Math.max(role.of - 1, 1);
-    // the end of viridis that is too close to the ground is left out
-    const fraction = theme === "light" ? graded.end * share : 0.3 + 0.7 * share;
-    const colour = hex(colourAt("sequential", fraction));
-    return { colour, dash: "solid", marker: cycle(series.markers, role.graded), width: PIXELS_PER_POINT * graded.width };
+    return { colour: hex(shade(share, theme)), dash: "solid", marker: cycle(series.markers, role.graded), width: PIXELS_PER_POINT * graded.width };
   }
   const index = "series" in role ? role.series : role.mode;
   const colour = cycle(QUALITATIVE[theme], index);
@@ -94,34 +91,40 @@ export const DASH_PATTERN: Record<Dash, readonly number[]> = MEANINGS.dashes;
 
 const AREAS = MEANINGS.areas;
 
-/** Classes of a stability map, by their codes. */
-export interface StabilityClass extends AreaStyle {
+/** What a code stands for, as an area. */
+export interface AreaClass extends AreaStyle {
   readonly name: string;
   /** Whether the pattern is drawn even where none is asked for: an area without a verdict is never plain. */
   readonly always?: boolean;
 }
 
-export const STABILITY: readonly StabilityClass[] = [
-  { name: "stable", colour: AREAS.stable, pattern: "none", letter: "S" },
-  { name: "flutter", colour: AREAS.flutter, pattern: "rising", letter: "F" },
-  { name: "negative damping", colour: AREAS["negative-damping"], pattern: "falling", letter: "N" },
-  { name: "both", colour: AREAS.both, pattern: "crossed", letter: "B" },
-  { name: "normal-force coupling", colour: AREAS["normal-force-coupling"], pattern: "dots", letter: "C" },
-  { name: "marginal", colour: MEANINGS.lines.reference.colour, pattern: "level", letter: "M" },
-  { name: "unresolved", colour: AREAS.unresolved, pattern: "upright", letter: "?", always: true },
-  { name: "destabilised by damping", colour: AREAS["destabilised-by-damping"], pattern: "grid", letter: "D" },
-];
+const UNRESOLVED: AreaClass = { name: "unresolved", colour: AREAS.unresolved, pattern: "upright", letter: "?", always: true };
 
-/** Where the errors of the contact law decide, in the place of a class. */
-export const WITHIN_LAW: StabilityClass = { name: "marginal within the law", colour: AREAS["within-law"], pattern: "crossed", letter: "L", always: true };
+/** Mechanisms of a stability map and contact states of a motion, by the words that codes stand for; slip is the plain ground. */
+const CLASSES: Readonly<Record<string, AreaClass>> = {
+  stable: { name: "stable", colour: AREAS.stable, pattern: "none", letter: "S" },
+  flutter: { name: "flutter", colour: AREAS.flutter, pattern: "rising", letter: "F" },
+  "negative-damping": { name: "negative damping", colour: AREAS["negative-damping"], pattern: "falling", letter: "N" },
+  both: { name: "both", colour: AREAS.both, pattern: "crossed", letter: "B" },
+  "normal-force-coupling": { name: "normal-force coupling", colour: AREAS["normal-force-coupling"], pattern: "dots", letter: "C" },
+  marginal: { name: "marginal", colour: MEANINGS.lines.reference.colour, pattern: "level", letter: "M" },
+  unresolved: UNRESOLVED,
+  "destabilised-by-damping": { name: "destabilised by damping", colour: AREAS["destabilised-by-damping"], pattern: "grid", letter: "D" },
+  // where the errors of the contact law decide, in the place of a class
+  "marginal within the law": { name: "marginal within the law", colour: AREAS["within-law"], pattern: "crossed", letter: "L", always: true },
+  stick: { name: "stick", colour: AREAS.stick, pattern: "rising", letter: "K" },
+  slip: { name: "slip", colour: "none", pattern: "none", letter: "S" },
+  "slip ahead": { name: "slip ahead", colour: AREAS["slip-ahead"], pattern: "crossed", letter: "A" },
+  "lift-off": { name: "lift-off", colour: AREAS["lift-off"], pattern: "dots", letter: "L" },
+};
 
-/** Contact states of a motion, by their codes; slip is the plain ground. */
-export const CONTACT_STATES: readonly StabilityClass[] = [
-  { name: "stick", colour: AREAS.stick, pattern: "rising", letter: "K" },
-  { name: "slip", colour: "none", pattern: "none", letter: "S" },
-  { name: "slip ahead", colour: AREAS["slip-ahead"], pattern: "crossed", letter: "A" },
-  { name: "lift-off", colour: AREAS["lift-off"], pattern: "dots", letter: "L" },
-];
+/** The class that such a word means; one that is not known is unresolved. */
+export function classOf(word: string): AreaClass {
+  return CLASSES[word] ?? UNRESOLVED;
+}
+
+/** Where along a parameter something is unstable. */
+export const UNSTABLE_ZONE: AreaStyle = { colour: AREAS["unstable-zone"], pattern: "rising", letter: "U" };
 
 export type ColourMap = "sequential" | "diverging";
 export type Rgb = readonly [number, number, number];
@@ -139,6 +142,11 @@ export function colourAt(map: ColourMap, fraction: number): Rgb {
   const [a, b] = [stops[below] as Rgb, stops[below + 1] as Rgb];
   const mix = (i: 0 | 1 | 2) => Math.round(a[i] + (b[i] - a[i]) * (place - below));
   return [mix(0), mix(1), mix(2)];
+}
+
+/** The colour at a share of what is graded: the end of viridis that is too close to the ground is left out. */
+export function shade(share: number, theme: Theme): Rgb {
+  return colourAt("sequential", theme === "light" ? MEANINGS.graded.end * share : 0.3 + 0.7 * share);
 }
 
 export function hex(colour: Rgb): string {

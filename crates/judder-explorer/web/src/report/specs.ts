@@ -10,7 +10,7 @@ const [USUAL, CROWDED] = [7, 3];
 
 /** Strokes of areas that are never plain, as drawings have them. */
 const PATTERNS: Record<string, Partial<AreaStyle>> = {
-  unresolved: { colour: "#ffffff", stroke: MEANINGS.areas.unresolved, pattern: "rising" },
+  unresolved: { colour: MEANINGS.ground, stroke: MEANINGS.areas.unresolved, pattern: "rising" },
   knock: { stroke: MEANINGS.quiet, pattern: "falling" },
   "knock-unknown": { stroke: MEANINGS.quiet, pattern: "dots" },
   "within-law": { stroke: MEANINGS.quiet, pattern: "crossed" },

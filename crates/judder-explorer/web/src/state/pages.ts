@@ -1,6 +1,6 @@
 /** What each page keeps in its address. */
 
-import type { Session } from "../wire/api";
+import { type Session, lawOfCase } from "../wire/api";
 import { CONTACT_PARTS, OVERLAYS, QUANTITIES, RUNS, anyAxis, anyLogRange, anyNumber, anyPair, anyPositive, anyRanges, anyShare, anyText, oneOf, words } from "./fields";
 import { fieldsOf } from "./settings";
 import type { PageFields } from "./view";
@@ -9,7 +9,7 @@ import type { PageFields } from "./view";
 const SOUNDS = ["motion", "cycle", "mode-1", "mode-2", "mode-3", "mode-4"] as const;
 
 /** Every page's fields: those of what it shows, which stand here, and those of the settings of what it computes. */
-export const pageFields = ({ settings, laws }: Pick<Session, "settings" | "laws">): PageFields => ({
+export const pageFields = (session: Pick<Session, "settings" | "choices">): PageFields => ({
   map: {
     x: anyAxis,
     y: anyAxis,
@@ -29,7 +29,7 @@ export const pageFields = ({ settings, laws }: Pick<Session, "settings" | "laws"
     sound: oneOf(SOUNDS),
     factor: anyPositive,
     volume: anyShare,
-    ...fieldsOf(settings, ["motion", "limit-cycle", "bifurcation"]),
+    ...fieldsOf(session.settings, ["motion", "limit-cycle", "bifurcation"]),
   },
   contact: {
     part: oneOf(CONTACT_PARTS),
@@ -37,11 +37,11 @@ export const pageFields = ({ settings, laws }: Pick<Session, "settings" | "laws"
     speeds: anyLogRange,
     depths: anyLogRange,
     cursor: anyPair,
-    compare: oneOf(laws),
+    compare: oneOf(lawOfCase(session)?.words ?? []),
     velocity: anyText,
     indentation: anyText,
     load: anyText,
-    ...fieldsOf(settings, ["contact", "contact-law", "fit"]),
+    ...fieldsOf(session.settings, ["contact", "contact-law", "fit"]),
   },
   structures: {
     analysis: anyText,

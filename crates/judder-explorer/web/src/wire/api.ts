@@ -73,18 +73,20 @@ export interface Session {
   readonly title: string;
   readonly case: { readonly name: string; readonly file?: string; readonly model: string; readonly text: string } | null;
   readonly keys: readonly Key[];
-  readonly laws: readonly string[];
   /** Keys of the case that take one of a few words. */
   readonly choices?: readonly Choice[];
   /** Values of the case as it was opened; null where it has no keys to move. */
   readonly values?: CaseValues | null;
-  /** The law of the case. */
-  readonly law?: string | null;
   readonly map: { readonly x: KeyAxis; readonly y: KeyAxis } | null;
   readonly analyses: readonly { readonly name: string; readonly kind: string }[];
   /** What is said of the keys of each kind of analysis. */
   readonly settings?: Readonly<Record<string, { readonly doc: string; readonly keys: readonly Declaration[] }>>;
   readonly study: { readonly name: string } | null;
+}
+
+/** The key by which a case chooses its contact law, where it has one. */
+export function lawOfCase({ choices }: Pick<Session, "choices">): Choice | undefined {
+  return choices?.find(({ path }) => path === "contact.law");
 }
 
 export interface CaseValue {

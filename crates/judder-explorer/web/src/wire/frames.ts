@@ -162,10 +162,16 @@ export function codes(frame: Frame, name: string): Uint8Array {
   return data instanceof Uint8Array ? data : new Uint8Array(0);
 }
 
+/** The words that the codes of an array stand for, by code. */
+export function words(array: FrameArray | undefined): readonly string[] {
+  const { flag_values: values, flag_meanings: told } = array?.attributes ?? {};
+  const words = typeof told === "string" ? told.split(" ").map((word) => word.replaceAll("_", " ")) : [];
+  const codes = Array.isArray(values) ? values.map(Number) : [...words.keys()];
+  return Array.from({ length: Math.max(-1, ...codes) + 1 }, (_, code) => words[codes.indexOf(code)] ?? "");
+}
+
 /** What the codes of an array mean, an entry a code: the words that it brings. */
 export function meanings(array: FrameArray): readonly string[] {
-  const { flag_values: values, flag_meanings: told } = array.attributes;
-  const words = typeof told === "string" ? told.split(" ").map((word) => word.replaceAll("_", " ")) : [];
-  const codes = Array.isArray(values) ? values.map(Number) : words.map((_, code) => code);
-  return Array.from(array.data, (code) => words[codes.indexOf(code)] ?? "");
+  const own = words(array);
+  return Array.from(array.data, (code) => own[code] ?? "");
 }

@@ -12,6 +12,7 @@ pub(crate) use knock::{NONE_MOVED, STARTS_IT, UNKNOWN};
 pub use overlays::{BoundaryCurves, BoundaryKind, boundary_curves};
 pub(crate) use overlays::{Overlay, incomplete};
 pub(crate) use run::{checked_points, unresolved_warning};
+pub use within_law::STANDINGS;
 pub(crate) use within_law::WITHIN_LAW;
 
 use super::{Operated, Subject, ends};

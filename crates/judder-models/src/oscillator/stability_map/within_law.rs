@@ -9,8 +9,8 @@ use judder_study::outcome::Outcome;
 
 /// The name of the array.
 pub(crate) const WITHIN_LAW: &str = "within_law";
-/// What its codes mean; where there is no steady sliding nothing is open.
-const MEANINGS: [(u8, &str); 3] = [
+/// What the errors of a contact law leave of verdicts, by the codes of a map; where there is no steady sliding nothing is open.
+pub const STANDINGS: [(u8, &str); 3] = [
     (LawStanding::Decided as u8, "decided"),
     (LawStanding::Marginal as u8, MARGINAL),
     (LawStanding::Unknown as u8, "unknown"),
@@ -44,7 +44,7 @@ pub(super) fn add(outcome: &mut Outcome, map: MapOverAxes<'_>, codes: Vec<u8>) -
         ));
     }
     let codes = map
-        .classes(WITHIN_LAW, codes, &MEANINGS)
+        .classes(WITHIN_LAW, codes, &STANDINGS)
         .long_name("what the errors of the contact law leave of the verdict");
     outcome.dataset = std::mem::take(&mut outcome.dataset).with(codes)?;
     Ok(())

@@ -7,7 +7,7 @@ import { ErrorNote, unlessSaid } from "../../ui/ErrorNote";
 import { useCaseFile } from "../../ui/files";
 import { Link } from "../../ui/Link";
 import { Page } from "../../ui/Page";
-import { type Analysis, fetchCaseFile } from "../../wire/api";
+import { type Analysis, fetchCaseFile, lawOfCase } from "../../wire/api";
 import { FitPart } from "./FitPart";
 import { LawPart } from "./LawPart";
 import { MaterialPart } from "./MaterialPart";
@@ -65,7 +65,7 @@ function useContactCaseFile(contact: Contact): void {
   const { session, store } = useApp();
   useCaseFile(() => {
     const { set, derived } = contact;
-    const analysis = shownAnalysis(contact, store.view.set["contact.law"] ?? session.law);
+    const analysis = shownAnalysis(contact, store.view.set["contact.law"] ?? lawOfCase(session)?.value);
     return { text: fetchCaseFile(set, analysis, derived && analysis ? "contact" : undefined) };
   });
 }

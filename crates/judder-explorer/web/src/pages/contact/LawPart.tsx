@@ -11,6 +11,7 @@ import { Label } from "../../ui/Label";
 import { WordChoice } from "../../ui/ParameterPanel";
 import { SettingControls } from "../../ui/SettingControls";
 import { Value } from "../../ui/Value";
+import { lawOfCase } from "../../wire/api";
 import type { Frame } from "../../wire/frames";
 import { type Law, type Operating, coloured, depthCutSpec, lawOf, mapSpec, nodeAt, speedCutSpec } from "./law";
 import { numberAt, outcomeOf } from "../../wire/outcome";
@@ -31,7 +32,7 @@ export function LawPart({ contact }: { readonly contact: Contact }) {
   const map = useMemo(() => mapSpec(law, state, operating), [law, state, operating]);
   const point = useOperating(contact);
   const parts = { law, state, cursor, beside: beside.law, contrast, operating: point };
-  const choice = session.choices?.find(({ path }) => path === "contact.law");
+  const choice = lawOfCase(session);
   const dependencies = [law, state, cursor.velocity, cursor.indentation, beside.law, contrast, point];
   const overSpeed = useMemo(() => speedCutSpec(parts), dependencies);
   const overDepth = useMemo(() => depthCutSpec(parts), dependencies);
@@ -43,9 +44,11 @@ export function LawPart({ contact }: { readonly contact: Contact }) {
     <>
       <div class="contact-tools">
         <QuantityChoice value={state.quantity} />
-        {derived && choice && <WordChoice choice={choice} />}
-        {derived && (
-          <Choice name="compare with" field="compare" value={state.compare ?? ""} options={[["", "nothing"], ...session.laws.map((law) => [law, law] as const)]} />
+        {derived && choice && (
+          <>
+            <WordChoice choice={choice} />
+            <Choice name="compare with" field="compare" value={state.compare ?? ""} options={[["", "nothing"], ...choice.words.map((law) => [law, law] as const)]} />
+          </>
         )}
         {!derived && <SettingControls kind="contact-law" first={["accuracy", "method"]} error={computation.error} />}
         {!derived && <p class="contact-note">A case of a contact has no law of its own: this is the one computed for its substrate and shape.</p>}

@@ -20,7 +20,7 @@ import { CursorPanel } from "./CursorPanel";
 import { MapSwitches } from "./MapSwitches";
 import { MapWarnings, useMapWarnings } from "./MapWarnings";
 import { moves } from "./moves";
-import { BOUNDARIES, MARGINAL, type MapPicture, mapAnalysis, planeOf } from "./picture";
+import { BOUNDARIES, type MapPicture, mapAnalysis, planeOf } from "./picture";
 import { mapSpec } from "./spec";
 import { optionsAt, rangeOfAxis, readMap } from "./state";
 import { criticalAnalysis, useCritical } from "./useCritical";
@@ -106,7 +106,7 @@ function status(picture: MapPicture | null, { busy, error }: LiveMap, standing: 
   if (standing) return standing.words;
   if (!picture) return busy ? "Computing…" : "";
   const unresolved = picture.unresolved > 0 ? ` ${picture.unresolved} points are unresolved.` : "";
-  const open = picture.withinLaw?.reduce((count, code) => count + Number(code === MARGINAL), 0) ?? 0;
+  const open = picture.withinLaw?.filter(Boolean).length ?? 0;
   const marginal = open > 0 ? ` At ${open} of them the errors of the contact law decide, not steady sliding.` : "";
   return (picture.stage === "coarse" ? "Coarse map." : `${picture.x.length} × ${picture.y.length} points.`) + unresolved + marginal;
 }

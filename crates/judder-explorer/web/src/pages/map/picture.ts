@@ -2,7 +2,7 @@
 
 import type { Curve } from "../../chart/runs";
 import type { Analysis, KeyAxis } from "../../wire/api";
-import { type Frame, codes, reals } from "../../wire/frames";
+import { type Frame, codes, meanings, reals, words } from "../../wire/frames";
 
 /** Points of each axis of the exact map. */
 const POINTS = 400;
@@ -21,8 +21,10 @@ export interface MapPicture {
   readonly x: Float64Array;
   readonly y: Float64Array;
   readonly classes: Uint8Array;
-  /** What the errors of the contact law leave of the verdicts: `MARGINAL` where they decide; null before it is known, and for a formula. */
-  readonly withinLaw: Uint8Array | null;
+  /** What their codes stand for. */
+  readonly words: readonly string[];
+  /** Whether the errors of the contact law decide; null before it is known, and for a formula. */
+  readonly withinLaw: readonly boolean[] | null;
   readonly unresolved: number;
   readonly boundaries: Readonly<Partial<Record<BoundaryName, Curve>>>;
 }
@@ -57,24 +59,26 @@ export function withFrame(before: MapPicture | null, frame: Frame, request: MapR
       x: reals(frame, "x"),
       y: reals(frame, "y"),
       classes: codes(frame, "classes"),
+      words: words(frame.arrays.get("classes")),
       withinLaw: null,
       unresolved: Number(frame.header["unresolved"] ?? 0),
       boundaries: same ? before.boundaries : {},
     };
   }
-  if (frame.kind === "within-law" && before) return { ...before, withinLaw: codes(frame, "within_law") };
+  const standings = frame.arrays.get("within_law");
+  if (standings && before) return { ...before, withinLaw: meanings(standings).map((word) => word === MARGINAL) };
   const name = BOUNDARIES.find((name) => name === frame.header["name"]);
   if (frame.kind !== "boundary" || !name || !before) return before;
   const curve = { x: reals(frame, "x"), y: reals(frame, "y") };
   return { ...before, boundaries: { ...before.boundaries, [name]: curve } };
 }
 
-/** The code of `withinLaw` where the errors of the law decide. */
-export const MARGINAL = 1;
+/** The word for points at which the errors of the law decide. */
+export const MARGINAL = "marginal within the law";
 
 /** The classes with `marginal` in the place of verdicts that the errors of the law decide. */
 export function drawnClasses({ classes, withinLaw }: Pick<MapPicture, "classes" | "withinLaw">, marginal: number): Uint8Array {
-  return withinLaw ? classes.map((code, k) => (withinLaw[k] === MARGINAL ? marginal : code)) : classes;
+  return withinLaw ? classes.map((code, k) => (withinLaw[k] ? marginal : code)) : classes;
 }
 
 /** The share of every class, by code. */

@@ -1,11 +1,11 @@
 /** The chart of a map. */
 
-import { STABILITY, WITHIN_LAW } from "../../chart/palette";
+import { classOf } from "../../chart/palette";
 import type { Window } from "../../chart/scale";
 import type { Axis, ChartSpec, Layer } from "../../chart/spec";
 import { keyName, signOf } from "../../ui/numbers";
 import type { Key, KeyAxis } from "../../wire/api";
-import { BOUNDARIES, type BoundaryName, type MapPicture, drawnClasses, shares } from "./picture";
+import { BOUNDARIES, type BoundaryName, MARGINAL, type MapPicture, drawnClasses, shares } from "./picture";
 import { type MapState, isDimensional } from "./state";
 import type { Critical } from "./useCritical";
 
@@ -47,8 +47,8 @@ interface Parts {
 export function mapSpec({ state, x, y, window, picture, critical }: Parts): ChartSpec {
   const layers: Layer[] = [];
   if (picture) {
-    const areas = [...STABILITY, WITHIN_LAW];
-    const drawn = drawnClasses(picture, STABILITY.length);
+    const areas = [...picture.words, MARGINAL].map(classOf);
+    const drawn = drawnClasses(picture, picture.words.length);
     const share = shares(drawn, areas.length);
     const classes = areas.map((area, code) => ({ ...area, legend: `${area.name} ${shareText(share[code] ?? 0)}` }));
     layers.push({

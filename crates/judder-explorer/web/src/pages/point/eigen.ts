@@ -1,6 +1,6 @@
 /** Eigenvalues in the complex plane: modes, their path along a key, and their trail. */
 
-import type { AreaStyle } from "../../chart/palette";
+import { classOf } from "../../chart/palette";
 import { type Range, rangeOf } from "../../chart/scale";
 import type { Axis, ChartSpec, Layer, LineLayer, PointsLayer } from "../../chart/spec";
 import type { Pair } from "../../wire/api";
@@ -75,7 +75,6 @@ export function growthAlong(path: Path): Float64Array {
   return path.along.map((_, row) => Math.max(...path.lines.map((line) => line.re[row] as number)));
 }
 
-const STABLE: AreaStyle = { colour: "#cfe3c8", pattern: "none", letter: "S" };
 /** Beyond all that is shown. */
 const FAR = 1e200;
 /** A path is shown as far as so many magnitudes of the present eigenvalues. */
@@ -94,7 +93,7 @@ export interface EigenParts {
 export function eigenSpec({ modes, trail, path, pathName, alongName }: EigenParts): ChartSpec {
   const both = modes.map((mode): Pair[] => (mode.oscillates ? [mode.value, [mode.value[0], -mode.value[1]]] : [mode.value]));
   const layers: Layer[] = [
-    { kind: "bands", label: "stable half-plane", from: [-FAR], to: [0], style: STABLE, scenery: true },
+    { kind: "bands", label: "stable half-plane", from: [-FAR], to: [0], style: classOf("stable"), scenery: true },
     { kind: "rule", label: "", across: "y", at: 0, role: "reference" },
     { kind: "rule", label: "", across: "x", at: 0, role: "full-boundary" },
   ];

@@ -1,15 +1,17 @@
 /** A motion as frames bring it: histories, contact states, phase portrait, spectrum. */
 
-import { CONTACT_STATES } from "../../chart/palette";
+import { classOf } from "../../chart/palette";
 import type { Curve } from "../../chart/runs";
 import { rangeOf } from "../../chart/scale";
 import type { BandsLayer, ChartSpec, Layer } from "../../chart/spec";
-import { type Frame, codes, reals } from "../../wire/frames";
+import { type Frame, codes, reals, words } from "../../wire/frames";
 import type { Collector } from "./useRun";
 import type { Mode } from "./eigen";
 
-/** Stretches of time in one contact state, by its code. */
+/** Stretches of time in one contact state. */
 export interface Stretches {
+  /** The state, in a word. */
+  readonly state: string;
   readonly from: Float64Array;
   readonly to: Float64Array;
 }
@@ -38,6 +40,7 @@ class Growing {
   private columns = Array.from({ length: 4 }, () => new Float64Array(4096));
   private states = new Uint8Array(4096);
   private length = 0;
+  private words: readonly string[] = [];
 
   add(frame: Frame): void {
     const parts = ["time", "x", "y", "velocity_x"].map((name) => reals(frame, name));
@@ -45,12 +48,13 @@ class Growing {
     while (this.length + more > this.states.length) this.double();
     this.columns.forEach((column, i) => column.set(parts[i] as Float64Array, this.length));
     this.states.set(codes(frame, "contact_state"), this.length);
+    this.words = words(frame.arrays.get("contact_state"));
     this.length += more;
   }
 
   motion(): Motion {
     const [time, x, y, velocity] = this.columns.map((column) => column.subarray(0, this.length)) as [Float64Array, Float64Array, Float64Array, Float64Array];
-    const states = stretchesOf(time, this.states.subarray(0, this.length));
+    const states = stretchesOf(time, this.states.subarray(0, this.length), this.words);
     return { time, x, y, velocity, states, fine: { time, x, velocity }, known: Number.POSITIVE_INFINITY, spectrum: null, outcome: null };
   }
 
@@ -80,19 +84,18 @@ export function motionOf(frame: Frame): Motion {
   const [time, x, y, velocity] = [reals(frame, "time"), reals(frame, "x"), reals(frame, "y"), reals(frame, "velocity_x")];
   const spectrum = frame.arrays.has("frequency") ? { x: reals(frame, "frequency"), y: reals(frame, "amplitude") } : null;
   const path = { time: reals(frame, "path_time"), x: reals(frame, "path_x"), velocity: reals(frame, "path_velocity_x") };
-  const known = knownFrom(time, path.time, codes(frame, "contact_state"));
+  const stick = words(frame.arrays.get("contact_state")).indexOf("stick");
+  const known = knownFrom(time, path.time, codes(frame, "contact_state"), stick);
   return { time, x, y, velocity, states: exactStretches(frame, time), fine: merged({ time, x, velocity }, path), known, spectrum, outcome: frame };
 }
 
 /** Of a long motion only the last steps are kept; in stick there are none, and none are needed. */
-function knownFrom(time: Float64Array, path: Float64Array, states: Uint8Array): number {
-  const moves = states.findIndex((state) => state !== STICK);
+function knownFrom(time: Float64Array, path: Float64Array, states: Uint8Array, stick: number): number {
+  const moves = states.findIndex((state) => state !== stick);
   if (moves < 0) return time[0] ?? 0;
   const first = path[0] ?? Number.POSITIVE_INFINITY;
   return first <= (time[moves + 1] ?? Number.POSITIVE_INFINITY) ? (time[0] ?? 0) : first;
 }
-
-const STICK = 0;
 
 type Fine = Motion["fine"];
 
@@ -114,33 +117,32 @@ export function merged(a: Fine, b: Fine): Fine {
 }
 
 /** Stretches of equal states of a history: each ends where the next begins. */
-export function stretchesOf(time: Float64Array, states: Uint8Array): readonly Stretches[] {
+export function stretchesOf(time: Float64Array, states: Uint8Array, words: readonly string[]): readonly Stretches[] {
   const changes: number[] = [];
   for (let i = 1; i < states.length; i += 1) if (states[i] !== states[i - 1]) changes.push(i);
   const ends = [...changes, states.length - 1].map((i) => time[i] as number);
-  return byState([time[0] ?? 0, ...ends], [states[0] ?? 1, ...changes.map((i) => states[i] as number)]);
+  return byState([time[0] ?? 0, ...ends], [states[0] ?? -1, ...changes.map((i) => states[i] as number)], words);
 }
 
 /** Stretches between the events of an outcome. */
 function exactStretches(frame: Frame, time: Float64Array): readonly Stretches[] {
   const [events, after] = [reals(frame, "event_time"), codes(frame, "event_to")];
-  const first = codes(frame, "event_from")[0] ?? codes(frame, "contact_state")[0] ?? 1;
-  return byState([time[0] ?? 0, ...events, time.at(-1) ?? 0], [first, ...after]);
+  const first = codes(frame, "event_from")[0] ?? codes(frame, "contact_state")[0] ?? -1;
+  return byState([time[0] ?? 0, ...events, time.at(-1) ?? 0], [first, ...after], words(frame.arrays.get("contact_state")));
 }
 
-function byState(ends: readonly number[], states: readonly number[]): readonly Stretches[] {
-  return CONTACT_STATES.map((_, code) => {
+function byState(ends: readonly number[], states: readonly number[], words: readonly string[]): readonly Stretches[] {
+  return words.map((state, code) => {
     const mine = states.flatMap((state, i) => (state === code && (ends[i + 1] as number) > (ends[i] as number) ? [i] : []));
-    return { from: Float64Array.from(mine, (i) => ends[i] as number), to: Float64Array.from(mine, (i) => ends[i + 1] as number) };
+    return { state, from: Float64Array.from(mine, (i) => ends[i] as number), to: Float64Array.from(mine, (i) => ends[i + 1] as number) };
   });
 }
 
 /** Contact states as bands; slip is the plain ground. */
 function bands(states: readonly Stretches[]): BandsLayer[] {
-  return CONTACT_STATES.flatMap((style, code): BandsLayer[] => {
-    const stretches = states[code];
-    if (style.colour === "none" || !stretches || stretches.from.length === 0) return [];
-    return [{ kind: "bands", label: style.name, ...stretches, style }];
+  return states.flatMap(({ state, from, to }): BandsLayer[] => {
+    const style = classOf(state);
+    return style.colour === "none" || from.length === 0 ? [] : [{ kind: "bands", label: style.name, from, to, style }];
   });
 }
 

@@ -1,6 +1,6 @@
 /** The bar that tells the colours of displacements. */
 
-import { type Theme, colourAt, hex } from "../../chart/palette";
+import { type Theme, hex, shade } from "../../chart/palette";
 import { short } from "./locus";
 
 const STEPS = 24;
@@ -15,7 +15,7 @@ export function DisplacementBar({ theme, largest, unit }: DisplacementBarProps) 
   const height = 160;
   const step = height / STEPS;
   const share = (k: number) => (k + 0.5) / STEPS;
-  const colour = (k: number) => hex(colourAt("sequential", theme === "light" ? 0.82 * share(k) : 0.3 + 0.7 * share(k)));
+  const colour = (k: number) => hex(shade(share(k), theme));
   return (
     <div class="shape-bar">
       <p>Displacement{unit !== "" && unit !== "1" ? ` (${unit})` : ""}</p>

@@ -1,6 +1,6 @@
 /** Eigenvalues over a position or a key: what they say, and their charts. */
 
-import type { AreaStyle } from "../../chart/palette";
+import { UNSTABLE_ZONE } from "../../chart/palette";
 import { brief } from "../../chart/readout";
 import { apart } from "../../chart/runs";
 import type { Axis, BandsLayer, ChartSpec, Layer, LineLayer, PointsLayer } from "../../chart/spec";
@@ -107,7 +107,6 @@ export function homePlace(locus: Locus): number {
   return locus.along[Math.floor(best / Math.max(locus.branches, 1))] ?? 0;
 }
 
-const ZONE: AreaStyle = { colour: "#f7dccb", pattern: "rising", letter: "U" };
 /** Half the height of the frame of a zone at its frequency, as a share of the frequencies that are shown. */
 const HALF = 0.02;
 /** What an even axis of growth rates shows below zero and above, over the fastest growth. */
@@ -115,7 +114,7 @@ const [BELOW, ABOVE] = [0.25, 1.1];
 
 function zoneBands(zones: readonly Zone[]): BandsLayer[] {
   if (zones.length === 0) return [];
-  return [{ kind: "bands", label: "unstable zone", from: zones.map((zone) => zone.from), to: zones.map((zone) => zone.to), style: ZONE }];
+  return [{ kind: "bands", label: "unstable zone", from: zones.map((zone) => zone.from), to: zones.map((zone) => zone.to), style: UNSTABLE_ZONE }];
 }
 
 /** A frame about every zone at its frequency. */

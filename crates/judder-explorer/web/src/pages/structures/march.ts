@@ -1,6 +1,7 @@
 /** The signals of a march, and their charts. */
 
 import { chartCsv } from "../../chart/csv";
+import { UNSTABLE_ZONE } from "../../chart/palette";
 import { type Range, type Window, rangeOf } from "../../chart/scale";
 import type { BandsLayer, ChartSpec } from "../../chart/spec";
 import { type Motion, passed } from "./motion";
@@ -82,8 +83,7 @@ export function zoneTimes(zones: readonly MarchZone[], motion: Motion): BandsLay
     return found ? [found] : [];
   });
   if (times.length === 0) return [];
-  const style = { colour: "#f7dccb", pattern: "rising", letter: "U" } as const;
-  return [{ kind: "bands", label: "in an unstable zone", from: times.map(([from]) => from), to: times.map(([, to]) => to), style }];
+  return [{ kind: "bands", label: "in an unstable zone", from: times.map(([from]) => from), to: times.map(([, to]) => to), style: UNSTABLE_ZONE }];
 }
 
 export interface SignalParts {

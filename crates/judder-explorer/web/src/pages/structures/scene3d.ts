@@ -15,14 +15,9 @@ import {
   Scene,
   WebGLRenderer,
 } from "three";
-import { type Theme, INK, colourAt } from "../../chart/palette";
+import { type Theme, INK, shade } from "../../chart/palette";
 import { type Body, DISPLACEMENT, type Swing, basis, placesAt } from "./body";
 import { LARGEST_SCALE, type Look } from "./state";
-
-/** Colours of displacements: the end of the map that is too close to the ground is left out. */
-function shade(theme: Theme, share: number): readonly [number, number, number] {
-  return colourAt("sequential", theme === "light" ? 0.82 * share : 0.3 + 0.7 * share);
-}
 
 export interface Still {
   readonly look: Look;
@@ -63,7 +58,7 @@ export class BodyScene {
     const colours = new Float32Array(3 * count);
     const colour = new Color();
     for (let i = 0; i < count; i += 1) {
-      const [red, green, blue] = shade(theme, swing.reach[i] as number);
+      const [red, green, blue] = shade(swing.reach[i] as number, theme);
       colour.setRGB(red / 255, green / 255, blue / 255, "srgb").toArray(colours, 3 * i);
     }
     this.looks.rest.lines.color.set(INK[theme].quiet);

@@ -1,1 +1,0 @@
-import{w as e}from"./Value-CgW35Hig.js";import{H as t}from"./index-L9fDu_vT.js";function n({dataKey:n,value:r}){let i=r!=null;return t(`span`,{"data-key":n,"data-value":i?r:``,title:i?String(r):void 0,children:i?e(r):`—`})}export{n as t};

@@ -1,1 +1,0 @@
-import{w as e}from"./Value-BJ0zWNtw.js";import{V as t}from"./index-CVbGNtbv.js";function n({dataKey:n,value:r}){let i=r!=null;return t(`span`,{"data-key":n,"data-value":i?r:``,title:i?String(r):void 0,children:i?e(r):`—`})}export{n as t};

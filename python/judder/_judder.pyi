@@ -21,6 +21,7 @@ __all__ = [
     "command",
     "computed_analysis",
     "contact_solution",
+    "declared_models",
     "oscillator_map",
     "point",
     "rebuilt_point",
@@ -196,6 +197,7 @@ def sliding_locus(
     damped: bool,
     threads: int | None,
 ) -> dict[str, Any]: ...
+def declared_models() -> str: ...
 def text_of_case(case: tuple[tuple[str, str] | str, str, Sequence[str]]) -> str: ...
 def computed_analysis(
     case: tuple[tuple[str, str] | str, str, Sequence[str]],

@@ -1,6 +1,6 @@
 """What functions on arrays take that are keys of a case.
 
-The tests write it from the declarations by which case files are read: ``JUDDER_GOLDEN=write cargo nextest run -p judder-cli -E 'test(/golden/)'``.
+The tests write it from the declarations by which case files are read: ``JUDDER_GOLDEN=write cargo nextest run -p judder-python``.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
-//! One more analysis of a case.
+//! The models, and one more analysis of a case.
 
 use crate::cases::Source;
 use crate::errors;
+use crate::signatures::{Callable, classes};
 use crate::watched::{Manner, watched};
 use judder_keys::cause::Cause;
 use judder_study::StudyError;
@@ -10,7 +11,15 @@ use judder_study::case::compose::joined_by;
 use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, compute};
 use pyo3::prelude::*;
+use serde_json::Value as Json;
 use std::path::PathBuf;
+
+/// The classes of the models and their methods, each with its name, what it is `of`, its docs, and its parameters: a name, that of its key,
+/// its type, whether it must be given. JSON.
+#[pyfunction]
+pub(crate) fn declared_models() -> String {
+    Json::from(classes().iter().map(Callable::document).collect::<Vec<_>>()).to_string()
+}
 
 /// A case, the model that it must be of, and what is changed in it.
 type Given = (Source, String, Vec<String>);

@@ -6,6 +6,7 @@
 //! - `pool`, `watched`: long calls without the interpreter's lock, which Ctrl-C ends and whose progress is told.
 //! - `oscillator`, `contact`, `sliding`: one module a crate of the second floor.
 //! - `cases`: whole cases, and the command. `analyses`: one more analysis of a case.
+//! - `signatures`: the classes of the models, as Python makes them.
 //! - `sweep`: a sweep of a case, chunk by chunk, for whoever hands the chunks out himself.
 //! - `errors`: errors of the crates as exceptions, with their fields.
 
@@ -17,6 +18,7 @@ mod contact;
 mod errors;
 mod oscillator;
 mod pool;
+mod signatures;
 mod sliding;
 mod sweep;
 mod watched;
@@ -26,7 +28,7 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _judder {
     #[pymodule_export]
-    use crate::analyses::{computed_analysis, text_of_case};
+    use crate::analyses::{computed_analysis, declared_models, text_of_case};
     #[pymodule_export]
     use crate::cases::{checked_case, command, run_case};
     #[pymodule_export]

@@ -114,7 +114,7 @@ def check(*words):
 def test_mypy_is_content_with_the_package_its_stubs_and_a_script(tmp_path):
     cache = f"--cache-dir={tmp_path}"
     check("mypy", "--strict", cache, "-p", "judder", "-m", "sample_script")
-    check("mypy.stubtest", "--ignore-disjoint-bases", "judder._judder")
+    check("mypy.stubtest", "--ignore-disjoint-bases", "judder._judder", "judder.models")
 
 
 @pytest.mark.skipif(not importlib.util.find_spec("pyright"), reason="pyright is not installed")

@@ -10,7 +10,6 @@ mod file;
 mod generated;
 mod layout;
 mod messages;
-mod python;
 mod results;
 mod snapshot;
 

@@ -1,7 +1,7 @@
 //! `judder._keys`: what functions on arrays take that are keys of a case.
 
-use super::annotation;
-use super::key::{Key, capitalised, wrapped};
+use crate::signatures::annotation;
+use crate::signatures::key::{Key, capitalised, wrapped};
 use judder_keys::keys::Keys;
 use judder_keys::memory::Memory;
 use judder_models::oscillator::keys::OscillatorKey;
@@ -10,7 +10,7 @@ use serde_json::Value as Json;
 
 const HEAD: &str = r#""""What functions on arrays take that are keys of a case.
 
-The tests write it from the declarations by which case files are read: ``JUDDER_GOLDEN=write cargo nextest run -p judder-cli -E 'test(/golden/)'``.
+The tests write it from the declarations by which case files are read: ``JUDDER_GOLDEN=write cargo nextest run -p judder-python``.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ pub(super) fn module() -> String {
     let fields: String = numbers
         .map(|(name, schema)| {
             let key = Key::of_schema(name, schema, &Json::Null, definitions);
-            let doc = format!("\"\"\"{}.\"\"\"", key.words());
+            let doc = format!("\"\"\"{}.\"\"\"", key.told.words);
             format!("    {name}: {}\n{}", annotation::of(&key.schema, definitions), wrapped(&doc, 4, 4))
         })
         .collect();

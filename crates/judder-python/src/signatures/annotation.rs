@@ -1,9 +1,9 @@
-//! The types of keys, as Python annotates them, from their schema.
+//! The types of keys, as Python annotates them, from their schema; `Any` where it says none.
 
 use serde_json::Value as Json;
 
 /// What a value may be; `definitions` are those of the whole schema.
-pub(super) fn of(schema: &Json, definitions: &Json) -> String {
+pub(crate) fn of(schema: &Json, definitions: &Json) -> String {
     union(alternatives(schema, definitions))
 }
 
@@ -36,19 +36,18 @@ fn alternatives(schema: &Json, definitions: &Json) -> Vec<String> {
             format!("Mapping[str, {}]", of(&schema["additionalProperties"], definitions))
         }
         "object" => "Mapping[str, Any]".to_owned(),
-        other => panic!("no type of Python stands for `{other}`"),
+        _ => "Any".to_owned(),
     };
     match (&schema["type"], &schema["enum"], &schema["const"]) {
         (Json::String(name), ..) => vec![named(name)],
-        (Json::Array(names), ..) => names.iter().map(|name| named(name.as_str().unwrap())).collect(),
+        (Json::Array(names), ..) => names.iter().filter_map(Json::as_str).map(named).collect(),
         (_, Json::Array(words), _) => vec![literal(words)],
         (.., word @ Json::String(_)) => vec![literal(std::slice::from_ref(word))],
         (.., Json::Bool(_)) => vec!["bool".to_owned()],
-        _ => {
-            let forms = ["anyOf", "oneOf"].iter().find_map(|key| schema[*key].as_array());
-            let forms = forms.unwrap_or_else(|| panic!("no type of Python stands for {schema}"));
-            forms.iter().flat_map(|form| alternatives(form, definitions)).collect()
-        }
+        _ => match ["anyOf", "oneOf"].iter().find_map(|key| schema[*key].as_array()) {
+            Some(forms) => forms.iter().flat_map(|form| alternatives(form, definitions)).collect(),
+            None => vec!["Any".to_owned()],
+        },
     }
 }
 

@@ -2,32 +2,33 @@
 
 use judder_keys::declared::Declaration;
 use serde_json::Value as Json;
-use std::fmt::Write;
 
 /// The columns of a line.
 const COLUMNS: usize = 140;
 
 /// A key and what is said of it.
-pub(super) struct Key {
+pub(crate) struct Key {
     /// Its name in a case file.
-    pub(super) name: String,
+    pub(crate) name: String,
     /// Whether it must be given, whatever else is.
-    pub(super) is_required: bool,
+    pub(crate) is_required: bool,
     /// Its schema.
-    pub(super) schema: Json,
-    told: Told,
+    pub(crate) schema: Json,
+    /// What is said of it.
+    pub(crate) told: Told,
 }
 
 /// What docstrings say of a key.
-struct Told {
+pub(crate) struct Told {
     name: String,
-    words: String,
+    /// In one line.
+    pub(crate) words: String,
     keys: Vec<Told>,
 }
 
 impl Key {
     /// A key as it is declared.
-    pub(super) fn declared(declaration: &Declaration) -> Self {
+    pub(crate) fn declared(declaration: &Declaration) -> Self {
         Self {
             name: declaration.name.to_owned(),
             is_required: declaration.must_stand(),
@@ -37,26 +38,21 @@ impl Key {
     }
 
     /// A key of a table of which only the schema is known.
-    pub(super) fn of_schema(name: &str, schema: &Json, table: &Json, definitions: &Json) -> Self {
+    pub(crate) fn of_schema(name: &str, schema: &Json, table: &Json, definitions: &Json) -> Self {
         let schema = resolved(schema, definitions).clone();
         let told = Told::of_schema(name, &schema, definitions);
         Self { name: name.to_owned(), is_required: is_required(name, table), schema, told }
     }
 
     /// Its name as a parameter of Python.
-    pub(super) fn parameter(&self) -> String {
+    pub(crate) fn parameter(&self) -> String {
         // the words of the language that a key could be
         let is_word = ["from", "in", "is", "as", "with", "for", "lambda", "class"].contains(&&*self.name);
         if is_word { format!("{}_", self.name) } else { self.name.clone() }
     }
 
-    /// What is said of it in one line.
-    pub(super) fn words(&self) -> &str {
-        &self.told.words
-    }
-
     /// The entry of a docstring.
-    pub(super) fn entry(&self, indent: usize) -> String {
+    pub(crate) fn entry(&self, indent: usize) -> String {
         let mut entry = wrapped(&format!("{}: {}", self.parameter(), self.told.words), indent, indent + 4);
         self.told.list(&mut entry, indent + 4);
         entry
@@ -78,16 +74,16 @@ fn resolved<'a>(schema: &'a Json, definitions: &'a Json) -> &'a Json {
 
 impl Told {
     fn declared(document: &Json) -> Self {
-        let doc = match (document["symbol"].as_str().unwrap(), document["doc"].as_str().unwrap()) {
+        let text = |key: &str| document[key].as_str().unwrap_or_default();
+        let doc = match (text("symbol"), text("doc")) {
             ("", doc) => doc.to_owned(),
             (symbol, doc) => format!("{symbol}: {doc}"),
         };
-        let may_be = document["words"].as_str().unwrap_or_default();
         // of alternatives one must be given
         let is_needed = document["required"] == true && document["alternative"].is_null();
         Self {
-            name: document["name"].as_str().unwrap().to_owned(),
-            words: sentence(&doc, may_be, &document["default"], is_needed),
+            name: text("name").to_owned(),
+            words: sentence(&doc, text("words"), &document["default"], is_needed),
             keys: keys(&document["form"]).iter().map(Self::declared).collect(),
         }
     }
@@ -139,8 +135,8 @@ fn keys(form: &Json) -> &[Json] {
         Some("table") => form["keys"].as_array().map_or(&[], Vec::as_slice),
         Some("list" | "named") => keys(&form["of"]),
         Some("either") => {
-            let forms = form["forms"].as_array().unwrap();
-            forms.iter().map(keys).find(|keys| !keys.is_empty()).unwrap_or(&[])
+            let forms = form["forms"].as_array().into_iter().flatten();
+            forms.map(keys).find(|keys| !keys.is_empty()).unwrap_or(&[])
         }
         _ => &[],
     }
@@ -173,12 +169,12 @@ fn examples(schema: &Json) -> String {
 }
 
 /// Lines of at most so many columns; the first and those below it begin at these.
-pub(super) fn wrapped(text: &str, first: usize, below: usize) -> String {
+pub(crate) fn wrapped(text: &str, first: usize, below: usize) -> String {
     let (mut lines, mut line) = (String::new(), " ".repeat(first));
     let mut is_empty = true;
     for word in text.split_whitespace() {
         if !is_empty && line.chars().count() + 1 + word.chars().count() > COLUMNS {
-            writeln!(lines, "{line}").unwrap();
+            lines.extend([line.as_str(), "\n"]);
             (line, is_empty) = (" ".repeat(below), true);
         }
         if !is_empty {
@@ -187,12 +183,11 @@ pub(super) fn wrapped(text: &str, first: usize, below: usize) -> String {
         line.push_str(word);
         is_empty = false;
     }
-    writeln!(lines, "{line}").unwrap();
-    lines
+    lines + &line + "\n"
 }
 
 /// The same as the beginning of a sentence.
-pub(super) fn capitalised(words: &str) -> String {
+pub(crate) fn capitalised(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

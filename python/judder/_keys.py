@@ -13,6 +13,8 @@ FrictionLoad: TypeAlias = Literal["normal-load", "contact-force"]
 """The force that μ_visc multiplies."""
 Configuration: TypeAlias = Literal["undeformed", "deformed"]
 """The configuration about which small motions are meant."""
+MarchMethod: TypeAlias = Literal["subs", "ensubs", "film", "residual-flexibility"]
+"""How the coupled structures are integrated."""
 Predictor: TypeAlias = Literal["printed", "with-force"]
 """Of ``ensubs`` and ``film``: the displacements of the next step that the geometry of the contact is taken from."""
 CONTACT_ACCURACY: Final = 0.001

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from judder import _judder, _toml
 from judder._judder import Pair
-from judder._keys import LOCUS_CONFIGURATION, LOCUS_COUNT, LOCUS_DAMPING, Configuration, Predictor
+from judder._keys import LOCUS_CONFIGURATION, LOCUS_COUNT, LOCUS_DAMPING, Configuration, MarchMethod, Predictor
 from judder.progress import Progress
 from judder.study import CaseLike, source
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Configuration", "Locus", "March", "Method", "Observed", "Pair", "Predictor", "Slider", "Track", "Zone", "load_pair", "locus", "march"]
 
-Method: TypeAlias = Literal["subs", "subs-static-slope", "ensubs", "film", "residual-flexibility"]
+Method: TypeAlias = MarchMethod | Literal["subs-static-slope"]
 """How a march finds the contact and its force, see the beams paper; ``"film"`` knows stick and lift-off."""
 
 

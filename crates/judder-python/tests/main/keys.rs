@@ -52,11 +52,12 @@ pub(super) fn module() -> String {
         .collect();
     let contact = keys("contact");
     let configuration = &declared(["sliding", "locus", "configuration"]);
-    let predictor = &declared(["sliding", "march", "predictor"]);
+    let [method, predictor] = &["method", "predictor"].map(|key| declared(["sliding", "march", key]));
     let aliases: String = [
         ("LawName", &contact["law"]["anyOf"][0], &contact["law"]),
         ("FrictionLoad", &contact["friction_load"], &contact["friction_load"]),
         ("Configuration", configuration, configuration),
+        ("MarchMethod", method, method),
         ("Predictor", predictor, predictor),
     ]
     .map(|(name, schema, said)| {

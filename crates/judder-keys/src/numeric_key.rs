@@ -11,16 +11,17 @@ use serde_json::{Value as Json, json};
 pub use crate::range::Range;
 
 /// Whether a number is the paper's dimensionless group or a quantity in SI units.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Form {
     /// A plain number in the case file: the group that [`Scaled::group`] names.
+    #[default]
     Group,
     /// A quantity with a unit in the case file; the number is in SI units.
     Si,
 }
 
 /// A number of a case with its form.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Value {
     /// The number: a group, or in the SI unit of the key's dimension.
     pub number: f64,

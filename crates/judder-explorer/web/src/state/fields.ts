@@ -77,8 +77,9 @@ export function parseRanges(text: string | undefined): Readonly<Record<string, r
 
 export const anyRanges: Accepts = (text) => text.length <= 2000 && parseRanges(text) !== undefined;
 
-/** What the map can show on top of the mechanisms. */
-export const OVERLAYS = ["full", "conservative", "decoupled", "critical"] as const;
+/** The boundaries of a map, and what it can show on top of the mechanisms. */
+export const BOUNDARIES = ["full", "conservative", "decoupled"] as const;
+export const OVERLAYS = [...BOUNDARIES, "critical"] as const;
 
 /** The parts of the contact page; only the one that is shown is computed. */
 export const CONTACT_PARTS = ["material", "law", "fit", "solution"] as const;

@@ -43,9 +43,6 @@ const FIELDS: Fields = {
   "fit/velocity_scale": "velocity_scale",
 };
 
-/** Settings that follow from others where they are left out, as their docs say: what is declared of that holds for the declared others alone. */
-const FOLLOWING: readonly string[] = ["transient"];
-
 const SINGLE: readonly string[] = ["number", "whole", "flag", "choice", "other"];
 
 /** The settings of a kind of analysis that a page offers. */
@@ -90,8 +87,7 @@ export function accepts({ form }: Pick<Declaration, "form">, text: string): bool
 
 /** What a setting says: as the address has it, as a page asks for it at first, or as a case takes it by itself. */
 export function textOf(kind: string, setting: Setting, fields: Fields): string {
-  const own = FOLLOWING.includes(setting.path) ? "" : String(setting.default ?? "");
-  return fields[setting.field] ?? FIRST[kind]?.[setting.path] ?? own;
+  return fields[setting.field] ?? FIRST[kind]?.[setting.path] ?? String(setting.default ?? "");
 }
 
 /** An analysis with the settings that an address or the page gives; what they leave out a case takes by itself. */

@@ -49,7 +49,7 @@ pub struct Diagram {
     #[key(rule = DURATION, symbol = "t", default = Value::group(5000.0))]
     pub duration: Value,
     /// First part of the duration, which the averages of an irregular motion leave out; half of it by default.
-    #[key(rule = TRANSIENT, symbol = "t", default = Value::group(2500.0))]
+    #[key(rule = TRANSIENT, symbol = "t", filled)]
     pub transient: Value,
     /// Local error of a step, relative to the magnitudes of steady sliding.
     #[key(rule = TOLERANCE, symbol = "ε", default = 1e-6)]

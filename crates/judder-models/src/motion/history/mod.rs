@@ -32,7 +32,7 @@ pub struct History {
     #[key(rule = DURATION, symbol = "t", default = Value::group(2000.0))]
     pub duration: Value,
     /// First part of the duration, which averages leave out; half of it by default.
-    #[key(rule = TRANSIENT, symbol = "t", default = Value::group(1000.0))]
+    #[key(rule = TRANSIENT, symbol = "t", filled)]
     pub transient: Value,
     /// Points of the uniform grid of time that is kept.
     #[key(rule = Whole { from: 16, to: 1 << 22 }, default = 4096)]

@@ -1,6 +1,7 @@
 /** The picture of a map as frames bring it. */
 
 import type { Curve } from "../../chart/runs";
+import { BOUNDARIES } from "../../state/fields";
 import type { Analysis, KeyAxis } from "../../wire/api";
 import { type Frame, codes, meanings, reals, words } from "../../wire/frames";
 
@@ -9,8 +10,7 @@ const POINTS = 400;
 /** Points of each axis of a sketch: the map of a value that a slider passes. */
 export const SKETCH = 41;
 
-export type BoundaryName = "full" | "conservative" | "decoupled";
-export const BOUNDARIES: readonly BoundaryName[] = ["full", "conservative", "decoupled"];
+export type BoundaryName = (typeof BOUNDARIES)[number];
 
 export interface MapPicture {
   /** The two keys and their scales: a picture of others is never shown. */

@@ -2,10 +2,11 @@
 
 import { classOf } from "../../chart/palette";
 import type { Window } from "../../chart/scale";
+import { BOUNDARIES } from "../../state/fields";
 import type { Axis, ChartSpec, Layer } from "../../chart/spec";
 import { keyName, signOf } from "../../ui/numbers";
 import type { Key, KeyAxis } from "../../wire/api";
-import { BOUNDARIES, type BoundaryName, MARGINAL, type MapPicture, drawnClasses, shares } from "./picture";
+import { type BoundaryName, MARGINAL, type MapPicture, drawnClasses, shares } from "./picture";
 import { type MapState, isDimensional } from "./state";
 import type { Critical } from "./useCritical";
 
@@ -14,7 +15,6 @@ const NAMES: Record<BoundaryName, string> = {
   conservative: "boundary without damping",
   decoupled: "boundary for $η = 0$",
 };
-const ROLES = { full: "full-boundary", conservative: "conservative-boundary", decoupled: "decoupled-boundary" } as const;
 
 /** The header of a column of a key's values. */
 export function keyHeading(axis: KeyAxis, key: Key): string {
@@ -63,7 +63,7 @@ export function mapSpec({ state, x, y, window, picture, critical }: Parts): Char
     });
     for (const name of BOUNDARIES) {
       const curve = picture.boundaries[name];
-      if (curve && state.show.includes(name)) layers.push({ kind: "line", label: NAMES[name], ...curve, role: ROLES[name] });
+      if (curve && state.show.includes(name)) layers.push({ kind: "line", label: NAMES[name], ...curve, role: `${name}-boundary` });
     }
   }
   if (critical) {

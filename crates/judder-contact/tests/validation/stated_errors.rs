@@ -76,9 +76,15 @@ fn slow_contacts_state_their_errors() {
 
 #[test]
 fn contacts_in_the_transition_state_their_errors() {
-    for (velocity, cells) in [(1e-3, 1024), (2e-3, 512), (1e-2, 512), (1e-1, 512), (1.0, 512), (10.0, 512)] {
-        the_stated_errors_hold(10.0, velocity, on_cells(10.0, velocity, cells));
+    for velocity in [2e-3, 1e-2, 1e-1, 1.0, 10.0] {
+        the_stated_errors_hold(10.0, velocity, on_cells(10.0, velocity, 512));
     }
+}
+
+#[test]
+#[ignore = "expensive: run by make validate"]
+fn a_contact_at_the_slow_end_of_the_transition_states_its_errors() {
+    the_stated_errors_hold(10.0, 1e-3, on_cells(10.0, 1e-3, 1024));
 }
 
 #[test]

@@ -159,8 +159,8 @@ const OSCILLATOR_KINDS: [&str; 10] = [
     "kind = \"stability-map\"\nx = { key = \"operation.velocity\", from = 1e-6, to = 1.0, points = 20, scale = \"log\" }\ny = { key = \"contact.shear_strength\", from = 1e-4, to = 1.0, points = 20, scale = \"log\" }",
     "kind = \"motion\"\nduration = 200\npoints = 101",
     "kind = \"limit-cycle\"",
-    "kind = \"bifurcation\"\nsweep = { key = \"contact.shear_strength\", from = 1e-2, to = 3e-2, points = 4 }",
-    "kind = \"basin\"\nwithin = { x = [0.0, 0.1] }\nsamples = 16\nseed = 1",
+    "kind = \"bifurcation\"\nsweep = { key = \"contact.shear_strength\", from = 2.9e-2, to = 3e-2, points = 2 }",
+    "kind = \"basin\"\nwithin = { x = [0.0, 0.1] }\nsamples = 3\nseed = 1",
     "kind = \"engines\"\ntime_step = { from = 1e-2, to = 1e-1, points = 3 }\nwidth = { from = 1e-1, to = 1.0, points = 3 }",
 ];
 

@@ -22,6 +22,7 @@ mod sweep;
 mod within_law;
 mod zones;
 
+use judder_store::StudyFolder;
 use judder_study::Silent;
 use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, RunReport, run};
@@ -75,6 +76,37 @@ fn the_damped_hopf_point() {
         let found = &report.summary.results["critical"]["critical"];
         assert_eq!(found.as_array().unwrap().len(), 1);
         assert!((number(&found[0]) - exact).abs() < tolerance, "{found}");
+    }
+}
+
+/// Models share kinds by their names; words and equations of the oscillator paper are of the oscillator alone.
+#[test]
+fn no_report_speaks_of_another_model() {
+    /// Its frequency, its equations, its contact.
+    const OF_THE_OSCILLATOR: [&str; 6] = ["nx", "eq. (", "eqs. (", "steady sliding", "substrate", "knock"];
+    /// Its frequency, its time, its equations.
+    const BEYOND_A_BELT: [&str; 3] = ["nx", "θ", "eq. ("];
+    for (text, foreign) in [
+        (include_str!("small/two-degrees.toml"), &OF_THE_OSCILLATOR[..]),
+        (include_str!("small/belt.toml"), &BEYOND_A_BELT),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let file = judder_models::parse("case.toml", text, &[]).unwrap();
+        run_into(folder.path(), &file, &[]);
+        let store = StudyFolder::open(folder.path()).unwrap();
+        let model = judder_models::REGISTRY.model_of(&file.case.resolved()).unwrap();
+        let mut figures = 0;
+        for name in file.case.analysis_names() {
+            let dataset = store.read_dataset(name).unwrap();
+            let figure = model.figure(name, name, &dataset);
+            figures += usize::from(figure.is_some());
+            let long_names = dataset.variables().iter().map(|own| own.long_name.clone());
+            let said = format!("{figure:?} {}", long_names.collect::<Vec<_>>().join("; "));
+            for word in foreign {
+                assert!(!said.contains(word), "{} {name}: {word}", model.name);
+            }
+        }
+        assert!(figures >= 2);
     }
 }
 

@@ -91,6 +91,16 @@ impl Dataset {
         Ok(self)
     }
 
+    /// With an attribute of the whole dataset before all others.
+    ///
+    /// # Errors
+    /// As of [`Dataset::attribute`].
+    pub fn headed(mut self, name: &str, value: impl Into<Value>) -> Result<Self, StoreError> {
+        check_attribute("dataset", name)?;
+        self.attributes.shift_insert(0, name.to_owned(), value.into());
+        Ok(self)
+    }
+
     /// The variables, coordinates among them, in the order in which they joined.
     #[must_use]
     pub fn variables(&self) -> &[Variable] {

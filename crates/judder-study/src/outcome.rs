@@ -26,12 +26,12 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// What these results of a kind of analysis are: its scalars, arrays and table.
+    /// What these results are: scalars, arrays and table.
     ///
     /// # Errors
     /// Arrays or columns that cannot be stored together.
-    pub fn of(kind: &str, results: &impl Results) -> Result<Self, StoreError> {
-        let dataset = results.add_arrays(Dataset::new().attribute("kind", kind)?)?;
+    pub fn of(results: &impl Results) -> Result<Self, StoreError> {
+        let dataset = results.add_arrays(Dataset::new())?;
         let table = results.add_columns(Table::new())?;
         let table = (table != Table::new()).then_some(table);
         Ok(Self { scalars: results.scalars(), dataset, table, ..Self::default() })

@@ -3,7 +3,7 @@
 pub(crate) mod sweep;
 
 use crate::case::analysis::Picture;
-use crate::registry::Registry;
+use crate::registry::ModelKind;
 use judder_report::{Axis, Figure, Panel, Role};
 use judder_store::{Data, Dataset, Variable};
 use num_complex::Complex64;
@@ -11,34 +11,29 @@ use num_complex::Complex64;
 /// Width over height of the frame of a panel: lengths along x and y shall look alike.
 pub const FRAME: f64 = 206.0 / 152.0;
 
-impl Registry {
+impl ModelKind {
     /// The figure of an analysis; `None` where its result is not a picture.
     #[must_use]
-    pub fn figure(self, name: &str, title: &str, dataset: &Dataset) -> Option<Figure> {
+    pub fn figure(&self, name: &str, title: &str, dataset: &Dataset) -> Option<Figure> {
         let panels = self.panels(dataset);
         (!panels.is_empty()).then(|| Figure::new(name, title, panels).with_caption(self.caption(dataset)))
     }
 
-    /// The kinds of analyses that have a figure.
-    pub fn drawn_kinds(self) -> impl Iterator<Item = &'static str> {
-        self.kinds().filter(|kind| kind.picture.is_some()).map(|kind| kind.name)
-    }
-
     /// The panels of an analysis, to be put together with those of others.
     #[must_use]
-    pub fn panels(self, dataset: &Dataset) -> Vec<Panel> {
+    pub fn panels(&self, dataset: &Dataset) -> Vec<Panel> {
         self.picture(dataset).and_then(|own| (own.draw)(dataset)).unwrap_or_default()
     }
 
     /// What stands under the figure of a kind.
     #[must_use]
-    pub fn caption(self, dataset: &Dataset) -> &'static str {
+    pub fn caption(&self, dataset: &Dataset) -> &'static str {
         self.picture(dataset).map_or("", |own| own.caption)
     }
 
-    fn picture(self, dataset: &Dataset) -> Option<&'static Picture> {
+    fn picture(&self, dataset: &Dataset) -> Option<&'static Picture> {
         let kind = dataset.attributes().get("kind")?.as_str()?;
-        self.kinds().filter(|own| own.name == kind).find_map(|own| own.picture)
+        (self.kinds)().into_iter().find(|own| own.name == kind)?.picture
     }
 }
 

@@ -7,6 +7,7 @@ use judder_keys::cause::Cause;
 use judder_keys::declared::Declaration;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
+use serde_json::Value as Json;
 use std::fmt;
 use std::path::Path;
 
@@ -30,6 +31,13 @@ pub struct ModelKind {
     pub kinds: fn() -> Vec<KindEntry>,
     /// The quantities that an operating point of it can have.
     pub operating_quantities: &'static [OperatingQuantity],
+}
+
+impl ModelKind {
+    /// What stands at an axis of a quantity of its operating points, by its name.
+    pub(crate) fn operating_label(&self, name: &str) -> Option<&'static str> {
+        self.operating_quantities.iter().find(|own| own.name == name)?.label
+    }
 }
 
 /// The commented case file of a model.
@@ -76,10 +84,11 @@ impl Registry {
         self.0.iter().filter(move |own| own.name == model).flat_map(|own| (own.kinds)())
     }
 
-    /// What stands at an axis of a quantity of operating points, by its name.
-    pub(crate) fn operating_label(self, name: &str) -> Option<&'static str> {
-        let mut quantities = self.0.iter().flat_map(|model| model.operating_quantities);
-        quantities.find(|own| own.name == name)?.label
+    /// The model whose case this canonical form is of; none where there is no such model.
+    #[must_use]
+    pub fn model_of(self, resolved: &Json) -> Option<&'static ModelKind> {
+        let name = resolved.get("model")?.as_str()?;
+        self.0.iter().copied().find(|model| model.name == name)
     }
 
     /// The model of a case.

@@ -65,14 +65,16 @@ fn figures(
     summary: &Summary,
     name: &str,
 ) -> Result<Vec<Figure>, StudyError> {
+    let model = registry.model_of(&summary.case);
     let attributes = store.read_attributes(name)?;
     if pictures::sweep::is_sweep(&attributes) {
         let choose = |dimensions: &[_]| pictures::sweep::drawn_points(&attributes, dimensions);
         let dataset = store.read_points(name, choose)?;
         let results = summary.results.get(name).cloned().unwrap_or_default();
-        return Ok(pictures::sweep::figures(registry, name, &dataset, &results));
+        return Ok(pictures::sweep::figures(model, name, &dataset, &results));
     }
-    Ok(registry.figure(name, name, &store.read_dataset(name)?).into_iter().collect())
+    let dataset = store.read_dataset(name)?;
+    Ok(model.and_then(|model| model.figure(name, name, &dataset)).into_iter().collect())
 }
 
 /// The analyses in the order of the case, then its sweeps.

@@ -127,6 +127,8 @@ impl SweptKeys for BeltKeys {
 }
 
 impl MotionModel for BeltKeys {
+    const FREQUENCY: &'static str = "Frequency $ω$ (−)";
+
     type Analysis = Arc<dyn Analysis<BeltCase>>;
 
     fn of_motion<A: MotionOf<Self>>(analysis: A) -> Self::Analysis {

@@ -49,7 +49,7 @@ impl MotionCase for BeltCase {
 }
 
 /// The model.
-pub(crate) const MODEL: ModelKind = ModelKind {
+pub const MODEL: ModelKind = ModelKind {
     name: "belt",
     read: |root, _| case::read(root).map(Case::new),
     doc: "one mass on a moving belt, friction that falls with speed",

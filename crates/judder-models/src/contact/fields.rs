@@ -118,7 +118,6 @@ impl<'a> Fields<'a> {
                 .with(Variable::new(name, &["level"], &[values.len()], values).long_name(long_name))?;
         }
         Ok(dataset
-            .attribute("kind", "contact")?
             .attribute("force", refinement.force.value)?
             .attribute("area", refinement.area.value)?
             .attribute("friction", refinement.friction.value)?

@@ -127,7 +127,7 @@ impl Analysed for ContactCase {
 }
 
 /// The model.
-pub(crate) const MODEL: ModelKind = ModelKind {
+pub const MODEL: ModelKind = ModelKind {
     name: "contact",
     read: |root, folder| case::read(root, folder).map(Case::new),
     doc: "a rigid indenter that slides on a viscoelastic substrate",

@@ -26,6 +26,16 @@ pub(crate) struct Coordinate {
     pub(crate) label: &'static str,
 }
 
+/// How the time of a model is called.
+pub(crate) struct Clock {
+    /// In labels.
+    pub(crate) symbol: &'static str,
+    /// What it is.
+    pub(crate) time: &'static str,
+    /// What a frequency of it is.
+    pub(crate) frequency: &'static str,
+}
+
 /// What eq. (3) compares: ṽ_d and τ̃.
 pub(crate) struct Memory {
     pub(crate) belt_velocity: f64,
@@ -99,6 +109,8 @@ pub(crate) trait Moving<const N: usize>: Sync {
     /// The oscillator.
     type System: SlidingSystem<N>;
 
+    /// Its time.
+    const CLOCK: Clock;
     /// The coordinates of a state.
     const COORDINATES: [Coordinate; N];
     /// What is shown of a motion besides.
@@ -130,6 +142,7 @@ impl Moving<4> for OscillatorModel<'_> {
     type Key = OscillatorKey;
     type System = StickSlip;
 
+    const CLOCK: Clock = Clock { symbol: "θ", time: "time θ = ω_nx t", frequency: "frequency ω/ω_nx" };
     const COORDINATES: [Coordinate; 4] = [
         Coordinate {
             name: "x", long_name: "displacement x/x0 along sliding", label: "Displacement $x̃$ (−)"
@@ -209,6 +222,7 @@ impl Moving<2> for BeltModel<'_> {
     type Key = BeltKey;
     type System = BeltOscillator;
 
+    const CLOCK: Clock = Clock { symbol: "t", time: "time t", frequency: "frequency ω" };
     const COORDINATES: [Coordinate; 2] = [
         Coordinate { name: "x", long_name: "displacement", label: "Displacement $x$ (−)" },
         Coordinate { name: "velocity_x", long_name: "velocity", label: "Velocity d$x$/d$t$ (−)" },

@@ -27,8 +27,8 @@ const GROUNDS: [(ContactState, Role); 3] = [
 const STICK: u8 = ContactState::Stick.number();
 const LIFT_OFF: u8 = ContactState::LiftOff.number();
 
-/// Whole motion, its end, phase portrait, spectrum, section.
-pub(crate) fn motion(dataset: &Dataset) -> Option<Vec<Panel>> {
+/// Whole motion, its end, phase portrait, spectrum, section; `frequency` stands at the axis of the spectrum.
+pub(crate) fn motion(dataset: &Dataset, frequency: &str) -> Option<Vec<Panel>> {
     let time = reals(dataset, "time")?;
     let shown = Shown::end_of(dataset, SHOWN)?;
     let whole = vec![Layer::line("", time.to_vec(), reals(dataset, "x")?.to_vec(), Role::Series(0).solid())];
@@ -37,7 +37,7 @@ pub(crate) fn motion(dataset: &Dataset) -> Option<Vec<Panel>> {
         panels.extend(shown.history(name));
     }
     panels.push(shown.portrait()?);
-    panels.extend(spectrum(dataset));
+    panels.extend(spectrum(dataset, frequency));
     panels.extend(section(dataset));
     Some(panels)
 }
@@ -201,7 +201,7 @@ impl<'a> Shown<'a> {
 }
 
 /// The amplitude of every frequency, over as many decades as mean something.
-fn spectrum(dataset: &Dataset) -> Option<Panel> {
+fn spectrum(dataset: &Dataset, along: &str) -> Option<Panel> {
     const DECADES: f64 = 1e-6;
     let (frequency, amplitude) = (reals(dataset, "frequency")?, reals(dataset, "amplitude")?);
     let largest = amplitude.iter().copied().fold(0.0, f64::max);
@@ -212,7 +212,7 @@ fn spectrum(dataset: &Dataset) -> Option<Panel> {
         amplitude.iter().map(|a| if *a < DECADES * largest { DECADES * largest } else { *a }).collect();
     let layer = Layer::line("", frequency.to_vec(), shown, Role::Series(0).solid());
     let up = Axis::log("Amplitude of $x$ (−)");
-    Some(Panel::new(Axis::linear("Frequency $ω$/$ω_{nx}$ (−)"), up, vec![layer]))
+    Some(Panel::new(Axis::linear(along), up, vec![layer]))
 }
 
 /// Markers for so many points, small where they would hide each other.

@@ -116,6 +116,9 @@ pub(super) fn leave_some(transient: &mut Value, duration: Value, section: &Secti
 
 /// A model with motion.
 pub(crate) trait MotionModel: SweptKeys + Sized {
+    /// What stands at an axis of frequencies.
+    const FREQUENCY: &'static str;
+
     /// The analyses of its cases.
     type Analysis;
 

@@ -34,8 +34,8 @@ pub(crate) fn equivalent_damping(dataset: &Dataset) -> Option<Vec<Panel>> {
     Some(vec![Panel::new(axis(swept.axis), vertical, layers)])
 }
 
-/// Growth rates and frequencies, of the full system and without damping.
-pub(crate) fn spectrum(dataset: &Dataset) -> Option<Vec<Panel>> {
+/// Growth rates and frequencies, of the full system and without damping; `unit` is what they are over, in the markup of labels.
+pub(crate) fn spectrum(dataset: &Dataset, unit: &str) -> Option<Vec<Panel>> {
     let swept = Swept::of(dataset, "eigenvalues")?;
     let full = complexes(dataset, "eigenvalues")?;
     let conservative = complexes(dataset, "conservative_eigenvalues")?;
@@ -62,8 +62,8 @@ pub(crate) fn spectrum(dataset: &Dataset) -> Option<Vec<Panel>> {
     }
     growth.insert(0, Layer::horizontal_rule(0.0, ""));
     Some(vec![
-        Panel::new(axis(swept.axis), Axis::linear("Growth rate Re $λ$/$ω_{nx}$ (−)"), growth),
-        Panel::new(axis(swept.axis), Axis::linear("Frequency Im $λ$/$ω_{nx}$ (−)"), frequency),
+        Panel::new(axis(swept.axis), Axis::linear(format!("Growth rate Re $λ${unit}")), growth),
+        Panel::new(axis(swept.axis), Axis::linear(format!("Frequency Im $λ${unit}")), frequency),
     ])
 }
 

@@ -153,7 +153,7 @@ impl Analysed for OscillatorCase {
 }
 
 /// The model.
-pub(crate) const MODEL: ModelKind = ModelKind {
+pub const MODEL: ModelKind = ModelKind {
     name: "oscillator",
     read: |root, folder| case::read(root, folder).map(Case::new),
     doc: "the oscillator of the oscillator paper",

@@ -111,6 +111,8 @@ struct MapMargin {
 }
 
 impl MotionModel for OscillatorKeys {
+    const FREQUENCY: &'static str = "Frequency $ω$/$ω_{nx}$ (−)";
+
     type Analysis = Arc<dyn Operated>;
 
     fn of_motion<A: MotionOf<Self>>(analysis: A) -> Self::Analysis {

@@ -92,7 +92,7 @@ fn read(root: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
 }
 
 /// The model.
-pub(crate) const MODEL: ModelKind = ModelKind {
+pub const MODEL: ModelKind = ModelKind {
     name: "sliding",
     read: |root, folder| read(root, folder).map(Case::new),
     doc: "one structure slides along another",

@@ -76,7 +76,7 @@ fn fitting(
 }
 
 /// The model.
-pub(crate) const MODEL: ModelKind = ModelKind {
+pub const MODEL: ModelKind = ModelKind {
     name: "structure",
     read: |root, folder| case::read(root, folder).map(Case::new),
     doc: "one linear structure alone",

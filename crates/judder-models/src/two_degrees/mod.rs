@@ -56,7 +56,7 @@ pub(crate) static KINDS: [Kind<ParameterKeys, Arc<dyn Varying>>; 3] =
     [spectrum::KIND, stability_map::KIND, critical::KIND];
 
 /// The model.
-pub(crate) const MODEL: ModelKind = ModelKind {
+pub const MODEL: ModelKind = ModelKind {
     name: "two-degrees",
     read: |root, _| case::read(root).map(Case::new),
     doc: "two degrees of freedom with given matrices",

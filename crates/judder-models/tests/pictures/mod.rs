@@ -3,7 +3,7 @@
 
 mod planted;
 
-use judder_models::REGISTRY;
+use judder_models::{REGISTRY, oscillator};
 use judder_report::{Layer, Panel};
 use planted::{PLANTED, Planted, Point};
 use std::collections::BTreeSet;
@@ -44,25 +44,31 @@ fn drawn(panels: &[Panel], planted: &Planted) -> BTreeSet<Segment> {
 
 #[test]
 fn every_kind_of_figure_has_planted_rows() {
-    let planted: BTreeSet<&str> = PLANTED.iter().map(|(kind, _)| *kind).collect();
-    assert_eq!(planted, REGISTRY.drawn_kinds().collect::<BTreeSet<_>>());
+    let planted: BTreeSet<_> = PLANTED.iter().map(|(model, kind, _)| (*model, *kind)).collect();
+    let drawn = REGISTRY.models().iter().flat_map(|model| {
+        let kinds = (model.kinds)().into_iter().filter(|kind| kind.picture.is_some());
+        kinds.map(|kind| (model.name, kind.name))
+    });
+    assert_eq!(planted, drawn.collect());
 }
 
 #[test]
 fn only_neighbours_of_one_run_are_joined_and_all_of_them_are() {
-    for (kind, plant) in PLANTED {
+    for (model, kind, plant) in PLANTED {
+        let model = REGISTRY.models().iter().find(|own| own.name == model).unwrap();
         for seed in 0..SEEDS {
             for planted in plant(seed) {
                 let dataset = planted.dataset.clone().attribute("kind", kind).unwrap();
-                let panels = REGISTRY.panels(&dataset);
-                assert!(!panels.is_empty(), "{kind}: no figure");
+                let panels = model.panels(&dataset);
+                assert!(!panels.is_empty(), "{} {kind}: no figure", model.name);
                 let allowed: BTreeSet<Segment> = planted.runs.iter().flat_map(|run| segments(run)).collect();
                 let drawn = drawn(&panels, &planted);
                 let wrong: Vec<_> = drawn.difference(&allowed).take(3).collect();
                 let missing: Vec<_> = allowed.difference(&drawn).take(3).collect();
                 assert!(
                     wrong.is_empty() && missing.is_empty(),
-                    "{kind}, seed {seed}: wrong {wrong:?}, missing {missing:?}"
+                    "{} {kind}, seed {seed}: wrong {wrong:?}, missing {missing:?}",
+                    model.name
                 );
             }
         }
@@ -74,7 +80,7 @@ fn only_neighbours_of_one_run_are_joined_and_all_of_them_are() {
 fn stable_branches_are_stable_from_end_to_end() {
     for seed in 0..SEEDS {
         let (dataset, stable) = planted::diagram(seed);
-        let panels = REGISTRY.panels(&dataset);
+        let panels = oscillator::MODEL.panels(&dataset);
         let lines = panels[0].layers.iter().filter_map(|layer| match layer {
             Layer::Line(line) if line.label == "stable cycles" => Some(line),
             _ => None,

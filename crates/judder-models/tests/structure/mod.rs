@@ -359,7 +359,7 @@ fn a_family_of_lock_ins_has_one_basis() {
     assert_eq!(eigenvalue.dimensions, ["family", "value", "branch"]);
     assert_eq!(eigenvalue.shape, [2, 5, 2]);
     let titles: Vec<String> =
-        judder_models::REGISTRY.panels(&dataset).into_iter().map(|panel| panel.title).collect();
+        judder_models::structure::MODEL.panels(&dataset).into_iter().map(|panel| panel.title).collect();
     assert!(
         titles.ends_with(&["damping ratios, s = 1".into(), "damping ratios, s = 0.25".into()]),
         "{titles:?}"
@@ -414,7 +414,8 @@ fn shapes_swing_on_the_page() {
     let page = std::fs::read_to_string(report.report.as_ref().unwrap()).unwrap();
     assert!(page.contains("\"swing\""));
     let store = judder_store::StudyFolder::open(folder.path()).unwrap();
-    let figure =
-        judder_models::REGISTRY.figure("modes", "modes", &store.read_dataset("modes").unwrap()).unwrap();
+    let figure = judder_models::structure::MODEL
+        .figure("modes", "modes", &store.read_dataset("modes").unwrap())
+        .unwrap();
     assert!(figure.panels.len() > 4 && figure.panels[0].title.starts_with("mode 1: "));
 }

@@ -38,7 +38,8 @@ pub(super) fn subs_and_film(subs: &Dataset, film: &Dataset) -> Option<Figure> {
 
 /// Fig. 4: both spectrograms with one scale of levels, and both waterfalls.
 pub(super) fn spectrograms(subs: &Dataset, film: &Dataset) -> Option<Figure> {
-    let (of_subs, of_film) = (judder_models::REGISTRY.panels(subs), judder_models::REGISTRY.panels(film));
+    let (of_subs, of_film) =
+        (judder_models::sliding::MODEL.panels(subs), judder_models::sliding::MODEL.panels(film));
     let named = |method: &'static str| {
         move |panel: Panel| {
             let title = format!("{method}: {}", panel.title);
@@ -107,12 +108,12 @@ pub(super) fn zones(passages: &[Passage]) -> Option<Figure> {
 /// Growth with the contact held, four places a figure.
 pub(super) fn growths(method: &str, name: &str, held: &[Dataset]) -> Option<Figure> {
     let panels: Vec<Panel> =
-        held.iter().flat_map(|dataset| judder_models::REGISTRY.panels(dataset)).collect();
+        held.iter().flat_map(|dataset| judder_models::sliding::MODEL.panels(dataset)).collect();
     let title = format!("Growth with the contact held, by {method}");
     (!panels.is_empty()).then(|| Figure {
         caption: held
             .first()
-            .map(|dataset| judder_models::REGISTRY.caption(dataset))
+            .map(|dataset| judder_models::sliding::MODEL.caption(dataset))
             .unwrap_or_default()
             .to_owned(),
         ..Figure::new(name, title, panels)

@@ -60,7 +60,9 @@ impl Stored<'_> {
 
     /// The figure of one analysis alone.
     fn figure(&self, analysis: &str, name: &str, title: &str) -> Result<Option<Figure>, StudyError> {
-        Ok(self.dataset(analysis)?.and_then(|dataset| judder_models::REGISTRY.figure(name, title, &dataset)))
+        Ok(self
+            .dataset(analysis)?
+            .and_then(|dataset| judder_models::sliding::MODEL.figure(name, title, &dataset)))
     }
 
     /// The growth analyses of a method.

@@ -53,7 +53,7 @@ pub(super) fn sections(store: &StudyFolder, summary: &Summary) -> Result<Vec<Pag
     if is_done(summary, ENGINES) {
         let dataset = store.read_dataset(ENGINES)?;
         let title = "One cycle of section 5 by three engines";
-        if let Some(figure) = judder_models::REGISTRY.figure(ENGINES, title, &dataset) {
+        if let Some(figure) = judder_models::oscillator::MODEL.figure(ENGINES, title, &dataset) {
             sections.push(PageSection::new("Three engines", vec![write_figure(store, figure)?]));
         }
     }

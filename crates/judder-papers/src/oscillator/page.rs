@@ -114,7 +114,7 @@ fn exhibit_blocks(
                 } else {
                     format!("{}; {}", source.label, reading.label)
                 };
-                let drawn = judder_models::REGISTRY.panels(&store.read_dataset(&name)?);
+                let drawn = judder_models::oscillator::MODEL.panels(&store.read_dataset(&name)?);
                 panels.extend(
                     drawn.into_iter().map(|p| p.with_title(title.clone()).with_legend(Legend::Below)),
                 );

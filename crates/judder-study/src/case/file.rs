@@ -10,7 +10,9 @@ use std::sync::Arc;
 
 use crate::case::study_sweep::problem::SweepProblem;
 use crate::case::study_sweep::{self, StudySweep, read_sweeps};
-use crate::model::Model;
+use crate::error::StudyError;
+use crate::model::{Model, Task};
+use crate::outcome::Outcome;
 use crate::registry::Registry;
 use judder_keys::cause::Cause;
 use judder_keys::document::{Data, Node, apply_override, parse};
@@ -78,6 +80,16 @@ impl Case {
     /// The same, to be changed.
     pub fn of_mut<M: Model>(&mut self) -> Option<&mut M> {
         (self.0.as_mut() as &mut dyn Any).downcast_mut()
+    }
+
+    /// Runs an analysis, and names its kind in the arrays that it leaves.
+    ///
+    /// # Errors
+    /// As of [`Model::run`].
+    pub fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
+        let mut outcome = self.0.run(index, task)?;
+        outcome.dataset = outcome.dataset.headed("kind", self.kind_name(index))?;
+        Ok(outcome)
     }
 
     /// The name of its model in a case file.

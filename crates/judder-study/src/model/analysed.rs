@@ -113,6 +113,9 @@ pub trait Analyses {
     /// The names of the analyses, in their order.
     fn analysis_names(&self) -> Vec<&str>;
 
+    /// The name of the kind of an analysis, by its position.
+    fn kind_name(&self, index: usize) -> &'static str;
+
     /// How many steps an analysis announces to its progress.
     fn steps(&self, index: usize) -> usize;
 
@@ -141,6 +144,10 @@ impl<C: Analysed> Analyses for C {
 
     fn analysis_names(&self) -> Vec<&str> {
         names(self.analyses())
+    }
+
+    fn kind_name(&self, index: usize) -> &'static str {
+        self.analyses()[index].kind_name
     }
 
     fn steps(&self, index: usize) -> usize {

@@ -10,7 +10,7 @@ mod grid;
 mod samples;
 mod sensitivity;
 
-use crate::registry::Registry;
+use crate::registry::ModelKind;
 use column::{Column, Key};
 use judder_report::{Figure, Panel};
 use judder_store::{Data, Dataset};
@@ -46,14 +46,14 @@ fn evenly(length: usize, drawn: usize) -> Vec<usize> {
     (0..count).map(|k| k * (length - 1) / (count - 1).max(1)).collect()
 }
 
-/// The figures of a sweep that was read at its drawn points; `results` is what the summary says of it.
+/// The figures of a sweep over a case of this model that was read at its drawn points; `results` is what the summary says of it.
 pub(crate) fn figures(
-    registry: Registry,
+    model: Option<&ModelKind>,
     name: &str,
     dataset: &Dataset,
     results: &Map<String, Value>,
 ) -> Vec<Figure> {
-    let Some(sweep) = Sweep::of(registry, dataset, results) else { return Vec::new() };
+    let Some(sweep) = Sweep::of(model, dataset, results) else { return Vec::new() };
     let (panels, columns, caption) = match sweep.is_grid {
         true => grid::panels(&sweep),
         false => samples::panels(&sweep),
@@ -85,7 +85,7 @@ struct Sweep<'a> {
 }
 
 impl<'a> Sweep<'a> {
-    fn of(registry: Registry, dataset: &'a Dataset, results: &'a Map<String, Value>) -> Option<Self> {
+    fn of(model: Option<&ModelKind>, dataset: &'a Dataset, results: &'a Map<String, Value>) -> Option<Self> {
         if !is_sweep(dataset.attributes()) {
             return None;
         }
@@ -93,7 +93,7 @@ impl<'a> Sweep<'a> {
         let Data::F64(values) = &stored.data else { return None };
         let (_, lengths) = stored.shape.split_last()?;
         let is_grid = dataset.attributes().get("method").and_then(Value::as_str) == Some("grid");
-        let mut columns = column::columns(registry, dataset, values)?;
+        let mut columns = column::columns(model, dataset, values)?;
         let mut keys = column::keys(dataset)?;
         if !is_grid {
             // the values of the keys stand before those of the quantities
@@ -159,7 +159,7 @@ mod tests {
     #[test]
     fn what_is_no_sweep_has_no_figure() {
         let empty = Map::new();
-        assert!(figures(Registry::new(&[]), "sweep", &Dataset::new(), &empty).is_empty());
+        assert!(figures(None, "sweep", &Dataset::new(), &empty).is_empty());
         assert!(!is_sweep(&empty));
     }
 }

@@ -62,7 +62,7 @@ pub(super) fn run(
     };
     Ok(Outcome {
         scalars: told.scalars(),
-        dataset: dataset.attribute("kind", "fit")?,
+        dataset,
         table: Some(told.add_columns(Table::new())?),
         checks: vec![returns(&plane, &fit).map_err(unfit)?],
         missing: usize::from(missed.is_some()),

@@ -237,7 +237,6 @@ fn dataset(plane: &Plane, computed: &ComputedLaw, scales: &ContactScales) -> Res
         .with(sample("sample_area", |p| p.sample.area, "A/R² of a solved contact"))?
         .with(sample("sample_friction", |p| p.sample.friction, "friction of a solved contact"))?
         .with(sample("sample_force_error", |p| p.sample.force_error, "its relative error of the force"))?
-        .attribute("kind", "contact-law")?
         .attribute("contrast", scales.material.spectrum.contrast())?)
 }
 

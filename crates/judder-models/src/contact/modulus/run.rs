@@ -45,7 +45,7 @@ pub(super) fn run(case: &ContactCase, frequency: Option<&Span>) -> Result<Outcom
     }
     let mut outcome = Outcome {
         scalars: told(&scales, &frequencies, &tangent).scalars(),
-        dataset: dataset.attribute("kind", "modulus")?,
+        dataset,
         table: Some(
             Table::new()
                 .column("frequency", "rad/s", frequencies.clone())?

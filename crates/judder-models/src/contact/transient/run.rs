@@ -401,7 +401,7 @@ fn dataset(history: &TransientHistory, settings: &TransientSettings) -> Result<D
         (_, Some(_)) => "indentation",
         _ => "",
     };
-    Ok(dataset.attribute("kind", "transient")?.attribute("loop_over", loop_over)?)
+    Ok(dataset.attribute("loop_over", loop_over)?)
 }
 
 fn table(history: &TransientHistory) -> Result<Table, ModelError> {

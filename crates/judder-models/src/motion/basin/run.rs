@@ -263,12 +263,13 @@ impl<S> Basin<'_, S> {
         let value = |value: fn(&Sample) -> Option<f64>| {
             self.samples.iter().map(|sample| value(sample).unwrap_or(f64::NAN)).collect::<Vec<_>>()
         };
+        let clear = format!("time {} after which that was clear", M::CLOCK.symbol);
         let mut dataset = Dataset::new()
             .with(
                 Variable::classes("fate", &["sample"], &[count], fates, &BECOMES)
                     .long_name("what becomes of the start"),
             )?
-            .with(over("settling_time", value(|s| s.time)).long_name("time θ after which that was clear"))?
+            .with(over("settling_time", value(|s| s.time)).long_name(&clear))?
             .with(over("rms", value(|s| s.rms)).long_name("rms of x of what it settles to"))?;
         let mut drawn = Vec::new();
         for ((coordinate, values), range) in
@@ -282,7 +283,7 @@ impl<S> Basin<'_, S> {
                 drawn.push(name);
             }
         }
-        Ok(dataset.attribute("kind", "basin")?.attribute("drawn", drawn)?)
+        Ok(dataset.attribute("drawn", drawn)?)
     }
 
     fn table<M: Moving<N, System = S>, const N: usize>(&self) -> Result<Table, ModelError>

@@ -64,7 +64,7 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     let told = diagram.told(&settings.sweep.path);
     let mut outcome = Outcome {
         scalars: told.scalars(),
-        dataset: diagram.dataset(&M::COORDINATES)?.attribute("kind", "bifurcation")?,
+        dataset: diagram.dataset(&M::COORDINATES)?,
         table: Some(diagram.table(&told)?),
         checks: repeated(model, settings, &sweeps, progress)?.into_iter().collect(),
         warnings: diagram.warnings(),

@@ -61,7 +61,7 @@ impl<S: MotionModel> MotionKinds<S> {
         declared: declared::<S, History>,
         read: |_, section| read::<S, History>(section).map(S::of_motion),
         picture: Some(Picture {
-            draw: pictures::motion,
+            draw: |dataset| pictures::motion(dataset, S::FREQUENCY),
             caption: "The whole motion; its end with the contact state shaded (white: slip); the phase portrait of that end with the changes of the contact \
                 state; the spectrum and the Poincaré section (where $x$ is largest) after the transient.",
         }),

@@ -52,7 +52,7 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     let arrays = Arrays::<M, N> { operating: &operating, history: &history };
     Ok(Outcome {
         scalars,
-        dataset: arrays.with_spectrum(arrays.dataset()?, &window)?.attribute("kind", "motion")?,
+        dataset: arrays.with_spectrum(arrays.dataset()?, &window)?,
         table: Some(arrays.table()?),
         checks: energy_check(&history).into_iter().collect(),
         ..Outcome::default()
@@ -226,8 +226,9 @@ impl<M: Moving<N>, const N: usize> Arrays<'_, M, N> {
         let samples = &self.history.samples;
         let count = samples.len();
         let times: Vec<f64> = samples.iter().map(|s| s.time).collect();
-        let time = Variable::coordinate("time", times).units("1").long_name("time θ = ω_nx t");
-        let mut dataset = Dataset::new().with(time.attribute("label", "Time $θ$ (−)"))?;
+        let time = Variable::coordinate("time", times).units("1").long_name(M::CLOCK.time);
+        let mut dataset =
+            Dataset::new().with(time.attribute("label", format!("Time ${}$ (−)", M::CLOCK.symbol)))?;
         for (coordinate, values) in self.along_time() {
             dataset = dataset.with(
                 Variable::new(coordinate.name, &["time"], &[count], values)
@@ -249,7 +250,7 @@ impl<M: Moving<N>, const N: usize> Arrays<'_, M, N> {
         let mut dataset = dataset.with(
             Variable::new("event_time", &["event"], &[count], times)
                 .units("1")
-                .long_name("time θ of a change of the contact state"),
+                .long_name(&format!("time {} of a change of the contact state", M::CLOCK.symbol)),
         )?;
         let states = |name: &str, long_name: &str, codes: Vec<u8>| {
             Variable::classes(name, &["event"], &[count], codes, &ContactState::CODES).long_name(long_name)
@@ -279,8 +280,8 @@ impl<M: Moving<N>, const N: usize> Arrays<'_, M, N> {
             let values: Vec<f64> = path.iter().map(value).collect();
             Variable::new(name, &["step"], &[values.len()], values).units("1").long_name(long_name)
         };
-        dataset =
-            dataset.with(over("path_time", "end of a step that does not end in stick, θ", &|s| s.time))?;
+        let end = format!("end of a step that does not end in stick, {}", M::CLOCK.symbol);
+        dataset = dataset.with(over("path_time", &end, &|s| s.time))?;
         for (k, coordinate) in M::COORDINATES.into_iter().enumerate() {
             let name = format!("path_{}", coordinate.name);
             dataset = dataset.with(over(&name, coordinate.long_name, &|s| s.state[k]))?;
@@ -321,7 +322,7 @@ impl<M: Moving<N>, const N: usize> Arrays<'_, M, N> {
         let (frequency, amplitude) = amplitude_spectrum(&values, step);
         let count = frequency.len();
         Ok(dataset
-            .with(Variable::coordinate("frequency", frequency).units("1").long_name("frequency ω/ω_nx"))?
+            .with(Variable::coordinate("frequency", frequency).units("1").long_name(M::CLOCK.frequency))?
             .with(
                 Variable::new("amplitude", &["frequency"], &[count], amplitude)
                     .units("1")

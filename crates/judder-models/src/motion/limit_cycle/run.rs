@@ -60,7 +60,7 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     );
     Ok(Outcome {
         scalars,
-        dataset: arrays.dataset()?.with(multipliers)?.attribute("kind", "limit-cycle")?,
+        dataset: arrays.dataset()?.with(multipliers)?,
         table: Some(arrays.table()?),
         checks: energy_check(&history).into_iter().chain([monodromy]).collect(),
         ..Outcome::default()

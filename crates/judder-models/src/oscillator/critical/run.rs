@@ -175,7 +175,7 @@ fn assemble(
     warnings.extend(onsets::warnings(found));
     Ok(Outcome {
         scalars,
-        dataset: dataset.attribute("kind", sought.kind())?,
+        dataset,
         table: Some(table(axis, curves, found, unit, global_margin)?),
         warnings,
         missing: failures,

@@ -185,10 +185,7 @@ fn outcome(cycle: &Cycle<4>, ladders: &[Ladder; 2], typical: &Reached) -> Result
         .column("period_error", "1", column(|row| row.errors[1]))?;
     Ok(Outcome {
         scalars: told.scalars(),
-        dataset: dataset
-            .with(reference)?
-            .attribute("kind", "engines")?
-            .attribute("typical_width", TYPICAL)?,
+        dataset: dataset.with(reference)?.attribute("typical_width", TYPICAL)?,
         table: Some(sheet),
         checks,
         warnings,

@@ -68,7 +68,7 @@ pub(super) fn run(
     if let Some(coordinate) = curves.coordinate() {
         dataset = dataset.with(coordinate)?;
     }
-    outcome.dataset = dataset.with(variable)?.attribute("kind", "equivalent-damping")?;
+    outcome.dataset = dataset.with(variable)?;
     law_errors::add(&mut outcome, &axis, &curves, contact, &states, &EQUIVALENT_DAMPING)?;
     Ok(outcome)
 }

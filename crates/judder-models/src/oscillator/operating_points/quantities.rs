@@ -167,6 +167,16 @@ pub(crate) const QUANTITIES: [OperatingQuantity; FOUND.len()] = {
 /// What can be asked of any linear system.
 pub(crate) const LINEAR_QUANTITIES: [OperatingQuantity; OF_LINEAR_SYSTEMS] = {
     let [growth_rate, frequency, verdict, mechanism, ..] = QUANTITIES;
+    let growth_rate = OperatingQuantity {
+        label: Some("Growth rate Re $λ$"),
+        long_name: "growth rate, Re λ",
+        ..growth_rate
+    };
+    let frequency = OperatingQuantity {
+        label: Some("Frequency Im $λ$"),
+        long_name: "frequency of the fastest growing mode, Im λ",
+        ..frequency
+    };
     let mechanism = OperatingQuantity { flags: &MECHANISMS_OF_LINEAR_SYSTEMS, ..mechanism };
     [growth_rate, frequency, verdict, mechanism]
 };

@@ -2,7 +2,7 @@
 
 mod run;
 
-pub(crate) use run::{Spectra, ToldSpectra, outcome};
+pub(crate) use run::{Spectra, SpectraWords, ToldSpectra, outcome};
 
 use super::{Operated, Subject, curves, ends_of_curves, points_of_curves};
 use crate::axis::keys_of_curves;
@@ -27,7 +27,7 @@ pub(crate) const KIND: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
     declared: settings::curves,
     read: |keys, section| Ok(Arc::new(SpectrumCurves::read(keys, section)?)),
     picture: Some(Picture {
-        draw: curves::spectrum,
+        draw: |dataset| curves::spectrum(dataset, "/$ω_{nx}$ (−)"),
         caption: "Eigenvalues in units of $ω_{nx}$: growth rates and frequencies. Solid: full system, eq. (21). Dashed: without \
         damping, eqs. (24), (25).",
     }),

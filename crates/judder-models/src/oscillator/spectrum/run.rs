@@ -38,6 +38,17 @@ impl Spectra {
     };
 }
 
+/// How a model calls its eigenvalues.
+pub(crate) struct SpectraWords {
+    pub(crate) full: &'static str,
+    pub(crate) conservative: &'static str,
+}
+
+const WORDS: SpectraWords = SpectraWords {
+    full: "eigenvalues λ/ω_nx of the full system, eq. (21)",
+    conservative: "eigenvalues λ/ω_nx without damping, eqs. (24), (25)",
+};
+
 /// The errors of the growth rate: the larger distance of its ends in the box of the law from it.
 pub(super) const GROWTH_RATE: Erring = Erring {
     name: "growth_rate_error",
@@ -68,7 +79,7 @@ pub(super) fn run(
     }
     let known: Vec<SteadyState> = states.iter().flatten().copied().collect();
     warnings.extend(validity_warnings(contact, known.iter()));
-    let mut outcome = outcome(&axis, &curves, spectra)?;
+    let mut outcome = outcome(&axis, &curves, spectra, &WORDS)?;
     outcome.warnings = warnings;
     outcome.checks = checks::steady_sliding(contact, &known);
     law_errors::add(&mut outcome, &axis, &curves, contact, &states, &GROWTH_RATE)?;
@@ -80,6 +91,7 @@ pub(crate) fn outcome(
     axis: &Axis,
     curves: &Curves,
     spectra: Vec<Option<Spectra>>,
+    words: &SpectraWords,
 ) -> Result<Outcome, ModelError> {
     let missing = spectra.iter().filter(|s| s.is_none()).count();
     let spectra: Vec<Spectra> = spectra.into_iter().map(|s| s.unwrap_or(Spectra::MISSING)).collect();
@@ -89,12 +101,12 @@ pub(crate) fn outcome(
     let flat = |pick: fn(&Spectra) -> [Complex64; 4]| spectra.iter().flat_map(pick).collect::<Vec<_>>();
     let full = Variable::new("eigenvalues", &dimensions, &shape, flat(|s| s.full))
         .units("1")
-        .long_name("eigenvalues λ/ω_nx of the full system, eq. (21)")
+        .long_name(words.full)
         .apart();
     let conservative =
         Variable::new("conservative_eigenvalues", &dimensions, &shape, flat(|s| s.conservative))
             .units("1")
-            .long_name("eigenvalues λ/ω_nx without damping, eqs. (24), (25)")
+            .long_name(words.conservative)
             .apart();
     let mut dataset = Dataset::new().with(axis.coordinate())?;
     if let Some(coordinate) = curves.coordinate() {
@@ -102,7 +114,7 @@ pub(crate) fn outcome(
     }
     Ok(Outcome {
         scalars: curves.scalars(scalars),
-        dataset: dataset.with(full)?.with(conservative)?.attribute("kind", "spectrum")?,
+        dataset: dataset.with(full)?.with(conservative)?,
         table: Some(table(axis, curves, &spectra)?),
         missing,
         ..Outcome::default()

@@ -14,9 +14,24 @@ pub(crate) struct MapArrays<'a> {
     pub(crate) map: &'a StabilityMap,
     pub(crate) growth: Option<Vec<f64>>,
     pub(crate) overlays: &'a [Overlay],
-    /// What an instability by one-way coupling of the directions by speed is called.
-    pub(crate) one_way: &'static str,
+    pub(crate) words: &'a MapWords,
 }
+
+/// How a model calls what is shown of its maps.
+pub(crate) struct MapWords {
+    /// An instability by one-way coupling of the directions by speed.
+    pub(crate) one_way: &'static str,
+    pub(crate) stability: &'static str,
+    /// The frequency of the oscillation that is born at a boundary.
+    pub(crate) frequency: &'static str,
+}
+
+/// Those of the oscillator.
+pub(super) const WORDS: MapWords = MapWords {
+    one_way: NORMAL_FORCE,
+    stability: "stability of steady sliding, by mechanism",
+    frequency: "frequency of the oscillation born there, ω/ω_nx",
+};
 
 /// A map, and the axes that it lies over.
 #[derive(Clone, Copy)]
@@ -47,11 +62,11 @@ impl MapArrays<'_> {
         let shape = [self.map.rows, self.map.columns];
         let meanings: Vec<(u8, &str)> = StabilityClass::ALL
             .iter()
-            .map(|class| (*class as u8, class_name(*class, self.one_way)))
+            .map(|class| (*class as u8, class_name(*class, self.words.one_way)))
             .collect();
         let classes =
             Variable::classes("stability", &dimensions, &shape, self.map.classes.clone(), &meanings)
-                .long_name("stability of steady sliding, by mechanism");
+                .long_name(self.words.stability);
         let mut dataset =
             Dataset::new().with(self.x.coordinate())?.with(self.y.coordinate())?.with(classes)?;
         if let Some(growth) = self.growth {
@@ -61,9 +76,9 @@ impl MapArrays<'_> {
             dataset = dataset.with(growth)?;
         }
         for overlay in self.overlays {
-            dataset = overlay.add_to(dataset, self.x, self.y)?;
+            dataset = overlay.add_to(dataset, self.x, self.y, self.words.frequency)?;
         }
-        Ok(dataset.attribute("kind", "stability-map")?.attribute("one_way", self.one_way)?)
+        Ok(dataset.attribute("one_way", self.words.one_way)?)
     }
 }
 

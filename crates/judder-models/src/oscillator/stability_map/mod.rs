@@ -7,7 +7,7 @@ mod overlays;
 mod run;
 mod within_law;
 
-pub(crate) use arrays::{MapArrays, ONE_WAY, ToldMap, class_name};
+pub(crate) use arrays::{MapArrays, MapWords, ONE_WAY, ToldMap, class_name};
 pub(crate) use knock::{NONE_MOVED, STARTS_IT, UNKNOWN};
 pub use overlays::{BoundaryCurves, BoundaryKind, boundary_curves};
 pub(crate) use overlays::{Overlay, incomplete};

@@ -272,7 +272,13 @@ impl Overlay {
     }
 
     /// Adds the points of all pieces: the two swept quantities, the frequency, and whether the curve turns back there.
-    pub(super) fn add_to(&self, dataset: Dataset, x: &Axis, y: &Axis) -> Result<Dataset, ModelError> {
+    pub(super) fn add_to(
+        &self,
+        dataset: Dataset,
+        x: &Axis,
+        y: &Axis,
+        of_frequency: &str,
+    ) -> Result<Dataset, ModelError> {
         let BoundaryCurves { x: along_x, y: along_y, frequency, indentation } =
             BoundaryCurves::new(&self.curves);
         let folds = self.fold_codes();
@@ -281,7 +287,7 @@ impl Overlay {
         let names = [
             (x.name(), along_x, x.quantity.unit.as_str(), "first swept quantity"),
             (y.name(), along_y, y.quantity.unit.as_str(), "second swept quantity"),
-            ("frequency", frequency, "1", "frequency of the oscillation born there, ω/ω_nx"),
+            ("frequency", frequency, "1", of_frequency),
             ("indentation", indentation, "1", "indentation ŷ_e"),
         ];
         let mut dataset = dataset;

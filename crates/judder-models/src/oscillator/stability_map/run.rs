@@ -1,6 +1,6 @@
 //! Verdict and mechanism over two keys (Figs. 9, 10).
 
-use super::arrays::{MapOverAxes, NORMAL_FORCE, ToldMap};
+use super::arrays::{MapOverAxes, NORMAL_FORCE, ToldMap, WORDS};
 use super::{MapArrays, incomplete, knock, overlays, within_law};
 use crate::axis;
 use crate::checks;
@@ -53,7 +53,7 @@ pub(crate) fn run(
     let states = checked_states(contact, &plane);
     let mut outcome = Outcome {
         scalars: ToldMap::new(&map, NORMAL_FORCE, seconds, &overlays).scalars(),
-        dataset: MapArrays { x: &x, y: &y, map: &map, growth, overlays: &overlays, one_way: NORMAL_FORCE }
+        dataset: MapArrays { x: &x, y: &y, map: &map, growth, overlays: &overlays, words: &WORDS }
             .dataset()?,
         warnings: validity_warnings(contact, states.iter().map(|(state, _)| state)),
         checks: checks::steady_sliding(contact, &states.iter().map(|(state, _)| *state).collect::<Vec<_>>()),

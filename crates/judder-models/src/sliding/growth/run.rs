@@ -65,7 +65,7 @@ pub(super) fn run(
         step_limit_s: limit,
     };
     let scalar = |name: &str, value: Complex64| Variable::new(name, &[], &[], vec![value]).units("1/s");
-    let Outcome { scalars, dataset, .. } = Outcome::of("growth", &told)?;
+    let Outcome { scalars, dataset, .. } = Outcome::of(&told)?;
     let dataset = dataset
         .attribute("position_m", position)?
         .attribute("method", settings.word.name())?

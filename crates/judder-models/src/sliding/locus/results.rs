@@ -207,7 +207,6 @@ impl Locating<'_> {
         let numbers: Vec<i64> = points.iter().map(|(zone, _)| *zone as i64 + 1).collect();
         let values: Vec<Complex64> = points.iter().map(|(_, (_, value))| *value).collect();
         Ok(Dataset::new()
-            .attribute("kind", "locus")?
             .attribute("configuration", settings.configuration.name())?
             .attribute("damping", settings.damping)?
             .with(axis.coordinate())?

@@ -84,7 +84,7 @@ impl Told<'_> {
     pub(super) fn dataset(&self, sample_rate: f64) -> Result<Dataset, ModelError> {
         let asked = self.of.march;
         let mut dataset = Dataset::new()
-            .attribute("kind", "march")?
+            .attribute("kind", super::KIND.name)?
             .attribute("method", asked.word.name())?
             .attribute("signal", variable_name(*asked.signal, self.of.points))?
             .attribute("step_s", self.chosen.step)?

@@ -6,7 +6,7 @@ use crate::error::ModelError;
 use crate::estimate::{Estimate, cost::FIGURE};
 use crate::sliding::case::SlidingCase;
 use crate::sliding::case::structure::find_structure;
-use crate::structure::modes::{self, Modes, ToldModes};
+use crate::structure::modes::{self, Modes, PICTURE, ToldModes};
 use judder_keys::Settings;
 use judder_keys::declared::{Named, Settings};
 use judder_store::{Declared, Results};
@@ -37,8 +37,7 @@ pub(crate) const KIND: Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>> = Kind 
         find_structure(&mut own.structure, &case.structures, section)?;
         Ok(Arc::new(own))
     },
-    // as that of a structure
-    picture: None,
+    picture: Some(PICTURE),
 };
 
 impl Analysis<SlidingCase> for PartModes {

@@ -179,7 +179,6 @@ impl Shown {
             )?
             .with(coordinate("frequency", &self.frequencies, "Hz", "Frequency (Hz)").long_name("frequency"))?
             .with(level)?
-            .attribute("kind", "spectrogram")?
             .attribute("of", asked.of.clone())?
             .attribute("signal", signal)?
             .attribute("window", asked.window.name())?

@@ -61,7 +61,7 @@ pub(crate) fn run(
     };
     let shapes: Vec<Vec<Complex64>> = found.modes.iter().map(|mode| of_largest_one(&mode.right)).collect();
     let (count, codes) = (values.len(), values.iter().map(|value| code(value.verdict())).collect());
-    let Outcome { scalars, dataset, table, .. } = Outcome::of("eigen", &told)?;
+    let Outcome { scalars, dataset, table, .. } = Outcome::of(&told)?;
     let mut dataset = dataset
         .attribute("region", json!({ "re": sought.re, "im": sought.im }))?
         .with(Variable::classes("verdict", &["mode"], &[count], codes, &VERDICTS).long_name("verdict"))?

@@ -247,9 +247,7 @@ impl Run<'_> {
         }
         let region = &self.settings.region;
         let meanings: Vec<(u8, &str)> = VERDICTS.into_iter().chain([(ABSENT, "not in the region")]).collect();
-        let mut dataset = Dataset::new()
-            .attribute("kind", "eigen-sweep")?
-            .attribute("region", json!({ "re": region.re, "im": region.im }))?;
+        let mut dataset = Dataset::new().attribute("region", json!({ "re": region.re, "im": region.im }))?;
         if let Some(family) = self.curves.coordinate() {
             dataset = dataset.with(family)?;
         }

@@ -54,11 +54,14 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
         scope.check_factors(section)?;
         Ok(Arc::new(Modes::read_table(section)?))
     },
-    picture: Some(Picture {
-        draw: figure::modes,
-        caption: "Shapes over the body at rest (grey), displacements enlarged alike; on the page they swing. Last, how alike any two shapes are: the \
-        modal assurance criterion, $|φ_{i}^{T}φ_{j}|^{2}$ over both lengths squared.",
-    }),
+    picture: Some(PICTURE),
+};
+
+/// The figure, of either model that has such modes.
+pub(crate) const PICTURE: Picture = Picture {
+    draw: figure::modes,
+    caption: "Shapes over the body at rest (grey), displacements enlarged alike; on the page they swing. Last, how alike any two shapes are: the \
+    modal assurance criterion, $|φ_{i}^{T}φ_{j}|^{2}$ over both lengths squared.",
 };
 
 impl Analysis<StructureCase> for Modes {

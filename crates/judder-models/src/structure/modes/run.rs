@@ -50,7 +50,7 @@ pub(crate) fn run(
         reduced: reduced.map(|eigenvalues| Reduced::new(&found, eigenvalues)),
         frequency,
     };
-    let Outcome { scalars, mut dataset, table, .. } = Outcome::of("modes", &told)?;
+    let Outcome { scalars, mut dataset, table, .. } = Outcome::of(&told)?;
     let mut warnings: Vec<String> = of.warning("the modes are those").into_iter().collect();
     if let Some(layout) = &structure.layout {
         let vectors: Vec<&[f64]> = found.modes.iter().map(|mode| &mode.shape[..]).collect();

@@ -96,7 +96,7 @@ pub(super) fn run(
         files,
         warnings: warnings(missing),
         missing,
-        ..Outcome::of("receptance", &ToldReceptance::new(hertz, values, &found))?
+        ..Outcome::of(&ToldReceptance::new(hertz, values, &found))?
     })
 }
 

@@ -52,7 +52,7 @@ pub(super) fn run(
     };
     let checks = checks(&report);
     let files = files::files(name, structure, &reduced, limit, &mut warnings)?;
-    Ok(Outcome { checks, warnings, files, ..Outcome::of("reduction", &told)? })
+    Ok(Outcome { checks, warnings, files, ..Outcome::of(&told)? })
 }
 
 /// What is told of a reduction.

@@ -61,7 +61,7 @@ pub(super) fn run(
         .apart();
     Ok(Outcome {
         scalars: told.scalars(),
-        dataset: Dataset::new().with(roots)?.with(frequencies)?.attribute("kind", "critical")?,
+        dataset: Dataset::new().with(roots)?.with(frequencies)?,
         table: Some(told.add_columns(Table::new().column(axis.name(), "1", values)?)?),
         checks: if count > 0 { vec![check] } else { Vec::new() },
         missing: search.failures.len(),

@@ -5,13 +5,14 @@ mod run;
 use super::Varying;
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
+use crate::oscillator::curves;
 use crate::oscillator::spectrum::ToldSpectra;
 use crate::read_sweep::SWEEP;
 use crate::sweep::{ParameterKey, Sweep};
 use crate::swept_keys::ParameterKeys;
 use crate::two_degrees::case::TwoDegreesCase;
 use judder_store::{Declared, Results};
-use judder_study::case::analysis::Kind;
+use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
@@ -30,7 +31,11 @@ pub(super) const KIND: Kind<ParameterKeys, Arc<dyn Varying>> = Kind {
     doc: "the eigenvalues along one parameter",
     declared: || vec![SWEEP.declaration::<ParameterKeys>()],
     read: |keys, section| Ok(Arc::new(ParameterSpectrum { sweep: SWEEP.read_alone(keys, section)? })),
-    picture: None,
+    picture: Some(Picture {
+        draw: |dataset| curves::spectrum(dataset, ""),
+        caption: "Eigenvalues of the matrices, in the units of the case: growth rates and frequencies. Solid: full system. Dashed: without \
+        damping, $C$ = 0.",
+    }),
 };
 
 impl Analysis<TwoDegreesCase> for ParameterSpectrum {

@@ -5,13 +5,13 @@ mod run;
 use super::Varying;
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
-use crate::oscillator::stability_map::{ONE_WAY, ToldMap};
+use crate::oscillator::stability_map::{ONE_WAY, ToldMap, figure};
 use crate::read_sweep::{map_declarations, read_map, write_map};
 use crate::sweep::{ParameterKey, StabilityMap};
 use crate::swept_keys::ParameterKeys;
 use crate::two_degrees::case::TwoDegreesCase;
 use judder_store::Declared;
-use judder_study::case::analysis::Kind;
+use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
@@ -23,7 +23,11 @@ pub(super) const KIND: Kind<ParameterKeys, Arc<dyn Varying>> = Kind {
     doc: "stable and unstable points over two parameters",
     declared: map_declarations::<ParameterKeys>,
     read: |keys, section| Ok(Arc::new(read_map(keys, section)?)),
-    picture: None,
+    picture: Some(Picture {
+        draw: figure::stability_map,
+        caption: "Stability at the points of the map, coloured by what carries the instability. Curves are followed by continuation: \
+        full system (solid black), without damping (dashed).",
+    }),
 };
 
 impl Analysis<TwoDegreesCase> for StabilityMap<ParameterKey> {

@@ -4,7 +4,7 @@ use crate::axis::{self, range};
 use crate::checks;
 use crate::error::ModelError;
 use crate::oscillator::stability_map::{
-    MapArrays, ONE_WAY, Overlay, ToldMap, checked_points, incomplete, unresolved_warning,
+    MapArrays, MapWords, ONE_WAY, Overlay, ToldMap, checked_points, incomplete, unresolved_warning,
 };
 use crate::sweep::{ParameterKey, StabilityMap as MapSettings};
 use crate::two_degrees::case::TwoDegreesCase;
@@ -16,6 +16,12 @@ use judder_store::Results;
 use judder_study::axis::Axis;
 use judder_study::outcome::{CheckRecord, Outcome};
 use rayon::prelude::*;
+
+const WORDS: MapWords = MapWords {
+    one_way: ONE_WAY,
+    stability: "stability, by mechanism",
+    frequency: "frequency of the oscillation born there",
+};
 
 pub(super) fn run(
     case: &TwoDegreesCase,
@@ -45,7 +51,7 @@ pub(super) fn run(
     }
     Ok(Outcome {
         scalars: ToldMap::new(&map, ONE_WAY, seconds, &overlays).scalars(),
-        dataset: MapArrays { x: &x, y: &y, map: &map, growth: None, overlays: &overlays, one_way: ONE_WAY }
+        dataset: MapArrays { x: &x, y: &y, map: &map, growth: None, overlays: &overlays, words: &WORDS }
             .dataset()?,
         missing: map.count(StabilityClass::Unresolved),
         warnings: unresolved_warning(&map).into_iter().chain(incomplete(&overlays)).collect(),

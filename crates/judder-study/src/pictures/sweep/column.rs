@@ -1,7 +1,7 @@
 //! A quantity of a sweep with its label, its colours and its values.
 
 use crate::pictures::words;
-use crate::registry::Registry;
+use crate::registry::ModelKind;
 use judder_report::figure::Class;
 use judder_report::{Axis, Role};
 use judder_store::Dataset;
@@ -52,8 +52,8 @@ pub(super) fn keys(dataset: &Dataset) -> Option<Vec<Key>> {
     Some(paths.iter().zip(scales).enumerate().map(key).collect())
 }
 
-/// All columns of a sweep; `values` are its stored ones, quantities fastest.
-pub(super) fn columns(registry: Registry, dataset: &Dataset, values: &[f64]) -> Option<Vec<Column>> {
+/// All columns of a sweep over a case of this model; `values` are its stored ones, quantities fastest.
+pub(super) fn columns(model: Option<&ModelKind>, dataset: &Dataset, values: &[f64]) -> Option<Vec<Column>> {
     let (names, units) = (words(dataset, "quantity")?, words(dataset, "quantity_units")?);
     let long_names = words(dataset, "quantity_long_name")?;
     let meanings = words(dataset, "quantity_flag_meanings");
@@ -64,7 +64,7 @@ pub(super) fn columns(registry: Registry, dataset: &Dataset, values: &[f64]) -> 
         Column {
             name: name.clone(),
             label: label(
-                registry,
+                model,
                 name,
                 long_names.get(k).map_or("", String::as_str),
                 units.get(k).map_or("", String::as_str),
@@ -76,8 +76,8 @@ pub(super) fn columns(registry: Registry, dataset: &Dataset, values: &[f64]) -> 
     Some((0..names.len()).map(column).collect())
 }
 
-fn label(registry: Registry, name: &str, long_name: &str, units: &str) -> String {
-    if let Some(label) = registry.operating_label(name) {
+fn label(model: Option<&ModelKind>, name: &str, long_name: &str, units: &str) -> String {
+    if let Some(label) = model.and_then(|model| model.operating_label(name)) {
         return label.to_owned();
     }
     match (long_name, units) {

@@ -1,4 +1,4 @@
-//! The system without damping, C = 0: eigenvalues (24), (25), their coalescence (26), and the thresholds in closed form (27), (28).
+//! The system without damping, C = 0: eigenvalues (24), (25), their coalescence (26), and the threshold of the shear strength in closed form (27).
 //!
 //! The paper calls it conservative; its stiffness matrix is not symmetric, so it can flutter.
 
@@ -52,8 +52,8 @@ pub fn coalescence_coupling(k11: f64, k12: f64, k22: f64) -> f64 {
     -(k11 - k22) * (k11 - k22) / (4.0 * k12) - k12
 }
 
-/// The bracket that (27) and (28) share: k̃_x (D²/(2 η² sin 2α) + η² sin 2α/2), D = 1 + η² cos 2α − Ω² − F̃_k′/k̃_x = k11 − k22.
-fn shared_bracket(c: &Coefficients, response: &ContactResponse) -> f64 {
+/// The first bracket of (27): k̃_x (D²/(2 η² sin 2α) + η² sin 2α/2), D = 1 + η² cos 2α − Ω² − F̃_k′/k̃_x = k11 − k22.
+fn stiffness_bracket(c: &Coefficients, response: &ContactResponse) -> f64 {
     let k22 = c.k22 + response.force.by_indentation / c.stiffness;
     -c.stiffness * coalescence_coupling(c.k11, c.k12, k22)
 }
@@ -66,17 +66,7 @@ fn shared_bracket(c: &Coefficients, response: &ContactResponse) -> f64 {
 pub fn critical_shear_strength(load: FrictionLoad, c: &Coefficients, response: &ContactResponse) -> f64 {
     let without_adhesion = Coefficients { shear_strength: 0.0, ..*c };
     let viscoelastic = crate::friction::friction_force(load, &without_adhesion, response).by_indentation;
-    (shared_bracket(c, response) - viscoelastic) / response.area.by_indentation
-}
-
-/// (28): the normal load F̃_n at which the modes merge, for the indentation at which `response` was taken, with the
-/// friction F_n μ_visc as printed.
-///
-/// Implicit as it stands, and a fixed-point iteration on it diverges. Self-consistent: [`crate::critical`].
-#[must_use]
-pub fn critical_normal_load(c: &Coefficients, response: &ContactResponse) -> f64 {
-    (shared_bracket(c, response) - c.shear_strength * response.area.by_indentation)
-        / response.friction.by_indentation
+    (stiffness_bracket(c, response) - viscoelastic) / response.area.by_indentation
 }
 
 #[cfg(test)]

@@ -51,20 +51,6 @@ impl LinearSystem {
         check_finite("stiffness", &reduced.stiffness)?;
         Ok(reduced)
     }
-
-    /// The state matrix (22), [[0, I], [−M⁻¹K, −M⁻¹C]], 4×4, for the state (q, q̇).
-    ///
-    /// # Errors
-    /// As [`LinearSystem::reduced`].
-    pub fn state_matrix(&self) -> Result<[[f64; 4]; 4], OscillatorError> {
-        let ReducedSystem { damping: c, stiffness: k } = self.reduced()?;
-        Ok([
-            [0.0, 0.0, 1.0, 0.0],
-            [0.0, 0.0, 0.0, 1.0],
-            [-k[0][0], -k[0][1], -c[0][0], -c[0][1]],
-            [-k[1][0], -k[1][1], -c[1][0], -c[1][1]],
-        ])
-    }
 }
 
 /// q̈ + C q̇ + K q = 0.

@@ -78,12 +78,6 @@ impl WithinLaw {
         errors.is_finite().then_some(Self { linearisation, errors })
     }
 
-    /// How far the entries of C and K may be off.
-    #[must_use]
-    pub fn entry_errors(&self) -> EntryErrors {
-        self.errors
-    }
-
     /// How far ξ_eq may be off.
     #[must_use]
     pub fn equivalent_damping_error(&self) -> f64 {

@@ -87,19 +87,6 @@ impl CreepSpectrum {
         Self::new(glassy, vec![CreepTerm { retardation_time, compliance }])
     }
 
-    /// One **relaxation** time ρ \[s\] between E0 and E∞ \[Pa\]; its retardation time is τ = ρ E∞/E0.
-    ///
-    /// # Errors
-    /// As [`CreepSpectrum::single`].
-    pub fn single_relaxing(
-        rubbery_modulus: f64,
-        glassy_modulus: f64,
-        relaxation_time: f64,
-    ) -> Result<Self, MaterialError> {
-        let relaxation_time = positive("the relaxation time ρ [s]", relaxation_time)?;
-        Self::single(rubbery_modulus, glassy_modulus, relaxation_time * (glassy_modulus / rubbery_modulus))
-    }
-
     /// E∞ \[Pa\], the modulus at infinite frequency.
     #[must_use]
     pub fn glassy_modulus(&self) -> f64 {

@@ -44,7 +44,7 @@ class Model:
     _name: ClassVar[str]
 
     def __init__(self, case: CaseLike | None, set: Mapping[str, Any] | None, keys: Mapping[str, Any]) -> None:
-        changes = {**dict(_flat(keys)), **(set or {})}
+        changes = {**dict(_flat(_given(keys))), **(set or {})}
         begun = f'model = "{self._name}"\n' if case is None else case
         self._case = source(begun), self._name, _toml.overrides(changes)
 
@@ -66,14 +66,14 @@ class Model:
         return check(self.text)
 
     def _computed(self, kind: str, keys: Mapping[str, Any], threads: int | None, progress: Progress | None) -> Result:
-        """Computes an analysis of this kind; keys that are ``None`` are left out.
+        """Computes an analysis of this kind; keys that are ``None`` are left out, those of its tables too.
 
         Raises:
             CaseError: case or analysis are wrong, also where only the run could see it.
             KeyboardInterrupt: Ctrl-C.
             JudderError: there is no result.
         """
-        given = _toml.document({key: own for key, own in keys.items() if own is not None})
+        given = _toml.document(_given(keys))
         with tempfile.TemporaryDirectory(prefix="judder-") as place:
             folder = Path(place) / "study"
             name, messages = _judder.computed_analysis(
@@ -93,12 +93,27 @@ class Model:
             )
 
 
+def _given(keys: Mapping[str, Any]) -> dict[str, Any]:
+    """The keys that are not ``None``, those of tables and of lists of tables too."""
+    return {key: _without_none(own) for key, own in keys.items() if own is not None}
+
+
+def _without_none(value: Any) -> Any:
+    """A value without the keys that are ``None``."""
+    match value:
+        case Mapping():
+            return _given(value)
+        case list() | tuple():
+            return [_without_none(item) for item in value]
+    return value
+
+
 def _flat(keys: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
-    """The keys that are given, those of a table one by one."""
+    """The keys, those of a table one by one."""
     for key, own in keys.items():
         if isinstance(own, Mapping):
             yield from ((f"{key}.{inner}", value) for inner, value in own.items())
-        elif own is not None:
+        else:
             yield key, own
 
 

@@ -134,6 +134,13 @@ def test_keys_make_a_case_of_nothing_and_change_one_that_is_there(tmp_path):
     assert study["spectrum"].eigenvalues.identical(found.data.eigenvalues)
 
 
+def test_keys_that_are_none_are_not_given_in_tables_too():
+    model = judder.models.Oscillator(operation={"velocity": 0.02, "normal_load": None}, oscillator=None)
+    assert model.text == judder.models.Oscillator(operation={"velocity": 0.02}).text
+    started = model.motion(start={"x": 1.0, "y": None}, duration=5.0, transient=None)
+    assert started.data.equals(model.motion(start={"x": 1.0}, duration=5.0).data)
+
+
 @pytest.mark.filterwarnings("ignore::judder.JudderWarning")
 def test_an_analysis_takes_up_others_of_the_case():
     model = judder.models.Sliding(SMALL / "sliding.toml", analysis=[{"name": "marched", "kind": "march", "method": "film", "predictor": "printed"}])

@@ -70,6 +70,10 @@ def test_a_map_is_its_points():
     )
     np.testing.assert_array_equal(adaptive.classes, found.classes)
     assert adaptive.growth_rate is None
+    without = judder.oscillator.stability_map(
+        ("velocity", velocities), ("shear_strength", strengths), coupling=0.7, normal_load=None
+    )
+    np.testing.assert_array_equal(without.classes, found.classes)
 
 
 def test_a_map_is_that_of_a_study(map_case, tmp_path):

@@ -62,13 +62,13 @@ impl Asked {
         Ok(asked)
     }
 
-    /// Sets keys by their names, in the order of the case file, and checks what ties them together.
+    /// Sets keys by their names, in the order of the case file, and checks what ties them together; one that is `None` is not given.
     pub(crate) fn set<'py>(
         &mut self,
         keys: impl IntoIterator<Item = (Bound<'py, PyAny>, Bound<'py, PyAny>)>,
     ) -> PyResult<()> {
         let mut values = Vec::new();
-        for (name, given) in keys {
+        for (name, given) in keys.into_iter().filter(|(_, given)| !given.is_none()) {
             values.push((key(&name.extract::<String>()?)?, given));
         }
         values.sort_by_key(|(key, _)| *key);

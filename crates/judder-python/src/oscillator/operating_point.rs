@@ -66,8 +66,7 @@ pub(crate) fn point(
     keys: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<OscillatorPoint> {
     let mut asked = Asked::new(law, friction_load)?;
-    let given = keys.into_iter().flatten().filter(|(_, value)| !value.is_none());
-    asked.set(given)?;
+    asked.set(keys.into_iter().flatten())?;
     solved(py, asked)
 }
 

@@ -162,17 +162,21 @@ impl Sources {
         Self(std::iter::once((name.to_owned(), Arc::from(text))).chain(options).collect())
     }
 
-    /// Attaches the text to a fault, and to those beside it.
+    /// Attaches the text to a fault, and to those beside it. A key that lacks because it is misspelt is told once.
     pub fn error(&self, fault: Fault) -> CaseError {
         let mut first = fault;
         let mut others = std::mem::take(&mut first.others);
-        let at = |fault: &Fault| (fault.place.source, fault.place.start);
+        let place = |fault: &Fault| (fault.place.source, fault.place.start);
+        let misspelt: Vec<(String, String)> =
+            others.iter().chain([&first]).filter_map(|own| own.cause.misspelt_key()).collect();
+        let order = |fault: &Fault| (fault.cause.is_lack_of(&misspelt), place(fault));
         for other in &mut others {
-            if at(other) < at(&first) {
+            if order(other) < order(&first) {
                 std::mem::swap(&mut first, other);
             }
         }
-        others.sort_by_key(at);
+        others.retain(|other| !other.cause.is_lack_of(&misspelt));
+        others.sort_by_key(place);
         let others = others.into_iter().map(|other| self.error_of(other)).collect();
         CaseError { others, ..self.error_of(first) }
     }

@@ -2,10 +2,29 @@
 
 use crate::cause::{Cause, gibibytes};
 use crate::dimension::Dimension;
-use crate::nearest::did_you_mean;
+use crate::nearest::{did_you_mean, nearest};
 use crate::quantity::{QuantityError, UNIT_LIST};
 
 impl Cause {
+    /// The key that an unknown one most likely means, and its section.
+    pub(crate) fn misspelt_key(&self) -> Option<(String, String)> {
+        match self {
+            Self::UnknownKey { key, section, known } => {
+                nearest(key, known).map(|meant| (meant.to_owned(), section.clone()))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether it is that one of these keys lacks in its section.
+    pub(crate) fn is_lack_of(&self, keys: &[(String, String)]) -> bool {
+        let is_this = |(of, of_section): &(String, String)| match self {
+            Self::MissingKey { key, section, .. } => key == of && section == of_section,
+            _ => false,
+        };
+        keys.iter().any(is_this)
+    }
+
     /// The dotted path of the key that is to blame, where there is one.
     pub fn key(&self) -> Option<&str> {
         match self {

@@ -7,6 +7,7 @@ use judder_contact::periodic_contact::PeriodicContactError;
 use judder_contact::steady::SteadyError;
 use judder_contact::transient::TransientError;
 use judder_exchange::ExchangeError;
+use judder_keys::cause::Cause;
 use judder_keys::error::CaseError;
 use judder_numerics::piecewise::MarchError;
 use judder_numerics::signal::SignalError;
@@ -125,6 +126,9 @@ pub enum ModelError {
     /// The fields of shapes could not be written.
     #[error("the fields for ParaView: {0}")]
     Fields(String),
+    /// What a key of the case says cannot be.
+    #[error(transparent)]
+    Key(#[from] Cause),
     /// The contact computation does not know the shape, or what presses it down.
     #[error("{0}")]
     Unsupported(String),
@@ -201,6 +205,7 @@ impl ModelFault for ModelError {
             Self::WrongModel { .. }
             | Self::Material(_)
             | Self::Indenter(_)
+            | Self::Key(_)
             | Self::Unsupported(_)
             | Self::Signal(_)
             | Self::NotRecorded { .. }

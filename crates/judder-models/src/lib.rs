@@ -56,7 +56,9 @@ use judder_study::case::analysis::KindEntry;
 use judder_study::case::file::CaseFile;
 use judder_study::case::{compose, keys, reference, schema};
 use serde_json::{Map, Value};
+use std::collections::BTreeSet;
 use std::path::Path;
+use std::sync::LazyLock;
 
 /// The models, in the order of the book.
 pub const REGISTRY: Registry = Registry::new(&[
@@ -114,10 +116,11 @@ pub fn keys(model: &str) -> Option<Value> {
     keys::keys(REGISTRY, model)
 }
 
-/// Whether a dotted path is that of a number in a case of some model outside of its analyses, as of [`keys::is_number`].
+/// Whether a dotted path is that of a number in a case of some model outside of its analyses, as of [`keys::number_paths`].
 #[must_use]
 pub fn is_number(path: &str) -> bool {
-    keys::is_number(REGISTRY, path)
+    static PATHS: LazyLock<BTreeSet<String>> = LazyLock::new(|| keys::number_paths(REGISTRY));
+    PATHS.contains(path)
 }
 
 /// Keys of the cases of a model that take one of a few words, as of [`keys::worded`].

@@ -3,8 +3,8 @@
 use crate::sweep::{Family, MAP_BYTES_LIMIT, MAP_BYTES_PER_POINT, MapOptions, StabilityMap, Sweep, Within};
 use crate::swept_keys::SweptKeys;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Declaration, Scaled, Setting, Settings, Whole, both};
-use judder_keys::document::Data;
+use judder_keys::declared::{Allowed, Declaration, Scaled, Setting, Settings, Whole, all, both};
+use judder_keys::document::{Data, Node};
 use judder_keys::error::{Fault, Place};
 use judder_keys::keys::Key;
 use judder_keys::numeric_key::{Form, Range, Value};
@@ -19,14 +19,16 @@ pub(crate) struct Axis {
     doc: &'static str,
     /// The points where it does not say.
     usual: Option<usize>,
+    /// Keys of what may stand in its place.
+    instead: &'static [&'static str],
 }
 
 /// What most analyses vary.
-pub(crate) const SWEEP: Axis = Axis { name: "sweep", doc: "one key over a range", usual: None };
+pub(crate) const SWEEP: Axis = Axis { name: "sweep", doc: "one key over a range", usual: None, instead: &[] };
 /// The abscissa of a map.
-const X: Axis = Axis { name: "x", doc: "the key along the abscissa, over a range", usual: None };
+const X: Axis = Axis { name: "x", doc: "the key along the abscissa, over a range", ..SWEEP };
 /// The ordinate of a map.
-const Y: Axis = Axis { name: "y", doc: "the key along the ordinate, over a range", usual: None };
+const Y: Axis = Axis { name: "y", doc: "the key along the ordinate, over a range", ..SWEEP };
 
 /// A key that must be given.
 pub(crate) fn required(name: &'static str, doc: &'static str, form: Allowed) -> Declaration {
@@ -42,6 +44,11 @@ impl Axis {
     /// This one, of so many points where it does not say.
     pub(crate) const fn of_points(self, usual: usize) -> Self {
         Self { usual: Some(usual), ..self }
+    }
+
+    /// This one, in whose place something with these keys may stand.
+    pub(crate) const fn or(self, instead: &'static [&'static str]) -> Self {
+        Self { instead, ..self }
     }
 
     /// The keys of its table.
@@ -63,11 +70,6 @@ impl Axis {
                 ..required("scale", "spacing of the points", <Scale as Setting>::form(&()))
             },
         ]
-    }
-
-    /// The names of the keys of its table.
-    pub(crate) fn own_keys<S: SweptKeys>(&self) -> Vec<&'static str> {
-        names(&self.keys::<S>())
     }
 
     /// What is said of it.
@@ -151,33 +153,35 @@ impl Axis {
         analysis: &Section<'_>,
     ) -> Result<PlacedSweep<S::Key>, Fault> {
         let name = self.name;
-        let node =
-            analysis.required(name, &format!("{name} = {{ key = …, from = …, to = …, points = … }}"))?;
-        let section = analysis.table(name, node, &self.own_keys::<S>())?;
-        let (key, key_place) = read_key(keys, &section)?;
-        let ends = |end: &str| {
-            let value = section.required(end, &format!("{end} = …, the value at this end"))?;
-            keys.read(key, &section.path(end), value)
-        };
-        let (from, to) = (ends("from")?, ends("to")?);
-        let place_of = |key: &str| section.get(key).map_or(section.place, |node| node.place);
-        same_form(ends_of(&section), from.form, to.form, place_of("to"))?;
+        let expected = || format!("{name} = {{ key = …, from = …, to = …, points = … }}");
+        let section = analysis.inner(name)?.ok_or_else(|| analysis.missing(name, &expected()))?;
+        let strangers = section.refuse_others(&[names(&self.keys::<S>()), self.instead.to_vec()].concat());
+        let scale = section.choice("scale", "scale", &Scale::ALL);
+        let scale = scale.map(|scale| scale.unwrap_or(Scale::Linear));
+        let varied = read_varied(keys, &section);
+        let given = both(varied, both(scale, self.read_points(&section)));
+        let ((), ((varied, [from, to]), (scale, points))) = both(strangers, given)?;
+        same_form(ends_of(&section), from.form, to.form, section.place_of(&["to"]))?;
         let (from, to, form) = (from.number, to.number, from.form);
         if from == to {
             return Err(Cause::EmptyRange { from }.at(section.place));
         }
-        let scale = section.choice("scale", "scale", &Scale::ALL)?.unwrap_or(Scale::Linear);
         if scale == Scale::Log && (from == 0.0 || to == 0.0 || (from < 0.0) != (to < 0.0)) {
             return Err(Cause::LogThroughZero { from, to }.at(section.place));
         }
+        let (key, key_place) = varied;
+        let sweep = Sweep { key, path: keys.path(key), from, to, points, scale, form };
+        let points = section.place_of(&["points"]);
+        Ok(PlacedSweep { sweep, key: key_place, points, whole: section.place })
+    }
+
+    /// The number of points, which must be few enough.
+    fn read_points(&self, section: &Section<'_>) -> Result<usize, Fault> {
         let points = match (section.get("points"), self.usual) {
             (None, Some(points)) => points,
-            _ => read_points(&section)?,
+            _ => read_points(section)?,
         };
-        let sweep = Sweep { key, path: keys.path(key), from, to, points, scale, form };
-        let placed = PlacedSweep { sweep, key: key_place, points: place_of("points"), whole: section.place };
-        check_size(&[(points, placed.points)])?;
-        Ok(placed)
+        check_size(&[(points, section.place_of(&["points"]))]).map(|()| points)
     }
 }
 
@@ -198,14 +202,14 @@ pub(crate) fn read_family<S: SweptKeys>(
         return check_ends(keys, sweep).map(|()| None);
     };
     let PlacedFamily { family, places, whole, .. } = placed;
-    for (number, place) in family.values.iter().zip(&places) {
+    let checked = all(family.values.iter().zip(&places).map(|(number, place)| {
         let value = Value { number: *number, form: family.form };
-        for end in sweep.ends() {
-            keys.check(&[(family.key, value), (sweep.sweep.key, end)]).map_err(|cause| cause.at(*place))?;
-        }
-    }
-    check_size(&[(family.values.len(), whole), (sweep.sweep.points, sweep.points)])?;
-    Ok(Some(family))
+        let mut ends = sweep.ends().into_iter();
+        ends.try_for_each(|end| keys.check(&[(family.key, value), (sweep.sweep.key, end)]))
+            .map_err(|cause| cause.at(*place))
+    }));
+    let size = check_size(&[(family.values.len(), whole), (sweep.sweep.points, sweep.points)]);
+    both(checked, size).map(|_| Some(family))
 }
 
 /// Reads the family of an analysis that sweeps `swept`; whether its values go together with the sweep is left to the caller.
@@ -214,27 +218,41 @@ pub(crate) fn read_placed_family<S: SweptKeys>(
     analysis: &Section<'_>,
     swept: S::Key,
 ) -> Result<Option<PlacedFamily<S::Key>>, Fault> {
-    let Some(node) = analysis.get("family") else { return Ok(None) };
-    let section = analysis.table("family", node, &names(&family_keys::<S>()))?;
-    let (key, key_place) = read_key(keys, &section)?;
-    if keys.same(key, swept) {
-        return Err(key_twice(keys.path(key), "sweep", "family").at(key_place));
-    }
-    let values_node = section.required("values", "values = [ … ], one curve each")?;
-    let nodes = list("family.values", values_node)?;
-    let (mut values, mut places) = (Vec::with_capacity(nodes.len()), Vec::with_capacity(nodes.len()));
-    let mut form = None;
-    for node in nodes {
-        let value = keys.read(key, "family.values", node)?;
-        same_form("`family.values`".to_owned(), *form.get_or_insert(value.form), value.form, node.place)?;
-        values.push(value.number);
-        places.push(node.place);
-    }
-    let Some(form) = form else {
-        return Err(Cause::EmptyList { key: "family.values".to_owned() }.at(values_node.place));
+    let Some(section) = analysis.inner("family")? else { return Ok(None) };
+    let strangers = section.refuse_others(&names(&family_keys::<S>()));
+    let listed = section.required("values", "values = [ … ], one curve each");
+    let listed = listed.and_then(|node| Ok((list("family.values", node)?, node.place)));
+    let (key, key_place) = match read_key(keys, &section) {
+        Ok(key) => key,
+        Err(fault) => return Err(beside(fault, both(strangers, listed).map(drop))),
     };
+    let other = match keys.same(key, swept) {
+        true => Err(key_twice(keys.path(key), "sweep", "family").at(key_place)),
+        false => Ok(()),
+    };
+    let values = listed.and_then(|(nodes, whole)| read_family_values(keys, key, nodes, whole));
+    let ((), ((), (values, form, places, whole))) = both(strangers, both(other, values))?;
     let family = Family { key, path: keys.path(key), values, form };
-    Ok(Some(PlacedFamily { family, key: key_place, places, whole: values_node.place }))
+    Ok(Some(PlacedFamily { family, key: key_place, places, whole }))
+}
+
+/// The values of a family in their form, each with its place, and the place of all.
+type FamilyValues = (Vec<f64>, Form, Vec<Place>, Place);
+
+fn read_family_values<S: SweptKeys>(
+    keys: &S,
+    key: S::Key,
+    nodes: &[Node],
+    whole: Place,
+) -> Result<FamilyValues, Fault> {
+    let values = all(nodes.iter().map(|node| keys.read(key, "family.values", node)))?;
+    let Some(form) = values.first().map(|value| value.form) else {
+        return Err(Cause::EmptyList { key: "family.values".to_owned() }.at(whole));
+    };
+    let places: Vec<Place> = nodes.iter().map(|node| node.place).collect();
+    let alike = values.iter().zip(&places);
+    all(alike.map(|(value, place)| same_form("`family.values`".to_owned(), form, value.form, *place)))?;
+    Ok((values.iter().map(|value| value.number).collect(), form, places, whole))
 }
 
 /// The keys of a range of roots.
@@ -264,16 +282,16 @@ pub(crate) fn read_within<K: Copy>(
     sought: &Key<K>,
     default: (f64, f64),
 ) -> Result<Within, Fault> {
-    let Some(node) = analysis.get("within") else {
+    let Some(section) = analysis.inner("within")? else {
         return Ok(Within { from: default.0, to: default.1, form: Form::Group });
     };
-    let section = analysis.table("within", node, &names(&within_keys(sought)))?;
+    let strangers = section.refuse_others(&names(&within_keys(sought)));
     let of = Scaled { range: Range::Positive, ..sought.rule };
     let end = |end: &str| {
         let node = section.required(end, &format!("{end} = …, the value at this end"))?;
         Ok((of.read(&section.path(end), node)?, node.place))
     };
-    let ((from, _), (to, to_place)) = both(end("from"), end("to"))?;
+    let ((), ((from, _), (to, to_place))) = both(strangers, both(end("from"), end("to")))?;
     same_form(ends_of(&section), from.form, to.form, to_place)?;
     let (from, to, form) = (from.number, to.number, from.form);
     match from.total_cmp(&to) {
@@ -320,6 +338,31 @@ fn read_key<S: SweptKeys>(keys: &S, section: &Section<'_>) -> Result<(S::Key, Pl
     let path = text(&section.path("key"), node)?;
     let place = node.part(0..path.len());
     keys.find(path).map(|key| (key, place)).map_err(|cause| cause.at(place))
+}
+
+/// A key with its place, and the ends of its range.
+type Varied<K> = ((K, Place), [Value; 2]);
+
+/// Reads a key and its range; what the ends may be is not known without the key.
+fn read_varied<S: SweptKeys>(keys: &S, section: &Section<'_>) -> Result<Varied<S::Key>, Fault> {
+    let given = |end: &str| section.required(end, &format!("{end} = …, the value at this end"));
+    let (from, to) = (given("from"), given("to"));
+    match read_key(keys, section) {
+        Ok((key, place)) => {
+            let value = |end: &str, node| keys.read(key, &section.path(end), node);
+            let ends = both(from.and_then(|node| value("from", node)), to.and_then(|node| value("to", node)));
+            ends.map(|(from, to)| ((key, place), [from, to]))
+        }
+        Err(fault) => Err(beside(fault, both(from, to).map(drop))),
+    }
+}
+
+/// A fault with another one beside it, where there is one.
+fn beside(fault: Fault, other: Result<(), Fault>) -> Fault {
+    match other {
+        Ok(()) => fault,
+        Err(other) => fault.and(other),
+    }
 }
 
 fn read_points(section: &Section<'_>) -> Result<usize, Fault> {

@@ -1,6 +1,6 @@
 //! The models that there are, and all that is asked of them without a case: how one is read, its schema, its reference, its figures.
 
-use crate::case::analysis::{Kind, KindEntry};
+use crate::case::analysis::KindEntry;
 use crate::case::file::Case;
 use crate::model::OperatingQuantity;
 use judder_keys::cause::Cause;
@@ -115,10 +115,4 @@ impl Registry {
         let (what, place) = ("model", node.part(0..name.len()));
         Err(Cause::UnknownName { what, name: name.to_owned(), known: known() }.at(place))
     }
-}
-
-/// What is said of some kinds.
-#[must_use]
-pub fn entries<S, T>(kinds: &'static [Kind<S, T>]) -> Vec<KindEntry> {
-    kinds.iter().map(Kind::entry).collect()
 }

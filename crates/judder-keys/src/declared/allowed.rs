@@ -226,7 +226,7 @@ impl Declaration {
 
 impl Allowed {
     /// The keys of a table, or of the tables of a list.
-    pub(super) fn keys(&self) -> &[Declaration] {
+    pub fn keys(&self) -> &[Declaration] {
         match self {
             Self::Table { keys, .. } | Self::Told { keys, .. } => keys,
             Self::List { of, .. } | Self::Named(of) => of.keys(),

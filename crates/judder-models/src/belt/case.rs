@@ -17,7 +17,7 @@ use judder_keys::keys::{Key, Keys, Numbers};
 use judder_keys::numeric_key::{Range, Scaled, Value};
 use judder_keys::section::Section;
 use judder_keys::{Keys, Settings};
-use judder_study::case::analysis::{Kind, Planned, read_analyses};
+use judder_study::case::analysis::{Kinds, Planned, read_analyses};
 use judder_study::case::root::{document, read_root};
 use judder_study::model::Analysis;
 use serde_json::Value as Json;
@@ -178,8 +178,12 @@ pub(crate) struct BeltSections {
 }
 
 /// The kinds of a belt case.
-pub(crate) static KINDS: [Kind<BeltKeys, Arc<dyn Analysis<BeltCase>>>; 4] =
-    [MotionKinds::HISTORY, MotionKinds::LIMIT_CYCLE, MotionKinds::BIFURCATION, MotionKinds::BASIN];
+pub(crate) static KINDS: Kinds<BeltKeys, Arc<dyn Analysis<BeltCase>>> = Kinds::new(&[
+    MotionKinds::HISTORY,
+    MotionKinds::LIMIT_CYCLE,
+    MotionKinds::BIFURCATION,
+    MotionKinds::BASIN,
+]);
 
 /// Reads a belt case from the root of its tree.
 pub(crate) fn read(node: &Node) -> Result<BeltCase, Fault> {

@@ -15,7 +15,7 @@ use judder_study::case::analysis::Planned;
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::model::{Analysed, Analysis, Model, Task};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, Template, entries};
+use judder_study::registry::{ModelKind, Template};
 use judder_study::resolve::Resolved;
 use std::sync::Arc;
 
@@ -61,7 +61,7 @@ pub const MODEL: ModelKind = ModelKind {
         text: include_str!("template.toml"),
         lines: |section| lines(section, |key: BeltKey| BeltInputs::default().number(key)),
     },
-    kinds: || entries(&case::KINDS),
+    kinds: || case::KINDS.entries(),
     operating_quantities: &[],
 };
 

@@ -120,11 +120,16 @@ impl ContactCase {
 /// Reads a contact case from the root of its tree; files are relative to `folder`.
 pub(crate) fn read(node: &Node, folder: &Path) -> Result<ContactCase, Fault> {
     let (root, sections) = read_root::<ContactSections>(node)?;
-    let ((title, sections), ()) = both(sections, refuse_conflicts(&root))?;
-    let memory = sections.memory_limit;
-    let mut case = ContactCase::of(title, sections, &root, folder)?;
-    let (shape, inputs, moduli_known) = (case.shape.clone(), case.inputs, case.knows_moduli());
-    case.analyses =
-        read_analyses(&root, &ContactScope { shape, inputs, moduli_known, memory }, &KINDS, REGISTRY)?;
-    Ok(case)
+    let case = both(sections, refuse_conflicts(&root)).and_then(|((title, sections), ())| {
+        let memory = sections.memory_limit;
+        ContactCase::of(title, sections, &root, folder).map(|case| (case, memory))
+    });
+    let scope = case.as_ref().ok().map(|(case, memory)| ContactScope {
+        shape: case.shape.clone(),
+        inputs: case.inputs,
+        moduli_known: case.knows_moduli(),
+        memory: *memory,
+    });
+    let ((case, _), analyses) = both(case, read_analyses(&root, &scope, &KINDS, REGISTRY))?;
+    Ok(ContactCase { analyses, ..case })
 }

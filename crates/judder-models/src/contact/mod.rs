@@ -28,6 +28,7 @@ use crate::measured_band::MeasuredBand;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::spectrum_source::temperature_warning;
+use crate::substrate::RelaxationSource;
 use check::ContactEstimate;
 use judder_contact::material::Discretisation;
 use judder_contact::steady::profile::Profile;
@@ -37,18 +38,18 @@ use judder_keys::file_reference::FileReference;
 use judder_keys::keys::lines;
 use judder_store::{Declared, Results};
 use judder_study::StudyError;
-use judder_study::case::analysis::{Kind, Planned};
+use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::model::{Analysed, Analysis, Model, Prepared, Refusal, Task, wanted};
 use judder_study::outcome::{CheckRecord, Outcome};
-use judder_study::registry::{ModelKind, Template, entries};
+use judder_study::registry::{ModelKind, Template};
 use judder_study::resolve::Resolved;
 use std::cell::OnceCell;
 use std::sync::Arc;
 
 /// The kinds of analyses.
-pub(crate) static KINDS: [Kind<ContactScope, Arc<dyn Exciting>>; 5] =
-    [single::KIND, law::KIND, fit::KIND, modulus::KIND, transient::KIND];
+pub(crate) static KINDS: Kinds<Option<ContactScope>, Arc<dyn Exciting>> =
+    Kinds::new(&[single::KIND, law::KIND, fit::KIND, modulus::KIND, transient::KIND]);
 
 /// An analysis that excites the substrate.
 pub trait Exciting: Analysis<ContactCase> {
@@ -117,8 +118,11 @@ impl Analysed for ContactCase {
         &self.analyses
     }
 
-    fn common_summary_keys() -> Vec<Declared> {
-        Option::<ToldTerms>::declared()
+    fn common_summary_keys(&self) -> Vec<Declared> {
+        match self.substrate.source {
+            RelaxationSource::Continuous(_) => ToldTerms::declared(),
+            _ => Vec::new(),
+        }
     }
 
     fn blame(error: &ModelError) -> Option<Refusal> {
@@ -139,7 +143,7 @@ pub const MODEL: ModelKind = ModelKind {
         text: include_str!("template.toml"),
         lines: |section| lines(section, |key: OscillatorKey| OscillatorInputs::default().number(key)),
     },
-    kinds: || entries(&KINDS),
+    kinds: || KINDS.entries(),
     operating_quantities: &[],
 };
 

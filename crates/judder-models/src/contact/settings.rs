@@ -157,6 +157,12 @@ impl ContactScope {
         section.get("memory_limit").map_or(self.memory, |_| own)
     }
 
+    /// Refuses an analysis of a law where the moduli are known, and have none.
+    fn has_moduli(&self, section: &Section<'_>) -> Result<(), Fault> {
+        let checked = if self.moduli_known { self.inputs.check(LawName::Bem) } else { Ok(()) };
+        checked.map_err(|cause| cause.at(section.place))
+    }
+
     /// Refuses an analysis of this kind where the indenter is neither a paraboloid nor a sphere.
     pub(crate) fn is_round(&self, kind: &'static str, section: &Section<'_>) -> Result<(), Fault> {
         if matches!(self.shape, Shape::Paraboloid | Shape::Sphere) {
@@ -196,7 +202,8 @@ impl Loading {
 
 impl ContactSettings {
     /// Reads them for an indenter: its shape decides what a load is, and which keys have a meaning.
-    pub(super) fn of(scope: &ContactScope, section: &Section<'_>) -> Result<Self, Fault> {
+    pub(super) fn of(scope: Option<&ContactScope>, section: &Section<'_>) -> Result<Self, Fault> {
+        let Some(scope) = scope else { return Self::read_table(section) };
         let is_line = scope.shape == Shape::Cylinder;
         let (endless, what): (&[_], _) = match &scope.shape {
             Shape::Cylinder => {
@@ -232,12 +239,14 @@ impl ContactSettings {
 
 impl LawSettings {
     /// Reads them of this kind for an indenter, whose shape decides how the plane may be covered.
-    pub(super) fn of(kind: &'static str, scope: &ContactScope, section: &Section<'_>) -> Result<Self, Fault> {
-        scope.is_round(kind, section)?;
-        if scope.moduli_known {
-            scope.inputs.check(LawName::Bem).map_err(|cause| cause.at(section.place))?;
-        }
-        let mut settings = Self::read_table(section)?;
+    pub(super) fn of(
+        kind: &'static str,
+        scope: Option<&ContactScope>,
+        section: &Section<'_>,
+    ) -> Result<Self, Fault> {
+        let Some(scope) = scope else { return Self::read_table(section) };
+        let has_law = scope.is_round(kind, section).and_then(|()| scope.has_moduli(section));
+        let ((), mut settings) = both(has_law, Self::read_table(section))?;
         settings.memory = scope.memory_limit(section, settings.memory);
         match section.get("method") {
             Some(node) if settings.method == LawMethod::Collapse && scope.shape != Shape::Paraboloid => {

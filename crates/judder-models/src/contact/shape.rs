@@ -6,7 +6,7 @@ use crate::contact::problem::ContactProblem;
 use judder_contact::indenter::Roughness;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Declaration, Number, Setting, Settings, Whole, both};
+use judder_keys::declared::{Allowed, Declaration, Number, Setting, Settings, UNLIMITED, Whole, both};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
@@ -83,7 +83,7 @@ pub struct GeneratedSurface {
     #[key(rule = Number::positive(Dimension::NUMBER), symbol = "g_rms", omitted)]
     rms_slope: Option<f64>,
     /// The seed of its phases.
-    #[key(rule = Whole { from: 0, to: usize::MAX }, default = 0)]
+    #[key(rule = Whole { from: 0, to: UNLIMITED }, default = 0)]
     pub seed: usize,
 }
 

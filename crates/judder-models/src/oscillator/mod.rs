@@ -57,7 +57,7 @@ use judder_oscillator::Contact;
 use judder_store::{Declared, Results};
 use judder_study::Progress;
 use judder_study::StudyError;
-use judder_study::case::analysis::{Kind, Planned};
+use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::case::study_sweep::{StudySweep, SweptKey};
 use judder_study::labels::{Quantity, any_key};
@@ -65,7 +65,7 @@ use judder_study::model::{
     Analysed, Analysis, Model, OperatingPoints, OperatingQuantity, OperatingWork, Prepared, Task,
 };
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, Template, entries};
+use judder_study::registry::{ModelKind, Template};
 use judder_study::resolve::Resolved;
 use operating_points::OfOneLaw;
 use quasi_steady::{Condition, ToldCondition, of_motions};
@@ -73,7 +73,7 @@ use serde_json::Value;
 use std::sync::Arc;
 
 /// The kinds of analyses.
-pub(crate) static KINDS: [Kind<OscillatorKeys, Arc<dyn Operated>>; 10] = [
+pub(crate) static KINDS: Kinds<OscillatorKeys, Arc<dyn Operated>> = Kinds::new(&[
     equivalent_damping::KIND,
     spectrum::KIND,
     critical::OF_SHEAR_STRENGTH,
@@ -84,7 +84,7 @@ pub(crate) static KINDS: [Kind<OscillatorKeys, Arc<dyn Operated>>; 10] = [
     MotionKinds::BIFURCATION,
     MotionKinds::BASIN,
     engines::KIND,
-];
+]);
 
 /// An analysis of operating points.
 pub trait Operated: Analysis<OscillatorCase> {
@@ -147,7 +147,7 @@ impl Analysed for OscillatorCase {
         &self.analyses
     }
 
-    fn common_summary_keys() -> Vec<Declared> {
+    fn common_summary_keys(&self) -> Vec<Declared> {
         Option::<ToldCondition>::declared()
     }
 }
@@ -165,7 +165,7 @@ pub const MODEL: ModelKind = ModelKind {
         text: include_str!("template.toml"),
         lines: |section| lines(section, |key: OscillatorKey| OscillatorInputs::default().number(key)),
     },
-    kinds: || entries(&KINDS),
+    kinds: || KINDS.entries(),
     operating_quantities: &operating_points::QUANTITIES,
 };
 

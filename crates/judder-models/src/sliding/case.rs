@@ -121,7 +121,7 @@ impl SlidingCase {
         let place = root.place;
         let read = root
             .set(&sweep.path, place, Node { place, data: sweep.data(value) })
-            .and_then(|()| read_system(&root, folder).map(|(_, case)| case));
+            .and_then(|()| read_system(&root, folder).and_then(|(_, case)| case));
         read.map_err(|fault| {
             let cause = fault.into_cause();
             let (key, value) = (sweep.path.clone(), sweep.text(value));
@@ -137,9 +137,10 @@ impl SlidingCase {
 
 /// Reads a sliding case from the root of its tree; files are relative to `folder`. What its analyses name is not sought here.
 pub(crate) fn read(node: &Node, folder: &Path) -> Result<SlidingCase, Fault> {
-    let (root, mut case) = read_system(node, folder)?;
-    case.analyses = read_analyses(&root, &case, &KINDS, REGISTRY)?;
-    Ok(case)
+    let (root, case) = read_system(node, folder)?;
+    let analyses = read_analyses(&root, &case.as_ref().ok().cloned(), &KINDS, REGISTRY);
+    let (case, analyses) = both(case, analyses)?;
+    Ok(SlidingCase { analyses, ..case })
 }
 
 /// What a case says beside its analyses.
@@ -161,25 +162,36 @@ pub(crate) struct SlidingSections {
     observe: Option<Observed>,
 }
 
+/// A root, and everything but its analyses.
+type System<'a> = (Section<'a>, Result<SlidingCase, Fault>);
+
 /// Everything but the analyses.
-fn read_system<'a>(node: &'a Node, folder: &Path) -> Result<(Section<'a>, SlidingCase), Fault> {
+fn read_system<'a>(node: &'a Node, folder: &Path) -> Result<System<'a>, Fault> {
     let (root, sections) = read_root::<SlidingSections>(node)?;
-    let (title, SlidingSections { parameters, structure, mut contact, motion, mut observe }) = sections?;
-    let structures = structure.found(&root, &parameters.names(), folder)?;
-    let observed = match (&mut observe, root.inner("observe")?) {
-        (Some(observe), Some(section)) => observe.admit(&section, &structures),
-        _ => Ok(()),
-    };
-    let coupled = match (root.inner("contact")?, root.inner("motion")?) {
-        (Some(of_contact), Some(of_motion)) => {
-            let slides = contact.admit(&of_contact, &structures);
-            slides.and_then(|()| motion.admit(&of_motion, &structures[*contact.slider.structure]))
-        }
-        _ => Ok(()),
-    };
-    both(coupled, observed)?;
-    let origin = Arc::new(Origin { root: node.clone(), folder: folder.to_owned() });
-    let points = observe.map_or_else(Vec::new, |observe| observe.points);
-    let (structures, parameters, analyses) = (Box::new(structures), parameters.0, Vec::new());
-    Ok((root, SlidingCase { title, parameters, structures, contact, motion, points, analyses, origin }))
+    let origin = || Arc::new(Origin { root: node.clone(), folder: folder.to_owned() });
+    let case = sections.and_then(|(title, sections)| sections.found(title, &root, origin()));
+    Ok((root, case))
+}
+
+impl SlidingSections {
+    /// The case of what was read, without its analyses.
+    fn found(self, title: String, root: &Section<'_>, origin: Arc<Origin>) -> Result<SlidingCase, Fault> {
+        let Self { parameters, structure, mut contact, motion, mut observe } = self;
+        let structures = structure.found(root, &parameters.names(), &origin.folder)?;
+        let observed = match (&mut observe, root.inner("observe")?) {
+            (Some(observe), Some(section)) => observe.admit(&section, &structures),
+            _ => Ok(()),
+        };
+        let coupled = match (root.inner("contact")?, root.inner("motion")?) {
+            (Some(of_contact), Some(of_motion)) => {
+                let slides = contact.admit(&of_contact, &structures);
+                slides.and_then(|()| motion.admit(&of_motion, &structures[*contact.slider.structure]))
+            }
+            _ => Ok(()),
+        };
+        both(coupled, observed)?;
+        let points = observe.map_or_else(Vec::new, |observe| observe.points);
+        let (structures, parameters, analyses) = (Box::new(structures), parameters.0, Vec::new());
+        Ok(SlidingCase { title, parameters, structures, contact, motion, points, analyses, origin })
+    }
 }

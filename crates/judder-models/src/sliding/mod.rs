@@ -28,11 +28,11 @@ use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::file_reference::FileReference;
 use judder_study::StudyError;
-use judder_study::case::analysis::{Kind, Planned};
+use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::model::{Analysed, Analysis, Model, Prepared, Refusal, Task, wanted};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, Template, entries};
+use judder_study::registry::{ModelKind, Template};
 use judder_study::resolve::Resolved;
 use spectrogram::settings::check_references;
 use std::path::Path;
@@ -40,8 +40,8 @@ use std::sync::Arc;
 use system::SlidingSystem;
 
 /// The kinds of analyses.
-pub(crate) static KINDS: [Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>>; 5] =
-    [modes::KIND, locus::KIND, march::KIND, growth::KIND, spectrogram::KIND];
+pub(crate) static KINDS: Kinds<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>> =
+    Kinds::new(&[modes::KIND, locus::KIND, march::KIND, growth::KIND, spectrogram::KIND]);
 
 /// A pair, and the name of an analysis of it.
 pub struct Subject<'a> {
@@ -100,7 +100,7 @@ pub const MODEL: ModelKind = ModelKind {
     swept: Vec::new,
     prose: include_str!("reference.md"),
     template: Template { name: "beams-paper", text: include_str!("template.toml"), lines: |_| String::new() },
-    kinds: || entries(&KINDS),
+    kinds: || KINDS.entries(),
     operating_quantities: &[],
 };
 

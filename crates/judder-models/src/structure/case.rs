@@ -28,7 +28,7 @@ use judder_keys::cause::Cause;
 use judder_keys::declared::{Setting, Settings, both};
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
-use judder_keys::file_reference::FileReference;
+use judder_keys::file_reference::{FileReference, read_file_reference};
 use judder_keys::problem::Placed;
 use judder_keys::section::Section;
 use judder_study::case::analysis::{Planned, read_analyses};
@@ -195,25 +195,67 @@ impl SourceSections {
     }
 }
 
+/// The file under a key, which has one of these endings.
+fn file_of_format(
+    section: &Section<'_>,
+    key: &str,
+    folder: &Path,
+    endings: &[&str],
+) -> Result<FileReference, Fault> {
+    let file = read_file_reference(section, key, folder)?;
+    let ending = file.path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
+    if endings.iter().any(|known| known.strip_prefix('.') == ending.as_deref()) {
+        return Ok(file);
+    }
+    let (place, key, known) = (section.place_of(&[key]), section.path(key), endings.join(", "));
+    Err(StructureProblem::Format { key, path: file.path, known }.at(place))
+}
+
 /// Reads a structure case from the root of its tree; files are relative to `folder`.
 pub(crate) fn read(node: &Node, folder: &Path) -> Result<StructureCase, Fault> {
     let (root, sections) = read_root::<StructureSections>(node)?;
-    let (title, StructureSections { parameters, source, damping, reduction }) = sections?;
-    let keys = ParameterKeys(parameters.names());
-    let source = source.found(&root, &keys.0, folder)?;
-    let reduction = reduction.map(|ReductionSection { kept, modes }| Reduction { kept, modes });
-    let admitted = match (&reduction, root.inner("reduction")?) {
-        (Some(own), Some(section)) => own.admit(&section, &source),
-        _ => Ok(()),
+    let (parameters, sections) = match (Parameters::of(&root), sections) {
+        (Ok(parameters), sections) => (parameters, sections),
+        // faults of sections have those of the parameters among them
+        (Err(_), Err(all)) => return Err(all),
+        (Err(fault), Ok(_)) => return Err(fault),
     };
-    let values: Vec<f64> = parameters.0.iter().map(|parameter| parameter.value).collect();
-    let scope = StructureScope { keys, source: source.clone(), values, has_reduction: reduction.is_some() };
-    let ((), analyses) = both(admitted, read_analyses(&root, &scope, &super::KINDS, REGISTRY))?;
-    let damping = damping.unwrap_or_default();
-    Ok(StructureCase { title, parameters: parameters.0, source, damping, reduction, analyses })
+    let case = sections.and_then(|(title, sections)| StructureCase::of(title, sections, &root, folder));
+    let admitted = case.as_ref().map_or(Ok(()), |case| case.admit_reduction(&root));
+    let scope = StructureScope {
+        keys: ParameterKeys(parameters.names()),
+        source: case.as_ref().ok().map(|case| case.source.clone()),
+        values: parameters.0.iter().map(|parameter| parameter.value).collect(),
+        has_reduction: root.get("reduction").is_some(),
+    };
+    let analyses = read_analyses(&root, &scope, &super::KINDS, REGISTRY);
+    let ((case, ()), analyses) = both(both(case, admitted), analyses)?;
+    Ok(StructureCase { analyses, ..case })
 }
 
 impl StructureCase {
+    /// The case of what was read, without its analyses; files are relative to `folder`.
+    fn of(
+        title: String,
+        sections: StructureSections,
+        root: &Section<'_>,
+        folder: &Path,
+    ) -> Result<Self, Fault> {
+        let StructureSections { parameters, source, damping, reduction } = sections;
+        let source = source.found(root, &parameters.names(), folder)?;
+        let reduction = reduction.map(|ReductionSection { kept, modes }| Reduction { kept, modes });
+        let (parameters, damping) = (parameters.0, damping.unwrap_or_default());
+        Ok(Self { title, parameters, source, damping, reduction, analyses: Vec::new() })
+    }
+
+    /// Refuses kept freedoms that the structure cannot have.
+    fn admit_reduction(&self, root: &Section<'_>) -> Result<(), Fault> {
+        match (&self.reduction, root.inner("reduction")?) {
+            (Some(own), Some(section)) => own.admit(&section, &self.source),
+            _ => Ok(()),
+        }
+    }
+
     /// The canonical form.
     pub(super) fn resolved(&self) -> Json {
         let mut json = document(MODEL.name, &self.title, &self.analyses, |kind, json| kind.write(json));

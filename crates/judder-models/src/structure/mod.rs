@@ -26,17 +26,17 @@ use build::Structure;
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
 use judder_study::StudyError;
-use judder_study::case::analysis::{Kind, Planned};
+use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::model::{Analysed, Analysis, Model, Prepared, Task, wanted};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, Template, entries};
+use judder_study::registry::{ModelKind, Template};
 use judder_study::resolve::Resolved;
 use std::sync::Arc;
 
 /// The kinds of analyses.
-pub(crate) static KINDS: [Kind<StructureScope, Arc<dyn Analysis<StructureCase>>>; 5] =
-    [modes::KIND, reduction::KIND, eigen::KIND, eigen_sweep::KIND, receptance::KIND];
+pub(crate) static KINDS: Kinds<StructureScope, Arc<dyn Analysis<StructureCase>>> =
+    Kinds::new(&[modes::KIND, reduction::KIND, eigen::KIND, eigen_sweep::KIND, receptance::KIND]);
 
 /// A structure, and the name under which an analysis of it leaves files.
 pub struct Subject<'a> {
@@ -84,7 +84,7 @@ pub const MODEL: ModelKind = ModelKind {
     swept: Vec::new,
     prose: include_str!("reference.md"),
     template: Template { name: "structure", text: include_str!("template.toml"), lines: |_| String::new() },
-    kinds: || entries(&KINDS),
+    kinds: || KINDS.entries(),
     operating_quantities: &[],
 };
 

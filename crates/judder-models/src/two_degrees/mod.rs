@@ -21,11 +21,11 @@ use judder_keys::declared::Settings;
 use judder_oscillator::LinearSystem;
 use judder_study::Progress;
 use judder_study::StudyError;
-use judder_study::case::analysis::{Kind, Planned};
+use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::model::{Analysed, Analysis, Model, OperatingQuantity, Task};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, Template, entries};
+use judder_study::registry::{ModelKind, Template};
 use judder_study::resolve::Resolved;
 use std::sync::Arc;
 
@@ -52,8 +52,8 @@ pub trait Varying: Analysis<TwoDegreesCase> {
 }
 
 /// The kinds of analyses.
-pub(crate) static KINDS: [Kind<ParameterKeys, Arc<dyn Varying>>; 3] =
-    [spectrum::KIND, stability_map::KIND, critical::KIND];
+pub(crate) static KINDS: Kinds<ParameterKeys, Arc<dyn Varying>> =
+    Kinds::new(&[spectrum::KIND, stability_map::KIND, critical::KIND]);
 
 /// The model.
 pub const MODEL: ModelKind = ModelKind {
@@ -64,7 +64,7 @@ pub const MODEL: ModelKind = ModelKind {
     swept: Vec::new,
     prose: include_str!("reference.md"),
     template: Template { name: "two-degrees", text: include_str!("template.toml"), lines: |_| String::new() },
-    kinds: || entries(&KINDS),
+    kinds: || KINDS.entries(),
     operating_quantities: &LINEAR_QUANTITIES,
 };
 
@@ -82,8 +82,7 @@ impl Model for TwoDegreesCase {
         wanted: &[OperatingQuantity],
         _: &dyn Progress,
     ) -> Result<(Vec<f64>, Vec<String>), StudyError> {
-        let matrices = self.matrices(&self.values());
-        let matrices = matrices.map_err(|cause| ModelError::Unsupported(cause.to_string()))?;
+        let matrices = self.matrices(&self.values()).map_err(ModelError::from)?;
         let (mass, damping, stiffness) = (matrices.mass, matrices.damping, matrices.stiffness);
         let system = LinearSystem { mass, damping, stiffness };
         let values = linear_values(&system, wanted).map_err(ModelError::from)?;

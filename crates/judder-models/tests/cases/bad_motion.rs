@@ -1,6 +1,6 @@
 //! Analyses of motion that are refused.
 
-use super::bad_analysis::analysis;
+use super::bad_analysis::{analysis, beside_sweep};
 use super::refused;
 
 #[test]
@@ -138,14 +138,15 @@ fn branches_and_margins_that_are_neither_true_nor_false() {
 #[test]
 fn a_margin_of_a_kind_that_has_none() {
     refused(
-        &analysis("spectrum", "global_margin = true"),
+        &beside_sweep("spectrum", "global_margin = true"),
         "unknown key `global_margin` in an analysis of kind `spectrum`",
         "global_margin",
         "keys here: name, kind, sweep, family",
     );
     refused(
         "model = \"two-degrees\"\n[parameters]\nmu = 1\nc = 1\n[matrices]\nstiffness = [[1, 0], [0, 1]]\n[[analysis]]\n\
-         kind = \"stability-map\"\nglobal_margin = true",
+         kind = \"stability-map\"\nglobal_margin = true\n\
+         x = { key = \"parameters.mu\", from = 0, to = 1, points = 2 }\ny = { key = \"parameters.c\", from = 0, to = 1, points = 2 }",
         "unknown key `global_margin` in an analysis of kind `stability-map`",
         "global_margin",
         "keys here: name, kind, x, y, method, boundaries",

@@ -19,6 +19,7 @@ mod compose;
 mod contact;
 mod declared;
 mod editors;
+mod many_faults;
 mod motion;
 mod oscillator;
 mod sliding;

@@ -288,3 +288,17 @@ proptest! {
         prop_assert_eq!(sweep.clone().values_of(index % points)[0], value);
     }
 }
+
+/// What only a continuous spectrum yields is a result of a case that has one.
+#[test]
+fn results_that_some_cases_have_are_asked_of_those() {
+    let case = |substrate: &str| {
+        format!(
+            "model = \"contact\"\n[substrate]\n{substrate}\n[[analysis]]\nkind = \"contact\"\nvelocity = 1e-2\nindentation = 1e-2\n[[sweep]]\nname = \"s\"\nover = [{{ key = \"analysis.contact.velocity\", from = 1e-3, to = 1e-2, points = 2 }}]\nquantities = [\"contact.spectrum_terms\"]\n"
+        )
+    };
+    let continuous = "rubbery_modulus = \"1 MPa\"\nglassy_modulus = \"9 MPa\"\ncontinuous = { log_normal = { median = \"10 ms\", width = 1.0 }, terms = 8 }";
+    assert!(judder_models::parse("case.toml", &case(continuous), &[]).is_ok());
+    let error = judder_models::parse("case.toml", &case(""), &[]).unwrap_err();
+    assert_eq!(error.place(), "\"contact.spectrum_terms\"");
+}

@@ -15,6 +15,7 @@ use crate::model::{Model, Task};
 use crate::outcome::Outcome;
 use crate::registry::Registry;
 use judder_keys::cause::Cause;
+use judder_keys::declared::both;
 use judder_keys::document::{Data, Node, apply_override, parse};
 use judder_keys::error::{CaseError, Fault, Place, Sources};
 
@@ -258,11 +259,10 @@ fn read_case(
     let sweeps = root.take("sweep");
     let folder = Path::new(name).parent().unwrap_or(Path::new("")).to_owned();
     let tree = CaseTree { root, folder, registry };
-    let case = tree.read()?;
-    let sweeps = match sweeps {
-        Some(node) => read_sweeps(&node, &tree, &case)?,
-        None => Vec::new(),
-    };
+    let case = tree.read();
+    let read = |node| read_sweeps(&node, &tree, case.as_ref().ok());
+    let sweeps = sweeps.map_or_else(|| Ok(Vec::new()), read);
+    let (case, sweeps) = both(case, sweeps)?;
     Ok((case, sweeps, tree))
 }
 

@@ -1,6 +1,6 @@
 //! What a case may say, as data: for programs that show keys, set them or vary them.
 
-use crate::case::root::COMMON;
+use crate::case::root::ANALYSIS;
 use crate::registry::{ModelKind, Registry};
 use judder_keys::declared::{Listed, listed};
 use serde_json::{Value as Json, json};
@@ -29,9 +29,8 @@ fn document(Listed { path, key }: &Listed) -> Json {
 
 /// Those of each kind of analysis.
 fn of_analyses(model: &ModelKind) -> impl Iterator<Item = Json> {
-    let [.., analysis, _] = COMMON;
     (model.kinds)().into_iter().flat_map(move |kind| {
-        let keys = listed(&format!("{analysis}.*."), &(kind.declared)());
+        let keys = listed(&format!("{ANALYSIS}.*."), &(kind.declared)());
         keys.into_iter().map(move |key| {
             let mut json = document(&key);
             json["analysis"] = json!(kind.name);
@@ -40,10 +39,10 @@ fn of_analyses(model: &ModelKind) -> impl Iterator<Item = Json> {
     })
 }
 
-/// Whether a dotted path is that of a number, with a unit or without, in a case of some model outside of its analyses.
-pub fn is_number(registry: Registry, path: &str) -> bool {
-    let is_this = |key: &Listed| key.is_number() && key.path == path;
-    registry.models().iter().any(|model| listed("", &(model.declared)()).iter().any(is_this))
+/// The dotted paths of all numbers, with a unit or without, in a case of some model outside of its analyses.
+pub fn number_paths(registry: Registry) -> BTreeSet<String> {
+    let declared = registry.models().iter().flat_map(|model| listed("", &(model.declared)()));
+    declared.filter(Listed::is_number).map(|own| own.path).collect()
 }
 
 /// Keys of the cases of a model that take one of a few words, among other things, outside of lists, names and analyses.

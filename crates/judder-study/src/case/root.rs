@@ -10,7 +10,11 @@ use judder_keys::section::Section;
 use serde_json::{Map, Value as Json, json};
 
 /// The keys of every case that no model declares.
-pub const COMMON: [&str; 4] = ["title", "model", "analysis", "sweep"];
+pub const COMMON: [&str; 4] = [TITLE, MODEL, ANALYSIS, SWEEP];
+pub(crate) const TITLE: &str = "title";
+pub(crate) const MODEL: &str = "model";
+pub(crate) const ANALYSIS: &str = "analysis";
+pub(crate) const SWEEP: &str = "sweep";
 
 /// The title of a case and what its model declares, or all that is wrong with them.
 pub type Own<T> = Result<(String, T), Fault>;
@@ -21,9 +25,8 @@ pub type Own<T> = Result<(String, T), Fault>;
 /// A root that is no table.
 pub fn read_root<T: Settings>(node: &Node) -> Result<(Section<'_>, Own<T>), Fault> {
     let root = Section::of_case(node, T::TITLE.unwrap_or("the case"))?;
-    let [title, model, analysis, sweep] = COMMON;
-    let known = [vec![title, model], T::keys(), vec![analysis, sweep]].concat();
-    let own = both(root.text(title).map(|text| text.unwrap_or_default().to_owned()), T::read_table(&root));
+    let known = [vec![TITLE, MODEL], T::keys(), vec![ANALYSIS, SWEEP]].concat();
+    let own = both(root.text(TITLE).map(|text| text.unwrap_or_default().to_owned()), T::read_table(&root));
     let own = both(root.refuse_others(&known), own).map(|((), own)| own);
     Ok((root, own))
 }

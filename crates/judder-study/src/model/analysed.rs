@@ -88,8 +88,8 @@ pub trait Analysed {
     /// The analyses in the order of the case file.
     fn analyses(&self) -> &[Planned<Arc<Self::Asked>>];
 
-    /// The keys of a summary that any analysis may have beside its own.
-    fn common_summary_keys() -> Vec<Declared> {
+    /// The keys of a summary that any analysis of this case may have beside its own.
+    fn common_summary_keys(&self) -> Vec<Declared> {
         Vec::new()
     }
 
@@ -155,7 +155,7 @@ impl<C: Analysed> Analyses for C {
     }
 
     fn summary_keys(&self, index: usize) -> Vec<Declared> {
-        [self.analyses()[index].kind.summary_keys(), C::common_summary_keys()].concat()
+        [self.analyses()[index].kind.summary_keys(), self.common_summary_keys()].concat()
     }
 
     fn takes_up(&self, analysis: &str) -> Vec<&str> {

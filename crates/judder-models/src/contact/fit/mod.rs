@@ -20,12 +20,12 @@ use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
 /// The kind.
-pub(crate) const KIND: Kind<ContactScope, Arc<dyn Exciting>> = Kind {
+pub(crate) const KIND: Kind<Option<ContactScope>, Arc<dyn Exciting>> = Kind {
     name: "fit",
     doc: "the three functions of the oscillator paper, fitted to a computed law",
     declared: FitSettings::declarations,
     read: |scope, section| {
-        let settings = both(LawSettings::of("fit", scope, section), FitReading::read_table(section));
+        let settings = both(LawSettings::of("fit", scope.as_ref(), section), FitReading::read_table(section));
         settings.map(|(law, reading)| Arc::new(FitSettings { law, reading }) as Arc<dyn Exciting>)
     },
     picture: Some(Picture {

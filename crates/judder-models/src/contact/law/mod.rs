@@ -24,11 +24,11 @@ use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
 /// The kind.
-pub(crate) const KIND: Kind<ContactScope, Arc<dyn Exciting>> = Kind {
+pub(crate) const KIND: Kind<Option<ContactScope>, Arc<dyn Exciting>> = Kind {
     name: "contact-law",
     doc: "force, area and friction over speed and indentation, as a law for an oscillator",
     declared: LawSettings::declarations,
-    read: |scope, section| Ok(Arc::new(LawSettings::of("contact-law", scope, section)?)),
+    read: |scope, section| Ok(Arc::new(LawSettings::of("contact-law", scope.as_ref(), section)?)),
     picture: Some(Picture {
         draw: figure::contact_law,
         caption: "Force, area and friction over speed for several indentations (left; dashed: Hertz with $E_{0}$ and with $E_{∞}$) and over speed and \

@@ -18,7 +18,7 @@ use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
 /// The kind.
-pub(crate) const KIND: Kind<ContactScope, Arc<dyn Exciting>> = Kind {
+pub(crate) const KIND: Kind<Option<ContactScope>, Arc<dyn Exciting>> = Kind {
     name: "modulus",
     doc: "storage and loss modulus and loss tangent over frequency",
     declared: ModulusSettings::declarations,

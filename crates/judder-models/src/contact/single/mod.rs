@@ -31,11 +31,11 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// The kind.
-pub(crate) const KIND: Kind<ContactScope, Arc<dyn Exciting>> = Kind {
+pub(crate) const KIND: Kind<Option<ContactScope>, Arc<dyn Exciting>> = Kind {
     name: "contact",
     doc: "one contact: force, area, friction, fields",
     declared: ContactSettings::declarations,
-    read: |scope, section| Ok(Arc::new(ContactSettings::of(scope, section)?)),
+    read: |scope, section| Ok(Arc::new(ContactSettings::of(scope.as_ref(), section)?)),
     picture: Some(Picture {
         draw: figure::contact,
         caption: "The indenter slides to the right. Sections along $y$ = 0; the surface of the substrate is compared with the indenter. The grids: \

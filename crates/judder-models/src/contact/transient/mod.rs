@@ -22,11 +22,11 @@ use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
 /// The kind.
-pub(crate) const KIND: Kind<ContactScope, Arc<dyn Exciting>> = Kind {
+pub(crate) const KIND: Kind<Option<ContactScope>, Arc<dyn Exciting>> = Kind {
     name: "transient",
     doc: "a contact that is followed in time: histories of force, friction and area, work of a cycle",
     declared: TransientSettings::declarations,
-    read: |scope, section| Ok(Arc::new(TransientSettings::of(scope, section)?)),
+    read: |scope, section| Ok(Arc::new(TransientSettings::of(scope.as_ref(), section)?)),
     picture: Some(Picture {
         draw: figure::transient,
         caption: "Normal force, friction force and area over time; where the path repeats itself, the loop whose area is the work of a cycle.",

@@ -88,16 +88,17 @@ pub const TRANSIENT_CELLS: usize = 64;
 
 impl TransientSettings {
     /// Reads them for an indenter.
-    pub(crate) fn of(scope: &ContactScope, section: &Section<'_>) -> Result<Self, Fault> {
-        scope.is_round("transient", section)?;
+    pub(crate) fn of(scope: Option<&ContactScope>, section: &Section<'_>) -> Result<Self, Fault> {
+        let is_round = scope.map_or(Ok(()), |scope| scope.is_round("transient", section));
         let word = section.choice("motion", "motion", &MotionWord::ALL).ok().flatten();
         let fits = word.map_or(Ok(()), |word| word.fits(section));
         let own = both(Self::read_table(section), Loading::is_one(section, false));
-        let ((), (settings, ())) = both(fits, own)?;
+        let (((), ()), (settings, ())) = both(both(is_round, fits), own)?;
         if settings.word == MotionWord::Reciprocation {
             Oscillation::read_table(section)?;
         }
-        Ok(Self { memory: scope.memory_limit(section, settings.memory), ..settings })
+        let memory = scope.map_or(settings.memory, |scope| scope.memory_limit(section, settings.memory));
+        Ok(Self { memory, ..settings })
     }
 
     /// How the indenter moves along the surface.

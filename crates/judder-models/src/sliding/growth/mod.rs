@@ -23,7 +23,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// The kind.
-pub(crate) const KIND: Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>> = Kind {
+pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>> = Kind {
     name: "growth",
     doc: "the growth of one mode in a march with the contact held, against the eigenvalue there",
     declared: Growth::declarations,

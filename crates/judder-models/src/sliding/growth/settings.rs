@@ -24,8 +24,8 @@ pub struct Growth {
     /// Time step; where left out, 3e-7 s or 0.9 of the limit of stability, of `residual-flexibility` 3e-6 s or 0.75 of it, whichever is smaller.
     #[key(rule = Number::positive(Dimension::TIME), symbol = "h")]
     pub step: Option<f64>,
-    /// Of `residual-flexibility`: modes above are replaced by their flexibility; 60 kHz where left out.
-    #[key(rule = Number::positive(Dimension::ANGULAR_FREQUENCY), symbol = "ω_c", omitted)]
+    /// Of `residual-flexibility`: modes above are replaced by their flexibility.
+    #[key(rule = Number::positive(Dimension::ANGULAR_FREQUENCY), symbol = "ω_c", usual = CUT_OFF, omitted)]
     pub cut_off: Option<f64>,
 }
 

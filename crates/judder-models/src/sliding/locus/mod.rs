@@ -29,11 +29,17 @@ use settings::{Along, Locus};
 use std::sync::Arc;
 
 /// The kind.
-pub(crate) const KIND: Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>> = Kind {
+pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>> = Kind {
     name: "locus",
     doc: "complex eigenvalues against the position of the contact, or against any key, with located unstable zones",
     declared: Locus::declarations,
-    read: |case, section| Ok(Arc::new(Locus::read_table(section)?.admit(case, section)?)),
+    read: |case, section| {
+        let own = Locus::read_table(section)?;
+        Ok(Arc::new(match case {
+            Some(case) => own.admit(case, section)?,
+            None => own,
+        }))
+    },
     picture: Some(Picture {
         draw: figure::locus,
         caption: "Complex eigenvalues of the coupled pair, dark to light along the axis: all of them with growth rates logarithmic on both sides of zero, and \

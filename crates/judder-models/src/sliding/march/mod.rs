@@ -34,11 +34,17 @@ use settings::March;
 use std::sync::Arc;
 
 /// The kind.
-pub(crate) const KIND: Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>> = Kind {
+pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>> = Kind {
     name: "march",
     doc: "the motion along the path by explicit time integration: signals, bursts, contact forces",
     declared: March::declarations,
-    read: |case, section| Ok(Arc::new(March::read_table(section)?.admit(case, section)?)),
+    read: |case, section| {
+        let own = March::read_table(section)?;
+        Ok(Arc::new(match case {
+            Some(case) => own.admit(case, section)?,
+            None => own,
+        }))
+    },
     picture: Some(Picture {
         draw: figure::march,
         caption: "Each line fills the space between the smallest and the largest sample of a column; samples are low-passed before they are thinned. Above \

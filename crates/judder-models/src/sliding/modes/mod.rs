@@ -28,13 +28,15 @@ pub struct PartModes {
 }
 
 /// The kind.
-pub(crate) const KIND: Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>> = Kind {
+pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>> = Kind {
     name: "modes",
     doc: "undamped modes of one of the two structures, as it is held, without contact",
     declared: PartModes::declarations,
     read: |case, section| {
         let mut own = PartModes::read_table(section)?;
-        find_structure(&mut own.structure, &case.structures, section)?;
+        if let Some(case) = case {
+            find_structure(&mut own.structure, &case.structures, section)?;
+        }
         Ok(Arc::new(own))
     },
     picture: Some(PICTURE),

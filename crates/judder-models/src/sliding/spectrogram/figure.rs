@@ -1,5 +1,6 @@
 //! Spectrograms: levels over time and frequency with unstable zones, and the waterfall of their spectra.
 
+use super::settings::SPECTRA;
 use crate::sliding::march::figure::positions;
 use judder_report::figure::ValueMap;
 use judder_report::palette::ColourMap;
@@ -12,8 +13,7 @@ use serde_json::Value;
 const CELLS: [usize; 2] = [420, 260];
 /// Levels that are shown below the highest where the case does not say, dB.
 const SHOWN: f64 = 80.0;
-/// Spectra of a waterfall where the case does not say, and how many of their distances the shown levels span.
-const SPECTRA: usize = 30;
+/// How many distances of the spectra of a waterfall the shown levels span.
 const HEIGHT: f64 = 4.0;
 /// Frequencies that are shown beside zones, over the highest of theirs.
 const ABOVE_ZONES: f64 = 1.5;

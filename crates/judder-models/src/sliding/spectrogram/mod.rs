@@ -24,11 +24,17 @@ use std::sync::Arc;
 const SHORTER: &str = "give a shorter length, or none";
 
 /// The kind.
-pub(crate) const KIND: Kind<SlidingCase, Arc<dyn Analysis<SlidingCase>>> = Kind {
+pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>> = Kind {
     name: "spectrogram",
     doc: "a signal of a march over time, position and frequency, with the unstable zones of a locus",
     declared: Spectrogram::declarations,
-    read: |case, section| Ok(Arc::new(Spectrogram::read_table(section)?.admit(case, section)?)),
+    read: |case, section| {
+        let own = Spectrogram::read_table(section)?;
+        Ok(Arc::new(match case {
+            Some(case) => own.admit(case, section)?,
+            None => own,
+        }))
+    },
     picture: Some(Picture {
         draw: figure::spectrogram,
         caption: "First, the highest level in each cell of the drawing, with the unstable zones of a locus as frames from start to end. Then the highest level in \

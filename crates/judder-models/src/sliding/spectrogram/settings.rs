@@ -44,8 +44,8 @@ pub struct Spectrogram {
     /// The levels between which colours run, dB; they follow from the signal where left out.
     #[key(rule = LEVELS)]
     pub range: Option<[f64; 2]>,
-    /// Spectra that the waterfall draws one behind the other, 30 where left out; 0 draws none.
-    #[key(rule = Whole { from: 0, to: 200 }, omitted)]
+    /// Spectra that the waterfall draws one behind the other; 0 draws none.
+    #[key(rule = Whole { from: 0, to: 200 }, usual = SPECTRA, omitted)]
     pub waterfall: Option<usize>,
     /// The name of a locus over positions that stands above, whose unstable zones are laid over.
     pub locus: Option<String>,
@@ -70,6 +70,8 @@ pub enum SpectrogramWindow {
     Rectangular,
 }
 
+/// Spectra of a waterfall where the case does not say.
+pub(super) const SPECTRA: usize = 30;
 const SHARE: Number = Number { dimension: Dimension::NUMBER, range: Range::Fraction };
 const LEVELS: Pair =
     Pair { of: Number::any(Dimension::NUMBER), what: "two levels in dB, from and to", is_ascending: true };

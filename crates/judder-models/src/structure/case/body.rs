@@ -1,5 +1,6 @@
 //! `[structure]`: elements with materials and supports.
 
+use super::file_of_format;
 use std::path::Path;
 
 use super::lists::length;
@@ -9,7 +10,7 @@ use judder_keys::declared::{Allowed, Fixed, Number, Pair, Setting, Several, Whol
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Entry, Node};
 use judder_keys::error::Fault;
-use judder_keys::file_reference::{FileReference, read_file_reference};
+use judder_keys::file_reference::FileReference;
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, wrong_type};
 use judder_keys::{Choice, Settings};
@@ -175,7 +176,7 @@ const CELLS: Several<Whole> = Several { of: ELEMENTS_RANGE, length: [2, 3] };
 pub const ELEMENTS: (usize, usize) = (1, 100_000);
 
 /// The endings of mesh files that are read.
-pub const MESH_ENDINGS: &str = ".msh, .inp";
+pub const MESH_ENDINGS: [&str; 2] = [".msh", ".inp"];
 
 /// Materials by their names.
 #[derive(Debug, Clone, PartialEq)]
@@ -267,12 +268,5 @@ impl Body {
 }
 
 fn read_mesh(section: &Section<'_>, folder: &Path) -> Result<FileReference, Fault> {
-    let file = read_file_reference(section, "mesh", folder)?;
-    let ending = file.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-    if ["msh", "inp"].contains(&ending.to_ascii_lowercase().as_str()) {
-        return Ok(file);
-    }
-    let place = section.get("mesh").map_or(section.place, |node| node.place);
-    let (key, known) = (section.path("mesh"), MESH_ENDINGS);
-    Err(StructureProblem::Format { key, path: file.path, known }.at(place))
+    file_of_format(section, "mesh", folder, &MESH_ENDINGS)
 }

@@ -1,5 +1,6 @@
 //! `[matrices]`: M, C and K that another program assembled, as sums of files with factors.
 
+use super::file_of_format;
 use std::path::{Path, PathBuf};
 
 use super::problem::StructureProblem;
@@ -127,7 +128,7 @@ impl MatrixSums {
 }
 
 /// The endings of matrix files that are read.
-pub const MATRIX_ENDINGS: &str = ".mtx, .mat, .npz";
+pub const MATRIX_ENDINGS: [&str; 3] = [".mtx", ".mat", ".npz"];
 
 impl Setting for Factor {
     type Rule = ();
@@ -200,14 +201,7 @@ impl MatrixSums {
 
 impl MatrixTerm {
     fn find(&mut self, section: &Section<'_>, parameters: &[String], base: &Path) -> Result<(), Fault> {
-        let file = read_file_reference(section, "file", base).and_then(|file| {
-            let ending = file.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-            if ["mtx", "mat", "npz"].contains(&ending.to_ascii_lowercase().as_str()) {
-                return Ok(file);
-            }
-            let (key, known) = (section.path("file"), MATRIX_ENDINGS);
-            Err(StructureProblem::Format { key, path: file.path, known }.at(section.place_of(&["file"])))
-        });
+        let file = file_of_format(section, "file", base, &MATRIX_ENDINGS);
         let factor = self.factor.compile(section.get("factor"), parameters);
         let (file, ()) = both(file, factor)?;
         self.factor.file.clone_from(&file.given);

@@ -39,7 +39,7 @@ pub enum StructureProblem {
         /// The file.
         path: PathBuf,
         /// The endings that are known.
-        known: &'static str,
+        known: String,
     },
     /// A support that holds nothing.
     #[error("the support of set `{set}` neither fixes nor ties a direction")]

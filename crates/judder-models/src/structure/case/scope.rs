@@ -9,8 +9,8 @@ use judder_keys::section::Section;
 /// What the analyses of a structure case need to know of it.
 pub(crate) struct StructureScope {
     pub(crate) keys: ParameterKeys,
-    /// Where it comes from.
-    pub(crate) source: StructureSource,
+    /// Where it comes from; none where the case is wrong about that.
+    pub(crate) source: Option<StructureSource>,
     /// The values of the parameters.
     pub(crate) values: Vec<f64>,
     pub(crate) has_reduction: bool,
@@ -20,8 +20,8 @@ impl StructureScope {
     /// The matrices, where it is given by them.
     pub(crate) fn sums(&self) -> Option<&MatrixSums> {
         match &self.source {
-            StructureSource::Matrices(sums) => Some(sums),
-            StructureSource::Body(_) => None,
+            Some(StructureSource::Matrices(sums)) => Some(sums),
+            Some(StructureSource::Body(_)) | None => None,
         }
     }
 

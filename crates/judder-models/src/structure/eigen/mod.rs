@@ -9,7 +9,7 @@ use crate::error::ModelError;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
 use judder_keys::Settings;
-use judder_keys::declared::Settings;
+use judder_keys::declared::{Settings, both};
 use judder_store::{Declared, Results};
 use judder_structure::quadratic::Region;
 use judder_study::case::analysis::{Kind, Picture};
@@ -33,8 +33,8 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
     doc: "all complex modes in a region of the plane of growth rate and frequency, each with its error",
     declared: Eigen::declarations,
     read: |scope, section| {
-        scope.check_factors(section)?;
-        Ok(Arc::new(Eigen::read_table(section)?))
+        let ((), own) = both(scope.check_factors(section), Eigen::read_table(section))?;
+        Ok(Arc::new(own))
     },
     picture: Some(Picture {
         draw: figure::eigen,

@@ -3,6 +3,7 @@
 use crate::read_sweep::{
     PlacedFamily, SWEEP, check_size, family_declaration, read_placed_family, required, write_family,
 };
+use crate::structure::case::StructureSource;
 use crate::structure::case::matrices::MatrixSums;
 use crate::structure::case::problem::StructureProblem;
 use crate::structure::case::scope::StructureScope;
@@ -10,7 +11,7 @@ use crate::structure::eigen::Eigen;
 use crate::sweep::{Family, ParameterKey};
 use crate::swept_keys::{ParameterKeys, SweptKeys};
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Declaration, Number, Setting, Settings};
+use judder_keys::declared::{Allowed, Declaration, Number, Setting, Settings, all, both};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::Node;
 use judder_keys::error::{Fault, Place};
@@ -104,35 +105,40 @@ fn listed() -> Vec<Declaration> {
     ]
 }
 
+/// The keys of either way, each once; one that the other lacks may be left out.
+fn keys_of(ways: &[Declaration; 2]) -> Vec<Declaration> {
+    let [range, listed] = ways.each_ref().map(|way| way.form.keys());
+    let has = |keys: &[Declaration], name: &str| keys.iter().any(|key| key.name == name);
+    let only = listed.iter().filter(|key| !has(range, key.name));
+    let own = range.iter().chain(only).cloned();
+    own.map(|key| {
+        let is_required = key.is_required && has(range, key.name) && has(listed, key.name);
+        Declaration { is_required, ..key }
+    })
+    .collect()
+}
+
 /// What is said of complex modes along a parameter.
 pub(super) fn declarations() -> Vec<Declaration> {
     let doc = "a parameter over a range, or with a list of values";
     let listed =
         required("sweep", "a parameter with a list of values", Allowed::Table { doc, keys: listed() });
-    let ways = [SWEEP.declaration::<ParameterKeys>(), listed].map(|way| way.schema());
+    let ways = [SWEEP.declaration::<ParameterKeys>(), listed];
     let words = "a table `{ key, from, to, points, scale }` or `{ key, values }`".to_owned();
-    let sweep =
-        required("sweep", doc, Allowed::Told { schema: json!({ "oneOf": ways }), words, keys: Vec::new() });
+    let schema = json!({ "oneOf": ways.each_ref().map(Declaration::schema) });
+    let sweep = required("sweep", doc, Allowed::Told { schema, words, keys: keys_of(&ways) });
     let varied = vec![sweep, family_declaration::<ParameterKeys>()];
     [varied, Eigen::declarations(), MethodKeys::declarations()].concat()
 }
 
 impl EigenSweep {
     pub(super) fn read(scope: &StructureScope, section: &Section<'_>) -> Result<Self, Fault> {
-        let Some(sums) = scope.sums() else { return Err(StructureProblem::NothingToSweep.at(section.place)) };
-        let node = section
-            .required("sweep", "sweep = { key = \"parameters.NAME\", from = …, to = …, points = … }")?;
-        let sweep = read_values(&scope.keys, section, node)?;
-        check_effect(scope, sums, sweep.key, node.place)?;
-        let family = read_placed_family(&scope.keys, section, sweep.key)?;
-        if let Some(placed) = &family {
-            check_effect(scope, sums, placed.family.key, placed.key)?;
-            check_size(&[(placed.family.values.len(), placed.whole), (sweep.values.len(), node.place)])?;
+        if let Some(StructureSource::Body(_)) = scope.source {
+            return Err(StructureProblem::NothingToSweep.at(section.place));
         }
-        check_values(scope, sums, &sweep, node.place, family.as_ref())?;
-        let method = MethodKeys::read_table(section)?.method();
-        let family = family.map(|placed| placed.family);
-        Ok(Self { sweep, family, region: Eigen::read_table(section)?.region, method })
+        let solved = both(MethodKeys::read_table(section), Eigen::read_table(section));
+        let ((sweep, family), (method, eigen)) = both(read_varied(scope, section), solved)?;
+        Ok(Self { sweep, family, region: eigen.region, method: method.method() })
     }
 
     /// Its canonical form.
@@ -147,6 +153,26 @@ impl EigenSweep {
             json.insert("tolerance".to_owned(), json!(tolerance));
         }
     }
+}
+
+/// The parameter with its values, and the family; of matrices that are not known only what holds of any.
+fn read_varied(
+    scope: &StructureScope,
+    section: &Section<'_>,
+) -> Result<(ParameterValues, Option<Family<ParameterKey>>), Fault> {
+    let expected = "sweep = { key = \"parameters.NAME\", from = …, to = …, points = … }";
+    let node = section.required("sweep", expected)?;
+    let sweep = read_values(&scope.keys, section, node)?;
+    let family = read_placed_family(&scope.keys, section, sweep.key);
+    let Some(sums) = scope.sums() else { return Ok((sweep, family?.map(|placed| placed.family))) };
+    let ((), family) = both(check_effect(scope, sums, sweep.key, node.place), family)?;
+    if let Some(placed) = &family {
+        let size =
+            check_size(&[(placed.family.values.len(), placed.whole), (sweep.values.len(), node.place)]);
+        both(check_effect(scope, sums, placed.family.key, placed.key), size)?;
+    }
+    check_values(scope, sums, &sweep, node.place, family.as_ref())?;
+    Ok((sweep, family.map(|placed| placed.family)))
 }
 
 /// Refuses a parameter that no factor contains.
@@ -185,23 +211,24 @@ fn check_values(
     })
 }
 
+/// The parameter that a table names.
+fn read_key(keys: &ParameterKeys, table: &Section<'_>) -> Result<ParameterKey, Fault> {
+    let node = table.required("key", "the dotted path of a parameter, key = \"parameters.NAME\"")?;
+    keys.find(text("sweep.key", node)?).map_err(|cause| cause.at(node.place))
+}
+
 /// The values of `sweep`: a range as in every sweep, or a list.
 fn read_values(keys: &ParameterKeys, section: &Section<'_>, node: &Node) -> Result<ParameterValues, Fault> {
-    let all = [SWEEP.own_keys::<ParameterKeys>(), vec!["values"]].concat();
-    let table = section.table("sweep", node, &all)?;
+    let table = Section::of_table(node, "sweep", "`sweep` with `values`")?;
     let Some(list_node) = table.get("values") else {
-        let sweep = SWEEP.read(keys, section)?.sweep;
+        let sweep = SWEEP.or(&["values"]).read(keys, section)?.sweep;
         let values = sweep.values();
         return Ok(ParameterValues { key: sweep.key, path: sweep.path, values, scale: sweep.scale });
     };
-    let table = Section::open(node, "sweep", "`sweep` with `values`", &["key", "values"])?;
-    let key_node = table.required("key", "the dotted path of a parameter, key = \"parameters.NAME\"")?;
-    let name = text("sweep.key", key_node)?;
-    let key = keys.find(name).map_err(|cause| cause.at(key_node.place))?;
-    let values = list("sweep.values", list_node)?
-        .iter()
-        .map(|item| finite_number("sweep.values", item))
-        .collect::<Result<Vec<f64>, Fault>>()?;
+    let strangers = table.refuse_others(&["key", "values"]);
+    let values = list("sweep.values", list_node)
+        .and_then(|items| all(items.iter().map(|item| finite_number("sweep.values", item))));
+    let ((), (key, values)) = both(strangers, both(read_key(keys, &table), values))?;
     if values.len() < 2 {
         return Err(Cause::TooFewPoints { points: values.len() as i64 }.at(list_node.place));
     }

@@ -10,7 +10,7 @@ use crate::error::ModelError;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
 use judder_keys::Settings;
-use judder_keys::declared::{Number, Pair, Settings, Whole};
+use judder_keys::declared::{Number, Pair, Settings, Whole, both};
 use judder_keys::dimension::Dimension;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
@@ -51,8 +51,8 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
     doc: "undamped modes: frequencies, shapes, residuals, and a count that shows whether one is missing",
     declared: Modes::declarations,
     read: |scope, section| {
-        scope.check_factors(section)?;
-        Ok(Arc::new(Modes::read_table(section)?))
+        let ((), own) = both(scope.check_factors(section), Modes::read_table(section))?;
+        Ok(Arc::new(own))
     },
     picture: Some(PICTURE),
 };

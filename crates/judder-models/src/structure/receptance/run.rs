@@ -64,10 +64,8 @@ pub(super) fn run(
     asked: &Receptance,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
-    let at = |key, place| {
-        freedom(key, place, structure).map_err(|cause| ModelError::Unsupported(cause.to_string()))
-    };
-    let (excited, observed) = (at("excited", &asked.excited)?, at("observed", &asked.observed)?);
+    let excited = freedom("excited", &asked.excited, structure)?;
+    let observed = freedom("observed", &asked.observed, structure)?;
     let problem = structure.at(case, &case.values())?;
     let frequencies = asked.frequencies();
     let mut found = Vec::with_capacity(frequencies.len());

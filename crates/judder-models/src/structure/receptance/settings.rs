@@ -45,11 +45,10 @@ pub struct Place {
 impl Receptance {
     /// Reads it, of nodes as the structure has them.
     pub(super) fn read(scope: &StructureScope, section: &Section<'_>) -> Result<Self, Fault> {
-        scope.check_factors(section)?;
-        let settings = Self::read_table(section)?;
-        let admitted = |key: &str| match section.inner(key)? {
-            Some(place) => KeptNodes::admit(&place, &scope.source),
-            None => Ok(()),
+        let ((), settings) = both(scope.check_factors(section), Self::read_table(section))?;
+        let admitted = |key: &str| match (section.inner(key)?, &scope.source) {
+            (Some(place), Some(source)) => KeptNodes::admit(&place, source),
+            _ => Ok(()),
         };
         both(admitted("excited"), admitted("observed")).map(|_| settings)
     }

@@ -11,7 +11,7 @@ use crate::structure::case::scope::StructureScope;
 use crate::structure::modes::MODES_LIMIT;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Settings, Whole};
+use judder_keys::declared::{Settings, Whole, both};
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
@@ -42,8 +42,8 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
             let expected = "[reduction] with kept = [{ set = \"…\" }]".to_owned();
             return Err(Cause::MissingKey { key, section: section_name, expected }.at(section.place));
         }
-        scope.check_factors(section)?;
-        Ok(Arc::new(Compared::read_table(section)?))
+        let ((), own) = both(scope.check_factors(section), Compared::read_table(section))?;
+        Ok(Arc::new(own))
     },
     picture: Some(Picture {
         draw: figure::reduction,

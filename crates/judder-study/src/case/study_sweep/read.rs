@@ -7,14 +7,16 @@ use super::design::{POINTS_LIMIT, Sampler, kept_values};
 use super::known_result;
 use super::problem::SweepProblem;
 use super::quantity_path::{QuantityPath, QuantitySource};
-use super::read_axis::{Axis, read_axes, refuse, refuse_repeated_keys};
+use super::read_axis::{Axis, PlacedKey, read_axes, refuse, refuse_repeated_keys};
 use super::trial::try_values;
 use super::{Design, SEEDS, Sensitivity, StudySweep, SweptKey, SweptValues};
 use crate::case::analysis::is_file_name;
 use crate::case::file::{Case, CaseTree};
 use crate::case::key_sweep::AnyNumber;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Setting, Settings, Several, Whole, all, of_nothing, read_settings};
+use judder_keys::declared::{
+    Allowed, Setting, Settings, Several, Whole, all, both, of_nothing, read_settings,
+};
 use judder_keys::document::{Data, Node};
 use judder_keys::error::{Fault, Place};
 use judder_keys::problem::Placed;
@@ -150,20 +152,30 @@ impl Setting for Asked {
     }
 }
 
-/// Reads all sweeps of a case.
-pub(crate) fn read_sweeps(node: &Node, tree: &CaseTree, case: &Case) -> Result<Vec<StudySweep>, Fault> {
+/// Reads all sweeps of a case; of one that is none, what is wrong with its sweeps alone.
+pub(crate) fn read_sweeps(
+    node: &Node,
+    tree: &CaseTree,
+    case: Option<&Case>,
+) -> Result<Vec<StudySweep>, Fault> {
     let Data::List(nodes) = &node.data else {
         return Err(wrong_type("sweep", "a list, each item headed [[sweep]]", node));
     };
-    let analyses = case.analysis_names();
+    let analyses = case.map_or_else(Vec::new, |case| case.analysis_names());
     let mut names: Vec<String> = Vec::new();
-    all(nodes.iter().map(|node| {
+    let sweeps = all(nodes.iter().map(|node| {
         let section = Section::of_table(node, "", "a sweep")?;
         let keys: SweepKeys = read_settings(node, "", "a sweep")?;
-        refuse_repeated_name(&keys.name.0, &section, &analyses, &names)?;
+        let named = refuse_repeated_name(&keys.name.0, &section, &analyses, &names);
         names.push(keys.name.0.clone());
-        read_sweep(keys, &section, &analyses, tree, case)
-    }))
+        let swept = keys.swept(&section);
+        let swept = match case {
+            Some(case) => swept.and_then(|swept| swept.of_case(&section, &analyses, tree, case)).map(Some),
+            None => swept.map(|_| None),
+        };
+        both(named, swept).map(|((), sweep)| sweep)
+    }))?;
+    Ok(sweeps.into_iter().flatten().collect())
 }
 
 fn refuse_repeated_name(
@@ -182,58 +194,80 @@ fn refuse_repeated_name(
     Err(SweepProblem::NameTwice { name: name.to_owned(), other }.at(section.place_of(&["name"])))
 }
 
-fn read_sweep(
+/// A sweep, whatever its case.
+struct Swept {
     asked: SweepKeys,
-    section: &Section<'_>,
-    analyses: &[&str],
-    tree: &CaseTree,
-    case: &Case,
-) -> Result<StudySweep, Fault> {
-    let method = asked.design(section)?;
-    let SweepKeys { name: SweepName(name), over, chunk, sensitivity: Asked(sensitivity), .. } = asked;
-    if let (Some(_), Design::Grid | Design::List) = (sensitivity, method) {
-        let problem = SweepProblem::SensitivityOf { method: method.name() };
-        return Err(problem.at(section.place_of(&["sensitivity"])));
+    method: Design,
+    axes: Vec<PlacedKey>,
+    keys: Vec<SweptKey>,
+    sampler: Sampler,
+    shape: Vec<u64>,
+    points: u64,
+}
+
+impl Swept {
+    /// The sweep of a case.
+    fn of_case(
+        self,
+        section: &Section<'_>,
+        analyses: &[&str],
+        tree: &CaseTree,
+        case: &Case,
+    ) -> Result<StudySweep, Fault> {
+        let Self { asked, method, axes, keys, sampler, shape, points } = self;
+        let quantities = read_quantities(section, analyses, case);
+        let cases = try_values(tree, &keys).map_err(|refusal| {
+            let place = match refusal.axis {
+                Some(axis) if refusal.is_of_key() => axes[axis].key_place,
+                Some(axis) => axes[axis].place,
+                None => section.place_of(&["over"]),
+            };
+            refusal.problem.at(place)
+        });
+        let cases = cases.and_then(|cases| refuse_repeated_keys(tree, case, &axes).map(|()| cases));
+        let (quantities, cases) = both(quantities, cases)?;
+        let is_set = case.is_set_by(&keys, &cases);
+        let kept_values = kept_values(method, &keys);
+        let SweepKeys { name: SweepName(name), chunk, sensitivity: Asked(sensitivity), .. } = asked;
+        Ok(StudySweep {
+            name,
+            method,
+            axes: keys,
+            quantities: all(quantities)?,
+            chunk,
+            sensitivity,
+            is_set,
+            sampler,
+            kept_values,
+            shape,
+            points,
+        })
     }
-    let place = section.place_of(&["over"]);
-    let axes = match section.get("over") {
-        Some(node) => read_axes(&over, node, method)?,
-        None => Vec::new(),
-    };
-    let sampler = read_sampler(method, axes.len(), sensitivity.is_some(), place)?;
-    let keys: Vec<SweptKey> = axes.iter().map(|axis| axis.key.clone()).collect();
-    let row = if sensitivity.is_some() { keys.len() as u64 + 2 } else { 1 };
-    let shape = shape(method, &keys, row);
-    let points = check_size(&shape, place)?;
-    let quantities = read_quantities(section, analyses, case)?;
-    let cases = try_values(tree, &keys).map_err(|refusal| {
-        let place = match refusal.axis {
-            Some(axis) if refusal.is_of_key() => axes[axis].key_place,
-            Some(axis) => axes[axis].place,
-            None => place,
-        };
-        refusal.problem.at(place)
-    })?;
-    refuse_repeated_keys(tree, case, &axes)?;
-    let quantities = quantities.into_iter().collect::<Result<_, _>>()?;
-    let is_set = case.is_set_by(&keys, &cases);
-    let kept_values = kept_values(method, &keys);
-    Ok(StudySweep {
-        name,
-        method,
-        axes: keys,
-        quantities,
-        chunk,
-        sensitivity,
-        is_set,
-        sampler,
-        kept_values,
-        shape,
-        points,
-    })
 }
 
 impl SweepKeys {
+    /// The points, and the keys that vary over them.
+    fn swept(self, section: &Section<'_>) -> Result<Swept, Fault> {
+        let method = self.design(section)?;
+        let Asked(sensitivity) = self.sensitivity;
+        let sensitive = match (sensitivity, method) {
+            (Some(_), Design::Grid | Design::List) => {
+                let problem = SweepProblem::SensitivityOf { method: method.name() };
+                Err(problem.at(section.place_of(&["sensitivity"])))
+            }
+            _ => Ok(()),
+        };
+        let place = section.place_of(&["over"]);
+        let axes = section.get("over").map_or(Ok(Vec::new()), |node| read_axes(&self.over, node, method));
+        let ((), axes) = both(sensitive, axes)?;
+        let sampler = read_sampler(method, axes.len(), sensitivity.is_some(), place)?;
+        let keys: Vec<SweptKey> = axes.iter().map(|axis| axis.key.clone()).collect();
+        let row = if sensitivity.is_some() { keys.len() as u64 + 2 } else { 1 };
+        let shape = shape(method, &keys, row);
+        let points = check_size(&shape, place)?;
+        Ok(Swept { asked: self, method, axes, keys, sampler, shape, points })
+    }
+
     /// How points are chosen, with how many are drawn; refuses keys that mean nothing to the method.
     fn design(&self, section: &Section<'_>) -> Result<Design, Fault> {
         let drawn = matches!(self.method, Method::LatinHypercube | Method::Sobol);
@@ -377,21 +411,18 @@ fn read_quantities(
         return Err(Cause::EmptyList { key: "quantities".to_owned() }.at(node.place));
     }
     let mut paths: Vec<&str> = Vec::with_capacity(nodes.len());
-    let mut quantities = Vec::with_capacity(nodes.len());
-    for node in nodes {
+    all(nodes.iter().map(|node| {
         let path = text("quantities", node)?;
-        let quantity = QuantityPath::parse(path, analyses, case.operating_quantities());
-        let quantity = match quantity.and_then(|quantity| known(quantity, case)) {
-            Err(problem) if !problem.is_of_results() => return Err(problem.at(node.place)),
-            quantity => quantity.map_err(|problem| problem.at(node.place)),
-        };
         if paths.contains(&path) {
             return Err(SweepProblem::QuantityTwice { path: path.to_owned() }.at(node.place));
         }
         paths.push(path);
-        quantities.push(quantity);
-    }
-    Ok(quantities)
+        let quantity = QuantityPath::parse(path, analyses, case.operating_quantities());
+        match quantity.and_then(|quantity| known(quantity, case)) {
+            Err(problem) if !problem.is_of_results() => Err(problem.at(node.place)),
+            quantity => Ok(quantity.map_err(|problem| problem.at(node.place))),
+        }
+    }))
 }
 
 /// The same, where the analysis has such a result.

@@ -7,6 +7,7 @@ use super::problem::SweepProblem;
 use super::{Design, SweptKey, SweptValues};
 use crate::case::file::{Case, CaseTree};
 use crate::case::key_sweep::{Ends, VariedKey, of_one_dimension};
+use crate::case::root::{MODEL, SWEEP, TITLE};
 use crate::case::scale::Scale;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{all, both};
@@ -51,7 +52,7 @@ fn read_axis(axis: &Axis, node: &Node, method: Design) -> Result<PlacedKey, Faul
     let key_place = key.part(0..path.len());
     let steps: Vec<&str> = path.split('.').collect();
     let is_path = steps.len() <= STEPS_LIMIT && steps.iter().all(|step| !step.trim().is_empty());
-    if !is_path || ["title", "model", "sweep"].contains(&steps[0]) {
+    if !is_path || [TITLE, MODEL, SWEEP].contains(&steps[0]) {
         return Err(SweepProblem::NotSwept { key: path }.at(key_place));
     }
     let (values, dimension, scale) = match method {

@@ -7,6 +7,7 @@ mod allowed;
 mod described;
 mod listed;
 mod named;
+mod rules;
 mod scaled;
 mod values;
 
@@ -16,11 +17,12 @@ use crate::section::{NOTHING, Section};
 use serde_json::{Map, Value as Json};
 
 pub use crate::numeric_key::Scaled;
-pub use allowed::{Allowed, Declaration, alternatives};
+pub use allowed::{Allowed, Declaration, alternatives, declared_table, with_declared};
 pub use listed::{Listed, listed};
 pub use named::Named;
+pub use rules::{Fixed, Number, Pair, Several, UNLIMITED, Whole};
 pub use scaled::Ladder;
-pub use values::{Fixed, Number, Pair, Several, UNLIMITED, Whole, conflict};
+pub use values::conflict;
 
 /// A table of settings.
 pub trait Settings: Sized {

@@ -35,6 +35,17 @@ impl Range {
                 Self::Interval { above, up_to } => number > above && number <= up_to,
             }
     }
+
+    /// The range in signs.
+    pub(crate) fn signs(self) -> String {
+        match self {
+            Self::Positive => "> 0".to_owned(),
+            Self::NonNegative => "≥ 0".to_owned(),
+            Self::Fraction => "≥ 0, < 1".to_owned(),
+            Self::Any => "any".to_owned(),
+            Self::Interval { above, up_to } => format!("> {above}, ≤ {up_to}").replace('-', "−"),
+        }
+    }
 }
 
 impl fmt::Display for Range {

@@ -1,19 +1,7 @@
 //! Pieces of the reference of the book: rows and tables of keys, as Markdown.
 
 use crate::declared::Declaration;
-use crate::numeric_key::Range;
 use std::collections::HashSet;
-
-/// The numbers of a range, in signs.
-pub fn allowed(range: Range) -> String {
-    match range {
-        Range::Positive => "> 0".to_owned(),
-        Range::NonNegative => "≥ 0".to_owned(),
-        Range::Fraction => "≥ 0, < 1".to_owned(),
-        Range::Any => "any".to_owned(),
-        Range::Interval { above, up_to } => format!("> {above}, ≤ {up_to}").replace('-', "−"),
-    }
-}
 
 /// The keys of declared settings, under their name.
 pub fn settings(name: &str, keys: &[Declaration]) -> String {

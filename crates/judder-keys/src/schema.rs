@@ -1,6 +1,5 @@
 //! Pieces of a JSON Schema: tables, words, numbers with their ranges and units, declared settings.
 
-use crate::declared::Declaration;
 use crate::numeric_key::{Range, Scaled};
 use serde_json::{Map, Value as Json, json};
 
@@ -69,39 +68,4 @@ pub fn scaled_number(number: &Scaled) -> Json {
 /// Examples that are told in one text.
 pub(crate) fn examples(told: &str) -> Vec<&str> {
     told.split("\" or \"").collect()
-}
-
-/// A table of declared settings.
-pub fn declared_table(description: &str, keys: &[Declaration]) -> Json {
-    with_declared(description, Map::new(), keys, &[])
-}
-
-/// A table of declared settings beside other keys.
-pub fn with_declared(
-    description: &str,
-    mut properties: Map<String, Json>,
-    keys: &[Declaration],
-    required: &[&str],
-) -> Json {
-    properties.extend(keys.iter().map(|key| (key.name.to_owned(), key.schema())));
-    let own = keys.iter().filter(|key| key.must_stand()).map(|key| key.name);
-    let required: Vec<&str> = required.iter().copied().chain(own).collect();
-    let mut json = table(description, properties, &required);
-    let of_alternative = |index: usize| keys.iter().filter(move |key| key.alternative == Some(index));
-    // where no key of any is given, the first alternative is meant
-    if of_alternative(0).any(|key| key.is_required) {
-        let last = keys.iter().filter_map(|key| key.alternative).max().unwrap_or(0);
-        json["oneOf"] = (0..=last).map(|index| given(of_alternative(index))).collect();
-    }
-    json
-}
-
-/// That all of these keys are given which must be, or one where none must.
-pub fn given<'a>(keys: impl Iterator<Item = &'a Declaration>) -> Json {
-    let (required, others): (Vec<_>, Vec<_>) = keys.partition(|key| key.is_required);
-    if required.is_empty() {
-        let one = |key: &Declaration| json!({ "required": [key.name] });
-        return json!({ "anyOf": others.into_iter().map(one).collect::<Vec<_>>() });
-    }
-    json!({ "required": required.iter().map(|key| key.name).collect::<Vec<_>>() })
 }

@@ -12,7 +12,7 @@ use crate::name::check_name;
 use crate::staging::{self, Stage};
 use crate::sweep::{self, SweepLayout, SweepStore};
 use crate::zarr::Elsewhere;
-use crate::{Dataset, Scratch, Status, StoreError, Summary, Table, results, scratch, stream, summary, zarr};
+use crate::{Dataset, Scratch, Status, StoreError, Summary, Table, results, scratch, summary, zarr};
 
 const LOCK: &str = ".judder.lock";
 
@@ -89,7 +89,7 @@ impl StudyFolder {
             };
             forget().map_err(|source| StoreError::write(&path, 0, source))?;
         }
-        for prefix in [scratch::PREFIX, stream::PREFIX, sweep::PREFIX] {
+        for prefix in [scratch::PREFIX, staging::STREAM_PREFIX, sweep::PREFIX] {
             staging::sweep(&self.path, prefix)?;
         }
         Ok(())

@@ -11,6 +11,8 @@ use crate::StoreError;
 
 /// How the names of staging folders begin.
 pub(crate) const PREFIX: &str = ".partial-";
+/// How the names of the folders begin in which streams lie until they are finished.
+pub(crate) const STREAM_PREFIX: &str = ".stream-";
 
 /// A staging folder, on the disk of the study so that a rename can leave it. Removed when dropped.
 pub(crate) struct Stage(TempDir);

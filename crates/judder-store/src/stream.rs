@@ -10,9 +10,6 @@ use crate::name::check_name;
 use crate::zarr::Elsewhere;
 use crate::{Data, Dataset, StoreError, StudyFolder, Variable, content_hash, staging};
 
-/// How the names of the folders begin in which streams lie until they are finished.
-pub(crate) const PREFIX: &str = ".stream-";
-
 /// The file that says how much counts. No variable is called so, since theirs end in `.f64`.
 const CHECKPOINT: &str = "checkpoint";
 
@@ -81,7 +78,7 @@ impl<'a> StreamWriter<'a> {
     ) -> Result<Self, StoreError> {
         check_name("an analysis", analysis)?;
         grown(variables, 0)?;
-        let folder = study.path().join(format!("{PREFIX}{analysis}"));
+        let folder = study.path().join(format!("{}{analysis}", staging::STREAM_PREFIX));
         let names: Vec<&str> = variables.iter().map(|variable| variable.name.as_str()).collect();
         let left = left_by_earlier_run(&folder, hash, &names)?;
         let failed = |source| StoreError::write(&folder, 0, source);

@@ -5,7 +5,7 @@
 //! - [`SweepLayout`] (`layout.rs`): the points of a sweep, how they are cut into chunks, and which quantities each point has.
 //! - [`ChunkPoints`] (`points.rs`): the points of one chunk.
 //! - `shard.rs`: the values of one chunk as one shard of the Zarr array `values`.
-//! - [`PointFailure`], [`ChunkDamage`] (`record.rs`): the record behind the shard, by which a chunk says whose it is and which of its
+//! - [`PointFailure`] (`record.rs`), [`ChunkDamage`] (`damage.rs`): the record behind the shard, by which a chunk says whose it is and which of its
 //!   points failed.
 //! - `encode.rs`: shard and record, the file of a chunk.
 //! - `group.rs`: the group of a sweep in `results.zarr`, the same bytes whoever begins it.
@@ -16,6 +16,7 @@
 
 mod chunks;
 mod claim;
+mod damage;
 mod encode;
 mod group;
 mod layout;
@@ -28,8 +29,9 @@ mod store;
 pub use chunks::{ChunkState, StoredChunk, SweepChunks, SweepFailure};
 pub(crate) use claim::PREFIX;
 pub use claim::{ChunkClaim, ClaimAnswer};
+pub use damage::ChunkDamage;
 pub use layout::{SweepDimension, SweepLayout, SweepQuantity};
 pub use points::ChunkPoints;
-pub use record::{ChunkDamage, PointFailure};
+pub use record::PointFailure;
 pub(crate) use sampled::read_points;
 pub use store::SweepStore;

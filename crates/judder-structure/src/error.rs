@@ -1,5 +1,5 @@
+use crate::direction::Direction;
 use crate::element::ElementKind;
-use crate::freedom::Direction;
 use judder_numerics::words::{plain, plain_complex};
 use thiserror::Error;
 

@@ -29,6 +29,7 @@ pub mod complex_modes;
 pub mod craig_bampton;
 pub mod damping;
 pub mod diagnosis;
+mod direction;
 pub mod eigen_sweep;
 pub mod element;
 mod error;

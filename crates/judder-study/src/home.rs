@@ -2,12 +2,12 @@
 
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
-use crate::ledger::Keepsakes;
+use crate::ledger::{Keepsakes, case_hash};
 use crate::run::resolved_with_files;
-use judder_store::{StudyReader, content_hash};
+use crate::way::without_turns;
+use judder_store::StudyReader;
 use serde_json::Value;
-use std::io;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 /// The folder of the studies that nobody has put elsewhere.
 const OUT: &str = "out";
@@ -53,45 +53,12 @@ pub fn usual(case: &Path) -> Option<PathBuf> {
     (StudyReader::open(&folder).is_ok() && other_owner(&folder, case).is_none()).then_some(folder)
 }
 
-/// Names a case, by its resolved form with the hashes of its files.
-pub(crate) fn case_hash(resolved: &Value) -> String {
-    content_hash(resolved.to_string().as_bytes())
-}
-
-/// The way from a study folder to a case file, so that both may be moved together.
-pub(crate) fn way(folder: &Path, file: &Path) -> Option<String> {
-    let (folder, file) = (whole(folder).ok()?, whole(file).ok()?);
-    let shared = folder.components().zip(file.components()).take_while(|(own, other)| own == other).count();
-    let up = folder.components().skip(shared).map(|_| Component::ParentDir);
-    let way: PathBuf = up.chain(file.components().skip(shared)).collect();
-    way.to_str().map(|text| text.replace('\\', "/"))
-}
-
 /// The case file whose study lies in a folder, where that is another one and still there.
 fn other_owner(folder: &Path, own: &Path) -> Option<PathBuf> {
     let summary = StudyReader::open(folder).ok()?.read_summary().ok()??;
     let owner = without_turns(&folder.join(Keepsakes::of(&summary).file?));
     let (there, here) = (owner.canonicalize().ok()?, own.canonicalize().ok()?);
     (there != here).then_some(owner)
-}
-
-/// An absolute path without `.` and `..`; links are not followed.
-fn whole(path: &Path) -> io::Result<PathBuf> {
-    Ok(without_turns(&std::path::absolute(path)?))
-}
-
-fn without_turns(path: &Path) -> PathBuf {
-    let mut plain = PathBuf::new();
-    for component in path.components() {
-        match component {
-            Component::CurDir => (),
-            Component::ParentDir if matches!(plain.components().next_back(), Some(Component::Normal(_))) => {
-                plain.pop();
-            }
-            other => plain.push(other),
-        }
-    }
-    plain
 }
 
 /// A title as the name of a folder: letters and digits of ASCII, in lower case, with hyphens for what lies between.
@@ -113,13 +80,5 @@ mod tests {
         assert_eq!(plain("Größe"), "gr-e");
         assert_eq!(plain("…"), "");
         assert_eq!(plain(&"abc ".repeat(40)), "abc-".repeat(10).trim_end_matches('-'));
-    }
-
-    #[test]
-    fn the_way_leads_from_the_folder_to_the_file() {
-        assert_eq!(way(Path::new("out/case"), Path::new("case.toml")).unwrap(), "../../case.toml");
-        assert_eq!(way(Path::new("out/./x/../case"), Path::new("a/case.toml")).unwrap(), "../../a/case.toml");
-        assert_eq!(without_turns(Path::new("out/case/../../a/case.toml")), Path::new("a/case.toml"));
-        assert_eq!(without_turns(Path::new("../case.toml")), Path::new("../case.toml"));
     }
 }

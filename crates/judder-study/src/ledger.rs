@@ -2,15 +2,20 @@
 
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
-use crate::home;
 use crate::outcome::{CheckRecord, Outcome};
-use judder_store::{AnalysisRecord, Status, StudyFolder, Summary};
+use crate::way::way;
+use judder_store::{AnalysisRecord, Status, StudyFolder, Summary, content_hash};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
 /// The version that studies are stamped with; another version computes everything again.
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// Names a case, by its resolved form with the hashes of its files.
+pub(crate) fn case_hash(resolved: &Value) -> String {
+    content_hash(resolved.to_string().as_bytes())
+}
 
 /// What a study keeps in `summary.json` beside results and records.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
@@ -79,10 +84,10 @@ impl<'a> Study<'a> {
     /// Names the case whose study this is, by what it resolves to, and shows it with what is used.
     pub(crate) fn set_case(&mut self, file: &CaseFile, resolved: &Value, shown: Value) {
         self.kept.source.clone_from(&file.text);
-        self.kept.file = file.path.as_deref().and_then(|path| home::way(self.store.path(), path));
+        self.kept.file = file.path.as_deref().and_then(|path| way(self.store.path(), path));
         self.kept.overrides.clone_from(&file.overrides);
         self.kept.put(&mut self.summary);
-        self.summary.case_hash = home::case_hash(resolved);
+        self.summary.case_hash = case_hash(resolved);
         self.summary.case = shown;
     }
 

@@ -12,8 +12,7 @@ pub use asked::{analysis_hash, resolved_with_files};
 
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
-use crate::home;
-use crate::ledger::{Keepsakes, Study};
+use crate::ledger::{Keepsakes, Study, case_hash};
 use crate::model::Prepared;
 use crate::outcome::CheckRecord;
 use crate::progress::Progress;
@@ -131,7 +130,7 @@ pub fn identity(file: &CaseFile) -> Result<Identity, StudyError> {
     let options = RunOptions::default();
     let asked = Asked::new(file, &options)?;
     let results = asked.all().map(|(name, hash)| (name.clone(), hash.clone())).collect();
-    Ok(Identity { case_hash: home::case_hash(&asked.resolved), results, resolved: asked.resolved })
+    Ok(Identity { case_hash: case_hash(&asked.resolved), results, resolved: asked.resolved })
 }
 
 /// The plans of these sweeps of a case, of all where none is named.

@@ -1,12 +1,11 @@
 //! What a case file may say under a key: the schema and the reference are written from it.
 
-use super::values::{Number, UNLIMITED, Whole};
+use super::rules::{Number, UNLIMITED, Whole};
 use crate::numeric_key::Scaled;
 use crate::quantity::Quantity;
-use crate::reference::allowed;
 use crate::schema;
 use judder_numerics::words::plain;
-use serde_json::{Value as Json, json};
+use serde_json::{Map, Value as Json, json};
 use std::f64::consts::TAU;
 
 /// A key and what is said of it.
@@ -145,13 +144,48 @@ impl Allowed {
                 }
                 json
             }
-            Self::Table { doc, keys } => schema::declared_table(doc, keys),
+            Self::Table { doc, keys } => declared_table(doc, keys),
             Self::Named(of) => json!({ "type": "object", "additionalProperties": of.schema() }),
             Self::Either(forms) => json!({ "anyOf": forms.iter().map(Self::schema).collect::<Vec<_>>() }),
             Self::Scaled(scaled) => schema::scaled_number(scaled),
             Self::Told { schema, .. } => schema.clone(),
         }
     }
+}
+
+/// A table of declared settings.
+pub fn declared_table(description: &str, keys: &[Declaration]) -> Json {
+    with_declared(description, Map::new(), keys, &[])
+}
+
+/// A table of declared settings beside other keys.
+pub fn with_declared(
+    description: &str,
+    mut properties: Map<String, Json>,
+    keys: &[Declaration],
+    required: &[&str],
+) -> Json {
+    properties.extend(keys.iter().map(|key| (key.name.to_owned(), key.schema())));
+    let own = keys.iter().filter(|key| key.must_stand()).map(|key| key.name);
+    let required: Vec<&str> = required.iter().copied().chain(own).collect();
+    let mut json = schema::table(description, properties, &required);
+    let of_alternative = |index: usize| keys.iter().filter(move |key| key.alternative == Some(index));
+    // where no key of any is given, the first alternative is meant
+    if of_alternative(0).any(|key| key.is_required) {
+        let last = keys.iter().filter_map(|key| key.alternative).max().unwrap_or(0);
+        json["oneOf"] = (0..=last).map(|index| given(of_alternative(index))).collect();
+    }
+    json
+}
+
+/// That all of these keys are given which must be, or one where none must.
+fn given<'a>(keys: impl Iterator<Item = &'a Declaration>) -> Json {
+    let (required, others): (Vec<_>, Vec<_>) = keys.partition(|key| key.is_required);
+    if required.is_empty() {
+        let one = |key: &Declaration| json!({ "required": [key.name] });
+        return json!({ "anyOf": others.into_iter().map(one).collect::<Vec<_>>() });
+    }
+    json!({ "required": required.iter().map(|key| key.name).collect::<Vec<_>>() })
 }
 
 /// A canonical value as a case file has it: quantities in quotes.
@@ -249,11 +283,11 @@ impl Allowed {
     pub(super) fn words(&self) -> String {
         match self {
             Self::Number(number) if number.dimension.is_number() => {
-                format!("a number, {}", allowed(number.range))
+                format!("a number, {}", number.range.signs())
             }
             Self::Number(number) => {
                 let example = number.dimension.example().replace("\" or \"", " or ");
-                format!("{} such as {example}, {}", number.dimension, allowed(number.range))
+                format!("{} such as {example}, {}", number.dimension, number.range.signs())
             }
             Self::Whole(Whole { from, to: UNLIMITED }) => format!("an integer, ≥ {from}"),
             Self::Whole(Whole { from, to }) => format!("an integer from {from} to {to}"),

@@ -4,7 +4,6 @@ use super::{Allowed, Declaration, Setting, Whole};
 use crate::document::Node;
 use crate::error::Fault;
 use crate::numeric_key::{Scaled, Value};
-use crate::reference::allowed;
 use crate::section::Section;
 use crate::span::{Span, read_ends};
 use serde_json::{Value as Json, json};
@@ -23,7 +22,7 @@ pub struct Ladder {
 impl Scaled {
     /// What may stand there, as the reference says it.
     pub(super) fn words(&self) -> String {
-        let (example, range) = (self.example().replace("\" or \"", " or "), allowed(self.range));
+        let (example, range) = (self.example().replace("\" or \"", " or "), self.range.signs());
         match (self.group, self.is_difference) {
             (Some(group), _) if self.dimension.is_number() => format!("a plain number ({group}), {range}"),
             (Some(group), _) => {

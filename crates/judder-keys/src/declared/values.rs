@@ -1,64 +1,13 @@
 //! The types that a declared key may have, and the rules by which they are read.
 
+use super::rules::{Fixed, Number, Pair, Several, Whole};
 use super::{Allowed, Setting, Settings, all, read_settings};
 use crate::cause::Cause;
-use crate::dimension::Dimension;
 use crate::document::{Data, Node};
 use crate::error::Fault;
-use crate::numeric_key::Range;
 use crate::section::{Section, list, text, whole, word, wrong_type};
 use crate::span::ascending;
 use serde_json::{Map, Value as Json, json};
-
-/// A number: its dimension and its range, in SI units.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Number {
-    /// The dimension.
-    pub dimension: Dimension,
-    /// The numbers allowed, in SI units.
-    pub range: Range,
-}
-
-/// The largest whole number: no limit.
-pub const UNLIMITED: usize = usize::MAX >> 1;
-
-/// A whole number from one to another.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Whole {
-    /// The smallest.
-    pub from: usize,
-    /// The largest.
-    pub to: usize,
-}
-
-/// Two numbers, what they are, and whether the second must be larger.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pair {
-    /// What each may be.
-    pub of: Number,
-    /// What they are, in words.
-    pub what: &'static str,
-    /// Whether the second must be larger.
-    pub is_ascending: bool,
-}
-
-/// A list as long as its type, and what stands in it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Fixed<R> {
-    /// What each may be.
-    pub of: R,
-    /// What they are, in words.
-    pub what: &'static str,
-}
-
-/// A list, and how long it may be: that is told, and the settings check it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Several<R> {
-    /// What each may be.
-    pub of: R,
-    /// The fewest and the most.
-    pub length: [usize; 2],
-}
 
 impl Setting for f64 {
     type Rule = Number;
@@ -282,23 +231,6 @@ impl<T: Settings> Setting for T {
         let mut json = Map::new();
         self.write_table(&mut json);
         Json::Object(json)
-    }
-}
-
-impl Number {
-    /// Above zero.
-    pub const fn positive(dimension: Dimension) -> Self {
-        Self { dimension, range: Range::Positive }
-    }
-
-    /// Zero or above.
-    pub const fn non_negative(dimension: Dimension) -> Self {
-        Self { dimension, range: Range::NonNegative }
-    }
-
-    /// Any finite number.
-    pub const fn any(dimension: Dimension) -> Self {
-        Self { dimension, range: Range::Any }
     }
 }
 

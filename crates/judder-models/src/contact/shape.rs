@@ -6,14 +6,15 @@ use crate::contact::problem::ContactProblem;
 use judder_contact::indenter::Roughness;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Declaration, Number, Setting, Settings, UNLIMITED, Whole, both};
+use judder_keys::declared::{
+    Allowed, Declaration, Number, Setting, Settings, UNLIMITED, Whole, both, declared_table,
+};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::file_reference::{FileReference, read_file_reference};
 use judder_keys::numeric_key::Range;
 use judder_keys::problem::Placed;
-use judder_keys::schema::declared_table;
 use judder_keys::section::{Section, word};
 use serde_json::{Value as Json, json};
 

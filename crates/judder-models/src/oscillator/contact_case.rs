@@ -4,8 +4,8 @@ use crate::REGISTRY;
 use judder_keys::cause::Cause;
 use judder_keys::edited;
 use judder_keys::error::CaseError;
-use judder_study::case::compose::with_options;
 use judder_study::case::file::{CaseFile, given_error};
+use judder_study::case::options::with_options;
 use toml_edit::Item;
 
 /// The contact case of an oscillator case with the options `set`: its substrate and its indenter, without analyses.

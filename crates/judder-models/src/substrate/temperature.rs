@@ -1,11 +1,11 @@
 //! A temperature of the substrate, and the rule by which it moves all times of the spectrum.
 
 use judder_keys::Settings;
+use judder_keys::declared::declared_table;
 use judder_keys::declared::{Allowed, Number, Scaled, Setting, Settings, conflict};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
-use judder_keys::schema::declared_table;
 use judder_keys::section::Section;
 use serde_json::{Value as Json, json};
 

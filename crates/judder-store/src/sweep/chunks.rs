@@ -4,8 +4,9 @@ use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
+use super::damage::ChunkDamage;
 use super::layout::SweepLayout;
-use super::record::{self, ChunkDamage, ChunkEnd, PointFailure, Record, TRAILER_BYTES};
+use super::record::{self, ChunkEnd, PointFailure, Record, TRAILER_BYTES};
 use super::{group, shard};
 use crate::StoreError;
 

@@ -5,6 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::damage::ChunkDamage;
 use super::layout::SweepLayout;
 use crate::content_hash;
 
@@ -21,35 +22,6 @@ pub struct PointFailure {
     pub index: usize,
     /// The error, with its causes. The same point must fail with the same words wherever it is computed.
     pub reason: String,
-}
-
-/// What is wrong with the file of a chunk. Computing the chunk again replaces it.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum ChunkDamage {
-    /// It does not end as a chunk does.
-    #[error("it is cut off, or was written by something else")]
-    NoRecord,
-    /// What stands where a record should is none.
-    #[error("its record is damaged")]
-    Record,
-    /// A chunk of this sweep in the place of another.
-    #[error("it holds chunk {found}")]
-    OtherChunk {
-        /// The chunk that it holds.
-        found: usize,
-    },
-    /// Points or quantities that the layout of the sweep has not.
-    #[error("it holds {points} points with {quantities} quantities")]
-    OtherShape {
-        /// Points that it holds.
-        points: usize,
-        /// Quantities of each.
-        quantities: usize,
-    },
-    /// Values that are not those that were written.
-    #[error("its values are damaged")]
-    Values,
 }
 
 /// What is found at the end of the file of a chunk.

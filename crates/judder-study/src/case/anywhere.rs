@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf, absolute};
 
 use toml_edit::{DocumentMut, Item, TableLike, Value};
 
-use crate::case::compose::with_options;
 use crate::case::file::CaseFile;
 use crate::case::keys::file_keys;
+use crate::case::options::with_options;
 use judder_keys::edited::put;
 use judder_keys::error::CaseError;
 use judder_keys::file_reference::FileReference;

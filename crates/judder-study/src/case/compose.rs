@@ -5,13 +5,14 @@ use std::iter::once;
 use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, Value as Toml, value};
 
 use crate::case::anywhere::settle;
-use crate::case::file::{CaseFile, given_error, read_tree};
+use crate::case::file::{CaseFile, given_error};
+use crate::case::options::{syntax, with_options};
 use crate::case::study_sweep::StudySweep;
 use crate::case::study_sweep::quantity_path::{QuantityPath, QuantitySource};
 use crate::registry::Registry;
 use judder_keys::cause::Cause;
 use judder_keys::edited::{self, table_of};
-use judder_keys::error::{CaseError, Fault, Place, Sources};
+use judder_keys::error::{CaseError, Sources};
 
 /// The case of `text` with the options `set`, and with `analysis` in the place of all its analyses and sweeps; `None` keeps them.
 ///
@@ -107,23 +108,4 @@ fn taken_by_sweep<'a>(sweep: &'a StudySweep, analyses: &[&'a str]) -> Vec<&'a st
         QuantitySource::Point { .. } => None,
     };
     sweep.quantities.iter().filter_map(source).collect()
-}
-
-/// The text with the options written into it.
-pub fn with_options(name: &str, text: &str, set: &[String]) -> Result<DocumentMut, CaseError> {
-    let sources = Sources::new(name, text, set);
-    // what cannot be set is refused by the tree, in the same words as ever
-    read_tree(name, text, set).map_err(|fault| sources.error(fault))?;
-    let mut document: DocumentMut = text.parse().map_err(|error| sources.error(syntax(&error)))?;
-    for (index, option) in set.iter().enumerate() {
-        edited::apply_option(document.as_item_mut(), index + 1, option)
-            .map_err(|fault| sources.error(fault))?;
-    }
-    Ok(document)
-}
-
-fn syntax(error: &toml_edit::TomlError) -> Fault {
-    let span = error.span().unwrap_or(0..0);
-    let place = Place { source: 0, start: span.start, end: span.end };
-    Cause::Syntax { message: error.message().to_owned() }.at(place)
 }

@@ -1,11 +1,10 @@
 //! What a case of any model has: a title, analyses and sweeps beside what its model declares.
 
 use crate::case::analysis::Planned;
-use crate::registry::ModelKind;
 use judder_keys::declared::{Settings, both};
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
-use judder_keys::schema::{object, reference, with_declared};
+use judder_keys::schema::object;
 use judder_keys::section::Section;
 use serde_json::{Map, Value as Json, json};
 
@@ -46,15 +45,4 @@ pub fn document<K>(
     };
     let analyses: Json = analyses.iter().map(written).collect();
     object([("model", json!(model)), ("title", json!(title)), ("analysis", analyses)])
-}
-
-/// The schema of the cases of a model.
-pub fn schema(model: &ModelKind) -> Json {
-    let properties = object([
-        ("title", json!({ "type": "string", "description": "the title", "default": "" })),
-        ("model", json!({ "const": model.name })),
-        ("analysis", super::schema::analyses(&(model.kinds)())),
-        ("sweep", reference("sweeps")),
-    ]);
-    with_declared(model.doc, properties, &(model.declared)(), &["model"])
 }

@@ -1,11 +1,10 @@
 //! The JSON Schema of case files, so that editors complete and check.
 
 use crate::case::analysis::KindEntry;
-use crate::case::root;
 use crate::case::study_sweep::read::SweepKeys;
-use crate::registry::Registry;
-use judder_keys::declared::Settings;
-use judder_keys::schema::{declared_table, names, object, with_declared};
+use crate::registry::{ModelKind, Registry};
+use judder_keys::declared::{Settings, declared_table, with_declared};
+use judder_keys::schema::{names, object, reference};
 use serde_json::{Value as Json, json};
 
 /// The JSON Schema (draft 2020-12) of case files of all models, with descriptions and defaults.
@@ -24,11 +23,22 @@ pub fn schema(registry: Registry) -> Json {
         "title": "A case of judder",
         "type": "object",
         "required": ["model"],
-        "oneOf": registry.models().iter().map(|model| root::schema(model)).collect::<Vec<_>>(),
+        "oneOf": registry.models().iter().map(|model| of_model(model)).collect::<Vec<_>>(),
         "$defs": definitions,
     });
     json.sort_all_objects();
     json
+}
+
+/// The schema of the cases of a model.
+fn of_model(model: &ModelKind) -> Json {
+    let properties = object([
+        ("title", json!({ "type": "string", "description": "the title", "default": "" })),
+        ("model", json!({ "const": model.name })),
+        ("analysis", analyses(&(model.kinds)())),
+        ("sweep", reference("sweeps")),
+    ]);
+    with_declared(model.doc, properties, &(model.declared)(), &["model"])
 }
 
 /// The definition that lists what the analyses of a model vary.
@@ -42,7 +52,7 @@ fn name_of(kind: &str) -> Json {
 }
 
 /// The list of analyses: one alternative a kind.
-pub(super) fn analyses(kinds: &[KindEntry]) -> Json {
+fn analyses(kinds: &[KindEntry]) -> Json {
     let alternatives = kinds.iter().map(|kind| {
         let own = [("kind", json!({ "const": kind.name })), ("name", name_of(kind.name))];
         with_declared(kind.doc, object(own), &(kind.declared)(), &["kind"])

@@ -106,7 +106,7 @@ fn run_all(
         let kept = Kept { lines: &known, keep: &keep, place: None };
         let outcome = file
             .case
-            .run(*analysis, Task { law: kept, own: kept, ..Task::alone(&Prepared::NOTHING, progress) })
+            .run(*analysis, Task { shared: kept, own: kept, ..Task::alone(&Prepared::NOTHING, progress) })
             .map(without_lists);
         progress.end();
         study.keep(name, hash.clone(), outcome, began.elapsed().as_secs_f64())?;

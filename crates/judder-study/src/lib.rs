@@ -13,7 +13,7 @@
 //! - [`axis`], [`labels`]: swept quantities as coordinates of arrays, and how they are called.
 //! - [`sweep`]: the case at many points, in chunks that any number of processes share.
 //! - [`run`]: the analyses and sweeps of a case into a study folder; what is done already is not done again. [`ledger`]: what the folder says of
-//!   them. `told`: what is shown on the terminal. [`home`]: which folder, where nobody names one; `way`: from it to the case file.
+//!   them. `terminal_tables`: what is shown on the terminal. [`home`]: which folder, where nobody names one; `way`: from it to the case file.
 //! - [`pictures`]: figures from stored arrays.
 //! - [`report`], [`report_tables`]: figures and page of a study folder, rebuilt from what is stored.
 //! - [`study_view`]: a study folder for a page, not held: what it holds, parts of its arrays.
@@ -39,8 +39,8 @@ pub mod resolve;
 pub mod run;
 pub mod study_view;
 pub mod sweep;
+mod terminal_tables;
 pub mod text;
-mod told;
 mod way;
 
 pub use error::{ModelFault, StudyError};

@@ -132,8 +132,8 @@ pub trait Model: Analyses + Any + DynClone + fmt::Debug + Send + Sync {
         None
     }
 
-    /// What of the resolved case the law depends on that all analyses share, where they share one.
-    fn shared_law(&self, _resolved: &Value) -> Option<Vec<Value>> {
+    /// What of the resolved case that depends on which all analyses share and which takes long to compute; `None` where nothing does.
+    fn shared(&self, _resolved: &Value) -> Option<Vec<Value>> {
         None
     }
 }
@@ -198,8 +198,8 @@ pub struct MotionBlock {
 pub struct Task<'a> {
     /// What the analyses of the case share.
     pub prepared: &'a Prepared,
-    /// What an interrupted run has left of the law that the analyses of the case share.
-    pub law: Kept<'a>,
+    /// What an interrupted run has left of what the analyses of the case share.
+    pub shared: Kept<'a>,
     /// What it has left of this analysis.
     pub own: Kept<'a>,
     /// Who is told how far it is, and may stop it.
@@ -211,7 +211,7 @@ pub struct Task<'a> {
 impl<'a> Task<'a> {
     /// Of nothing that is known before and nothing that is kept.
     pub fn alone(prepared: &'a Prepared, progress: &'a dyn Progress) -> Self {
-        Self { prepared, law: Kept::NOTHING, own: Kept::NOTHING, progress, watch: None }
+        Self { prepared, shared: Kept::NOTHING, own: Kept::NOTHING, progress, watch: None }
     }
 }
 

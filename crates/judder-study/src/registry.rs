@@ -7,7 +7,8 @@ use judder_keys::cause::Cause;
 use judder_keys::declared::Declaration;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
-use serde_json::Value as Json;
+use judder_report::page::PageTable;
+use serde_json::{Map, Value as Json};
 use std::fmt;
 use std::path::Path;
 
@@ -31,6 +32,21 @@ pub struct ModelKind {
     pub kinds: fn() -> Vec<KindEntry>,
     /// The quantities that an operating point of it can have.
     pub operating_quantities: &'static [OperatingQuantity],
+    /// What kinds of its analyses show beside figure and scalars.
+    pub tables: &'static [KindTables],
+}
+
+/// Rows of cells, the head first.
+pub type TableRows = Vec<Vec<String>>;
+
+/// Tables of a kind of analysis, from what its summary says.
+pub struct KindTables {
+    /// The kind.
+    pub kind: &'static str,
+    /// Those of the report.
+    pub report: fn(&Map<String, Json>) -> Vec<PageTable>,
+    /// The rows of that on the terminal; `None` where there is none.
+    pub terminal: fn(&Map<String, Json>) -> Option<TableRows>,
 }
 
 impl ModelKind {
@@ -89,6 +105,13 @@ impl Registry {
     pub fn model_of(self, resolved: &Json) -> Option<&'static ModelKind> {
         let name = resolved.get("model")?.as_str()?;
         self.0.iter().copied().find(|model| model.name == name)
+    }
+
+    /// The tables of the kind of an analysis of this name; none where its kind has none.
+    pub(crate) fn tables(self, resolved: &Json, name: &str) -> Option<&'static KindTables> {
+        let analyses = resolved.get("analysis")?.as_array()?;
+        let kind = &analyses.iter().find(|own| own["name"] == name)?["kind"];
+        self.model_of(resolved)?.tables.iter().find(|own| *kind == own.kind)
     }
 
     /// The model of a case.

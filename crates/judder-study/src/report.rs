@@ -44,7 +44,7 @@ pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Resu
                     blocks.push(figure_or_reason(store, figure)?);
                 }
                 blocks.extend(summary.results.get(name).and_then(scalar_table).map(PageBlock::Table));
-                blocks.extend(summary.results.get(name).map(report_tables::tables).unwrap_or_default());
+                blocks.extend(tables(registry, summary, name).into_iter().map(PageBlock::Table));
             }
         }
         sections.push(PageSection::new(name, blocks));
@@ -75,6 +75,13 @@ fn figures(
     }
     let dataset = store.read_dataset(name)?;
     Ok(model.and_then(|model| model.figure(name, name, &dataset)).into_iter().collect())
+}
+
+/// The tables of an analysis or a sweep, beside that of its scalars.
+fn tables(registry: Registry, summary: &Summary, name: &str) -> Vec<PageTable> {
+    let Some(results) = summary.results.get(name) else { return Vec::new() };
+    let of_kind = registry.tables(&summary.case, name);
+    of_kind.map_or_else(|| report_tables::of_sweep(results), |tables| (tables.report)(results))
 }
 
 /// The analyses in the order of the case, then its sweeps.

@@ -1,11 +1,11 @@
 //! The analyses and sweeps of a case into a study folder.
 //!
 //! - `asked`: what is wanted, under which hash.
-//! - `bench`: one analysis.
+//! - `analyses`: its analyses, one at a time.
 //! - `sweeps`: chunks, by as many processes as there are.
 
+mod analyses;
 mod asked;
-mod bench;
 mod sweeps;
 
 pub use asked::{analysis_hash, resolved_with_files};
@@ -19,9 +19,9 @@ use crate::progress::Progress;
 use crate::registry::Registry;
 use crate::report;
 use crate::sweep::{Shard, SweepEstimate, SweepPlan};
-use crate::told;
+use crate::terminal_tables;
+use analyses::{AnalysisRunner, shared};
 use asked::Asked;
-use bench::{Bench, shared_law};
 use judder_store::{Status, StudyFolder, Summary};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -234,9 +234,9 @@ fn compute_in(
     let mut study = Study::open(&store, asked.all())?;
     study.set_case(asked.file, &asked.resolved, asked.file.case.with_used(asked.resolved.clone())?);
     let (mut skipped, mut refused) = (Vec::new(), Vec::new());
-    let law = shared_law(&asked.file.case, &asked.resolved);
+    let shared = shared(&asked.file.case, &asked.resolved);
     let all = &asked.analyses;
-    let bench = Bench { file: asked.file, prepared, store: &store, all, law: law.as_deref() };
+    let runner = AnalysisRunner { file: asked.file, prepared, store: &store, all, shared: shared.as_deref() };
     let wanted = all.iter().enumerate().filter(|(_, (name, _))| analyses && asked.is_wanted(name));
     for (index, (name, hash)) in wanted {
         if store.is_done(name, hash)? {
@@ -244,14 +244,14 @@ fn compute_in(
             continue;
         }
         let began = Instant::now();
-        let (outcome, scratch) = bench.run(index, progress)?;
+        let (outcome, scratch) = runner.run(index, progress)?;
         asked.check_files()?;
         if let Some(error) = study.keep(name, hash.clone(), outcome, began.elapsed().as_secs_f64())? {
             refused.push(RefusedAnalysis { name: name.clone(), error });
         }
         scratch.discard()?;
     }
-    bench.discard_law()?;
+    runner.discard_shared()?;
     for plan in sweeps {
         skipped.extend(sweeps::finished(&store, &mut study, plan, progress)?);
     }
@@ -261,7 +261,7 @@ fn compute_in(
     let complete = study.is_complete(&wanted);
     let messages = messages(&study.summary, &study.kept, &refused);
     let (summary, forgotten) = (study.summary, study.forgotten);
-    let tables = told::tables(&summary, &wanted);
+    let tables = terminal_tables::tables(asked.file.registry(), &summary, &wanted);
     Ok(Computed { store, summary, skipped, forgotten, complete, tables, messages, refused })
 }
 

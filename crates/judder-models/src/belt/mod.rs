@@ -63,6 +63,7 @@ pub const MODEL: ModelKind = ModelKind {
     },
     kinds: || case::KINDS.entries(),
     operating_quantities: &[],
+    tables: &[],
 };
 
 impl Model for BeltCase {

@@ -145,6 +145,7 @@ pub const MODEL: ModelKind = ModelKind {
     },
     kinds: || KINDS.entries(),
     operating_quantities: &[],
+    tables: &[],
 };
 
 impl Model for ContactCase {

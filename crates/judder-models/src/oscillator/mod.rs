@@ -167,6 +167,7 @@ pub const MODEL: ModelKind = ModelKind {
     },
     kinds: || KINDS.entries(),
     operating_quantities: &operating_points::QUANTITIES,
+    tables: &[],
 };
 
 impl Model for OscillatorCase {
@@ -206,7 +207,7 @@ impl Model for OscillatorCase {
 
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
         let case = &bridge::with_material(self)?;
-        let (law, points) = (task.law, task.law.known());
+        let (law, points) = (task.shared, task.shared.known());
         let keep = |point: &SolvedPoint| law.add(point);
         let CaseContact { contact, warnings } =
             bridge::contact(case, Points { known: &points, kept: &keep }, task.progress)?;
@@ -252,7 +253,7 @@ impl Model for OscillatorCase {
         operating_points::read_anew(file, sweep)
     }
 
-    fn shared_law(&self, resolved: &Value) -> Option<Vec<Value>> {
+    fn shared(&self, resolved: &Value) -> Option<Vec<Value>> {
         let parts = [&resolved["substrate"], &resolved["files"], &resolved["contact"]["law"]];
         (self.law == LawName::Bem).then(|| parts.map(Value::clone).to_vec())
     }

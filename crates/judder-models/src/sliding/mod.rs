@@ -32,7 +32,7 @@ use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::model::{Analysed, Analysis, Model, Prepared, Refusal, Task, wanted};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, Template};
+use judder_study::registry::{KindTables, ModelKind, Template};
 use judder_study::resolve::Resolved;
 use spectrogram::settings::check_references;
 use std::path::Path;
@@ -102,6 +102,14 @@ pub const MODEL: ModelKind = ModelKind {
     template: Template { name: "beams-paper", text: include_str!("template.toml"), lines: |_| String::new() },
     kinds: || KINDS.entries(),
     operating_quantities: &[],
+    tables: &[
+        KindTables { kind: march::KIND.name, report: march::tables::report, terminal: |_| None },
+        KindTables {
+            kind: modes::KIND.name,
+            report: |_| Vec::new(),
+            terminal: crate::structure::modes::tables::terminal,
+        },
+    ],
 };
 
 impl Model for SlidingCase {

@@ -30,7 +30,7 @@ use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::file::{Case, CaseFile};
 use judder_study::model::{Analysed, Analysis, Model, Prepared, Task, wanted};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, Template};
+use judder_study::registry::{KindTables, ModelKind, Template};
 use judder_study::resolve::Resolved;
 use std::sync::Arc;
 
@@ -86,6 +86,10 @@ pub const MODEL: ModelKind = ModelKind {
     template: Template { name: "structure", text: include_str!("template.toml"), lines: |_| String::new() },
     kinds: || KINDS.entries(),
     operating_quantities: &[],
+    tables: &[
+        KindTables { kind: eigen::KIND.name, report: eigen::tables::report, terminal: |_| None },
+        KindTables { kind: modes::KIND.name, report: |_| Vec::new(), terminal: modes::tables::terminal },
+    ],
 };
 
 impl Model for StructureCase {

@@ -33,6 +33,15 @@ pub(super) enum ModesOf {
     },
 }
 
+/// Of what undamped modes are, where they are not those of the matrices as they are.
+pub(super) fn words_of(name: Option<&str>) -> &'static str {
+    match name {
+        Some("frictionless") => " without friction",
+        Some("symmetric-part") => " of the symmetric part",
+        _ => "",
+    }
+}
+
 impl ModesOf {
     /// As summaries and attributes have it.
     pub(super) fn name(&self) -> &'static str {

@@ -66,6 +66,7 @@ pub const MODEL: ModelKind = ModelKind {
     template: Template { name: "two-degrees", text: include_str!("template.toml"), lines: |_| String::new() },
     kinds: || KINDS.entries(),
     operating_quantities: &LINEAR_QUANTITIES,
+    tables: &[],
 };
 
 impl Model for TwoDegreesCase {

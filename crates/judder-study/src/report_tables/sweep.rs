@@ -1,12 +1,11 @@
 //! Tables of a sweep: what its quantities are, what decides them, which points have no answer.
 
 use super::short;
-use judder_report::PageBlock;
 use judder_report::page::PageTable;
 use serde_json::{Map, Value};
 
 /// The tables of a sweep; none where the result is of something else.
-pub(super) fn tables(results: &Map<String, Value>) -> Vec<PageBlock> {
+pub(crate) fn tables(results: &Map<String, Value>) -> Vec<PageTable> {
     let Some(quantities) = results.get("quantities").and_then(Value::as_object) else { return Vec::new() };
     let (classes, numbers): (Vec<_>, Vec<_>) =
         quantities.iter().partition(|(_, told)| told["of"].is_object());
@@ -22,7 +21,7 @@ pub(super) fn tables(results: &Map<String, Value>) -> Vec<PageBlock> {
     tables.extend(known.map(|(quantity, told)| indices(quantity, told)));
     let failures = results.get("failures").and_then(Value::as_array).filter(|failures| !failures.is_empty());
     tables.extend(failures.map(|listed| failed(listed, results)));
-    tables.into_iter().map(PageBlock::Table).collect()
+    tables
 }
 
 type Told<'a> = (&'a String, &'a Value);
@@ -128,11 +127,7 @@ mod tests {
 
     fn rows(results: Value) -> Vec<Vec<Vec<String>>> {
         let Value::Object(results) = results else { unreachable!() };
-        let rows = |block: PageBlock| match block {
-            PageBlock::Table(table) => table.rows,
-            _ => unreachable!(),
-        };
-        tables(&results).into_iter().map(rows).collect()
+        tables(&results).into_iter().map(|table| table.rows).collect()
     }
 
     #[test]

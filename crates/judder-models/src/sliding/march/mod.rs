@@ -12,6 +12,7 @@ mod signals;
 mod size;
 mod sound;
 mod summary;
+pub(crate) mod tables;
 
 pub(super) use signals::variable_name;
 pub(super) use size::Size;

@@ -3,6 +3,7 @@
 mod diagnosis;
 pub(crate) mod figure;
 pub(super) mod run;
+pub(crate) mod tables;
 
 use super::Subject;
 use crate::error::ModelError;

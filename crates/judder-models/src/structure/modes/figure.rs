@@ -1,10 +1,10 @@
 //! Shapes of undamped modes, and their comparison with each other.
 
 use super::super::shape_panels::{mac, panels, significant};
+use super::super::undamped::words_of;
 use judder_report::Panel;
 use judder_store::Dataset;
 use judder_study::pictures::reals;
-use judder_study::report_tables::modes_of;
 
 /// Shapes that a figure shows.
 const SHOWN: usize = 6;
@@ -16,7 +16,7 @@ pub(super) fn modes(dataset: &Dataset) -> Option<Vec<Panel>> {
     let frequencies = reals(dataset, "frequency")?;
     let largest = frequencies.last().copied().unwrap_or(0.0);
     let elastic = (0..frequencies.len()).filter(|k| frequencies[*k] > RIGID * largest);
-    let of = modes_of(dataset.attributes().get("modes_of").and_then(serde_json::Value::as_str));
+    let of = words_of(dataset.attributes().get("modes_of").and_then(serde_json::Value::as_str));
     let title = |k: usize| format!("mode {}{of}: {} Hz", k + 1, significant(frequencies[k]));
     let mut drawn = panels(dataset, elastic.take(SHOWN), &title);
     drawn.extend(mac(dataset));

@@ -2,6 +2,7 @@
 
 pub(super) mod figure;
 mod run;
+pub(crate) mod tables;
 
 pub(crate) use run::{ToldModes, run};
 

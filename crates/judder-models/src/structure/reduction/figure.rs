@@ -1,9 +1,9 @@
 //! Reduced against full: errors, and the limit that the reduction tells of itself.
 
+use super::super::undamped::words_of;
 use judder_report::{Axis, Layer, Panel, Role};
 use judder_store::Dataset;
 use judder_study::pictures::reals;
-use judder_study::report_tables::modes_of;
 
 /// Relative errors of reduced frequencies, and the limit that the reduction tells of itself.
 pub(super) fn reduction(dataset: &Dataset) -> Option<Vec<Panel>> {
@@ -28,7 +28,7 @@ pub(super) fn reduction(dataset: &Dataset) -> Option<Vec<Panel>> {
         layers.push(Layer::horizontal_rule(1e-4, ""));
     }
     let vertical = Axis::log("Relative error (−)");
-    let of = modes_of(dataset.attributes().get("reduction_of").and_then(serde_json::Value::as_str));
+    let of = words_of(dataset.attributes().get("reduction_of").and_then(serde_json::Value::as_str));
     let across = Axis::linear(format!("Frequency of the full structure{of} (Hz)"));
     Some(vec![Panel::new(across, vertical, layers)])
 }

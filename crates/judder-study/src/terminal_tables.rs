@@ -1,31 +1,20 @@
-//! Results that a run shows on the terminal, beside the report.
+//! Tables that a run shows on the terminal, beside the report.
 
+use crate::registry::Registry;
 use crate::report_tables::{interval, short_index};
-use crate::text::{columns, number};
+use crate::text::columns;
 use judder_store::Summary;
 use serde_json::{Map, Value};
 
 /// What the analyses of these names have to show, each below its name.
-pub(crate) fn tables(summary: &Summary, names: &[String]) -> Vec<String> {
+pub(crate) fn tables(registry: Registry, summary: &Summary, names: &[String]) -> Vec<String> {
     let table = |name: &String| {
         let result = summary.results.get(name)?;
-        reduction(name, result).or_else(|| sweep(name, result))
+        let of_kind = registry.tables(&summary.case, name).and_then(|tables| (tables.terminal)(result));
+        let rows = of_kind.map(|rows| format!("{name}:\n{}", columns(&rows).trim_end()));
+        rows.or_else(|| sweep(name, result))
     };
     names.iter().filter_map(table).collect()
-}
-
-/// What a reduction costs: frequencies of the full structure and of the reduced one; `None` where there is no reduction.
-fn reduction(name: &str, result: &Map<String, Value>) -> Option<String> {
-    let list = |key: &str| result.get(key).and_then(Value::as_array);
-    let (full, reduced, errors) = (list("frequencies_hz")?, list("reduced_hz")?, list("reduction_errors")?);
-    let mut rows =
-        vec![["mode", "full (Hz)", "reduced (Hz)", "reduced less full"].map(str::to_owned).to_vec()];
-    let frequency = |value: &Value| value.as_f64().map_or_else(|| "none".to_owned(), number);
-    for (k, ((full, reduced), error)) in full.iter().zip(reduced).zip(errors).enumerate() {
-        let error = error.as_f64().map_or_else(String::new, |error| format!("{:.4} %", 100.0 * error));
-        rows.push(vec![(k + 1).to_string(), frequency(full), frequency(reduced), error]);
-    }
-    Some(format!("{name}:\n{}", columns(&rows).trim_end()))
 }
 
 /// How many points of a sweep have an answer, and what decides its quantities; `None` of anything else.

@@ -1,4 +1,4 @@
-//! One analysis at a time, from where an interrupted run has left it.
+//! The analyses of a case, one at a time, from where an interrupted run has left it.
 
 use crate::case::file::{Case, CaseFile};
 use crate::error::StudyError;
@@ -11,17 +11,17 @@ use judder_store::{Scratch, StudyFolder, content_hash};
 use serde_json::Value;
 
 /// All that the analyses of a case are run with.
-pub(super) struct Bench<'a> {
+pub(super) struct AnalysisRunner<'a> {
     pub(super) file: &'a CaseFile,
     pub(super) prepared: &'a Prepared,
     pub(super) store: &'a StudyFolder,
     /// The names of the analyses with their hashes.
     pub(super) all: &'a [(String, String)],
-    /// What the law depends on that they share.
-    pub(super) law: Option<&'a str>,
+    /// The hash of what they share that takes long to compute.
+    pub(super) shared: Option<&'a str>,
 }
 
-impl Bench<'_> {
+impl AnalysisRunner<'_> {
     /// Runs an analysis from where an interrupted run has left it; its scratch can go when the outcome is stored.
     pub(super) fn run(
         &self,
@@ -31,43 +31,43 @@ impl Bench<'_> {
         let Self { file, store, all, .. } = self;
         let (name, hash) = &all[index];
         progress.begin(name, file.case.steps(index));
-        // under a name that the shared law does not have
+        // under a name that what they share does not have
         let scratch = store.scratch(&format!("of-{name}"), hash)?;
         // a line that cannot be kept costs a rerun, no result
         let keep = |line: &str| {
             let _ = scratch.keep(line);
         };
-        let shared = self.law.map(|of| store.scratch(LAW_POINTS, of)).transpose()?;
+        let shared = self.shared.map(|of| store.scratch(SHARED, of)).transpose()?;
         let keep_shared = |line: &str| {
             let _ = shared.as_ref().map(|shared| shared.keep(line));
         };
         let place = Place { study: store, analysis: name, hash, all };
         let own = Kept { lines: scratch.lines(), keep: &keep, place: Some(place) };
         let lines = shared.as_ref().map_or(&[][..], Scratch::lines);
-        let of_law = Kept { lines, keep: &keep_shared, place: None };
-        let task = Task { law: of_law, own, ..Task::alone(self.prepared, progress) };
+        let of_shared = Kept { lines, keep: &keep_shared, place: None };
+        let task = Task { shared: of_shared, own, ..Task::alone(self.prepared, progress) };
         let outcome = file.case.run(index, task);
         progress.end();
         Ok((outcome.map_err(|error| placed(error, file, index)), scratch))
     }
 
-    /// Forgets the solved contacts of the shared law once no analysis needs them.
-    pub(super) fn discard_law(&self) -> Result<(), StudyError> {
-        let Some(law) = self.law else { return Ok(()) };
+    /// Forgets what they share once no analysis needs it.
+    pub(super) fn discard_shared(&self) -> Result<(), StudyError> {
+        let Some(shared) = self.shared else { return Ok(()) };
         for (name, hash) in self.all {
             if !self.store.is_done(name, hash)? {
                 return Ok(());
             }
         }
-        Ok(self.store.scratch(LAW_POINTS, law)?.discard()?)
+        Ok(self.store.scratch(SHARED, shared)?.discard()?)
     }
 }
 
-/// Where the solved contacts of the law are kept that the analyses of an oscillator case share.
-const LAW_POINTS: &str = "law";
+/// Where that is kept: a contact law is what takes long.
+const SHARED: &str = "law";
 
-/// The hash of what the law depends on that a case has computed for all its analyses; `None` where it has none.
-pub(super) fn shared_law(case: &Case, resolved: &Value) -> Option<String> {
-    let of: Value = [VERSION.into()].into_iter().chain(case.shared_law(resolved)?).collect();
+/// The hash of what that depends on which a case has computed once for all its analyses; `None` where it has nothing such.
+pub(super) fn shared(case: &Case, resolved: &Value) -> Option<String> {
+    let of: Value = [VERSION.into()].into_iter().chain(case.shared(resolved)?).collect();
     Some(content_hash(of.to_string().as_bytes()))
 }

@@ -15,7 +15,8 @@ use judder_models::bridge;
 use judder_models::contact::case::ContactCase;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::inputs::OscillatorInputs;
-use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::file::CaseFile;
+use judder_study::model::Case;
 
 /// The numeric keys of a case that has them, with what its material says: an oscillator, or a contact's substrate and indenter.
 pub(crate) fn inputs(file: &CaseFile) -> Result<OscillatorInputs, Refusal> {

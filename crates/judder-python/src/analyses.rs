@@ -38,7 +38,7 @@ fn read(given: &Given) -> Result<CaseFile, StudyError> {
 /// The text of a case that runs wherever it lies.
 #[pyfunction]
 pub(crate) fn text_of_case(py: Python<'_>, case: Given) -> PyResult<String> {
-    let done = watched(py, &Manner::default(), |_| Ok(anywhere(&read(&case)?)?.text))?;
+    let done = watched(py, &Manner::default(), |_| Ok(anywhere(&read(&case)?)?.source.text))?;
     done.settled(|error| errors::study(&error))
 }
 

@@ -141,7 +141,7 @@ fn with_law_file(case: &Source, mut overrides: Vec<String>, path: &Path) -> PyRe
     if let Some(OscillatorCase { law_file: Some(law), .. }) = file.case.of_mut() {
         LAW_FILE.clone_into(&mut law.given);
     }
-    if let Some(last) = file.overrides.last_mut() {
+    if let Some(last) = file.source.overrides.last_mut() {
         *last = of_file(LAW_FILE);
     }
     Ok(file)

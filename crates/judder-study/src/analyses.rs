@@ -1,7 +1,7 @@
 //! The analyses of a case, run in no study folder.
 
-use crate::case::file::Case;
 use crate::error::StudyError;
+use crate::model::Case;
 use crate::model::{MotionBlock, Prepared, Task};
 use crate::outcome::Outcome;
 use crate::progress::Progress;

@@ -1,11 +1,15 @@
 //! What the engine asks of a model and of an analysis; nothing else of them is known here.
 
 mod analysed;
+mod case;
+mod operating_quantity;
 
 pub use analysed::{Analysed, Analyses, Analysis, wanted};
+pub use case::Case;
+pub use operating_quantity::OperatingQuantity;
 
-use crate::case::file::{Case, CaseFile};
 use crate::case::study_sweep::{StudySweep, SweptKey};
+use crate::case::text::CaseText;
 use crate::error::StudyError;
 use crate::kept::Kept;
 use crate::labels::{self, Quantity};
@@ -67,7 +71,7 @@ pub trait Model: Analyses + Any + DynClone + fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// As [`Model::prepared`], and the first refusal.
-    fn preflight(&self, _file: &CaseFile, _is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+    fn preflight(&self, _file: &CaseText, _is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         self.prepared()
     }
 
@@ -78,7 +82,7 @@ pub trait Model: Analyses + Any + DynClone + fmt::Debug + Send + Sync {
     /// As [`Model::preflight`].
     fn preflight_at(
         &self,
-        file: &CaseFile,
+        file: &CaseText,
         is_wanted: &dyn Fn(&str) -> bool,
         _known: &Prepared,
         _keys: &[&str],
@@ -92,11 +96,11 @@ pub trait Model: Analyses + Any + DynClone + fmt::Debug + Send + Sync {
     /// [`StudyError::Interrupted`], and what the analysis is refused for.
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError>;
 
-    /// What `judder check` shows.
+    /// What `judder check` shows; `resolved` is its canonical form, with what is used as of [`Model::with_used`].
     ///
     /// # Errors
     /// What a run would refuse.
-    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError>;
+    fn resolve(&self, file: &CaseText, resolved: Value) -> Result<Resolved, StudyError>;
 
     /// The operating points of a sweep at which the case need not be read anew; `None` where it must be.
     ///
@@ -127,8 +131,8 @@ pub trait Model: Analyses + Any + DynClone + fmt::Debug + Send + Sync {
         OperatingWork::Search
     }
 
-    /// What a finished sweep has to say of points at which the case was read anew.
-    fn told_of_sweep(&self, _file: &CaseFile, _sweep: &StudySweep) -> Option<String> {
+    /// What a finished sweep has to say of points at which the case was read anew; `at` reads it, none where there is no such case.
+    fn told_of_sweep(&self, _sweep: &StudySweep, _at: &dyn Fn(&[f64]) -> Option<Case>) -> Option<String> {
         None
     }
 
@@ -139,23 +143,6 @@ pub trait Model: Analyses + Any + DynClone + fmt::Debug + Send + Sync {
 }
 
 clone_trait_object!(Model);
-
-/// A quantity of an operating point, as a column of a sweep.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct OperatingQuantity {
-    /// Its name in a case file.
-    pub name: &'static str,
-    /// Its unit; empty for codes.
-    pub units: &'static str,
-    /// What it is, with its symbol.
-    pub long_name: &'static str,
-    /// What stands at an axis; none of a code.
-    pub label: Option<&'static str>,
-    /// What each code means, where it is a code.
-    pub flags: &'static [&'static str],
-    /// Whether it is a root that has to be sought.
-    pub is_sought: bool,
-}
 
 /// Operating points that share what takes time to make.
 pub trait OperatingPoints: Send + Sync {
@@ -237,8 +224,8 @@ impl Prepared {
 /// An analysis in its case file.
 #[derive(Clone, Copy)]
 pub struct Place<'a> {
-    /// The case file.
-    pub file: &'a CaseFile,
+    /// The text of the case file.
+    pub file: &'a CaseText,
     /// The position of the analysis.
     pub index: usize,
     /// Its name.
@@ -282,9 +269,14 @@ impl Refusal {
     }
 }
 
-/// What a run found wrong with an analysis, at its place in the case file where a key is to blame.
-pub fn placed(error: StudyError, file: &CaseFile, index: usize) -> StudyError {
-    let names = file.case.analysis_names();
+/// What a run found wrong with an analysis of a case, at its place in the text where a key is to blame.
+pub fn placed(
+    error: StudyError,
+    case: &(impl Analyses + ?Sized),
+    file: &CaseText,
+    index: usize,
+) -> StudyError {
+    let names = case.analysis_names();
     let Some(name) = names.get(index) else { return error };
-    file.case.blamed(&error, Place { file, index, name }).map_or(error, StudyError::from)
+    case.blamed(&error, Place { file, index, name }).map_or(error, StudyError::from)
 }

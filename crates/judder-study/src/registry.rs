@@ -1,8 +1,7 @@
 //! The models that there are, and all that is asked of them without a case: how one is read, its schema, its reference, its figures.
 
 use crate::case::analysis::KindEntry;
-use crate::case::file::Case;
-use crate::model::OperatingQuantity;
+use crate::model::{Case, OperatingQuantity};
 use judder_keys::cause::Cause;
 use judder_keys::declared::Declaration;
 use judder_keys::document::{Data, Node};

@@ -11,6 +11,6 @@ use judder_study::case::anywhere::anywhere;
 
 /// Answers `/api/export`.
 pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) -> Result<Response, Refusal> {
-    let text = site.compute(move |subject, _| Ok(anywhere(&view.case(subject)?)?.text)).await?;
+    let text = site.compute(move |subject, _| Ok(anywhere(&view.case(subject)?)?.source.text)).await?;
     Ok(([(CONTENT_TYPE, "text/plain; charset=utf-8")], text).into_response())
 }

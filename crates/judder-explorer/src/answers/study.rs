@@ -124,7 +124,8 @@ pub(crate) struct Named {
 
 /// Answers `/api/study/case`: the case file of one analysis of the study.
 pub(crate) async fn case(State(site): SharedSite, Asked(named): Asked<Named>) -> Result<Response, Refusal> {
-    let text = site.compute(move |subject, _| Ok(alone(studied(subject)?.case()?, &named.analysis)?.text));
+    let text =
+        site.compute(move |subject, _| Ok(alone(studied(subject)?.case()?, &named.analysis)?.source.text));
     Ok(([(CONTENT_TYPE, "text/plain; charset=utf-8")], text.await?).into_response())
 }
 

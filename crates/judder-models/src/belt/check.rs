@@ -6,12 +6,11 @@ use crate::estimate::{Estimate, estimate_json, estimate_text, title};
 use crate::motion::model::belt;
 use judder_keys::keys::Keys;
 use judder_oscillator::motion::SlidingSystem;
-use judder_study::case::file::CaseFile;
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, number};
-use serde_json::json;
+use serde_json::{Value, json};
 
-pub(super) fn resolve(file: &CaseFile, case: &BeltCase) -> Result<Resolved, ModelError> {
+pub(super) fn resolve(case: &BeltCase, resolved: Value) -> Result<Resolved, ModelError> {
     let system = belt(&case.inputs)?;
     let estimates = case.analyses.iter().map(|own| own.kind.estimate(&own.name.as_str()));
     let estimates = estimates.collect::<Result<Vec<Estimate>, ModelError>>()?;
@@ -32,7 +31,7 @@ pub(super) fn resolve(file: &CaseFile, case: &BeltCase) -> Result<Resolved, Mode
     ]));
     text.push_str(&estimate_text(&estimates));
     let document = json!({
-        "case": file.case.resolved(),
+        "case": resolved,
         "point": { "verdict": verdict, "displacement": displacement, "equivalent_damping": damping },
         "estimate": estimate_json(&estimates),
         "warnings": [],

@@ -12,8 +12,8 @@ use judder_keys::declared::Settings;
 use judder_keys::keys::{Keys, lines};
 use judder_study::StudyError;
 use judder_study::case::analysis::Planned;
-use judder_study::case::file::{Case, CaseFile};
-use judder_study::model::{Analysed, Analysis, Model, Task};
+use judder_study::case::text::CaseText;
+use judder_study::model::{Analysed, Analysis, Case, Model, Task};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{ModelKind, Template};
 use judder_study::resolve::Resolved;
@@ -75,7 +75,7 @@ impl Model for BeltCase {
         Ok(self.analyses[index].kind.run(&BeltModel::new(self), task)?)
     }
 
-    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
-        Ok(check::resolve(file, self)?)
+    fn resolve(&self, _: &CaseText, resolved: serde_json::Value) -> Result<Resolved, StudyError> {
+        Ok(check::resolve(self, resolved)?)
     }
 }

@@ -11,7 +11,7 @@ use judder_contact::kernel::sliding::SlidingOperator;
 use judder_keys::keys::Keys;
 use judder_keys::memory::Memory;
 use judder_keys::numeric_key::Form;
-use judder_study::case::file::CaseFile;
+use judder_study::case::text::CaseText;
 use judder_study::model::Model;
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, number};
@@ -46,7 +46,7 @@ impl ContactEstimate {
     }
 }
 
-pub(super) fn resolve(file: &CaseFile, case: &ContactCase) -> Result<Resolved, ModelError> {
+pub(super) fn resolve(file: &CaseText, case: &ContactCase, resolved: Value) -> Result<Resolved, ModelError> {
     case.preflight(file, &|_| true)?;
     let scales = ContactScales::new(case)?;
     let (mut estimates, mut of_bands) = (Vec::new(), Vec::new());
@@ -84,7 +84,7 @@ pub(super) fn resolve(file: &CaseFile, case: &ContactCase) -> Result<Resolved, M
         text.push_str(&format!("\nwarning: {warning}\n"));
     }
     let document = json!({
-        "case": file.case.with_used(file.case.resolved())?,
+        "case": resolved,
         "groups": {
             "contrast": spectrum.contrast(),
             "terms": spectrum.terms().len(),

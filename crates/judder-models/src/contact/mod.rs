@@ -39,8 +39,8 @@ use judder_keys::keys::lines;
 use judder_store::{Declared, Results};
 use judder_study::StudyError;
 use judder_study::case::analysis::{Kinds, Planned};
-use judder_study::case::file::{Case, CaseFile};
-use judder_study::model::{Analysed, Analysis, Model, Prepared, Refusal, Task, wanted};
+use judder_study::case::text::CaseText;
+use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Refusal, Task, wanted};
 use judder_study::outcome::{CheckRecord, Outcome};
 use judder_study::registry::{ModelKind, Template};
 use judder_study::resolve::Resolved;
@@ -162,7 +162,7 @@ impl Model for ContactCase {
     }
 
     /// Looks at the files of the case, then at depth and memory of what is wanted.
-    fn preflight(&self, file: &CaseFile, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+    fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         let scales = ContactScales::new(self)?;
         let mut subject = Subject::new(self, &scales, "");
         subject.profile()?;
@@ -186,8 +186,8 @@ impl Model for ContactCase {
         Ok(outcome)
     }
 
-    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
-        Ok(check::resolve(file, self)?)
+    fn resolve(&self, file: &CaseText, resolved: serde_json::Value) -> Result<Resolved, StudyError> {
+        Ok(check::resolve(file, self, resolved)?)
     }
 }
 

@@ -15,7 +15,6 @@ use judder_keys::keys::Keys;
 use judder_keys::numeric_key::Form;
 use judder_oscillator::Contact;
 use judder_oscillator::groups::Dimensional;
-use judder_study::case::file::CaseFile;
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, list, number};
 use serde_json::{Value, json};
@@ -23,7 +22,7 @@ use serde_json::{Value, json};
 /// Where nothing is known of the operating point: a law that would have to be computed first.
 const LATER: &str = "the law `bem` is computed by a run, which takes seconds to minutes";
 
-pub(super) fn resolve(file: &CaseFile, case: &OscillatorCase) -> Result<Resolved, ModelError> {
+pub(super) fn resolve(case: &OscillatorCase, resolved: Value) -> Result<Resolved, ModelError> {
     let groups = bridge::groups(&case.inputs);
     let dimensional = groups.dimensional(&case.inputs.scales());
     let limits = match case.law {
@@ -94,7 +93,7 @@ pub(super) fn resolve(file: &CaseFile, case: &OscillatorCase) -> Result<Resolved
         text.push_str(&format!("\nwarning: {warning}\n"));
     }
     let document = json!({
-        "case": file.case.with_used(file.case.resolved())?,
+        "case": resolved,
         "groups": rows.iter().map(|(name, group, _)| ((*name).to_owned(), json!(group))).collect::<serde_json::Map<_, _>>(),
         "point": document_limits,
         "quasi_steady": condition.as_ref().map(Condition::json),

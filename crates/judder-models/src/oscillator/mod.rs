@@ -58,11 +58,11 @@ use judder_store::{Declared, Results};
 use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::analysis::{Kinds, Planned};
-use judder_study::case::file::{Case, CaseFile};
 use judder_study::case::study_sweep::{StudySweep, SweptKey};
+use judder_study::case::text::CaseText;
 use judder_study::labels::{Quantity, any_key};
 use judder_study::model::{
-    Analysed, Analysis, Model, OperatingPoints, OperatingQuantity, OperatingWork, Prepared, Task,
+    Analysed, Analysis, Case, Model, OperatingPoints, OperatingQuantity, OperatingWork, Prepared, Task,
 };
 use judder_study::outcome::Outcome;
 use judder_study::registry::{ModelKind, Template};
@@ -200,7 +200,7 @@ impl Model for OscillatorCase {
     }
 
     /// Looks at the data of the substrate.
-    fn preflight(&self, _: &CaseFile, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+    fn preflight(&self, _: &CaseText, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         bridge::with_material(self)?;
         Ok(Prepared::NOTHING)
     }
@@ -224,8 +224,8 @@ impl Model for OscillatorCase {
         Ok(outcome)
     }
 
-    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
-        Ok(check::resolve(file, &bridge::with_material(self)?)?)
+    fn resolve(&self, _: &CaseText, resolved: Value) -> Result<Resolved, StudyError> {
+        Ok(check::resolve(&bridge::with_material(self)?, resolved)?)
     }
 
     fn operating_points(
@@ -249,8 +249,8 @@ impl Model for OscillatorCase {
         operating_points::work(self, sweep, wanted)
     }
 
-    fn told_of_sweep(&self, file: &CaseFile, sweep: &StudySweep) -> Option<String> {
-        operating_points::read_anew(file, sweep)
+    fn told_of_sweep(&self, sweep: &StudySweep, at: &dyn Fn(&[f64]) -> Option<Case>) -> Option<String> {
+        operating_points::read_anew(sweep, at)
     }
 
     fn shared(&self, resolved: &Value) -> Option<Vec<Value>> {

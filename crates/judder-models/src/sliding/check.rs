@@ -10,7 +10,7 @@ use crate::sliding::case::SlidingCase;
 use crate::sliding::march::settings::March;
 use crate::sliding::system::SlidingSystem;
 use judder_keys::memory::Memory;
-use judder_study::case::file::CaseFile;
+use judder_study::case::text::CaseText;
 use judder_study::model::{Place, placed};
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, number};
@@ -23,18 +23,17 @@ const SHOWN: usize = 8;
 ///
 /// # Errors
 /// Structures that cannot be, or cannot slide on each other, and analyses that would be refused, at their places in the case.
-pub(super) fn resolve(file: &CaseFile, case: &SlidingCase) -> Result<Resolved, ModelError> {
+pub(super) fn resolve(file: &CaseText, case: &SlidingCase, resolved: Value) -> Result<Resolved, ModelError> {
     let system = SlidingSystem::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
     let mut estimates: Vec<Estimate> = Vec::new();
     for (index, own) in case.analyses.iter().enumerate() {
         let subject = Subject { case, system: &system, name: &own.name };
         let asked = &own.kind;
-        asked.admit(&subject).map_err(|error| placed(error.into(), file, index))?;
+        asked.admit(&subject).map_err(|error| placed(error.into(), case, file, index))?;
         let place = Place { file, index, name: &own.name };
         asked.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
         estimates.push(asked.estimate(&subject)?);
     }
-    let resolved = file.case.resolved();
     let mut text = format!("{}\n\n", title(&case.title));
     let mut rows = Vec::new();
     for section in ["parameters", "structure", "contact", "motion", "observe", "analysis"] {

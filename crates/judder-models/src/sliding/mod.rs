@@ -29,8 +29,8 @@ use judder_keys::error::Fault;
 use judder_keys::file_reference::FileReference;
 use judder_study::StudyError;
 use judder_study::case::analysis::{Kinds, Planned};
-use judder_study::case::file::{Case, CaseFile};
-use judder_study::model::{Analysed, Analysis, Model, Prepared, Refusal, Task, wanted};
+use judder_study::case::text::CaseText;
+use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Refusal, Task, wanted};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{KindTables, ModelKind, Template};
 use judder_study::resolve::Resolved;
@@ -72,7 +72,7 @@ impl Analysed for SlidingCase {
 fn fitting(
     case: &SlidingCase,
     system: SlidingSystem,
-    file: &CaseFile,
+    file: &CaseText,
     is_wanted: &dyn Fn(&str) -> bool,
 ) -> Result<Prepared, ModelError> {
     for (place, asked) in wanted(case, file, is_wanted) {
@@ -126,14 +126,14 @@ impl Model for SlidingCase {
         Ok(Prepared::new(Arc::new(made)))
     }
 
-    fn preflight(&self, file: &CaseFile, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+    fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         let system = SlidingSystem::new(self).map_err(|uncoupled| uncoupled.placed(file))?;
         Ok(fitting(self, system, file, is_wanted)?)
     }
 
     fn preflight_at(
         &self,
-        file: &CaseFile,
+        file: &CaseText,
         is_wanted: &dyn Fn(&str) -> bool,
         known: &Prepared,
         keys: &[&str],
@@ -158,7 +158,7 @@ impl Model for SlidingCase {
         Ok(outcome)
     }
 
-    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
-        Ok(check::resolve(file, self)?)
+    fn resolve(&self, file: &CaseText, resolved: serde_json::Value) -> Result<Resolved, StudyError> {
+        Ok(check::resolve(file, self, resolved)?)
     }
 }

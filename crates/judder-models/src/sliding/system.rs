@@ -31,7 +31,7 @@ use judder_sliding::friction::Friction;
 use judder_sliding::motion::Motion;
 use judder_sliding::pair::{Observed, Pair, PairSide, Slider, Track};
 use judder_sliding::plane::Vector;
-use judder_study::case::file::CaseFile;
+use judder_study::case::text::CaseText;
 use nodes::Nodes;
 use std::sync::Arc;
 
@@ -74,7 +74,7 @@ impl Uncoupled {
     }
 
     /// As an error at its place in the case file.
-    pub(crate) fn placed(self, file: &CaseFile) -> ModelError {
+    pub(crate) fn placed(self, file: &CaseText) -> ModelError {
         match self {
             Self::Structure(unbuilt) => unbuilt.placed(file),
             Self::Pair { path, problem } => file.error(&path, problem).into(),

@@ -25,7 +25,7 @@ use judder_structure::freedom::Numbering;
 use judder_structure::material::{Elastic, ElementSection};
 use judder_structure::mesh::Mesh;
 use judder_structure::quadratic::Quadratic;
-use judder_study::case::file::CaseFile;
+use judder_study::case::text::CaseText;
 use std::collections::BTreeMap;
 
 /// A structure whose files are read and whose elements are assembled.
@@ -75,7 +75,7 @@ impl Unbuilt {
     }
 
     /// As an error at its place in the case file.
-    pub(crate) fn placed(self, file: &CaseFile) -> ModelError {
+    pub(crate) fn placed(self, file: &CaseText) -> ModelError {
         file.error(&self.path, self.problem).into()
     }
 }

@@ -6,14 +6,18 @@ use crate::estimate::title;
 use crate::structure::build::Structure;
 use crate::structure::case::StructureCase;
 use judder_structure::affine::Term;
-use judder_study::case::file::CaseFile;
+use judder_study::case::text::CaseText;
 use judder_study::model::Place;
 use judder_study::resolve::Resolved;
 use judder_study::text::columns;
 use serde_json::{Value, json};
 
 /// What is known of a structure before anything is computed.
-pub(super) fn resolve(file: &CaseFile, case: &StructureCase) -> Result<Resolved, ModelError> {
+pub(super) fn resolve(
+    file: &CaseText,
+    case: &StructureCase,
+    resolved: Value,
+) -> Result<Resolved, ModelError> {
     let structure = Structure::new(case).map_err(|unbuilt| unbuilt.placed(file))?;
     let family = &structure.family;
     let mut text = format!("{}\n\nthe structure\n", title(&case.title));
@@ -56,7 +60,7 @@ pub(super) fn resolve(file: &CaseFile, case: &StructureCase) -> Result<Resolved,
         terms.iter().map(|term| json!({ "name": term.name, "entries": term.matrix.val().len() })).collect()
     };
     let document = json!({
-        "case": file.case.resolved(),
+        "case": resolved,
         "structure": {
             "degrees_of_freedom": family.size(),
             "elements": structure.mesh().map(judder_structure::mesh::Mesh::elements),

@@ -27,8 +27,8 @@ use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
 use judder_study::StudyError;
 use judder_study::case::analysis::{Kinds, Planned};
-use judder_study::case::file::{Case, CaseFile};
-use judder_study::model::{Analysed, Analysis, Model, Prepared, Task, wanted};
+use judder_study::case::text::CaseText;
+use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Task, wanted};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{KindTables, ModelKind, Template};
 use judder_study::resolve::Resolved;
@@ -64,7 +64,7 @@ impl Analysed for StructureCase {
 fn fitting(
     case: &StructureCase,
     prepared: Prepared,
-    file: &CaseFile,
+    file: &CaseText,
     is_wanted: &dyn Fn(&str) -> bool,
 ) -> Result<Prepared, ModelError> {
     let Some(structure) = prepared.get::<Structure>() else { return Ok(prepared) };
@@ -106,14 +106,14 @@ impl Model for StructureCase {
         Ok(Prepared::new(Arc::new(made)))
     }
 
-    fn preflight(&self, file: &CaseFile, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+    fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         let structure = Structure::new(self).map_err(|unbuilt| unbuilt.placed(file))?;
         Ok(fitting(self, Prepared::new(Arc::new(structure)), file, is_wanted)?)
     }
 
     fn preflight_at(
         &self,
-        file: &CaseFile,
+        file: &CaseText,
         is_wanted: &dyn Fn(&str) -> bool,
         known: &Prepared,
         keys: &[&str],
@@ -143,7 +143,7 @@ impl Model for StructureCase {
         Ok(outcome)
     }
 
-    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
-        Ok(check::resolve(file, self)?)
+    fn resolve(&self, file: &CaseText, resolved: serde_json::Value) -> Result<Resolved, StudyError> {
+        Ok(check::resolve(file, self, resolved)?)
     }
 }

@@ -4,12 +4,11 @@ use crate::error::ModelError;
 use crate::estimate::{Estimate, estimate_json, estimate_text, title};
 use crate::oscillator::stability_map::{ONE_WAY, class_name};
 use crate::two_degrees::case::TwoDegreesCase;
-use judder_study::case::file::CaseFile;
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, number};
 use serde_json::{Value, json};
 
-pub(super) fn resolve(file: &CaseFile, case: &TwoDegreesCase) -> Result<Resolved, ModelError> {
+pub(super) fn resolve(case: &TwoDegreesCase, resolved: Value) -> Result<Resolved, ModelError> {
     let estimates = case.analyses.iter().map(|own| own.kind.estimate(&own.name.as_str()));
     let estimates = estimates.collect::<Result<Vec<Estimate>, ModelError>>()?;
     let mut text = format!("{}\n\nparameters\n", title(&case.title));
@@ -28,7 +27,7 @@ pub(super) fn resolve(file: &CaseFile, case: &TwoDegreesCase) -> Result<Resolved
     };
     text.push_str(&estimate_text(&estimates));
     let document = json!({
-        "case": file.case.resolved(),
+        "case": resolved,
         "point": document_point,
         "estimate": estimate_json(&estimates),
         "warnings": [],

@@ -22,8 +22,8 @@ use judder_oscillator::LinearSystem;
 use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::analysis::{Kinds, Planned};
-use judder_study::case::file::{Case, CaseFile};
-use judder_study::model::{Analysed, Analysis, Model, OperatingQuantity, Task};
+use judder_study::case::text::CaseText;
+use judder_study::model::{Analysed, Analysis, Case, Model, OperatingQuantity, Task};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{ModelKind, Template};
 use judder_study::resolve::Resolved;
@@ -90,7 +90,7 @@ impl Model for TwoDegreesCase {
         Ok((values, Vec::new()))
     }
 
-    fn resolve(&self, file: &CaseFile) -> Result<Resolved, StudyError> {
-        Ok(check::resolve(file, self)?)
+    fn resolve(&self, _: &CaseText, resolved: serde_json::Value) -> Result<Resolved, StudyError> {
+        Ok(check::resolve(self, resolved)?)
     }
 }

@@ -30,7 +30,8 @@ mod two_degrees;
 use judder_keys::error::CaseError;
 use judder_keys::keys::Keys;
 use judder_models::oscillator::keys::OscillatorKey;
-use judder_study::case::file::{Case, CaseFile};
+use judder_study::case::file::CaseFile;
+use judder_study::model::Case;
 use miette::Diagnostic;
 
 /// Checks that a case is refused with this message, place and help.

@@ -10,7 +10,7 @@ use judder_models::structure::eigen_sweep::settings::EigenSweep;
 use judder_models::structure::modes::Modes;
 use judder_structure::eigen_sweep::SweepMethod;
 use judder_structure::element::ElementKind;
-use judder_study::case::file::Case;
+use judder_study::model::Case;
 use std::f64::consts::TAU;
 
 fn structure(text: &str) -> StructureCase {

@@ -14,7 +14,7 @@ use judder_models::oscillator::engines::settings::EnginesSettings;
 use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::oscillator::settings::{CriticalThresholds, DampingCurves, SpectrumCurves};
 use judder_models::sweep::StabilityMap;
-use judder_study::case::file::Case;
+use judder_study::model::Case;
 
 /// A figure of the paper.
 pub(super) struct Exhibit {

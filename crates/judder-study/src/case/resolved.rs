@@ -1,7 +1,8 @@
 //! The resolved case as canonical JSON: every key with the value in use, keys sorted, the same bytes each time.
 
-use crate::case::file::{Case, CaseFile};
+use crate::case::file::CaseFile;
 use crate::case::study_sweep::StudySweep;
+use crate::model::Case;
 use serde_json::Value as Json;
 
 impl Case {
@@ -17,7 +18,7 @@ impl Case {
 }
 
 impl CaseFile {
-    /// [`Case::resolved`](crate::case::file::Case::resolved) with the sweeps of the case under `sweep`, where it has any.
+    /// [`Case::resolved`](crate::model::Case::resolved) with the sweeps of the case under `sweep`, where it has any.
     pub fn resolved(&self) -> Json {
         let mut json = self.case.resolved();
         if !self.sweeps.is_empty() {

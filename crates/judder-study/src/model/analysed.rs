@@ -2,7 +2,7 @@
 
 use super::{OperatingQuantity, Place, Refusal, Task};
 use crate::case::analysis::{AsAny, Planned, names};
-use crate::case::file::CaseFile;
+use crate::case::text::CaseText;
 use crate::error::StudyError;
 use crate::outcome::Outcome;
 use dyn_clone::DynClone;
@@ -174,7 +174,7 @@ impl<C: Analysed> Analyses for C {
 /// The analyses of a case that are wanted, by their names, each with its place in the case file.
 pub fn wanted<'a, C: Analysed>(
     case: &'a C,
-    file: &'a CaseFile,
+    file: &'a CaseText,
     is_wanted: &'a dyn Fn(&str) -> bool,
 ) -> impl Iterator<Item = (Place<'a>, &'a C::Asked)> {
     let placed = move |(index, own): (usize, &'a Planned<Arc<C::Asked>>)| {

@@ -1,10 +1,10 @@
 //! The analyses of a case, one at a time, from where an interrupted run has left it.
 
-use crate::case::file::{Case, CaseFile};
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::kept::{Kept, Place};
 use crate::ledger::VERSION;
-use crate::model::{Prepared, Task, placed};
+use crate::model::{Case, Prepared, Task, placed};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use judder_store::{Scratch, StudyFolder, content_hash};
@@ -48,7 +48,7 @@ impl AnalysisRunner<'_> {
         let task = Task { shared: of_shared, own, ..Task::alone(self.prepared, progress) };
         let outcome = file.case.run(index, task);
         progress.end();
-        Ok((outcome.map_err(|error| placed(error, file, index)), scratch))
+        Ok((outcome.map_err(|error| placed(error, &*file.case, file, index)), scratch))
     }
 
     /// Forgets what they share once no analysis needs it.

@@ -1,12 +1,13 @@
 //! What a run is asked for, and under which hash each result of it stands.
 
 use super::RunOptions;
-use crate::case::file::{Case, CaseFile};
+use crate::case::file::CaseFile;
 use crate::case::study_sweep::StudySweep;
 use crate::case::study_sweep::quantity_path::QuantitySource;
 use crate::error::StudyError;
 use crate::input_file::KnownFile;
 use crate::ledger::VERSION;
+use crate::model::Case;
 use crate::sweep::SweepPlan;
 use judder_store::{StudyFolder, content_hash};
 use serde_json::{Value, json};

@@ -190,7 +190,8 @@ impl<'a> Evaluator<'a> {
                 Err(error) if is_passing(&error) => return Err(error),
                 // the quantities of the others stand
                 Err(error) => {
-                    told.missing.push(format!("{name}: {}", self::told(&placed(error, &file, index))));
+                    told.missing
+                        .push(format!("{name}: {}", self::told(&placed(error, &*file.case, &file, index))));
                 }
             }
         }

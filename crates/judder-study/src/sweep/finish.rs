@@ -205,5 +205,6 @@ fn told_of_law(plan: &SweepPlan, progress: &dyn Progress) -> Result<Vec<String>,
     {
         return points.told(&plan.sweep);
     }
-    Ok(model.told_of_sweep(&plan.file, &plan.sweep).into_iter().collect())
+    let at = |values: &[f64]| plan.file.at(&plan.sweep, values).ok().map(|file| file.case);
+    Ok(model.told_of_sweep(&plan.sweep, &at).into_iter().collect())
 }

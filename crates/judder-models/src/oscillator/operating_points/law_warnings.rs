@@ -9,8 +9,8 @@ use crate::oscillator::quasi_steady::{self, Condition};
 use crate::oscillator::steady_states::{SteadyState, validity_warnings};
 use crate::within_law::MARGINAL;
 use judder_oscillator::within_law::WithinLaw;
-use judder_study::case::file::CaseFile;
 use judder_study::case::study_sweep::StudySweep;
+use judder_study::model::Case;
 
 /// How the law is doubtful at some points, evenly over the sweep.
 ///
@@ -54,7 +54,7 @@ pub(super) fn law_warnings(set: &OfOneLaw, sweep: &StudySweep) -> Result<Vec<Str
 }
 
 /// That eq. (3) is broken at some of the points, evenly over the sweep, of a case that is read anew at each.
-pub(crate) fn read_anew(file: &CaseFile, sweep: &StudySweep) -> Option<String> {
+pub(crate) fn read_anew(sweep: &StudySweep, case_at: &dyn Fn(&[f64]) -> Option<Case>) -> Option<String> {
     /// As many as are looked at: each reads the case, and a substrate that moves.
     const LOOKED: u64 = 16;
     let points = sweep.points();
@@ -62,8 +62,8 @@ pub(crate) fn read_anew(file: &CaseFile, sweep: &StudySweep) -> Option<String> {
     let at = |k: u64| {
         let number =
             if looked > 1 { u128::from(k) * u128::from(points - 1) / u128::from(looked - 1) } else { 0 };
-        let file = file.at(sweep, &sweep.values_of(number as u64)).ok()?;
-        let case = bridge::with_material(file.case.of()?).ok()?;
+        let case = case_at(&sweep.values_of(number as u64))?;
+        let case = bridge::with_material(case.of()?).ok()?;
         Condition::at(&case.inputs, None, &quasi_steady::terms(&case).ok()?)
     };
     let conditions = (0..looked).filter_map(at);

@@ -23,9 +23,8 @@ use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::Contact;
 use judder_study::Progress;
 use judder_study::StudyError;
-use judder_study::case::file::Case;
 use judder_study::case::study_sweep::{StudySweep, SweptKey};
-use judder_study::model::{OperatingPoints, OperatingQuantity, OperatingWork};
+use judder_study::model::{Case, OperatingPoints, OperatingQuantity, OperatingWork};
 use quantities::PointState;
 
 /// Points at which law and material are what they are: the swept keys are set in the inputs of the case.

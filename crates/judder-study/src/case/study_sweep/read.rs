@@ -11,8 +11,9 @@ use super::read_axis::{Axis, PlacedKey, read_axes, refuse, refuse_repeated_keys}
 use super::trial::try_values;
 use super::{Design, SEEDS, Sensitivity, StudySweep, SweptKey, SweptValues};
 use crate::case::analysis::is_file_name;
-use crate::case::file::{Case, CaseTree};
 use crate::case::key_sweep::AnyNumber;
+use crate::case::tree::CaseTree;
+use crate::model::Case;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{
     Allowed, Setting, Settings, Several, Whole, all, both, of_nothing, read_settings,

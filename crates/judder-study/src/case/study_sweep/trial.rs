@@ -2,8 +2,9 @@
 
 use super::problem::SweepProblem;
 use super::{StudySweep, SweptKey, SweptValues};
-use crate::case::file::{Case, CaseTree};
 use crate::case::key_sweep::written;
+use crate::case::tree::CaseTree;
+use crate::model::Case;
 use judder_keys::cause::Cause;
 use judder_keys::document::Node;
 use judder_keys::error::{Fault, Place};

@@ -132,7 +132,7 @@ pub fn worded(model: &str) -> Vec<Listed> {
 /// The reference page of the book, as Markdown.
 #[must_use]
 pub fn reference() -> String {
-    reference::reference(REGISTRY)
+    reference::reference(REGISTRY, sweep::REFERENCE)
 }
 
 #[cfg(test)]

@@ -7,6 +7,9 @@ use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::map::DecisionMethod;
 use judder_study::case::scale::{Scale, spaced};
 
+/// What the book's reference says of them.
+pub(crate) const REFERENCE: &str = include_str!("sweep/reference.md");
+
 /// One key over a range: at least two points, both ends among them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep<K> {

@@ -1,8 +1,7 @@
 //! The analyses of a case, run in no study folder.
 
 use crate::error::StudyError;
-use crate::model::Case;
-use crate::model::{MotionBlock, Prepared, Task};
+use crate::model::{Case, Prepared, SampleBlock, Task};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 
@@ -30,7 +29,7 @@ pub(crate) fn run_alone(
     case.run(index, Task::alone(prepared, progress))
 }
 
-/// Runs the analysis at `index` of a case as [`run`] does; one of kind `motion` hands its samples to `watch` while it is computed.
+/// Runs the analysis at `index` of a case as [`run`] does; one that shows samples hands them to `watch` while it is computed.
 ///
 /// # Errors
 /// As [`run`].
@@ -38,7 +37,7 @@ pub fn run_watched(
     case: &Case,
     index: usize,
     progress: &dyn Progress,
-    watch: &mut dyn FnMut(MotionBlock),
+    watch: &mut dyn FnMut(SampleBlock),
 ) -> Result<Outcome, StudyError> {
     let prepared = case.prepared()?;
     case.run(index, Task { watch: Some(watch), ..Task::alone(&prepared, progress) })

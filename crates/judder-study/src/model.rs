@@ -170,15 +170,15 @@ pub enum OperatingWork {
     Point,
 }
 
-/// Samples of a motion, one behind the other on its grid of time.
+/// Samples that an analysis shows while it runs, one behind the other: the arrays of its dataset, as far as they go.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct MotionBlock {
-    /// θ = ω_nx t; the belt's own time.
+pub struct SampleBlock {
+    /// Where the samples lie, in time as the dataset has it.
     pub time: Vec<f64>,
-    /// Each coordinate with its name in the dataset and its values: `x`, `y`, `velocity_x`, `velocity_y`; without `y` on the belt.
-    pub coordinates: Vec<(&'static str, Vec<f64>)>,
-    /// 0 stick, 1 slip, 2 slip ahead, 3 lift-off.
-    pub contact_state: Vec<u8>,
+    /// Each number of a sample with its name in the dataset and its values.
+    pub numbers: Vec<(&'static str, Vec<f64>)>,
+    /// The class of each sample, by its code in the dataset.
+    pub classes: Vec<u8>,
 }
 
 /// How an analysis is run.
@@ -191,8 +191,8 @@ pub struct Task<'a> {
     pub own: Kept<'a>,
     /// Who is told how far it is, and may stop it.
     pub progress: &'a dyn Progress,
-    /// Who sees the samples of a motion while it is computed.
-    pub watch: Option<&'a mut dyn FnMut(MotionBlock)>,
+    /// Who sees samples while they are computed.
+    pub watch: Option<&'a mut dyn FnMut(SampleBlock)>,
 }
 
 impl<'a> Task<'a> {

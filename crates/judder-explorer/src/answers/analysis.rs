@@ -12,7 +12,7 @@ use axum::extract::State;
 use axum::response::Response;
 use judder_study::Progress;
 use judder_study::analyses;
-use judder_study::model::MotionBlock;
+use judder_study::model::SampleBlock;
 use judder_study::outcome::{CheckRecord, Outcome};
 use serde_json::{Value, json};
 use std::sync::Arc;
@@ -26,7 +26,7 @@ pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) ->
 pub(crate) async fn stream(
     site: &Site,
     view: View,
-    watch: impl Fn(&Reporter, MotionBlock) + Send + 'static,
+    watch: impl Fn(&Reporter, SampleBlock) + Send + 'static,
 ) -> Result<Response, Refusal> {
     view.check()?;
     if view.analysis.is_none() {

@@ -10,18 +10,18 @@ use axum::extract::State;
 use axum::response::Response;
 use judder_oscillator::motion::ContactState;
 use judder_store::Variable;
-use judder_study::model::MotionBlock;
+use judder_study::model::SampleBlock;
 
 /// Answers `/api/motion`.
 pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) -> Result<Response, Refusal> {
     analysis::stream(&site, view, |reporter, block| reporter.send(frame(block))).await
 }
 
-fn frame(block: MotionBlock) -> Frame {
-    let MotionBlock { time, coordinates, contact_state } = block;
+fn frame(block: SampleBlock) -> Frame {
+    let SampleBlock { time, numbers, classes } = block;
     let over = |name: &str, values: Vec<f64>| Variable::new(name, &["time"], &[values.len()], values);
     let frame = Frame::new("block").array(&Variable::coordinate("time", time).units("1"));
-    let frame = coordinates.into_iter().fold(frame, |frame, (name, values)| frame.array(&over(name, values)));
-    let shape = [contact_state.len()];
-    frame.array(&Variable::classes("contact_state", &["time"], &shape, contact_state, &ContactState::CODES))
+    let frame = numbers.into_iter().fold(frame, |frame, (name, values)| frame.array(&over(name, values)));
+    let shape = [classes.len()];
+    frame.array(&Variable::classes("contact_state", &["time"], &shape, classes, &ContactState::CODES))
 }

@@ -20,7 +20,7 @@ pub(super) struct Erring {
 
 /// What is told of a curve besides the errors themselves.
 #[derive(Results)]
-struct ToldErrors {
+struct MarginalWithinLaw {
     marginal_within_law: Vec<Option<bool>>,
 }
 
@@ -28,7 +28,7 @@ impl Erring {
     /// The keys that [`add`] adds to the summary of a curve, if its law has errors.
     pub(super) fn keys(&self) -> Vec<Declared> {
         let errors = Declared { is_optional: true, ..Declared::new(self.name, Vec::<f64>::kind()) };
-        [vec![errors], Option::<ToldErrors>::declared()].concat()
+        [vec![errors], Option::<MarginalWithinLaw>::declared()].concat()
     }
 }
 
@@ -56,7 +56,7 @@ pub(super) fn add(
     let add = |scalars: &mut Map<String, Value>, curve: &[Option<(f64, bool)>]| {
         scalars.insert(erring.name.to_owned(), curve.iter().map(error).collect());
         let marginal_within_law = curve.iter().map(|within| within.map(|(_, open)| open)).collect();
-        scalars.extend(ToldErrors { marginal_within_law }.scalars());
+        scalars.extend(MarginalWithinLaw { marginal_within_law }.scalars());
     };
     outcome.add_to_curves(within.chunks(axis.values.len().max(1)), add);
     let (dimensions, shape) = curves.dimensions(axis, &[]);

@@ -7,7 +7,7 @@ mod search;
 pub(super) use fold_check::fold_check;
 pub(super) use own_branch::OwnBranch;
 pub(crate) use search::NOT_KNOWN;
-pub(super) use search::{Search, TOLD, ToldBasin, ToldSearch};
+pub(super) use search::{Search, TOLD, ToldSearch, ToldStarts};
 
 use crate::bridge;
 use crate::oscillator::inputs::OscillatorInputs;

@@ -12,7 +12,7 @@ use judder_models::{ModelError, bridge, point};
 use judder_store::{Data, Dataset};
 use judder_study::analyses::{self, run_watched};
 use judder_study::case::file::CaseFile;
-use judder_study::model::MotionBlock;
+use judder_study::model::SampleBlock;
 use judder_study::{Progress, Silent, StudyError};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::SystemTime;
@@ -130,7 +130,7 @@ fn a_watched_motion_is_the_motion() {
     {
         let case = parsed(text).case;
         let alone = analyses::run(&case, 0, &Silent).unwrap();
-        let mut blocks: Vec<MotionBlock> = Vec::new();
+        let mut blocks: Vec<SampleBlock> = Vec::new();
         let watched = run_watched(&case, 0, &Silent, &mut |block| blocks.push(block)).unwrap();
         assert_eq!(alone.scalars, watched.scalars);
         assert!(blocks.len() >= 3 && blocks.iter().all(|block| (1..=4096).contains(&block.time.len())));
@@ -138,14 +138,14 @@ fn a_watched_motion_is_the_motion() {
         assert_eq!(bits(&times), bits(floats(&alone.dataset, "time")));
         for (k, name) in names.iter().enumerate() {
             let values = blocks.iter().flat_map(|block| {
-                assert_eq!(block.coordinates[k].0, *name);
-                block.coordinates[k].1.iter().copied()
+                assert_eq!(block.numbers[k].0, *name);
+                block.numbers[k].1.iter().copied()
             });
             let values: Vec<f64> = values.collect();
             assert_eq!(bits(&values), bits(floats(&alone.dataset, name)));
             assert_eq!(bits(&values), bits(floats(&watched.dataset, name)));
         }
-        let states: Vec<u8> = blocks.iter().flat_map(|block| block.contact_state.iter().copied()).collect();
+        let states: Vec<u8> = blocks.iter().flat_map(|block| block.classes.iter().copied()).collect();
         assert_eq!(Data::U8(states), alone.dataset.variable("contact_state").unwrap().data);
     }
 }

@@ -9,8 +9,8 @@ use judder_keys::declared::Settings;
 use judder_keys::reference::{settings, table, without_repetition};
 use judder_numerics::sampling::sobol::DIMENSIONS_LIMIT;
 
-/// The page, as Markdown.
-pub fn reference(registry: Registry) -> String {
+/// The page, as Markdown; `within` tells of the sweeps within analyses.
+pub fn reference(registry: Registry, within: &str) -> String {
     let mut page = String::from(
         "# Case files\n\n\
          A case is a TOML file. A plain number is the paper's dimensionless group, a string carries a unit (`\"30 mm/s\"`, `\"0.2 N\"`, `\"1 MPa\"`, \
@@ -20,10 +20,7 @@ pub fn reference(registry: Registry) -> String {
     for model in registry.models() {
         page += &section(model);
     }
-    page += "\nA sweep within an analysis is `{ key = \"operation.velocity\", from = 1e-8, to = 1e2, points = 21, scale = \"log\" }` (`scale` is `linear` where left out), a \
-             `family` is `{ key = \"…\", values = [ … ] }`, one curve a value, and `within` is `{ from = 1e-6, to = 1e3 }`. `method` is `adaptive` (the \
-             default) or `every-point`; `boundaries = false` leaves the curves out.\n";
-    page + &sweeps()
+    page + "\n" + within + &sweeps()
 }
 
 /// The section on sweeps of the whole case.

@@ -155,14 +155,14 @@ pub(super) struct ToldLaw {
     /// E∞/E0
     contrast: f64,
     mean_retardation_time_second: f64,
-    interpolation_error: ToldErrors,
-    solver_error: ToldErrors,
+    interpolation_error: RelativeErrors,
+    solver_error: RelativeErrors,
     levels: Vec<ToldLevel>,
 }
 
 /// The errors of a law, relative.
 #[derive(Results)]
-struct ToldErrors {
+struct RelativeErrors {
     force: f64,
     area: f64,
     friction: f64,
@@ -173,11 +173,11 @@ struct ToldErrors {
 struct ToldLevel {
     columns: usize,
     rows: usize,
-    along_speed: ToldErrors,
-    along_indentation: ToldErrors,
+    along_speed: RelativeErrors,
+    along_indentation: RelativeErrors,
 }
 
-impl ToldErrors {
+impl RelativeErrors {
     fn new(PerQuantity { force, area, friction }: PerQuantity<f64>) -> Self {
         Self { force, area, friction }
     }
@@ -197,8 +197,8 @@ fn told(
     let levels = computed.levels.iter().map(|level| ToldLevel {
         columns: level.columns,
         rows: level.rows,
-        along_speed: ToldErrors::new(level.along_speed),
-        along_indentation: ToldErrors::new(level.along_indentation),
+        along_speed: RelativeErrors::new(level.along_speed),
+        along_indentation: RelativeErrors::new(level.along_indentation),
     });
     ToldLaw {
         law_file: file.to_owned(),
@@ -208,8 +208,8 @@ fn told(
         converged: meets(errors, accuracy),
         contrast: scales.material.spectrum.contrast(),
         mean_retardation_time_second: scales.time,
-        interpolation_error: ToldErrors::new(errors.interpolation),
-        solver_error: ToldErrors::new(errors.solver),
+        interpolation_error: RelativeErrors::new(errors.interpolation),
+        solver_error: RelativeErrors::new(errors.solver),
         levels: levels.collect(),
     }
 }

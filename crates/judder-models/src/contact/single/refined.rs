@@ -46,12 +46,12 @@ pub(super) struct ToldContact {
     products: usize,
     residual: f64,
     converged: bool,
-    errors: ToldErrors,
+    errors: ContactErrors,
 }
 
 /// How far each result may be off.
 #[derive(Results)]
-struct ToldErrors {
+struct ContactErrors {
     force: f64,
     area: f64,
     friction: f64,
@@ -90,7 +90,7 @@ impl Refined<'_> {
             products: sum(|level| level.products),
             residual: r.levels.last().map_or(f64::NAN, |level| level.residual),
             converged: self.converged,
-            errors: ToldErrors {
+            errors: ContactErrors {
                 force: r.force.error,
                 area: r.area.error,
                 friction: r.friction.error,

@@ -12,7 +12,7 @@ use judder_oscillator::motion::history::{
 use judder_oscillator::motion::{ContactState, SlidingSystem};
 use judder_store::{Dataset, Declared, Results, Table, Variable};
 use judder_study::Progress;
-use judder_study::model::MotionBlock;
+use judder_study::model::SampleBlock;
 use judder_study::outcome::{CheckRecord, Outcome};
 
 /// What the works may leave of the change of energy, over the largest of them.
@@ -28,7 +28,7 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     model: &M,
     asked: &HistorySettings,
     progress: &dyn Progress,
-    watch: Option<&mut dyn FnMut(MotionBlock)>,
+    watch: Option<&mut dyn FnMut(SampleBlock)>,
 ) -> Result<Outcome, ModelError> {
     let operating = model.operating(None)?;
     let [duration, transient] = [asked.duration, asked.transient].map(|time| operating.time(time));
@@ -79,14 +79,14 @@ pub(crate) struct ToldMotion {
     /// of the contact state
     changes: usize,
     steps: usize,
-    energy: ToldEnergy,
+    energy: EnergyBalance,
     #[result(optional)]
     quasi_steady: Option<ToldMemory>,
 }
 
 /// Where energy came from and went, in units of k_x x0².
 #[derive(Results)]
-struct ToldEnergy {
+struct EnergyBalance {
     substrate: f64,
     sliding: f64,
     friction: f64,
@@ -157,9 +157,9 @@ fn period<const N: usize>(
     })
 }
 
-fn energy<const N: usize>(history: &MotionHistory<N>) -> ToldEnergy {
+fn energy<const N: usize>(history: &MotionHistory<N>) -> EnergyBalance {
     let work = &history.measures.work;
-    ToldEnergy {
+    EnergyBalance {
         substrate: work.substrate,
         sliding: work.friction - work.substrate,
         friction: work.friction,

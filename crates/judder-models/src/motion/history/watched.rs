@@ -2,7 +2,7 @@
 
 use crate::motion::model::Moving;
 use judder_oscillator::motion::history::StateSample;
-use judder_study::model::MotionBlock;
+use judder_study::model::SampleBlock;
 use std::marker::PhantomData;
 use std::mem;
 use std::time::{Duration, Instant};
@@ -14,27 +14,27 @@ const PATIENCE: Duration = Duration::from_millis(40);
 
 /// Collects samples, and shows them when there are many or the last were shown long ago.
 pub(super) struct Blocks<'a, M, const N: usize> {
-    block: MotionBlock,
+    block: SampleBlock,
     shown: Instant,
-    show: &'a mut dyn FnMut(MotionBlock),
+    show: &'a mut dyn FnMut(SampleBlock),
     model: PhantomData<M>,
 }
 
 impl<'a, M: Moving<N>, const N: usize> Blocks<'a, M, N> {
-    pub(super) fn new(show: &'a mut dyn FnMut(MotionBlock)) -> Self {
+    pub(super) fn new(show: &'a mut dyn FnMut(SampleBlock)) -> Self {
         Self { block: Self::empty(), shown: Instant::now(), show, model: PhantomData }
     }
 
-    fn empty() -> MotionBlock {
-        let coordinates = M::COORDINATES.map(|coordinate| (coordinate.name, Vec::new())).to_vec();
-        MotionBlock { coordinates, ..MotionBlock::default() }
+    fn empty() -> SampleBlock {
+        let numbers = M::COORDINATES.map(|coordinate| (coordinate.name, Vec::new())).to_vec();
+        SampleBlock { numbers, ..SampleBlock::default() }
     }
 
     pub(super) fn add(&mut self, samples: &[StateSample<N>]) {
         for sample in samples {
             self.block.time.push(sample.time);
-            self.block.contact_state.push(sample.contact_state.number());
-            for ((_, values), value) in self.block.coordinates.iter_mut().zip(sample.state) {
+            self.block.classes.push(sample.contact_state.number());
+            for ((_, values), value) in self.block.numbers.iter_mut().zip(sample.state) {
                 values.push(value);
             }
             if self.block.time.len() == BLOCK {

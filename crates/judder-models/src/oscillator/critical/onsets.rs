@@ -3,7 +3,7 @@
 use super::found::Found;
 use crate::axis::Curves;
 use crate::error::ModelError;
-use crate::oscillator::margins::{self, Margin, Onset, TOLD, ToldBasin, ToldSearch};
+use crate::oscillator::margins::{self, Margin, Onset, TOLD, ToldSearch, ToldStarts};
 use judder_store::{Dataset, Declared, Table, Told, Variable};
 use judder_study::axis::Axis;
 use serde_json::{Map, Value};
@@ -109,7 +109,7 @@ fn branch_end(onset: &Onset) -> Option<&str> {
 pub(super) fn keys(global_margin: bool) -> Vec<Declared> {
     let word = |name: &'static str| (name, String::kind());
     let of_margin =
-        [word("branch_end"), word("told"), ("search", ToldSearch::kind()), ("basin", ToldBasin::kind())];
+        [word("branch_end"), word("told"), ("search", ToldSearch::kind()), ("basin", ToldStarts::kind())];
     let numbers = numbers(global_margin).map(|entry| (entry.name, f64::kind()));
     let all = [word("criticality"), word("stable_side")].into_iter().chain(numbers);
     let all = all.chain(of_margin.into_iter().filter(|_| global_margin));

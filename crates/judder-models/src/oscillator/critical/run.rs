@@ -124,7 +124,7 @@ fn at_point(
 
 /// What is told of the thresholds of a curve, a list of them a value.
 #[derive(Results)]
-struct ToldCurve {
+struct ThresholdCurve {
     value: Vec<f64>,
     full: Vec<Vec<f64>>,
     conservative: Vec<Vec<f64>>,
@@ -138,7 +138,8 @@ struct ToldRange {
 
 /// The keys of the summary.
 pub(super) fn summary_keys(settings: &CriticalThresholds) -> Vec<Declared> {
-    let curve = [ToldCurve::declared(), onsets::keys(settings.global_margin), within_law::keys()].concat();
+    let curve =
+        [ThresholdCurve::declared(), onsets::keys(settings.global_margin), within_law::keys()].concat();
     [keys_of_curves(settings.family.is_some(), curve), ToldRange::declared()].concat()
 }
 
@@ -163,7 +164,7 @@ fn assemble(
             curve.iter().map(|found| pick(&found.thresholds).clone()).collect::<Vec<_>>()
         };
         let (full, conservative) = (list(|t| &t.full), list(|t| &t.conservative));
-        let mut scalars = ToldCurve { value: axis.values.clone(), full, conservative }.scalars();
+        let mut scalars = ThresholdCurve { value: axis.values.clone(), full, conservative }.scalars();
         onsets::add_scalars(&mut scalars, curve, global_margin);
         scalars
     });

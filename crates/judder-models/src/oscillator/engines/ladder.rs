@@ -67,7 +67,7 @@ pub(super) struct Row {
 
 /// What is told of the points of an engine.
 #[derive(Results)]
-pub(super) struct ToldErrors {
+pub(super) struct ToldConvergence {
     rms_error: Vec<f64>,
     period_error: Vec<f64>,
     /// points on the same cycle
@@ -113,11 +113,11 @@ impl Ladder {
         Some(Convergence { points, order: covariance / variance, extrapolated })
     }
 
-    pub(super) fn told(&self, reference: [f64; 2]) -> ToldErrors {
+    pub(super) fn told(&self, reference: [f64; 2]) -> ToldConvergence {
         let convergence = self.convergence(reference);
         let errors = self.errors(reference);
         let column = |k: usize| errors.iter().map(|errors| errors[k]).collect();
-        ToldErrors {
+        ToldConvergence {
             rms_error: column(0),
             period_error: column(1),
             points: convergence.as_ref().map_or(0, |c| c.points),

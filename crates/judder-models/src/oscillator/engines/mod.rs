@@ -20,7 +20,7 @@ use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
-use run::ToldCycle;
+use run::ToldEngines;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
@@ -43,7 +43,7 @@ impl Analysis<OscillatorCase> for EnginesSettings {
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
-        ToldCycle::declared()
+        ToldEngines::declared()
     }
 
     fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

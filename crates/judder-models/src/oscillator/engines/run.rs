@@ -1,6 +1,6 @@
 //! `engines`: the cycle that a motion settles to, by events, by time-stepping and with a smoothed sign.
 
-use super::ladder::{self, Engine, Ladder, ToldErrors};
+use super::ladder::{self, Engine, Ladder, ToldConvergence};
 use super::reached::{BECOMES, LOST, PERIODS, Reached};
 use crate::error::ModelError;
 use crate::motion::limit_cycle::shooting;
@@ -152,7 +152,7 @@ fn outcome(cycle: &Cycle<4>, ladders: &[Ladder; 2], typical: &Reached) -> Result
         warnings.extend(ladder.warnings(reference));
     }
     let [by_steps, by_widths] = ladders;
-    let told = ToldCycle {
+    let told = ToldEngines {
         rms: reference[0],
         period: reference[1],
         oscillations: cycle.oscillations,
@@ -196,7 +196,7 @@ fn outcome(cycle: &Cycle<4>, ladders: &[Ladder; 2], typical: &Reached) -> Result
 
 /// What is told of the cycle, and of what other engines find.
 #[derive(Results)]
-pub(super) struct ToldCycle {
+pub(super) struct ToldEngines {
     rms: f64,
     period: f64,
     oscillations: usize,
@@ -215,7 +215,7 @@ pub(super) struct ToldCycle {
 struct ToldSteps {
     time_step: Vec<f64>,
     #[result(flatten)]
-    errors: ToldErrors,
+    errors: ToldConvergence,
 }
 
 /// An engine along its widths.
@@ -223,7 +223,7 @@ struct ToldSteps {
 struct ToldWidths {
     width: Vec<f64>,
     #[result(flatten)]
-    errors: ToldErrors,
+    errors: ToldConvergence,
 }
 
 /// An engine with one width.

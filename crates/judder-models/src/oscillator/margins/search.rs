@@ -7,7 +7,7 @@ use judder_study::Progress;
 
 /// What a search tells of the stable points beyond all that is known.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Told {
+pub(crate) enum BeyondBranch {
     /// No start moved at the places that were looked at.
     NoneMoved = 1,
     /// Steady sliding is not stable there.
@@ -21,14 +21,14 @@ pub(crate) enum Told {
 /// Each in words, by its number in stored results; 0 where there is no threshold.
 pub(crate) const TOLD: [(u8, &str); 5] = [
     (0, "none"),
-    (Told::NoneMoved as u8, "no start moved beyond"),
-    (Told::NotStable as u8, "steady sliding is not stable beyond"),
-    (Told::RangeEnds as u8, "the range ends beyond"),
+    (BeyondBranch::NoneMoved as u8, "no start moved beyond"),
+    (BeyondBranch::NotStable as u8, "steady sliding is not stable beyond"),
+    (BeyondBranch::RangeEnds as u8, "the range ends beyond"),
     (NOT_KNOWN, "not known beyond"),
 ];
 
 /// The number of a threshold beyond which nothing is known.
-pub(crate) const NOT_KNOWN: u8 = Told::Open as u8;
+pub(crate) const NOT_KNOWN: u8 = BeyondBranch::Open as u8;
 
 /// Motions beyond the threshold's own branch, in values of the quantity.
 pub(crate) struct Search {
@@ -42,7 +42,7 @@ pub(crate) struct Search {
     pub(crate) quiet_to: Option<f64>,
     /// How often a new motion moved the limit.
     pub(crate) moves: usize,
-    pub(crate) told: Told,
+    pub(crate) told: BeyondBranch,
     /// What became of starts a little before the farthest.
     before: Option<Look>,
     beyond: Vec<Look>,
@@ -52,7 +52,7 @@ pub(crate) struct Search {
 
 impl Search {
     /// Nothing was sought beyond a value up to which motions are known.
-    fn none(known_to: f64, told: Told, stopped: Option<String>) -> Self {
+    fn none(known_to: f64, told: BeyondBranch, stopped: Option<String>) -> Self {
         Self {
             known_to,
             farthest: known_to,
@@ -72,17 +72,17 @@ impl Search {
     }
 
     /// The basin a little before the farthest: where, how many starts, and what became of them.
-    pub(crate) fn basin(&self) -> Option<ToldBasin> {
+    pub(crate) fn basin(&self) -> Option<ToldStarts> {
         self.before.map(|look| {
             let Look { parameter, starts, moved, undecided } = look;
-            ToldBasin { value: parameter, starts, moving: moved, undecided }
+            ToldStarts { value: parameter, starts, moving: moved, undecided }
         })
     }
 
     /// Why nothing is known beyond; `None` where something is.
     pub(crate) fn why_open(&self) -> Option<String> {
         let undecided: usize = self.beyond.iter().map(|look| look.undecided).sum();
-        (self.told == Told::Open).then(|| match &self.stopped {
+        (self.told == BeyondBranch::Open).then(|| match &self.stopped {
             Some(reason) => format!("the search was not begun: {reason}"),
             None if undecided > 0 => format!("what becomes of {undecided} starts is not confirmed"),
             None => format!("each of {} rounds found a new motion", self.moves),
@@ -102,9 +102,9 @@ impl Search {
     }
 }
 
-/// What is told of a basin.
+/// What is told of starts a little before the farthest motion.
 #[derive(Results)]
-pub(crate) struct ToldBasin {
+pub(crate) struct ToldStarts {
     /// where the starts were followed
     value: f64,
     starts: usize,
@@ -125,7 +125,7 @@ pub(crate) struct ToldSearch {
     stopped: Option<String>,
 }
 
-impl Told {
+impl BeyondBranch {
     fn of(found: &Exploration, meets_threshold: bool) -> Self {
         let is_quiet = found.beyond.iter().all(Look::is_quiet);
         match found.end {
@@ -155,7 +155,7 @@ impl Crossing<'_> {
         let known_to = own.and_then(|own| own.fold.or(own.reaches)).unwrap_or(onset.threshold);
         let is_over = next.is_some_and(|next| (known_to - next) * onset.stable_side >= 0.0);
         if is_over || own.is_some_and(|own| own.meets_threshold) {
-            return Search::none(known_to, Told::NotStable, None);
+            return Search::none(known_to, BeyondBranch::NotStable, None);
         }
         let explored = self.continuation(onset).and_then(|all| {
             let mut options = all;
@@ -168,7 +168,7 @@ impl Crossing<'_> {
         });
         match explored {
             Ok(found) => self.in_values(onset, next, &found),
-            Err(error) => Search::none(known_to, Told::Open, Some(error.to_string())),
+            Err(error) => Search::none(known_to, BeyondBranch::Open, Some(error.to_string())),
         }
     }
 
@@ -202,7 +202,7 @@ impl Crossing<'_> {
             is_at_end,
             quiet_to: found.quiet_to().map(value),
             moves: found.moves,
-            told: Told::of(found, next.is_some()),
+            told: BeyondBranch::of(found, next.is_some()),
             before: found.before.as_ref().map(look),
             beyond: found.beyond.iter().map(look).collect(),
             stopped: None,

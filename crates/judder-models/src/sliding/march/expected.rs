@@ -50,7 +50,7 @@ pub(super) fn zone_of(
 
 /// A zone for the summary.
 #[derive(Results)]
-pub(super) struct ToldZone {
+pub(super) struct ToldAmplification {
     from_m: f64,
     to_m: f64,
     frequency_hz: f64,
@@ -60,7 +60,7 @@ pub(super) struct ToldZone {
     error: f64,
 }
 
-impl ToldZone {
+impl ToldAmplification {
     pub(super) fn new(own: &Amplification) -> Self {
         Self {
             from_m: own.zone.from,

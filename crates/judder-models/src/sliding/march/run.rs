@@ -3,7 +3,7 @@
 use super::blocks::Marching;
 use super::loudness::loudness;
 use super::samples::{Finished, Samples};
-use super::summary::Told;
+use super::summary::EndedMarch;
 use super::{Marched, expected, sampling, signals, sound};
 use crate::error::ModelError;
 use crate::sliding::case::signals::Sound;
@@ -40,7 +40,7 @@ pub(crate) fn run(of: &Marched<'_>, kept: Kept<'_>, progress: &dyn Progress) -> 
     let zones = expected::zones(of);
     let promised = zones.as_deref().unwrap_or_default();
     let loud = loudness(&samples, *asked.signal, points, of.motion.settled(), sample_rate, promised)?;
-    let told = Told {
+    let told = EndedMarch {
         of,
         chosen,
         steps: march.steps(),

@@ -2,7 +2,7 @@
 
 use super::Marched;
 use super::blocks::Way;
-use super::expected::ToldZone;
+use super::expected::ToldAmplification;
 use super::loudness::{Loudness, PlacedBurst};
 use super::signals::{unit, variable_name};
 use super::sound::ToldSound;
@@ -21,7 +21,7 @@ use judder_store::{Dataset, Declared, Results, Table, Variable};
 use std::f64::consts::TAU;
 
 /// A march that has ended, and what was found in it.
-pub(super) struct Told<'a> {
+pub(super) struct EndedMarch<'a> {
     pub(super) of: &'a Marched<'a>,
     pub(super) chosen: Step,
     /// Steps done.
@@ -32,7 +32,7 @@ pub(super) struct Told<'a> {
     pub(super) zones: &'a Result<Vec<Amplification>, SlidingError>,
 }
 
-impl Told<'_> {
+impl EndedMarch<'_> {
     /// What `summary.json` shows.
     pub(super) fn told(&self, sound: Option<Vec<ToldSound>>) -> ToldMarch {
         let asked = self.of.march;
@@ -61,7 +61,7 @@ impl Told<'_> {
             peak,
             peak_acceleration,
             predictor: asked.predictor.map(Predictor::name),
-            zones: self.zones.as_ref().ok().map(|zones| zones.iter().map(ToldZone::new).collect()),
+            zones: self.zones.as_ref().ok().map(|zones| zones.iter().map(ToldAmplification::new).collect()),
             ended: self.way.ended.as_ref().map(|ended| ToldEnd {
                 time_s: ended.time,
                 position_m: ended.position,
@@ -188,7 +188,7 @@ pub(super) struct ToldMarch {
     predictor: Option<&'static str>,
     /// the unstable zones on the way
     #[result(optional)]
-    zones: Option<Vec<ToldZone>>,
+    zones: Option<Vec<ToldAmplification>>,
     /// why it ended early
     #[result(optional)]
     ended: Option<ToldEnd>,

@@ -34,7 +34,7 @@ const BALANCE_LIMIT: f64 = 1e-9;
 const INEXACT: f64 = 1e-6;
 
 /// What is told of the modes that grow.
-pub(super) struct Told {
+pub(super) struct GrowingModes {
     pub(super) modes: Vec<Diagnosed>,
     pub(super) warnings: Vec<String>,
     pub(super) check: CheckRecord,
@@ -50,7 +50,7 @@ pub(super) struct Diagnosed {
     /// whether the energy of the mode is positive
     positive_energy: bool,
     /// the energy by which what matrices add is divided
-    energy: ToldEnergy,
+    energy: ModeEnergy,
     mode: usize,
     growth_rate: f64,
     frequency_hz: f64,
@@ -77,7 +77,7 @@ struct Fed {
 
 /// The energy of a mode.
 #[derive(Results)]
-struct ToldEnergy {
+struct ModeEnergy {
     sign: &'static str,
     /// what is left of its parts
     share: f64,
@@ -112,7 +112,7 @@ pub(super) fn of_growing(
     structure: &Structure,
     sought: &Region,
     found: &[ComplexMode],
-) -> Result<Option<Told>, ModelError> {
+) -> Result<Option<GrowingModes>, ModelError> {
     let mut growing: Vec<(usize, &ComplexMode)> = found
         .iter()
         .enumerate()
@@ -161,7 +161,7 @@ pub(super) fn of_growing(
             matrices: told.influences.iter().map(Fed::new).collect(),
             sum: told.influences.iter().map(|influence| influence.growth).sum(),
             positive_energy: told.energy.sign() == EnergySign::Positive,
-            energy: ToldEnergy {
+            energy: ModeEnergy {
                 sign: told.energy.sign().name(),
                 share: told.energy.share,
                 error: told.energy.error,
@@ -186,7 +186,7 @@ pub(super) fn of_growing(
         balance,
         BALANCE_LIMIT,
     );
-    Ok(Some(Told { modes: entries, warnings, check }))
+    Ok(Some(GrowingModes { modes: entries, warnings, check }))
 }
 
 /// A mode by its number and frequency.

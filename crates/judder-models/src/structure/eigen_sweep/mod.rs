@@ -14,7 +14,7 @@ use judder_structure::eigen_sweep::SweepMethod;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
-use run::{ToldCurve, ToldSweep};
+use run::{EigenvalueCurve, ToldSweep};
 use serde_json::{Map, Value as Json};
 use settings::EigenSweep;
 use std::sync::Arc;
@@ -43,7 +43,7 @@ impl Analysis<StructureCase> for EigenSweep {
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
-        let mut keys = keys_of_curves(self.family.is_some(), ToldCurve::declared());
+        let mut keys = keys_of_curves(self.family.is_some(), EigenvalueCurve::declared());
         keys.extend(ToldSweep::declared());
         keys
     }

@@ -151,7 +151,7 @@ pub(super) struct ToldSweep {
 
 /// What is told of one curve.
 #[derive(Results)]
-pub(super) struct ToldCurve {
+pub(super) struct EigenvalueCurve {
     /// the values of the parameter
     value: Vec<f64>,
     /// the eigenvalues at each
@@ -173,7 +173,7 @@ struct OnBranch {
     branch: usize,
 }
 
-impl ToldCurve {
+impl EigenvalueCurve {
     fn new(values: &[f64], sweep: &SweptEigenvalues) -> Self {
         let told = |own: &Tracked| OnBranch { mode: ToldMode::new(0, &own.eigenvalue), branch: own.branch };
         let is_unstable = |point: &PointEigenvalues| {
@@ -201,7 +201,7 @@ const ABSENT: u8 = 3;
 
 impl Run<'_> {
     fn scalars(&self) -> Map<String, Value> {
-        let curves = self.sweeps.iter().map(|sweep| ToldCurve::new(&self.axis.values, sweep).scalars());
+        let curves = self.sweeps.iter().map(|sweep| EigenvalueCurve::new(&self.axis.values, sweep).scalars());
         let mut scalars = self.curves.scalars(curves.collect());
         // one basis serves all curves
         let (basis, samples) =

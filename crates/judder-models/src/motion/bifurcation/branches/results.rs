@@ -47,7 +47,7 @@ struct PatternChange {
 }
 
 /// A cycle of a branch as results tell it; the Hopf point where a branch begins is the first, with no amplitude.
-struct Told {
+struct BranchCycle {
     value: f64,
     rms: f64,
     period: f64,
@@ -56,16 +56,16 @@ struct Told {
 }
 
 impl<const N: usize> DiagramBranch<N> {
-    fn told(&self) -> Vec<Told> {
+    fn told(&self) -> Vec<BranchCycle> {
         let first_stable = self.points.first().is_some_and(|point| point.cycle.is_stable());
-        let hopf = self.hopf.map(|(value, period)| Told {
+        let hopf = self.hopf.map(|(value, period)| BranchCycle {
             value,
             rms: 0.0,
             period,
             is_stable: first_stable,
             largest_multiplier: 1.0,
         });
-        let cycles = self.points.iter().map(|point| Told {
+        let cycles = self.points.iter().map(|point| BranchCycle {
             value: point.parameter,
             rms: point.cycle.around.measures.rms(),
             period: point.cycle.period(),
@@ -92,7 +92,7 @@ impl<const N: usize> DiagramBranch<N> {
 
     fn told_branch(&self) -> ToldBranch {
         let told = self.told();
-        let numbers = |of: fn(&Told) -> f64| told.iter().map(of).collect::<Vec<f64>>();
+        let numbers = |of: fn(&BranchCycle) -> f64| told.iter().map(of).collect::<Vec<f64>>();
         ToldBranch {
             from: self.from.clone(),
             oscillations: self.points.first().map(|point| point.cycle.oscillations),
@@ -163,13 +163,13 @@ impl<const N: usize> Branches<N> {
 
     /// The cycles of all branches, one branch after the other.
     fn cycle_arrays(&self) -> Vec<Variable> {
-        let told: Vec<(usize, Told)> = self
+        let told: Vec<(usize, BranchCycle)> = self
             .branches
             .iter()
             .enumerate()
             .flat_map(|(k, branch)| branch.told().into_iter().map(move |told| (k, told)))
             .collect();
-        let of = |pick: fn(&Told) -> f64| told.iter().map(|(_, t)| pick(t)).collect::<Vec<f64>>();
+        let of = |pick: fn(&BranchCycle) -> f64| told.iter().map(|(_, t)| pick(t)).collect::<Vec<f64>>();
         let point = "branch_point";
         let stable: Vec<u8> = told.iter().map(|(_, t)| u8::from(t.is_stable)).collect();
         let number: Vec<i64> = told.iter().map(|(k, _)| *k as i64).collect();

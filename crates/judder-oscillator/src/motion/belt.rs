@@ -1,8 +1,8 @@
 //! The mass on a belt: one degree of freedom, friction that falls with speed. The literature's benchmarks speak of it.
 
 use super::ContactState;
-use super::measures::Measures;
-use super::sliding_system::{Powers, SlidingSystem};
+use super::measures::{Measures, Powers};
+use super::sliding_system::SlidingSystem;
 use crate::OscillatorError;
 use judder_numerics::piecewise::tangent::{SquareMatrix, along_leg};
 use judder_numerics::piecewise::{Advance, Leg, MarchError, PiecewiseMarch, PiecewiseSmooth};
@@ -195,6 +195,6 @@ impl SlidingSystem<2> for BeltOscillator {
     }
 
     fn measure(&self, leg: &Leg<ContactState, 2>, centre: f64, measures: &mut Measures) {
-        measures.add(self, leg, centre);
+        measures.add(leg, centre, |state| self.powers(leg.mode, state));
     }
 }

@@ -1,13 +1,25 @@
 //! What a motion did over a time: averages, fractions, work.
 
 use super::ContactState;
-use super::sliding_system::{Powers, SlidingSystem};
 use judder_numerics::piecewise::Leg;
 use judder_numerics::quadrature::gauss_legendre;
 use std::sync::LazyLock;
 
 /// Exact for the squares of the quartics along a step.
 static NODES: LazyLock<[(f64, f64); 5]> = LazyLock::new(gauss_legendre::<5>);
+
+/// Where energy enters and leaves the oscillator, each as the power into it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Powers {
+    /// Of the friction force: what the moving substrate feeds in less what sliding costs.
+    pub friction: f64,
+    /// Of that what the moving substrate feeds in, F_μ v_d; the rest is lost where v_rel is not zero.
+    pub substrate: f64,
+    /// Of the substrate's normal force.
+    pub normal: f64,
+    /// Of the dampers, never positive.
+    pub damping: f64,
+}
 
 /// Integrals along a motion, added leg by leg.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,12 +53,13 @@ impl Default for Measures {
 }
 
 impl Measures {
-    /// Adds a leg; moments are taken about `centre`, which keeps the digits of a small motion about a distant place.
+    /// Adds a leg, with the powers in each of its states; moments are taken about `centre`, which keeps the digits of a small motion
+    /// about a distant place.
     pub fn add<const N: usize>(
         &mut self,
-        system: &impl SlidingSystem<N>,
         leg: &Leg<ContactState, N>,
         centre: f64,
+        powers: impl Fn(&[f64; N]) -> Powers,
     ) {
         self.duration += leg.step;
         self.times[usize::from(leg.mode.number())] += leg.step;
@@ -55,7 +68,7 @@ impl Measures {
             let (x, share) = (state[0] - centre, weight * leg.step);
             self.first_moment += share * x;
             self.second_moment += share * x * x;
-            let powers = system.powers(leg.mode, &state);
+            let powers = powers(&state);
             self.work.friction += share * powers.friction;
             self.work.substrate += share * powers.substrate;
             self.work.normal += share * powers.normal;

@@ -1,7 +1,7 @@
 //! What the nonsmooth engine and everything built on it ask of an oscillator.
 
 use super::ContactState;
-use super::measures::Measures;
+use super::measures::{Measures, Powers};
 use judder_numerics::piecewise::tangent::SquareMatrix;
 use judder_numerics::piecewise::{Advance, Leg, MarchError, PiecewiseMarch, PiecewiseSmooth, SectionPlane};
 
@@ -80,17 +80,4 @@ pub trait SlidingSystem<const N: usize>: PiecewiseSmooth<N, Mode = ContactState>
         normal[N / 2] = 1.0;
         SectionPlane { normal, offset: 0.0 }
     }
-}
-
-/// Where energy enters and leaves the oscillator, each as the power into it.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Powers {
-    /// Of the friction force: what the moving substrate feeds in less what sliding costs.
-    pub friction: f64,
-    /// Of that what the moving substrate feeds in, F_μ v_d; the rest is lost where v_rel is not zero.
-    pub substrate: f64,
-    /// Of the substrate's normal force.
-    pub normal: f64,
-    /// Of the dampers, never positive.
-    pub damping: f64,
 }

@@ -6,8 +6,8 @@
 
 use super::ContactState;
 use super::equations::{self, ContactForces, balance, contact_forces, structure_forces};
-use super::measures::Measures;
-use super::sliding_system::{Powers, SlidingSystem};
+use super::measures::{Measures, Powers};
+use super::sliding_system::SlidingSystem;
 use crate::equilibrium::equilibrium;
 use crate::groups::Coefficients;
 use crate::{Contact, OscillatorError};
@@ -251,6 +251,6 @@ impl SlidingSystem<4> for StickSlip {
     }
 
     fn measure(&self, leg: &Leg<ContactState, 4>, centre: f64, measures: &mut Measures) {
-        measures.add(self, leg, centre);
+        measures.add(leg, centre, |state| self.powers(leg.mode, state));
     }
 }

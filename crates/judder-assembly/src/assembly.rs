@@ -1,0 +1,105 @@
+//! Structures that touch: matrices on the freedoms of all, loads, interfaces.
+
+use crate::AssemblyError;
+use crate::interface::{FramedPoint, Interface};
+use crate::row::Row;
+use faer::sparse::Triplet;
+use judder_structure::assembly::Sparse;
+
+/// Bodies that touch at any number of contact points.
+///
+/// M q̈ + C q̇ + K q = f + Σ (N n + T) over the contact points, on the freedoms of all bodies one after the other.
+#[derive(Debug, Clone)]
+pub struct Assembly {
+    /// M in kg.
+    pub mass: Sparse,
+    /// C in N s/m, of the structures alone.
+    pub damping: Sparse,
+    /// K in N/m, of the structures alone.
+    pub stiffness: Sparse,
+    /// f in N, with what imposed displacements do.
+    pub load: Vec<f64>,
+    /// Where the bodies touch.
+    pub interfaces: Vec<Interface>,
+}
+
+impl Assembly {
+    /// Freedoms of all bodies.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.load.len()
+    }
+
+    /// The contact points of all interfaces in their order, in their frames.
+    ///
+    /// # Errors
+    /// [`AssemblyError::UnknownFreedom`], [`AssemblyError::Length`] for matrices of another size than the load, and what is wrong
+    /// with an interface.
+    pub fn framed(&self) -> Result<Vec<FramedPoint<'_>>, AssemblyError> {
+        for (name, matrix) in [
+            ("rows of the mass", &self.mass),
+            ("rows of the damping", &self.damping),
+            ("rows of the stiffness", &self.stiffness),
+        ] {
+            if let Some(found) =
+                [matrix.nrows(), matrix.ncols()].into_iter().find(|found| *found != self.size())
+            {
+                return Err(AssemblyError::Length { name, found, expected: self.size() });
+            }
+        }
+        let mut all = Vec::new();
+        for (number, interface) in self.interfaces.iter().enumerate() {
+            let freedoms = interface.points.iter().flat_map(|point| &point.relative).flat_map(Row::entries);
+            if let Some((freedom, _)) = freedoms.into_iter().find(|(freedom, _)| *freedom >= self.size()) {
+                let (interface, freedoms) = (interface.name.clone(), self.size());
+                return Err(AssemblyError::UnknownFreedom { interface, freedom: *freedom, freedoms });
+            }
+            all.extend(interface.framed(number)?);
+        }
+        Ok(all)
+    }
+}
+
+/// Matrices of bodies as one, each body's freedoms after those of the bodies before it.
+///
+/// # Errors
+/// [`AssemblyError::Structure`] where it does not fit into memory.
+pub fn stacked(parts: &[&Sparse]) -> Result<Sparse, AssemblyError> {
+    let (mut first, mut entries) = (0, Vec::new());
+    for part in parts {
+        for column in 0..part.ncols() {
+            let values = part.row_idx_of_col(column).zip(part.val_of_col(column));
+            entries.extend(values.map(|(row, value)| Triplet::new(first + row, first + column, *value)));
+        }
+        first += part.nrows();
+    }
+    from_triplets(first, first, &entries)
+}
+
+/// A matrix and others of its size, added.
+pub(crate) fn sum<'a>(
+    first: &Sparse,
+    others: impl Iterator<Item = &'a Sparse>,
+) -> Result<Sparse, AssemblyError> {
+    let entries: Vec<_> = triplets(first).chain(others.flat_map(triplets)).collect();
+    from_triplets(first.nrows(), first.ncols(), &entries)
+}
+
+/// The entries of a matrix.
+pub fn triplets(matrix: &Sparse) -> impl Iterator<Item = Triplet<usize, usize, f64>> + '_ {
+    let of_column = |column: usize| {
+        let values = matrix.row_idx_of_col(column).zip(matrix.val_of_col(column));
+        values.map(move |(row, value)| Triplet::new(row, column, *value))
+    };
+    (0..matrix.ncols()).flat_map(of_column)
+}
+
+/// A sparse matrix from its entries; those of one place are added.
+pub fn from_triplets(
+    rows: usize,
+    columns: usize,
+    entries: &[Triplet<usize, usize, f64>],
+) -> Result<Sparse, AssemblyError> {
+    let made = Sparse::try_new_from_triplets(rows, columns, entries);
+    made.map_err(|_| judder_structure::StructureError::OutOfMemory { rows }.into())
+}

@@ -1,0 +1,161 @@
+use judder_numerics::words::plain;
+use judder_structure::StructureError;
+use judder_structure::element::ElementKind;
+use thiserror::Error;
+
+/// Why an assembly does not slide steadily, or its stability is not known.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum AssemblyError {
+    /// A number is out of its range.
+    #[error("{name} is {value}: it must be {requirement}", value = plain(*.value))]
+    InvalidNumber {
+        /// Which.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it must be.
+        requirement: &'static str,
+    },
+    /// A list has another length than what it belongs to.
+    #[error("{name}: there are {found}, but must be {expected}")]
+    Length {
+        /// Which.
+        name: &'static str,
+        /// How many there are.
+        found: usize,
+        /// How many there must be.
+        expected: usize,
+    },
+    /// A contact point names a freedom that the assembly does not have.
+    #[error("interface `{interface}` names freedom {freedom}, the assembly has {freedoms} (counted from 0)")]
+    UnknownFreedom {
+        /// The interface.
+        interface: String,
+        /// The freedom that it names.
+        freedom: usize,
+        /// How many there are.
+        freedoms: usize,
+    },
+    /// An interface without contact points.
+    #[error("interface `{interface}` has no contact point: no place of the slider lies opposite the track")]
+    NoPoints {
+        /// The interface.
+        interface: String,
+    },
+    /// The track does not move along the contact.
+    #[error(
+        "interface `{interface}` does not slide at {}: the track's velocity of {} m/s has no part along the contact, whose normal is {}",
+        triple(.place), triple(.velocity), triple(.normal)
+    )]
+    NoSlip {
+        /// The interface.
+        interface: String,
+        /// Where, in m.
+        place: [f64; 3],
+        /// V, in m/s.
+        velocity: [f64; 3],
+        /// n.
+        normal: [f64; 3],
+    },
+    /// A surface of elements with nodes between their corners.
+    #[error(
+        "a surface of {kind}s cannot be in contact node by node: a uniform pressure loads nodes between corners and corners unevenly, \
+         of twenty-node bricks even the wrong way; mesh the body with four-node quadrilaterals or eight-node bricks"
+    )]
+    QuadraticFace {
+        /// The elements.
+        kind: ElementKind,
+    },
+    /// A plane whose normal has no direction.
+    #[error("the normal of a plane is {}: it must have a direction", triple(.normal))]
+    NoNormal {
+        /// As it was given.
+        normal: [f64; 3],
+    },
+    /// A plane whose normal points away from the slider.
+    #[error(
+        "the plane's normal {} points the wrong way: the surface of the slider looks along it and not against it; turn it round",
+        triple(.normal)
+    )]
+    WrongNormal {
+        /// n.
+        normal: [f64; 3],
+    },
+    /// A contact point whose structures are both held along its normal.
+    #[error(
+        "interface `{interface}`: at {} neither the slider nor the track can move along the normal, so a rigid contact there has no force of its own; \
+         leave the point out of the set, or its support off",
+        triple(.place)
+    )]
+    HeldPoint {
+        /// The interface.
+        interface: String,
+        /// Where, in m.
+        place: [f64; 3],
+    },
+    /// Two closed points hold one displacement.
+    #[error(
+        "interface `{interface}`: the contact at {} holds a displacement that other closed contacts hold already; interfaces must not share nodes",
+        triple(.place)
+    )]
+    RedundantPoint {
+        /// The interface.
+        interface: String,
+        /// Where, in m.
+        place: [f64; 3],
+    },
+    /// Neither supports nor contacts hold a motion of the bodies.
+    #[error(
+        "{motions} rigid motion{} {} held neither by supports nor by contacts; the first moves freedom {freedom} most",
+        if *.motions == 1 { "" } else { "s" }, if *.motions == 1 { "is" } else { "are" }
+    )]
+    RigidMotion {
+        /// How many motions.
+        motions: usize,
+        /// The freedom that moves most in the first.
+        freedom: usize,
+        /// Its shape on all freedoms.
+        shape: Vec<f64>,
+    },
+    /// All contacts are open.
+    #[error(
+        "no contact point is closed in steady sliding: the loads pull the bodies apart, or do not reach the contact"
+    )]
+    NothingCloses,
+    /// The search for steady sliding has not ended.
+    #[error(
+        "steady sliding was not found: after {iterations} iterations {changing} of {points} contact points still open and close, the equations are off by {} m",
+        plain(*.residual)
+    )]
+    NoConvergence {
+        /// How many iterations were done.
+        iterations: usize,
+        /// Points that change in the last.
+        changing: usize,
+        /// Of how many.
+        points: usize,
+        /// How far the equations of the closures are off, in m.
+        residual: f64,
+    },
+    /// The equations of steady sliding are singular.
+    #[error(
+        "steady sliding is not determined at these friction coefficients: {closed} closed contact points move without a change of force"
+    )]
+    Undetermined {
+        /// How many points are closed.
+        closed: usize,
+    },
+    /// The dense eigenvalues of the contact's compliance were not found.
+    #[error("the eigenvalues of the compliance of {points} contact points were not found")]
+    NoEigenvalues {
+        /// How many.
+        points: usize,
+    },
+    /// What a structure does not do.
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+}
+
+fn triple(vector: &[f64; 3]) -> String {
+    format!("({}, {}, {})", plain(vector[0]), plain(vector[1]), plain(vector[2]))
+}

@@ -1,0 +1,31 @@
+//! Structures that touch at many points.
+//!
+//! In the order in which the data flows:
+//!
+//! - [`contact_point`]: a place on the slider, its partner on the track, and the forms that give their displacements beside each other.
+//! - [`surface`], [`search`]: contact points of two sets of faces whose meshes need not match.
+//! - [`friction`], [`pressure`]: friction coefficient against slip speed, pressure against closure.
+//! - [`interface`]: contact points with one law.
+//! - [`assembly`]: bodies with their loads and interfaces.
+//! - [`compliance`]: how the contact points yield.
+//! - [`steady`]: steady sliding: forces, gaps, which points are closed.
+//! - [`linearised`]: small motions about it, `null_basis` on the freedoms that closed rigid points leave.
+//! - [`work`]: what each damping and each interface adds to the growth of a mode.
+
+pub mod assembly;
+pub mod compliance;
+pub mod contact_point;
+mod error;
+pub mod friction;
+pub mod interface;
+pub mod linearised;
+mod null_basis;
+pub mod pressure;
+pub mod row;
+pub mod search;
+pub mod steady;
+pub mod surface;
+mod vector;
+pub mod work;
+
+pub use error::AssemblyError;

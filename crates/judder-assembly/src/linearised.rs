@@ -1,0 +1,251 @@
+//! Small motions about steady sliding: the quadratic eigenproblem of an assembly.
+//!
+//! Over the closed points, with c, t and s the forms along the normal, along the slip and across it:
+//!
+//! - a rigid point holds c δq = 0, and its force changes act along e = c + μ t: the motion has no part that c sees, the equations none
+//!   that e does, Lᵀ (λ² M + λ C + K) R z = 0 with c R = 0 and e L = 0, so even the mass is unsymmetric;
+//! - a point of finite stiffness adds (∂N/∂d cᵀ + ∂T/∂d tᵀ) c to the stiffness and ∂N/∂|v| cᵀ t to the damping;
+//! - the friction of every point follows the slip speed, ∂T/∂|v| tᵀt, and its direction the slip direction, T/|V| sᵀs, both in the damping.
+
+use crate::AssemblyError;
+use crate::assembly::{Assembly, from_triplets, sum};
+use crate::compliance::outer;
+use crate::interface::{ForceAt, FramedPoint, InterfaceLaw, PointForces};
+use crate::null_basis::NullBasis;
+use crate::row::Row;
+use crate::steady::SteadySliding;
+use faer::c64;
+use faer::sparse::Triplet;
+use judder_structure::assembly::Sparse;
+use judder_structure::quadratic::Quadratic;
+
+/// What a contact does to small motions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ContactTerm {
+    /// The pressure that follows the closure, along the normal.
+    NormalStiffness,
+    /// The friction that follows the normal force.
+    NormalTangentialCoupling,
+    /// The friction that follows the slip speed.
+    FallingFriction,
+    /// The friction that turns with the slip direction.
+    FrictionAcrossSlip,
+    /// The normal force that follows the slip speed.
+    SpeedNormalCoupling,
+}
+
+impl ContactTerm {
+    /// Whether it acts on displacements, not on velocities.
+    #[must_use]
+    pub fn is_stiffness(self) -> bool {
+        matches!(self, Self::NormalStiffness | Self::NormalTangentialCoupling)
+    }
+}
+
+/// A term of one interface as a matrix on all freedoms.
+#[derive(Debug, Clone)]
+pub struct ContactMatrix {
+    /// What it is.
+    pub term: ContactTerm,
+    /// The interface, by its place in the assembly.
+    pub interface: usize,
+    /// In N/m, or N s/m.
+    pub matrix: Sparse,
+}
+
+/// A rigid point that is closed.
+#[derive(Debug, Clone)]
+pub(crate) struct HeldPoint {
+    pub(crate) interface: usize,
+    /// e.
+    pub(crate) equilibrium: Row,
+}
+
+/// Which dampings small motions feel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LinearisedTerms {
+    /// Whether the structures are damped.
+    pub damping: bool,
+    /// Whether friction follows speed and direction of the slip.
+    pub friction_damping: bool,
+}
+
+impl Default for LinearisedTerms {
+    fn default() -> Self {
+        Self { damping: true, friction_damping: true }
+    }
+}
+
+/// An assembly about steady sliding.
+#[derive(Debug, Clone)]
+pub struct Linearised {
+    /// (λ² M + λ C + K) z = 0 on the freedoms that closed rigid points leave.
+    pub problem: Quadratic,
+    /// M, C and K of the structures on all freedoms; the damping without entries where it is left out.
+    pub structures: [Sparse; 3],
+    /// What the contacts do, by interface and term.
+    pub contacts: Vec<ContactMatrix>,
+    pub(crate) held: Vec<HeldPoint>,
+    trial: NullBasis,
+}
+
+impl Linearised {
+    /// Small motions about steady sliding, over the points that are closed there.
+    ///
+    /// # Errors
+    /// [`AssemblyError::HeldPoint`], [`AssemblyError::RedundantPoint`] for a closed rigid point that cannot be, and what
+    /// [`Assembly::framed`] and [`Quadratic::new`] say.
+    pub fn new(
+        assembly: &Assembly,
+        steady: &SteadySliding,
+        terms: LinearisedTerms,
+    ) -> Result<Self, AssemblyError> {
+        let all = assembly.framed()?;
+        let closed: Vec<ClosedPoint<'_>> = all
+            .iter()
+            .zip(&steady.points)
+            .filter(|(_, state)| state.is_closed)
+            .map(|(point, state)| ClosedPoint::new(point, state.gap - point.point.gap, state.normal_force))
+            .collect();
+        let contacts = contact_matrices(assembly, &closed, terms)?;
+        let empty = from_triplets(assembly.size(), assembly.size(), &[])?;
+        let damping = if terms.damping { assembly.damping.clone() } else { empty };
+        let structures = [assembly.mass.clone(), damping, assembly.stiffness.clone()];
+        let rigid: Vec<&ClosedPoint<'_>> = closed.iter().filter(|point| point.is_rigid()).collect();
+        let (trial, test) = bases(assembly, &rigid)?;
+        let projected = |matrix: &Sparse| NullBasis::projected(&test, matrix, &trial);
+        let added = |of_structures: &Sparse, is_stiffness: bool| {
+            let own = contacts.iter().filter(|contact| contact.term.is_stiffness() == is_stiffness);
+            sum(of_structures, own.map(|contact| &contact.matrix))
+        };
+        let problem = Quadratic::new(
+            projected(&structures[0])?,
+            projected(&added(&structures[1], false)?)?,
+            projected(&added(&structures[2], true)?)?,
+        )?;
+        let held = rigid
+            .iter()
+            .map(|point| HeldPoint { interface: point.framed.interface, equilibrium: point.equilibrium() });
+        Ok(Self { problem, structures, contacts, held: held.collect(), trial })
+    }
+
+    /// M and K without friction, on the freedoms that are left: symmetric, its modes are the parents of those that lock in.
+    ///
+    /// # Errors
+    /// [`AssemblyError::Structure`] where it does not fit into memory.
+    pub fn frictionless(&self) -> Result<(Sparse, Sparse), AssemblyError> {
+        let [mass, _, stiffness] = &self.structures;
+        let normal = self.contacts.iter().filter(|contact| contact.term == ContactTerm::NormalStiffness);
+        let stiffness = sum(stiffness, normal.map(|contact| &contact.matrix))?;
+        let projected = |matrix: &Sparse| NullBasis::projected(&self.trial, matrix, &self.trial);
+        Ok((projected(mass)?, projected(&stiffness)?))
+    }
+
+    /// A real shape on all freedoms from one on those that are left.
+    #[must_use]
+    pub fn expanded_real(&self, shape: &[f64]) -> Vec<f64> {
+        self.trial.expanded_real(shape)
+    }
+
+    /// A shape on all freedoms from one on those that are left.
+    #[must_use]
+    pub fn expanded(&self, shape: &[c64]) -> Vec<c64> {
+        self.trial.expanded(shape)
+    }
+}
+
+/// The trial basis R with c R = 0 and the test basis L with e L = 0.
+fn bases(assembly: &Assembly, rigid: &[&ClosedPoint<'_>]) -> Result<(NullBasis, NullBasis), AssemblyError> {
+    let fault = |number: usize| {
+        let framed = rigid[number].framed;
+        let (interface, place) = (assembly.interfaces[framed.interface].name.clone(), framed.point.place);
+        match framed.frame.normal.is_empty() {
+            true => AssemblyError::HeldPoint { interface, place },
+            false => AssemblyError::RedundantPoint { interface, place },
+        }
+    };
+    let normals: Vec<Row> = rigid.iter().map(|point| point.framed.frame.normal.clone()).collect();
+    let trial = NullBasis::new(assembly.size(), &normals, None).map_err(fault)?;
+    let pushes: Vec<Row> = rigid.iter().map(|point| point.equilibrium()).collect();
+    let test = NullBasis::new(assembly.size(), &pushes, Some(&trial.dependent)).map_err(fault)?;
+    Ok((trial, test))
+}
+
+/// A closed point with its forces and their slopes.
+struct ClosedPoint<'a> {
+    framed: &'a FramedPoint<'a>,
+    /// μ of a rigid one.
+    friction: f64,
+    forces: PointForces,
+}
+
+impl<'a> ClosedPoint<'a> {
+    fn new(framed: &'a FramedPoint<'a>, opening: f64, normal_force: f64) -> Self {
+        let InterfaceLaw::Rigid(friction) = framed.law else {
+            return Self { framed, friction: 0.0, forces: framed.forces_at(opening) };
+        };
+        let friction = friction.at(framed.frame.speed);
+        let fixed = |value: f64, by_speed: f64| ForceAt { value, by_closure: 0.0, by_speed };
+        let forces = PointForces {
+            normal: fixed(normal_force, 0.0),
+            friction: fixed(friction.coefficient * normal_force, friction.slope * normal_force),
+        };
+        Self { framed, friction: friction.coefficient, forces }
+    }
+
+    fn is_rigid(&self) -> bool {
+        matches!(self.framed.law, InterfaceLaw::Rigid(_))
+    }
+
+    fn equilibrium(&self) -> Row {
+        self.framed.equilibrium(self.friction)
+    }
+
+    /// What a term takes of the point: factor f, column a and row b of f aᵀ b.
+    ///
+    /// With δd = −c δq and δ|v| = −t δq̇ the forces of the right side are, on the left, stiffness and damping with the same signs.
+    fn term(&self, term: ContactTerm) -> (f64, &Row, &Row) {
+        let frame = &self.framed.frame;
+        let (normal, slip, across) = (&frame.normal, &frame.slip, &frame.across);
+        let PointForces { normal: n, friction: t } = self.forces;
+        match term {
+            ContactTerm::NormalStiffness => (n.by_closure, normal, normal),
+            ContactTerm::NormalTangentialCoupling => (t.by_closure, slip, normal),
+            ContactTerm::FallingFriction => (t.by_speed, slip, slip),
+            ContactTerm::FrictionAcrossSlip => (t.value / frame.speed, across, across),
+            ContactTerm::SpeedNormalCoupling => (n.by_speed, normal, slip),
+        }
+    }
+}
+
+const TERMS: [ContactTerm; 5] = [
+    ContactTerm::NormalStiffness,
+    ContactTerm::NormalTangentialCoupling,
+    ContactTerm::FallingFriction,
+    ContactTerm::FrictionAcrossSlip,
+    ContactTerm::SpeedNormalCoupling,
+];
+
+/// The matrices of the contacts that are not zero, by interface and term.
+fn contact_matrices(
+    assembly: &Assembly,
+    closed: &[ClosedPoint<'_>],
+    terms: LinearisedTerms,
+) -> Result<Vec<ContactMatrix>, AssemblyError> {
+    let mut made = Vec::new();
+    for interface in 0..assembly.interfaces.len() {
+        for term in TERMS.into_iter().filter(|term| term.is_stiffness() || terms.friction_damping) {
+            let of_point = |point: &ClosedPoint<'_>| {
+                let (factor, column, row) = point.term(term);
+                outer(factor, column, row).collect::<Vec<Triplet<usize, usize, f64>>>()
+            };
+            let own = closed.iter().filter(|point| point.framed.interface == interface);
+            let entries: Vec<_> = own.flat_map(of_point).filter(|entry| entry.val != 0.0).collect();
+            if !entries.is_empty() {
+                let matrix = from_triplets(assembly.size(), assembly.size(), &entries)?;
+                made.push(ContactMatrix { term, interface, matrix });
+            }
+        }
+    }
+    Ok(made)
+}

@@ -1,0 +1,148 @@
+//! The normal law of a compliant interface: pressure against closure.
+
+use crate::AssemblyError;
+use crate::friction::{check_table, on_table};
+#[cfg(feature = "keys")]
+use judder_keys::{
+    declared::{Number, Several},
+    dimension::Dimension,
+};
+
+#[cfg(feature = "keys")]
+const CLOSURES: Several<Number> =
+    Several { of: Number::non_negative(Dimension::LENGTH), length: [2, usize::MAX] };
+#[cfg(feature = "keys")]
+const PRESSURES: Several<Number> =
+    Several { of: Number::non_negative(Dimension::STRESS), length: [2, usize::MAX] };
+#[cfg(feature = "keys")]
+const STIFFNESS: Number = Number::positive(Dimension::new(-2, 1, -2, 0));
+
+/// p(d), the pressure in Pa at a closure d = −g in m; zero where the interface is open, d ≤ 0.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Settings))]
+pub enum Pressure {
+    /// Pressure over closure.
+    ///
+    /// p = k_n d, with k_n in N/m³.
+    #[cfg_attr(feature = "keys", key(rule = STIFFNESS, symbol = "k_n"))]
+    Stiffness(f64),
+    /// Pressures at closures, in place of a stiffness.
+    Table(PressureTable),
+}
+
+/// Pressures at closures.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Settings))]
+pub struct PressureTable {
+    /// Closures, ascending from zero, m.
+    #[cfg_attr(feature = "keys", key(rule = CLOSURES, symbol = "d", example = "[\"0 um\", \"1 um\"]"))]
+    pub closure: Vec<f64>,
+    /// Pressures there, ascending from zero, Pa: linear between the closures, and beyond the last as steep as before it.
+    #[cfg_attr(feature = "keys", key(rule = PRESSURES, symbol = "p(d)", example = "[\"0 Pa\", \"1 MPa\"]"))]
+    pub pressure: Vec<f64>,
+}
+
+/// A pressure and its slope.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct PressureAt {
+    /// p in Pa.
+    pub value: f64,
+    /// dp/dd in Pa/m.
+    pub slope: f64,
+}
+
+impl Pressure {
+    /// Whether its numbers make a pressure that rises with the closure.
+    ///
+    /// # Errors
+    /// [`AssemblyError::InvalidNumber`], [`AssemblyError::Length`].
+    pub fn check(&self) -> Result<(), AssemblyError> {
+        let invalid =
+            |name, value, requirement| Err(AssemblyError::InvalidNumber { name, value, requirement });
+        match self {
+            Self::Stiffness(value) if value.is_finite() && *value > 0.0 => Ok(()),
+            Self::Stiffness(value) => invalid("the stiffness of a contact interface", *value, "positive"),
+            Self::Table(PressureTable { closure: closures, pressure: pressures }) => {
+                check_table("closures of a contact interface", closures, pressures.len())?;
+                check_table("pressures of a contact interface", pressures, closures.len())?;
+                match (closures[0], pressures[0]) {
+                    _ if closures.len() < 2 => Err(AssemblyError::Length {
+                        name: "the table of pressures",
+                        found: closures.len(),
+                        expected: 2,
+                    }),
+                    (0.0, 0.0) => Ok(()),
+                    (0.0, first) => invalid("the first pressure of a contact interface", first, "zero"),
+                    (first, _) => invalid("the first closure of a contact interface", first, "zero"),
+                }
+            }
+        }
+    }
+
+    /// p and dp/dd at a closure in m of an interface that stays closed: below zero it pulls as stiffly as it begins to press.
+    #[must_use]
+    pub fn extended_at(&self, closure: f64) -> PressureAt {
+        if closure > 0.0 {
+            return self.at(closure);
+        }
+        let slope = match self {
+            Self::Stiffness(stiffness) => *stiffness,
+            Self::Table(PressureTable { closure: closures, pressure: pressures }) => {
+                on_table(closures, pressures, 0.0).1
+            }
+        };
+        PressureAt { value: slope * closure, slope }
+    }
+
+    /// p and dp/dd at a closure in m.
+    #[must_use]
+    pub fn at(&self, closure: f64) -> PressureAt {
+        if closure <= 0.0 {
+            return PressureAt::default();
+        }
+        match self {
+            Self::Stiffness(stiffness) => PressureAt { value: stiffness * closure, slope: *stiffness },
+            Self::Table(PressureTable { closure: closures, pressure: pressures }) => {
+                let last = closures.len() - 1;
+                if closure < closures[last] {
+                    let (value, slope) = on_table(closures, pressures, closure);
+                    return PressureAt { value, slope };
+                }
+                let slope = (pressures[last] - pressures[last - 1]) / (closures[last] - closures[last - 1]);
+                PressureAt { value: pressures[last] + slope * (closure - closures[last]), slope }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn table(closure: &[f64], pressure: &[f64]) -> Pressure {
+        Pressure::Table(PressureTable { closure: closure.to_vec(), pressure: pressure.to_vec() })
+    }
+
+    #[test]
+    fn pressures_have_the_slopes_of_their_differences() {
+        for law in [Pressure::Stiffness(1e12), table(&[0.0, 1e-6, 3e-6], &[0.0, 1e5, 9e5])] {
+            law.check().unwrap();
+            for closure in [2e-7, 2.2e-6, 5e-6] {
+                let step = 1e-4 * closure;
+                let difference = (law.at(closure + step).value - law.at(closure - step).value) / (2.0 * step);
+                let slope = law.at(closure).slope;
+                assert!((slope - difference).abs() < 1e-6 * slope, "{law:?} at {closure}");
+            }
+            assert_eq!(law.at(-1e-6), PressureAt::default());
+        }
+    }
+
+    #[test]
+    fn what_is_no_pressure_is_refused() {
+        assert!(Pressure::Stiffness(0.0).check().is_err());
+        assert!(Pressure::Stiffness(-1.0).check().is_err());
+        assert!(table(&[0.0], &[0.0]).check().is_err());
+        assert!(table(&[0.0, 1.0], &[1.0, 2.0]).check().is_err());
+        assert!(table(&[0.0, 1.0], &[0.0, 0.0]).check().is_err());
+    }
+}

@@ -1,0 +1,236 @@
+//! Contact search: for each node of the slider's surface its partner on the track, whose mesh need not match.
+
+use crate::AssemblyError;
+use crate::contact_point::ContactPoint;
+use crate::row::Row;
+use crate::surface::{Face, OnFace, Surface};
+use crate::vector::{Vector, along, cross, dot, length, minus, scaled, unit};
+use judder_structure::freedom::Direction;
+use judder_structure::mesh::Mesh;
+use rstar::{AABB, RTree, RTreeObject};
+use std::array;
+
+/// A body of an assembly where it may touch others.
+pub struct TouchingBody<'a> {
+    /// Its mesh.
+    pub mesh: &'a Mesh,
+    /// Its width across the plane in m; one for a body of space.
+    pub width: f64,
+    /// The number of a displacement among the freedoms of the assembly; `None` where it is held.
+    pub freedom: &'a dyn Fn(usize, Direction) -> Option<usize>,
+    /// How a node is displaced whatever happens, in m: by supports that loads move.
+    pub displaced: &'a dyn Fn(usize) -> [f64; 3],
+}
+
+/// What the slider slides on.
+pub enum Track<'a> {
+    /// A rigid plane through the foremost node of the slider, with its normal out of it, of any length.
+    Plane([f64; 3]),
+    /// The surface of a body between the nodes of a set.
+    Body(TouchingBody<'a>, &'a [usize]),
+}
+
+/// How the track moves beside the slider.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sliding {
+    /// With one velocity, in m/s.
+    Translation([f64; 3]),
+    /// About an axis: ω × (x − centre).
+    Rotation {
+        /// ω in rad/s, along the axis.
+        angular_velocity: [f64; 3],
+        /// A place of the axis, in m.
+        centre: [f64; 3],
+    },
+}
+
+impl Sliding {
+    /// The velocity at a place, in m/s.
+    #[must_use]
+    pub fn at(&self, place: [f64; 3]) -> [f64; 3] {
+        match self {
+            Self::Translation(velocity) => *velocity,
+            Self::Rotation { angular_velocity, centre } => cross(*angular_velocity, minus(place, *centre)),
+        }
+    }
+}
+
+/// What a search found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FoundPoints {
+    /// The contact points, by the order of the slider's nodes.
+    pub points: Vec<ContactPoint>,
+    /// The slider's node of each.
+    pub nodes: Vec<usize>,
+    /// Nodes of the slider that have no partner.
+    pub without_partner: Vec<usize>,
+}
+
+/// The contact points between nodes of the slider and a track that lies no farther from them than `reach` in m.
+///
+/// Each node is projected on the nearest face of the track; its gap is as meshed, its normal that of the face. A node whose surface looks
+/// away from the face, or whose projection falls on the edge of the track, has no partner. A single node without faces of its own has no
+/// area.
+///
+/// # Errors
+/// [`AssemblyError::QuadraticFace`]; [`AssemblyError::NoNormal`], [`AssemblyError::WrongNormal`] for a plane.
+pub fn contact_points(
+    slider: &TouchingBody<'_>,
+    nodes: &[usize],
+    track: &Track<'_>,
+    sliding: Sliding,
+    reach: f64,
+) -> Result<FoundPoints, AssemblyError> {
+    let surface = Surface::of_nodes(slider.mesh, nodes)?;
+    let (areas, normals) = (surface.tributary(slider.mesh), surface.normals(slider.mesh));
+    let opposite: Box<dyn Fn(usize) -> Option<Partner> + '_> = match track {
+        Track::Plane(normal) => {
+            let normal = unit(*normal).ok_or(AssemblyError::NoNormal { normal: *normal })?;
+            if normals.values().map(|outward| dot(*outward, normal)).sum::<f64>() > 0.0 {
+                return Err(AssemblyError::WrongNormal { normal });
+            }
+            let height = move |node: &usize| dot(normal, slider.mesh.nodes[*node]);
+            let foremost = nodes.iter().map(height).fold(f64::INFINITY, f64::min);
+            Box::new(move |node| {
+                Some(Partner {
+                    normal,
+                    gap: height(&node) - foremost,
+                    moved: Default::default(),
+                    displaced: [0.0; 3],
+                })
+            })
+        }
+        Track::Body(body, nodes) => {
+            let faces = TrackFaces::new(body, nodes)?;
+            let normals = &normals;
+            Box::new(move |node| {
+                faces.opposite(body, slider.mesh.nodes[node], normals.get(&node).copied(), reach)
+            })
+        }
+    };
+    let mut found = FoundPoints { points: Vec::new(), nodes: Vec::new(), without_partner: Vec::new() };
+    for node in nodes {
+        let Some(partner) = opposite(*node) else {
+            found.without_partner.push(*node);
+            continue;
+        };
+        let place = slider.mesh.nodes[*node];
+        let own = slider.displacement(*node);
+        found.nodes.push(*node);
+        found.points.push(ContactPoint {
+            place,
+            normal: partner.normal,
+            velocity: sliding.at(place),
+            area: slider.width * areas.get(node).copied().unwrap_or(0.0),
+            gap: partner.gap + dot(partner.normal, minus((slider.displaced)(*node), partner.displaced)),
+            relative: array::from_fn(|k| Row::sum([(1.0, &own[k]), (-1.0, &partner.moved[k])])),
+        });
+    }
+    Ok(found)
+}
+
+impl TouchingBody<'_> {
+    /// The displacement of a node along x, y and z.
+    fn displacement(&self, node: usize) -> [Row; 3] {
+        Direction::ALL.map(|direction| {
+            Row::new((self.freedom)(node, direction).map(|freedom| (freedom, 1.0)).into_iter().collect())
+        })
+    }
+}
+
+/// What lies opposite a node.
+struct Partner {
+    normal: Vector,
+    gap: f64,
+    /// Σ w_k u_k along x, y and z,
+    moved: [Row; 3],
+    /// and what of it is imposed.
+    displaced: Vector,
+}
+
+/// A face in its box.
+struct BoxedFace {
+    face: Face,
+    bounds: AABB<[f64; 3]>,
+}
+
+impl RTreeObject for BoxedFace {
+    type Envelope = AABB<[f64; 3]>;
+
+    fn envelope(&self) -> Self::Envelope {
+        self.bounds
+    }
+}
+
+/// The faces of a track in a tree of boxes.
+struct TrackFaces {
+    tree: RTree<BoxedFace>,
+}
+
+impl TrackFaces {
+    fn new(body: &TouchingBody<'_>, nodes: &[usize]) -> Result<Self, AssemblyError> {
+        let boxed = |face: Face| {
+            let (from, to) = face.bounds(body.mesh);
+            BoxedFace { face, bounds: AABB::from_corners(from, to) }
+        };
+        let faces = Surface::of_nodes(body.mesh, nodes)?.faces;
+        Ok(Self { tree: RTree::bulk_load(faces.into_iter().map(boxed).collect()) })
+    }
+
+    /// The nearest place of a face that looks at a place, where that lies above the track.
+    fn opposite(
+        &self,
+        body: &TouchingBody<'_>,
+        place: Vector,
+        outward: Option<Vector>,
+        reach: f64,
+    ) -> Option<Partner> {
+        let near = AABB::from_corners(place.map(|x| x - reach), place.map(|x| x + reach));
+        let feet = self.tree.locate_in_envelope_intersecting(&near).filter_map(|boxed| {
+            let foot = boxed.face.nearest(body.mesh, place);
+            let normal = unit(foot.area)?;
+            let faces_each_other = outward.is_none_or(|outward| dot(outward, normal) < 0.0);
+            faces_each_other.then_some((&boxed.face, foot, normal))
+        });
+        let distance = |foot: &OnFace| length(minus(place, foot.place));
+        let (face, foot, normal) = feet.min_by(|(a, at_a, _), (b, at_b, _)| {
+            // on an edge of two faces both are as near: that of the lower nodes
+            distance(at_a).total_cmp(&distance(at_b)).then_with(|| a.nodes.cmp(&b.nodes))
+        })?;
+        let off = minus(place, foot.place);
+        let gap = dot(normal, off);
+        let beside = length(along(off, -gap, normal));
+        let size = {
+            let (from, to) = face.bounds(body.mesh);
+            length(minus(to, from))
+        };
+        // beside the track what is nearest lies on its edge, aslant; between faces that bend it does a little
+        if gap.abs() > reach || beside > EDGE * size + BEND * gap.abs() {
+            return None;
+        }
+        let moved = array::from_fn(|k| {
+            let displaced = face.nodes.iter().map(|node| body.displacement(*node)[k].clone());
+            let parts: Vec<Row> = displaced.collect();
+            Row::sum(foot.weights.iter().copied().zip(&parts))
+        });
+        let imposed = face.nodes.iter().zip(&foot.weights);
+        let displaced =
+            imposed.fold([0.0; 3], |sum, (node, weight)| along(sum, *weight, (body.displaced)(*node)));
+        Some(Partner { normal, gap, moved, displaced })
+    }
+}
+
+/// A foot on the edge of a face counts where the node lies beside the edge by less than so much of the face,
+const EDGE: f64 = 1e-6;
+/// and of the gap.
+const BEND: f64 = 0.3;
+
+/// Half of the longest diagonal of the faces between nodes: how far a partner may lie that nobody bounded.
+#[must_use]
+pub fn usual_reach(mesh: &Mesh, surface: &Surface) -> f64 {
+    let diagonal = |face: &Face| {
+        let (from, to) = face.bounds(mesh);
+        length(scaled(0.5, minus(to, from)))
+    };
+    surface.faces.iter().map(diagonal).fold(0.0, f64::max)
+}

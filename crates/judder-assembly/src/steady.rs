@@ -1,0 +1,105 @@
+//! Steady sliding: forces and gaps of all contact points under loads that rest.
+//!
+//! A primal–dual active set: given which rigid points are closed, and the slopes of compliant ones where they are, the equations on the
+//! points are linear; their solution says which are closed. Where the sets go round in circles, one point changes at a time, the
+//! first of those that should: with as many steps as it takes this ends for every problem that has one solution whatever the loads
+//! (K. G. Murty, *Note on a Bard-type scheme for solving the complementarity problem*, Opsearch 11, 1974).
+
+mod active_set;
+mod uniqueness;
+
+use crate::AssemblyError;
+use crate::assembly::Assembly;
+use crate::compliance::Compliance;
+use crate::interface::FramedPoint;
+use active_set::{Found, Solver};
+use uniqueness::uniqueness;
+
+pub use uniqueness::Uniqueness;
+
+/// An assembly in steady sliding.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SteadySliding {
+    /// q in m.
+    pub displacement: Vec<f64>,
+    /// The contact points of all interfaces in their order.
+    pub points: Vec<PointState>,
+    /// Linear systems that were solved.
+    pub iterations: usize,
+    /// ‖K q − f − Σ (N cᵀ + T tᵀ)‖/(‖f‖ + ‖Σ (N cᵀ + T tᵀ)‖ + ‖K q‖): the balance of forces on all freedoms, which the search, on the
+    /// points alone, does not see.
+    pub residual: f64,
+    /// How far it is from where friction lets it be lost.
+    pub uniqueness: Uniqueness,
+}
+
+/// A contact point in steady sliding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointState {
+    /// Its interface, by its place in the assembly.
+    pub interface: usize,
+    /// g in m; of a compliant point that is closed negative.
+    pub gap: f64,
+    /// N in N.
+    pub normal_force: f64,
+    /// T in N, along the slip on the slider.
+    pub friction_force: f64,
+    /// Whether it carries a force.
+    pub is_closed: bool,
+}
+
+/// Forces and gaps of steady sliding, on the compliance of the assembly's points.
+///
+/// # Errors
+/// [`AssemblyError::NothingCloses`], [`AssemblyError::Undetermined`], [`AssemblyError::NoConvergence`], [`AssemblyError::Length`] for
+/// a compliance of another assembly.
+pub fn steady_sliding(assembly: &Assembly, compliance: &Compliance) -> Result<SteadySliding, AssemblyError> {
+    let points = assembly.framed()?;
+    if compliance.of_load.len() != points.len() {
+        let (found, expected) = (compliance.of_load.len(), points.len());
+        return Err(AssemblyError::Length { name: "the points of a compliance", found, expected });
+    }
+    let solver = Solver { assembly, compliance, points: &points };
+    let Found { guess, carried, iterations } = solver.solved()?;
+    let is_closed: Vec<bool> = (0..points.len()).map(|k| solver.is_closed(k, &guess)).collect();
+    if !is_closed.contains(&true) {
+        return Err(AssemblyError::NothingCloses);
+    }
+    let (normal, friction): (Vec<f64>, Vec<f64>) =
+        carried.iter().map(|point| (point.normal, point.friction)).unzip();
+    let displacement = compliance.displacement(&assembly.load, &points, &normal, &friction, &guess.opening);
+    let residual = imbalance(assembly, &points, &displacement, &normal, &friction);
+    let state = |k: usize| PointState {
+        interface: points[k].interface,
+        gap: points[k].point.gap + guess.opening[k],
+        normal_force: normal[k],
+        friction_force: friction[k],
+        is_closed: is_closed[k],
+    };
+    let uniqueness = uniqueness(&solver, &guess)?;
+    let points = (0..points.len()).map(state).collect();
+    Ok(SteadySliding { points, displacement, iterations, residual, uniqueness })
+}
+
+/// ‖K q − f − Σ (N cᵀ + T tᵀ)‖ over what it is made of.
+fn imbalance(
+    assembly: &Assembly,
+    points: &[FramedPoint<'_>],
+    q: &[f64],
+    normal: &[f64],
+    friction: &[f64],
+) -> f64 {
+    let inner = judder_structure::statics::product(&assembly.stiffness, q);
+    let mut contact = vec![0.0; q.len()];
+    for (k, point) in points.iter().enumerate() {
+        point.frame.normal.add_to(normal[k], &mut contact);
+        point.frame.slip.add_to(friction[k], &mut contact);
+    }
+    let norm = |values: &mut dyn Iterator<Item = f64>| values.map(|x| x * x).sum::<f64>().sqrt();
+    let off = (0..q.len()).map(|k| inner[k] - assembly.load[k] - contact[k]);
+    let size = norm(&mut inner.iter().copied())
+        + norm(&mut assembly.load.iter().copied())
+        + norm(&mut contact.iter().copied());
+    let off = norm(&mut off.into_iter());
+    if off == 0.0 { 0.0 } else { off / size }
+}

@@ -1,0 +1,223 @@
+//! Which points are closed, and what they carry: a primal–dual active set on the contact points.
+
+use crate::AssemblyError;
+use crate::assembly::Assembly;
+use crate::compliance::{Compliance, rigid_motions};
+use crate::interface::{FramedPoint, InterfaceLaw};
+use faer::Mat;
+use judder_dense::general::solve;
+use std::collections::BTreeSet;
+
+/// Opening, normal force and friction force of a point, each affine in its one unknown z.
+#[derive(Clone, Copy)]
+pub(super) struct AffinePoint {
+    pub(super) opening: Affine,
+    pub(super) normal: Affine,
+    pub(super) friction: Affine,
+}
+
+/// slope z + offset.
+#[derive(Clone, Copy)]
+pub(super) struct Affine {
+    pub(super) slope: f64,
+    pub(super) offset: f64,
+}
+
+impl Affine {
+    const ZERO: Self = Self { slope: 0.0, offset: 0.0 };
+    const UNKNOWN: Self = Self { slope: 1.0, offset: 0.0 };
+
+    fn at(self, z: f64) -> f64 {
+        self.slope * z + self.offset
+    }
+
+    fn scaled(self, factor: f64) -> Self {
+        Self { slope: factor * self.slope, offset: factor * self.offset }
+    }
+}
+
+/// Which rigid points are closed, and how far each point is opened: y in m.
+pub(super) struct Guess {
+    pub(super) closed: Vec<bool>,
+    pub(super) opening: Vec<f64>,
+}
+
+/// N and T of a point, in N.
+#[derive(Clone, Copy)]
+pub(super) struct Carried {
+    pub(super) normal: f64,
+    pub(super) friction: f64,
+}
+
+/// What was found, and how many systems it took.
+pub(super) struct Found {
+    pub(super) guess: Guess,
+    pub(super) carried: Vec<Carried>,
+    pub(super) iterations: usize,
+}
+
+/// Sets that are tried before points change one at a time.
+const FREE_ITERATIONS: usize = 40;
+/// Iterations altogether: so many, and so many more a point.
+const ITERATIONS: usize = 200;
+/// Closures this near to their equations, by the largest of them, are theirs.
+const CONVERGED: f64 = 1e-12;
+
+pub(super) struct Solver<'a> {
+    pub(super) assembly: &'a Assembly,
+    pub(super) compliance: &'a Compliance,
+    pub(super) points: &'a [FramedPoint<'a>],
+}
+
+impl Solver<'_> {
+    /// The closed points with their openings, the forces, and how many systems it took.
+    pub(super) fn solved(&self) -> Result<Found, AssemblyError> {
+        let of_load = &self.compliance.of_load;
+        let touches = |k: usize| {
+            let point = &self.points[k];
+            matches!(point.law, InterfaceLaw::Rigid(_))
+                && (point.stays_closed || of_load[k] + point.point.gap <= 0.0)
+        };
+        let mut guess =
+            Guess { closed: (0..self.points.len()).map(touches).collect(), opening: of_load.clone() };
+        let mut seen = BTreeSet::new();
+        let mut one_at_a_time = false;
+        let (mut residual, mut changing) = (f64::INFINITY, 0);
+        let limit = ITERATIONS + 10 * self.points.len();
+        for iteration in 1..=limit {
+            let affine: Vec<AffinePoint> = (0..self.points.len()).map(|k| self.affine(k, &guess)).collect();
+            self.check_held(&affine)?;
+            let unknowns = self.unknowns(&affine, &guess)?;
+            let opening: Vec<f64> = affine.iter().zip(&unknowns).map(|(a, z)| a.opening.at(*z)).collect();
+            let normal: Vec<f64> = affine.iter().zip(&unknowns).map(|(a, z)| a.normal.at(*z)).collect();
+            let mut changes: Vec<usize> = (0..self.points.len())
+                .filter(|k| self.changes(*k, &guess, opening[*k], normal[*k]))
+                .collect();
+            let carried: Vec<Carried> =
+                (0..self.points.len()).map(|k| self.forces(k, opening[k], unknowns[k], affine[k])).collect();
+            residual = self.residual(&opening, &carried);
+            (guess.opening, changing) = (opening, changes.len());
+            if changes.is_empty() && residual <= CONVERGED * self.scale(&guess.opening) {
+                return Ok(Found { guess, carried, iterations: iteration });
+            }
+            // a set that was there before would come again
+            one_at_a_time |=
+                iteration > FREE_ITERATIONS || (!changes.is_empty() && !seen.insert(guess.closed.clone()));
+            changes.truncate(if one_at_a_time { 1 } else { changes.len() });
+            for k in changes {
+                guess.closed[k] = !guess.closed[k];
+            }
+        }
+        Err(AssemblyError::NoConvergence { iterations: limit, changing, points: self.points.len(), residual })
+    }
+
+    /// Refuses to go on where no contact carries a force, and nothing else holds the bodies.
+    fn check_held(&self, affine: &[AffinePoint]) -> Result<(), AssemblyError> {
+        let carries = |point: &AffinePoint| point.normal.slope != 0.0;
+        if affine.iter().any(carries) || rigid_motions(&self.assembly.stiffness, &self.assembly.mass)? == 0 {
+            return Ok(());
+        }
+        Err(AssemblyError::NothingCloses)
+    }
+
+    /// How a point's opening and forces follow from its unknown: the force of a rigid one that is closed, the opening of any other.
+    pub(super) fn affine(&self, k: usize, guess: &Guess) -> AffinePoint {
+        let point = &self.points[k];
+        if let InterfaceLaw::Rigid(friction) = point.law {
+            let coefficient = friction.at(point.frame.speed).coefficient;
+            return match guess.closed[k] {
+                true => AffinePoint {
+                    opening: Affine { slope: 0.0, offset: -point.point.gap },
+                    normal: Affine::UNKNOWN,
+                    friction: Affine::UNKNOWN.scaled(coefficient),
+                },
+                false => {
+                    AffinePoint { opening: Affine::UNKNOWN, normal: Affine::ZERO, friction: Affine::ZERO }
+                }
+            };
+        }
+        let opening = guess.opening[k];
+        let forces = point.forces_at(opening);
+        // d = −(g₀ + y)
+        let tangent =
+            |value: f64, by_closure: f64| Affine { slope: -by_closure, offset: value + by_closure * opening };
+        AffinePoint {
+            opening: Affine::UNKNOWN,
+            normal: tangent(forces.normal.value, forces.normal.by_closure),
+            friction: tangent(forces.friction.value, forces.friction.by_closure),
+        }
+    }
+
+    /// z of all points: y − S_nn (N + s y) − S_nt T = y_f.
+    fn unknowns(&self, affine: &[AffinePoint], guess: &Guess) -> Result<Vec<f64>, AssemblyError> {
+        let Compliance { of_normal, of_slip, of_load, spring, .. } = self.compliance;
+        let count = affine.len();
+        let normal: Vec<Affine> = affine
+            .iter()
+            .map(|a| Affine {
+                slope: a.normal.slope + spring * a.opening.slope,
+                offset: a.normal.offset + spring * a.opening.offset,
+            })
+            .collect();
+        let matrix = Mat::from_fn(count, count, |i, j| {
+            let own = if i == j { affine[j].opening.slope } else { 0.0 };
+            own - of_normal[(i, j)] * normal[j].slope - of_slip[(i, j)] * affine[j].friction.slope
+        });
+        let mut right = Mat::from_fn(count, 1, |i, _| {
+            let moved =
+                |j: usize| of_normal[(i, j)] * normal[j].offset + of_slip[(i, j)] * affine[j].friction.offset;
+            of_load[i] - affine[i].opening.offset + (0..count).map(moved).sum::<f64>()
+        });
+        let closed = guess.closed.iter().filter(|closed| **closed).count();
+        solve(matrix, &mut right).ok_or(AssemblyError::Undetermined { closed })?;
+        Ok((0..count).map(|k| right[(k, 0)]).collect())
+    }
+
+    /// Whether a rigid point should be closed where it is open, or open where it is closed.
+    fn changes(&self, k: usize, guess: &Guess, opening: f64, normal: f64) -> bool {
+        let point = &self.points[k];
+        let is_bound = point.stays_closed || !matches!(point.law, InterfaceLaw::Rigid(_));
+        !is_bound && if guess.closed[k] { normal < 0.0 } else { point.point.gap + opening < 0.0 }
+    }
+
+    /// Whether a point carries a force.
+    pub(super) fn is_closed(&self, k: usize, guess: &Guess) -> bool {
+        let point = &self.points[k];
+        match point.law {
+            InterfaceLaw::Rigid(_) => guess.closed[k],
+            _ => point.stays_closed || point.forces_at(guess.opening[k]).normal.value > 0.0,
+        }
+    }
+
+    /// N and T of a point; of a compliant one what its law says, not the tangent.
+    fn forces(&self, k: usize, opening: f64, unknown: f64, affine: AffinePoint) -> Carried {
+        match self.points[k].law {
+            InterfaceLaw::Rigid(_) => {
+                Carried { normal: affine.normal.at(unknown), friction: affine.friction.at(unknown) }
+            }
+            _ => {
+                let forces = self.points[k].forces_at(opening);
+                Carried { normal: forces.normal.value, friction: forces.friction.value }
+            }
+        }
+    }
+
+    /// How far the equations of the points are off, in m.
+    fn residual(&self, opening: &[f64], carried: &[Carried]) -> f64 {
+        let Compliance { of_normal, of_slip, of_load, spring, .. } = self.compliance;
+        let off = |i: usize| {
+            let moved = |j: usize| {
+                of_normal[(i, j)] * (carried[j].normal + spring * opening[j])
+                    + of_slip[(i, j)] * carried[j].friction
+            };
+            (opening[i] - of_load[i] - (0..opening.len()).map(moved).sum::<f64>()).abs()
+        };
+        (0..opening.len()).map(off).fold(0.0, f64::max)
+    }
+
+    /// What openings are measured by, in m: with the springs the forces of all points move each.
+    fn scale(&self, opening: &[f64]) -> f64 {
+        let all = opening.iter().chain(&self.compliance.of_load).map(|y| y.abs());
+        all.chain(self.points.iter().map(|point| point.point.gap.abs())).fold(f64::MIN_POSITIVE, f64::max)
+    }
+}

@@ -1,0 +1,179 @@
+//! What holds for every assembly.
+
+use crate::common::{dense, undamped};
+use faer::{Mat, c64};
+use judder_assembly::assembly::Assembly;
+use judder_assembly::compliance::Compliance;
+use judder_assembly::contact_point::ContactPoint;
+use judder_assembly::friction::Friction;
+use judder_assembly::interface::{Interface, InterfaceLaw};
+use judder_assembly::linearised::{Linearised, LinearisedTerms};
+use judder_assembly::row::Row;
+use judder_assembly::steady::steady_sliding;
+use judder_assembly::work::growth_shares;
+use judder_dense::general::{complex_eigen, real_eigenvalues};
+use judder_structure::assembly::Sparse;
+use judder_structure::complex_modes::{ComplexModeSettings, Region, complex_modes};
+use proptest::prelude::*;
+
+/// Nodes of either body; each moves along x and y.
+const NODES: usize = 3;
+const SIZE: usize = 4 * NODES;
+
+/// Two bodies of random symmetric matrices that touch at two points; the track's place lies between two of its nodes.
+fn assembly(numbers: &[f64], friction: f64, share: f64) -> Assembly {
+    let half = SIZE / 2;
+    let symmetric = |from: usize, least: f64| -> Sparse {
+        let mut rows = vec![vec![0.0; SIZE]; SIZE];
+        for body in 0..2 {
+            let at = |i: usize, j: usize| numbers[from + (body * half + i) * half + j];
+            for i in 0..half {
+                for j in 0..half {
+                    let product: f64 = (0..half).map(|k| at(i, k) * at(j, k)).sum();
+                    rows[body * half + i][body * half + j] = product + if i == j { least } else { 0.0 };
+                }
+            }
+        }
+        dense(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>())
+    };
+    let count = 2 * half * half;
+    let row = |entries: Vec<(usize, f64)>| Row::new(entries);
+    let point = |node: usize| {
+        let along = |direction: usize| {
+            let track = half + 2 * node + direction;
+            row(vec![(2 * node + direction, 1.0), (track, -share), (track + 2, share - 1.0)])
+        };
+        ContactPoint {
+            place: [node as f64, 0.0, 0.0],
+            normal: [0.0, 1.0, 0.0],
+            velocity: [1.0, 0.0, 0.0],
+            area: 1.0,
+            gap: 0.0,
+            relative: [along(0), along(1), row(Vec::new())],
+        }
+    };
+    let mut load = vec![0.0; SIZE];
+    (0..NODES).for_each(|node| load[2 * node + 1] = -1.0);
+    let sole = Interface {
+        name: "sole".to_owned(),
+        points: vec![point(0), point(1)],
+        law: InterfaceLaw::Rigid(Friction::Constant(friction)),
+        all_closed: true,
+    };
+    undamped(symmetric(0, 1.0), symmetric(count, 2.0), load, vec![sole])
+}
+
+/// λ of (λ² M + K, −e; c, 0) by inverting beside a shift; those at infinity come out far away.
+fn by_multipliers(assembly: &Assembly, friction: f64) -> Vec<c64> {
+    let framed = assembly.framed().unwrap();
+    let (size, points) = (SIZE, framed.len());
+    let all = 2 * size + points;
+    let (mut a, mut b) = (Mat::<f64>::zeros(all, all), Mat::<f64>::zeros(all, all));
+    for k in 0..size {
+        (a[(k, size + k)], b[(k, k)]) = (1.0, 1.0);
+    }
+    for (matrix, target, sign, column_from) in
+        [(&assembly.stiffness, &mut a, -1.0, 0), (&assembly.mass, &mut b, 1.0, size)]
+    {
+        for column in 0..size {
+            for (row, value) in matrix.row_idx_of_col(column).zip(matrix.val_of_col(column)) {
+                target[(size + row, column_from + column)] = sign * value;
+            }
+        }
+    }
+    for (k, point) in framed.iter().enumerate() {
+        point
+            .equilibrium(friction)
+            .entries()
+            .iter()
+            .for_each(|(i, value)| a[(size + i, 2 * size + k)] = *value);
+        point.frame.normal.entries().iter().for_each(|(i, value)| a[(2 * size + k, *i)] = *value);
+    }
+    let shift = 0.37;
+    let shifted = Mat::from_fn(all, all, |i, j| a[(i, j)] - shift * b[(i, j)]);
+    let mut inverted = b;
+    judder_dense::general::solve(shifted, &mut inverted).unwrap();
+    let inverse = real_eigenvalues(&inverted).unwrap();
+    inverse.into_iter().map(|theta| c64::new(shift, 0.0) + c64::new(1.0, 0.0) / theta).collect()
+}
+
+/// The smallest |eigenvalue| of c Q(λ)⁻¹ eᵀ by its size: zero where λ is an eigenvalue.
+fn by_receptances(assembly: &Assembly, friction: f64, value: c64) -> f64 {
+    let framed = assembly.framed().unwrap();
+    let mut matrix = Mat::<c64>::zeros(SIZE, SIZE);
+    for (own, factor) in [(&assembly.mass, value * value), (&assembly.stiffness, c64::new(1.0, 0.0))] {
+        for column in 0..SIZE {
+            for (row, entry) in own.row_idx_of_col(column).zip(own.val_of_col(column)) {
+                matrix[(row, column)] += factor * *entry;
+            }
+        }
+    }
+    let mut moved = Mat::<c64>::zeros(SIZE, framed.len());
+    for (k, point) in framed.iter().enumerate() {
+        point
+            .equilibrium(friction)
+            .entries()
+            .iter()
+            .for_each(|(i, entry)| moved[(*i, k)] = c64::new(*entry, 0.0));
+    }
+    judder_dense::general::solve_complex(matrix, &mut moved).unwrap();
+    let column = |k: usize| (0..SIZE).map(|i| moved[(i, k)]).collect::<Vec<_>>();
+    let receptances =
+        Mat::from_fn(framed.len(), framed.len(), |i, j| framed[i].frame.normal.of_complex(&column(j)));
+    let (values, _) = complex_eigen(receptances.as_ref()).unwrap();
+    let sizes: Vec<f64> = values.iter().map(|value| value.norm()).collect();
+    sizes.iter().copied().fold(f64::INFINITY, f64::min) / sizes.iter().copied().fold(0.0, f64::max)
+}
+
+fn numbers() -> impl Strategy<Value = Vec<f64>> {
+    proptest::collection::vec(-1.0..1.0_f64, SIZE * SIZE)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 40, ..ProptestConfig::default() })]
+
+    #[test]
+    fn three_formulations_have_the_same_eigenvalues(numbers in numbers(), friction in 0.0..0.8_f64, share in 0.1..0.9_f64) {
+        let assembly = assembly(&numbers, friction, share);
+        let steady = steady_sliding(&assembly, &Compliance::new(&assembly).unwrap()).unwrap();
+        let about = Linearised::new(&assembly, &steady, LinearisedTerms::default()).unwrap();
+        let region = Region { re: [-50.0, 50.0], im: [1e-3, 50.0] };
+        let found = complex_modes(&about.problem, &region, &ComplexModeSettings::default()).unwrap();
+        prop_assert!(found.complete());
+        let multipliers = by_multipliers(&assembly, friction);
+        for mode in &found.modes {
+            let value = mode.eigenvalue.value;
+            let known = 1e-10 * value.norm() + mode.eigenvalue.error;
+            let nearest = multipliers.iter().map(|other| (other - value).norm()).fold(f64::INFINITY, f64::min);
+            prop_assert!(nearest < known * 10.0, "{value} is off by {nearest}, condition {}", mode.eigenvalue.condition);
+            let singular = by_receptances(&assembly, friction, value);
+            prop_assert!(singular < 1e-9 * mode.eigenvalue.condition.max(1.0), "{value}: {singular}");
+        }
+    }
+
+    #[test]
+    fn growths_sum_to_the_growth_rate(numbers in numbers(), friction in 0.0..0.8_f64, share in 0.1..0.9_f64) {
+        let assembly = assembly(&numbers, friction, share);
+        let steady = steady_sliding(&assembly, &Compliance::new(&assembly).unwrap()).unwrap();
+        let about = Linearised::new(&assembly, &steady, LinearisedTerms::default()).unwrap();
+        let region = Region { re: [-50.0, 50.0], im: [1e-3, 50.0] };
+        for mode in complex_modes(&about.problem, &region, &ComplexModeSettings::default()).unwrap().modes {
+            let value = mode.eigenvalue.value;
+            let shares = growth_shares(&about, value, &about.expanded(&mode.right)).unwrap();
+            prop_assert!(shares.balance.abs() < 1e-8 * value.norm(), "{} of {value}", shares.balance);
+        }
+    }
+
+    #[test]
+    fn without_friction_every_eigenvalue_is_imaginary(numbers in numbers(), share in 0.1..0.9_f64) {
+        let assembly = assembly(&numbers, 0.0, share);
+        let steady = steady_sliding(&assembly, &Compliance::new(&assembly).unwrap()).unwrap();
+        let about = Linearised::new(&assembly, &steady, LinearisedTerms::default()).unwrap();
+        let region = Region { re: [-50.0, 50.0], im: [1e-3, 50.0] };
+        let found = complex_modes(&about.problem, &region, &ComplexModeSettings::default()).unwrap();
+        prop_assert_eq!(found.modes.len(), SIZE - 2);
+        for mode in found.modes {
+            prop_assert!(mode.eigenvalue.value.re.abs() <= mode.eigenvalue.error.max(1e-10));
+        }
+    }
+}

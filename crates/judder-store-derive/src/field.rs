@@ -13,6 +13,8 @@ pub(crate) struct Entry {
     /// Its key in the summary; none of what is hidden.
     summary: Option<String>,
     along: Option<LitStr>,
+    /// The head of its column, where that is not made of name and unit.
+    column: Option<LitStr>,
     is_optional: bool,
     is_attribute: bool,
     has_rows: bool,
@@ -32,6 +34,7 @@ impl Entry {
             doc: doc(field),
             unit: None,
             along: None,
+            column: None,
             is_optional: false,
             is_attribute: false,
             has_rows: false,
@@ -45,13 +48,14 @@ impl Entry {
                     "hidden" => entry.summary = None,
                     "unit" => entry.unit = Some(meta.value()?.parse()?),
                     "along" => entry.along = Some(meta.value()?.parse()?),
+                    "column" => entry.column = Some(meta.value()?.parse()?),
                     "optional" => entry.is_optional = true,
                     "attribute" => entry.is_attribute = true,
                     "rows" => entry.has_rows = true,
                     "flatten" => entry.is_flat = true,
                     _ => {
                         return Err(meta.error(
-                            "a result takes summary, hidden, unit, along, optional, attribute, rows, flatten",
+                            "a result takes summary, hidden, unit, along, column, optional, attribute, rows, flatten",
                         ));
                     }
                 }
@@ -139,7 +143,10 @@ impl Entry {
         if self.is_flat {
             return quote!(table = ::judder_store::Results::add_columns(&#own, table)?;);
         }
-        let (name, unit) = (field.to_string(), unit.as_ref().map_or_else(String::new, LitStr::value));
+        let (name, unit) = match &self.column {
+            Some(head) => (head.value(), String::new()),
+            None => (field.to_string(), unit.as_ref().map_or_else(String::new, LitStr::value)),
+        };
         quote!(
             if let ::std::option::Option::Some(cells) = ::judder_store::Column::cells(&#own) {
                 table = table.column(#name, #unit, cells)?;

@@ -25,7 +25,7 @@
 //!
 //! - `summary`: its key in the summary, where it is not called as the field is; `hidden`: it has none;
 //! - `optional`: where there is none the key is left out and not `null`;
-//! - `unit`, where it is no plain number; `along`, where it lies along other dimensions than the others;
+//! - `unit`, where it is no plain number; `column`: the head of its column, where that is not name and unit; `along`, where it lies along other dimensions than the others;
 //! - `attribute`: it is an attribute of the dataset too;
 //! - `rows`: the rows of this list are the arrays and columns that stand in its place; `flatten`: the keys, arrays and columns of these results are.
 

@@ -2,7 +2,7 @@
 
 use crate::StructureError;
 use crate::element::{BlockElements, ElementMatrices};
-use crate::freedom::Numbering;
+use crate::freedom::{Direction, Numbering};
 use crate::material::{Elastic, ElementSection};
 use crate::mesh::Mesh;
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
@@ -97,6 +97,41 @@ pub fn inertia_load(
             let row = &matrices.mass[i * matrices.size..(i + 1) * matrices.size];
             let along = |j: usize| acceleration[j % numbering.dimension()];
             load[freedom] += row.iter().enumerate().map(|(j, mass)| mass * along(j)).sum::<f64>();
+        }
+    }
+    Ok(load)
+}
+
+/// −K u of held displacements u in m, in N on the free displacements: what displaced supports do.
+///
+/// # Errors
+/// As of [`assemble`].
+pub fn displacement_load(
+    mesh: &Mesh,
+    materials: &BTreeMap<String, (Elastic, ElementSection)>,
+    numbering: &Numbering,
+    displaced: &BTreeMap<(usize, Direction), f64>,
+) -> Result<Vec<f64>, StructureError> {
+    mesh.check()?;
+    let kinds = kinds(mesh, materials)?;
+    let mut load = vec![0.0; numbering.freedoms().len()];
+    let elements = mesh.blocks.iter().zip(&kinds).flat_map(|(block, elements)| {
+        block.connectivity.chunks(block.kind.nodes()).map(move |nodes| (elements, nodes))
+    });
+    for (number, (elements, nodes)) in elements.enumerate() {
+        let directions = &Direction::ALL[..numbering.dimension()];
+        let own =
+            nodes.iter().flat_map(|node| directions.iter().map(|along| displaced.get(&(*node, *along))));
+        let moved: Vec<f64> = own.map(|moved| moved.copied().unwrap_or(0.0)).collect();
+        if moved.iter().all(|moved| *moved == 0.0) {
+            continue;
+        }
+        let places: Vec<[f64; 3]> = nodes.iter().map(|node| mesh.nodes[*node]).collect();
+        let matrices = elements.matrices(number, &places)?;
+        for (i, freedom) in numbering.of_element(nodes).enumerate() {
+            let Some(freedom) = freedom else { continue };
+            let row = &matrices.stiffness[i * matrices.size..(i + 1) * matrices.size];
+            load[freedom] -= row.iter().zip(&moved).map(|(stiffness, moved)| stiffness * moved).sum::<f64>();
         }
     }
     Ok(load)

@@ -25,7 +25,7 @@ impl Beam {
     ///
     /// Node sets: `start`, `end` (the end faces, upwards), `lower`, `upper` (the edges from start to end), each with the nodes in
     /// the middles of elements, and `lower-corners`, `upper-corners` without them; the corners of the beam, one node each:
-    /// `start-lower`, `start-upper`, `end-lower`, `end-upper`. Side sets: `start`, `end`, `lower`, `upper`.
+    /// `start-lower`, `start-upper`, `end-lower`, `end-upper`, `start-middle`, `end-middle`. Side sets: `start`, `end`, `lower`, `upper`.
     ///
     /// # Errors
     /// [`StructureError::InvalidNumber`] for a length, thickness or number of elements that is not positive.
@@ -61,6 +61,9 @@ impl Beam {
             ("start-upper", line(vec![0], vec![2 * across])),
             ("end-lower", line(vec![2 * along], vec![0])),
             ("end-upper", line(vec![2 * along], vec![2 * across])),
+            // on the axis, where both ends have a node
+            ("start-middle", line(vec![0], vec![across])),
+            ("end-middle", line(vec![2 * along], vec![across])),
         ];
         let blocks =
             vec![MeshBlock { kind: ElementKind::Quad8, material: material.to_owned(), connectivity }];

@@ -1,7 +1,7 @@
 //! Shapes of modes as files: for ParaView, still and moving, and for test engineers.
 
 use crate::error::ModelError;
-use crate::structure::build::{Layout, Structure};
+use crate::structure::build::Layout;
 use crate::written::written;
 use judder_exchange::ExchangeError;
 use judder_exchange::geometry::{Geometry, at_phase};
@@ -9,6 +9,7 @@ use judder_exchange::universal::{
     ComplexShape, RealShape, write_complex_shape, write_lines, write_nodes, write_real_shape, write_units,
 };
 use judder_exchange::vtu::{FieldValues, VtuField, complex_fields, write_pvd, write_vtu};
+use judder_structure::mesh::Mesh;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -56,11 +57,12 @@ impl Shape {
 /// The fields of all shapes in one file, and the first that swing as series of files.
 pub(super) fn fields(
     name: &str,
-    structure: &Structure,
+    layout: Option<&Layout>,
+    mesh: Option<&Mesh>,
     shapes: &[Shape],
 ) -> Result<Vec<(String, Vec<u8>)>, ModelError> {
-    let Some(layout) = &structure.layout else { return Ok(Vec::new()) };
-    let geometry = match structure.mesh() {
+    let Some(layout) = layout else { return Ok(Vec::new()) };
+    let geometry = match mesh {
         Some(mesh) => Geometry { labels: labels(layout), ..Geometry::from(mesh) },
         None => Geometry { places: layout.points.clone(), labels: labels(layout), ..Geometry::default() },
     };

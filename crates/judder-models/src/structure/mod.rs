@@ -16,7 +16,7 @@ pub mod modes;
 pub mod receptance;
 pub mod reduction;
 pub(crate) mod shape_panels;
-mod shapes;
+pub(crate) mod shapes;
 mod undamped;
 
 use crate::error::ModelError;

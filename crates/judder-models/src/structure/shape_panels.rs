@@ -18,8 +18,20 @@ pub(crate) fn panels(
     wanted: impl Iterator<Item = usize>,
     title: &dyn Fn(usize) -> String,
 ) -> Vec<Panel> {
-    let panel = |k: usize| Some(Picture::new(dataset, k)?.panel().with_title(title(k)));
+    let panel = |k: usize| Some(Picture::new(dataset, k)?.panel(Moves::Swings).with_title(title(k)));
     wanted.filter_map(panel).collect()
+}
+
+/// A panel with the first shape at rest: how loads move a body.
+pub(crate) fn still(dataset: &Dataset, title: &str) -> Option<Panel> {
+    Some(Picture::new(dataset, 0)?.panel(Moves::Rests).with_title(title))
+}
+
+/// Whether a shape swings on the page.
+#[derive(Clone, Copy, PartialEq)]
+enum Moves {
+    Swings,
+    Rests,
 }
 
 /// How alike shapes are.
@@ -90,7 +102,7 @@ impl Picture {
         Some(Self { rest, moved, lines, in_plane })
     }
 
-    fn panel(&self) -> Panel {
+    fn panel(&self, moves: Moves) -> Panel {
         // a gap after each line
         let order: Vec<Option<usize>> = if self.lines.is_empty() {
             (0..self.rest.len()).map(Some).collect()
@@ -117,10 +129,11 @@ impl Picture {
                 Layer::points("", drawn(0), drawn(1), Role::Series(0).crowded()),
             ]
         } else {
-            vec![
-                Layer::line("", rest(0), rest(1), body),
-                Layer::swinging("", drawn(0), drawn(1), swing, shape),
-            ]
+            let moved = match moves {
+                Moves::Swings => Layer::swinging("", drawn(0), drawn(1), swing, shape),
+                Moves::Rests => Layer::line("", drawn(0), drawn(1), shape),
+            };
+            vec![Layer::line("", rest(0), rest(1), body), moved]
         };
         let [x, y] = self.axes();
         Panel::new(x, y, layers)

@@ -34,7 +34,7 @@ pub(super) fn complex_mac(shapes: &[Vec<Complex64>]) -> Vec<f64> {
 }
 
 /// Places and lines of a layout as arrays.
-pub(super) fn with_layout(dataset: Dataset, layout: &Layout) -> Result<Dataset, ModelError> {
+pub(crate) fn with_layout(dataset: Dataset, layout: &Layout) -> Result<Dataset, ModelError> {
     let places: Vec<f64> = layout.points.iter().flatten().copied().collect();
     let lines: Vec<i64> = layout.lines.iter().flatten().map(|point| *point as i64).collect();
     let names: Vec<i64> = layout.names.iter().map(|name| *name as i64).collect();

@@ -48,6 +48,9 @@ fn beam_mesh(beam: &Beam) -> Result<(Mesh, Supports), Unbuilt> {
 fn block_mesh(block: &Block) -> Result<Mesh, Unbuilt> {
     let size = std::array::from_fn(|axis| block.size.get(axis).copied().unwrap_or(0.0));
     let cells = std::array::from_fn(|axis| block.cells.get(axis).copied().unwrap_or(0));
+    let origin = block.origin.as_deref().unwrap_or_default();
+    let moved = |axis: usize, along: f64| origin.get(axis).map_or(along, |from| from + along);
     let grid = Grid { kind: block.element(), size, cells };
-    grid.mesh(OWN, |place| place).map_err(|error| Unbuilt::because("structure.block", &error))
+    grid.mesh(OWN, |place| std::array::from_fn(|axis| moved(axis, place[axis])))
+        .map_err(|error| Unbuilt::because("structure.block", &error))
 }

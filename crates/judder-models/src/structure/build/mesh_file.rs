@@ -2,7 +2,7 @@
 
 use super::assembled::{add_supports, assembled, section};
 use super::{Structure, Unbuilt};
-use crate::structure::case::body::Body;
+use crate::structure::case::body::{Body, LengthUnit};
 use crate::structure::case::damping::Damping;
 use crate::structure::case::problem::StructureProblem;
 use judder_exchange::mesh_file::{FileSection, MeshFile, read_mesh};
@@ -16,6 +16,8 @@ pub(super) fn structure(body: &Body, file: &FileReference, damping: &Damping) ->
     let mut read = read_mesh(&file.path).map_err(|error| {
         Unbuilt::new("structure.mesh", StructureProblem::File { reason: error.to_string() })
     })?;
+    let metres = body.unit.map_or(1.0, LengthUnit::metres);
+    read.mesh.nodes.iter_mut().flatten().for_each(|place| *place *= metres);
     name_nodes(&mut read);
     refuse_strangers(body, &read)?;
     let materials = materials(body, &read)?;

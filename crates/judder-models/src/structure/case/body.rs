@@ -25,6 +25,9 @@ pub struct Body {
     /// Where its elements come from.
     #[key(flatten)]
     pub geometry: Geometry,
+    /// The unit of the lengths of a mesh file; metres where left out.
+    #[key(omitted)]
+    pub unit: Option<LengthUnit>,
     /// How the third direction of a body of the plane is meant; a mesh file may say it.
     #[key(usual = PlaneSection::PlaneStress)]
     pub section: Option<PlaneSection>,
@@ -39,6 +42,29 @@ pub struct Body {
     /// What holds sets of nodes.
     #[key(rule = SUPPORTS, default = Vec::new())]
     pub supports: Vec<Support>,
+}
+
+/// A unit of length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "unit of length")]
+#[allow(missing_docs)]
+pub enum LengthUnit {
+    M,
+    Cm,
+    Mm,
+    Um,
+}
+
+impl LengthUnit {
+    /// In metres.
+    pub fn metres(self) -> f64 {
+        match self {
+            Self::M => 1.0,
+            Self::Cm => 1e-2,
+            Self::Mm => 1e-3,
+            Self::Um => 1e-6,
+        }
+    }
 }
 
 /// Where elements come from.
@@ -103,6 +129,9 @@ pub struct Block {
     /// Cells along each side of a block.
     #[key(rule = CELLS, example = "[20, 2, 2]")]
     pub cells: Vec<usize>,
+    /// Where the corner of a block with the smallest coordinates lies; at zero where left out.
+    #[key(rule = CORNER, symbol = "x, y, z", omitted)]
+    pub origin: Option<Vec<f64>>,
 }
 
 impl Block {
@@ -117,7 +146,8 @@ impl Block {
         let element = self.element();
         self.element = Some(element);
         let expected = if element.dimension() == 2 { "two in the plane" } else { "three in space" };
-        for (key, found) in [("size", self.size.len()), ("cells", self.cells.len())] {
+        let of_origin = self.origin.as_ref().map_or(0, Vec::len);
+        for (key, found) in [("size", self.size.len()), ("cells", self.cells.len()), ("origin", of_origin)] {
             if let Some(node) = section.get(key).filter(|_| found != element.dimension()) {
                 return Err(length(section, key, expected, node));
             }
@@ -170,6 +200,7 @@ const PLACE: Pair =
     Pair { of: Number::any(Dimension::LENGTH), what: "two lengths, x and y", is_ascending: false };
 const SIDES: Several<Number> = Several { of: LENGTH, length: [2, 3] };
 const SUPPORTS: Several<()> = Several { of: (), length: [0, usize::MAX] };
+const CORNER: Several<Number> = Several { of: Number::any(Dimension::LENGTH), length: [2, 3] };
 const CELLS: Several<Whole> = Several { of: ELEMENTS_RANGE, length: [2, 3] };
 
 /// The most elements along a side of a beam or a block.
@@ -228,6 +259,7 @@ impl Body {
             ("section", "elements of space", is_solid),
             ("width", "elements of space", is_solid),
             ("materials", "a body of one material", !is_mesh),
+            ("unit", "lengths that have their own", !is_mesh),
         ];
         for (key, with, is_refused) in refused {
             if let Some(node) = section.get(key).filter(|_| is_refused) {

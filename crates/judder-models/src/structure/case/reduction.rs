@@ -81,6 +81,14 @@ impl Reduction {
 }
 
 impl KeptNodes {
+    /// The nodes in words.
+    pub(crate) fn words(&self) -> String {
+        match self {
+            Self::Set(set) => set.clone(),
+            Self::Numbers(nodes) => nodes.iter().map(usize::to_string).collect::<Vec<_>>().join(", "),
+        }
+    }
+
     /// Refuses a `section` that names nodes otherwise than those of `source` are: by a set of a body, by numbers of a table of freedoms.
     pub(crate) fn admit(section: &Section<'_>, source: &StructureSource) -> Result<(), Fault> {
         let (problem, node) = match (source, section.get("set"), section.get("nodes")) {

@@ -42,7 +42,7 @@ pub(super) struct GrowingModes {
 
 /// Why a mode grows.
 #[derive(Results)]
-pub(super) struct Diagnosed {
+pub(crate) struct Diagnosed {
     /// what each matrix adds to the growth rate
     matrices: Vec<Fed>,
     /// all of it together

@@ -2,7 +2,7 @@
 
 mod diagnosis;
 pub(crate) mod figure;
-pub(super) mod run;
+pub(crate) mod run;
 pub(crate) mod tables;
 
 use super::Subject;
@@ -16,7 +16,7 @@ use judder_structure::quadratic::Region;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
-use run::ToldRegion;
+pub(crate) use run::ToldRegion;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 

@@ -4,13 +4,14 @@ use super::super::fields::{self, ModeKind, Shape};
 use super::super::shapes;
 use super::diagnosis::{self, Diagnosed};
 use crate::error::ModelError;
-use crate::structure::build::Structure;
+use crate::structure::build::{Layout, Structure};
 use crate::structure::case::StructureCase;
 use judder_store::{Results, Variable};
 use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{
     ComplexMode, ComplexModeSettings, ComplexModes, Eigenvalue, EigenvalueVerdict, Gap, Region, complex_modes,
 };
+use judder_structure::mesh::Mesh;
 use judder_structure::quadratic::Quadratic;
 use judder_structure::statics::product;
 use judder_study::outcome::{CheckRecord, Outcome};
@@ -37,60 +38,116 @@ pub(crate) fn run(
     sought: &Region,
 ) -> Result<Outcome, ModelError> {
     let problem = structure.at(case, &case.values())?;
-    let mut found = complex_modes(&problem, sought, &ComplexModeSettings::default())?;
+    let found = found(&problem, sought)?;
+    let diagnosis = diagnosis::of_growing(case, structure, sought, &found.modes)?;
+    let (told, checked) = match diagnosis {
+        Some(own) => (Some(own.modes), Some((own.check, own.warnings))),
+        None => (None, None),
+    };
+    let shown = ShownModes {
+        problem: &problem,
+        sought,
+        found: &found,
+        layout: structure.layout.as_ref(),
+        mesh: structure.mesh(),
+        expanded: &<[Complex64]>::to_vec,
+    };
+    let mut outcome = shown.outcome(name, told)?;
+    if let Some((check, warnings)) = checked {
+        outcome.checks.push(check);
+        outcome.warnings.extend(warnings);
+    }
+    Ok(outcome)
+}
+
+/// The complex modes of a region, by imaginary, then by real part.
+pub(crate) fn found(problem: &Quadratic, sought: &Region) -> Result<ComplexModes, ModelError> {
+    let mut found = complex_modes(problem, sought, &ComplexModeSettings::default())?;
     found.modes.sort_by(|a, b| in_order(&a.eigenvalue, &b.eigenvalue));
-    let values: Vec<Eigenvalue> = found.modes.iter().map(|mode| mode.eigenvalue).collect();
-    let unstable = values.iter().filter(|value| value.verdict() == EigenvalueVerdict::Unstable).count();
-    let mut warnings = gap_warnings(&found.gaps);
-    if values.is_empty() && found.complete() {
-        warnings.push("the region has no eigenvalue".to_owned());
+    Ok(found)
+}
+
+/// Complex modes, and the body or bodies that swing in them.
+pub(crate) struct ShownModes<'a> {
+    pub(crate) problem: &'a Quadratic,
+    pub(crate) sought: &'a Region,
+    pub(crate) found: &'a ComplexModes,
+    pub(crate) layout: Option<&'a Layout>,
+    pub(crate) mesh: Option<&'a Mesh>,
+    /// A shape on the freedoms of the layout from one of the problem.
+    pub(crate) expanded: &'a dyn Fn(&[Complex64]) -> Vec<Complex64>,
+}
+
+impl ShownModes<'_> {
+    /// What is told, stored and drawn of them.
+    pub(crate) fn outcome(
+        &self,
+        name: &str,
+        diagnosis: Option<Vec<Diagnosed>>,
+    ) -> Result<Outcome, ModelError> {
+        let Self { problem, sought, found, .. } = self;
+        let values: Vec<Eigenvalue> = found.modes.iter().map(|mode| mode.eigenvalue).collect();
+        let mut warnings = gap_warnings(&found.gaps);
+        if values.is_empty() && found.complete() {
+            warnings.push("the region has no eigenvalue".to_owned());
+        }
+        let told = ToldRegion {
+            eigenvalues: (1..).zip(&values).map(|(mode, value)| ToldMode::new(mode, value)).collect(),
+            complete: found.complete(),
+            unstable: values.iter().filter(|value| value.verdict() == EigenvalueVerdict::Unstable).count(),
+            degrees_of_freedom: problem.size(),
+            shifts: found.shifts.len(),
+            diagnosis,
+        };
+        let shapes: Vec<SwingingShape> = found.modes.iter().map(|mode| self.shape(mode)).collect();
+        let vectors: Vec<Vec<Complex64>> = shapes.iter().map(|shape| shape.vector.clone()).collect();
+        let (count, codes) = (values.len(), values.iter().map(|value| code(value.verdict())).collect());
+        let Outcome { scalars, dataset, table, .. } = Outcome::of(&told)?;
+        let mut dataset = dataset
+            .attribute("region", json!({ "re": sought.re, "im": sought.im }))?
+            .with(Variable::classes("verdict", &["mode"], &[count], codes, &VERDICTS).long_name("verdict"))?
+            .with(
+                Variable::new("mac", &["mode", "other_mode"], &[count; 2], shapes::complex_mac(&vectors))
+                    .units("1")
+                    .long_name("modal assurance criterion of two shapes"),
+            )?;
+        if let Some(layout) = self.layout {
+            dataset = shapes::with_layout(dataset, layout)?;
+            dataset = shapes::with_complex(dataset, layout, &vectors, &mut warnings)?;
+        }
+        let swinging = |(k, (mode, shape)): (usize, (&ComplexMode, SwingingShape))| {
+            let (value, frequency) = (mode.eigenvalue.value, mode.eigenvalue.frequency_hz());
+            let name = format!("mode {} ({:.6} + {:.6} i 1/s)", k + 1, value.re, value.im);
+            let SwingingShape { vector, modal_a } = shape;
+            Shape { name, vector, frequency, mode: ModeKind::Complex { eigenvalue: value, modal_a } }
+        };
+        let shapes: Vec<Shape> = found.modes.iter().zip(shapes).enumerate().map(swinging).collect();
+        Ok(Outcome {
+            scalars,
+            dataset,
+            table,
+            checks: checks(found),
+            missing: usize::from(!found.complete()),
+            warnings,
+            files: fields::fields(name, self.layout, self.mesh, &shapes)?,
+            ..Outcome::default()
+        })
     }
-    let mut checks = checks(&found);
-    let diagnosis = diagnosis::of_growing(case, structure, sought, &found.modes)?.map(|told| {
-        warnings.extend(told.warnings);
-        checks.push(told.check);
-        told.modes
-    });
-    let told = ToldRegion {
-        eigenvalues: (1..).zip(&values).map(|(mode, value)| ToldMode::new(mode, value)).collect(),
-        complete: found.complete(),
-        unstable,
-        degrees_of_freedom: problem.size(),
-        shifts: found.shifts.len(),
-        diagnosis,
-    };
-    let shapes: Vec<Vec<Complex64>> = found.modes.iter().map(|mode| of_largest_one(&mode.right)).collect();
-    let (count, codes) = (values.len(), values.iter().map(|value| code(value.verdict())).collect());
-    let Outcome { scalars, dataset, table, .. } = Outcome::of(&told)?;
-    let mut dataset = dataset
-        .attribute("region", json!({ "re": sought.re, "im": sought.im }))?
-        .with(Variable::classes("verdict", &["mode"], &[count], codes, &VERDICTS).long_name("verdict"))?
-        .with(
-            Variable::new("mac", &["mode", "other_mode"], &[count; 2], shapes::complex_mac(&shapes))
-                .units("1")
-                .long_name("modal assurance criterion of two shapes"),
-        )?;
-    if let Some(layout) = &structure.layout {
-        dataset = shapes::with_layout(dataset, layout)?;
-        dataset = shapes::with_complex(dataset, layout, &shapes, &mut warnings)?;
+
+    /// The shape of a mode on the freedoms of the layout, its largest entry of magnitude 1, its phase as it is.
+    fn shape(&self, mode: &ComplexMode) -> SwingingShape {
+        let all = (self.expanded)(&mode.right);
+        let largest = all.iter().map(|entry| entry.norm()).fold(0.0, f64::max);
+        let size = if largest == 0.0 { 1.0 } else { largest };
+        let scaled = |shape: &[Complex64]| shape.iter().map(|entry| entry / size).collect::<Vec<_>>();
+        SwingingShape { modal_a: modal_a(self.problem, mode, &scaled(&mode.right)), vector: scaled(&all) }
     }
-    let swinging = |(k, (mode, vector)): (usize, (&ComplexMode, Vec<Complex64>))| {
-        let (value, frequency) = (mode.eigenvalue.value, mode.eigenvalue.frequency_hz());
-        let name = format!("mode {} ({:.6} + {:.6} i 1/s)", k + 1, value.re, value.im);
-        let modal_a = modal_a(&problem, mode, &vector);
-        Shape { name, vector, frequency, mode: ModeKind::Complex { eigenvalue: value, modal_a } }
-    };
-    let shapes: Vec<Shape> = found.modes.iter().zip(shapes).enumerate().map(swinging).collect();
-    Ok(Outcome {
-        scalars,
-        dataset,
-        table,
-        checks,
-        missing: usize::from(!found.complete()),
-        warnings,
-        files: fields::fields(name, structure, &shapes)?,
-        ..Outcome::default()
-    })
+}
+
+/// A shape and the ψᴴ(2λM + C)φ that belongs to its size.
+struct SwingingShape {
+    vector: Vec<Complex64>,
+    modal_a: Complex64,
 }
 
 /// By imaginary, then by real part.
@@ -101,7 +158,7 @@ pub(crate) fn in_order(a: &Eigenvalue, b: &Eigenvalue) -> std::cmp::Ordering {
 /// What is told of the modes of a region.
 #[derive(Results)]
 #[results(arrays(eigenvalues), columns(eigenvalues))]
-pub(super) struct ToldRegion {
+pub(crate) struct ToldRegion {
     /// the eigenvalues, by rising frequency
     #[result(rows)]
     eigenvalues: Vec<ToldMode>,
@@ -184,12 +241,6 @@ pub(crate) fn gap_warnings(gaps: &[Gap]) -> Vec<String> {
         warnings.push(format!("eigenvalues may be missing at {} more places", gaps.len() - SHOWN));
     }
     warnings
-}
-
-/// A shape whose largest entry has magnitude 1; its phase stays as it is.
-fn of_largest_one(vector: &[Complex64]) -> Vec<Complex64> {
-    let largest = vector.iter().map(|entry| entry.norm()).fold(0.0, f64::max);
-    if largest == 0.0 { vector.to_vec() } else { vector.iter().map(|entry| entry / largest).collect() }
 }
 
 /// a = ψᴴ(2λM + C)φ of a shape φ. The left vector ψ is scaled to ψ̄ = φ at the largest entry of φ, so that the receptance there is

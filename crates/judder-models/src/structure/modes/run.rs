@@ -62,7 +62,7 @@ pub(crate) fn run(
         swinging(k, mode, (k >= rigid).then_some(ratio))
     };
     let shapes: Vec<Shape> = found.modes.iter().enumerate().map(swinging).collect();
-    let files = fields::fields(name, structure, &shapes)?;
+    let files = fields::fields(name, structure.layout.as_ref(), structure.mesh(), &shapes)?;
     let checks = checks(&mass, &found, wanted);
     Ok(Outcome { scalars, dataset, table, checks, files, warnings, ..Outcome::default() })
 }

@@ -11,6 +11,7 @@ from judder.progress import Progress
 from judder.study import CaseLike
 
 __all__ = [
+    "Assembly",
     "Belt",
     "Contact",
     "Model",
@@ -498,3 +499,38 @@ class Sliding(Model):
         progress: Progress | None = None,
     ) -> Result:
         """A signal of a march over time, position and frequency, with the unstable zones of a locus."""
+
+class Assembly(Model):
+    """Bodies that touch at many points."""
+
+    def __init__(
+        self,
+        case: CaseLike | None = None,
+        *,
+        set: Mapping[str, Any] | None = None,
+        analysis: Sequence[Mapping[str, Any]] | None = None,
+        contact: Sequence[Mapping[str, Any]] | None = None,
+        load: Sequence[Mapping[str, Any]] | None = None,
+        parameters: Mapping[str, float] | None = None,
+        structure: Sequence[Mapping[str, Any]] | None = None,
+        sweep: Sequence[Mapping[str, Any]] | None = None,
+        title: str | None = None,
+    ) -> None: ...
+    def steady_sliding(
+        self,
+        *,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Result:
+        """Steady sliding: forces, gaps, pressure, which contact points are closed."""
+    def eigen(
+        self,
+        *,
+        count: int | None = None,
+        band: Sequence[str] | None = None,
+        region: Mapping[str, Any] | None = None,
+        damping: bool | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Result:
+        """Complex modes about steady sliding, each with its error, and what makes it grow."""

@@ -1,5 +1,6 @@
 //! What models find wrong.
 
+use judder_assembly::AssemblyError;
 use judder_contact::LawError;
 use judder_contact::indenter::IndenterError;
 use judder_contact::material::MaterialError;
@@ -41,6 +42,9 @@ pub enum ModelError {
     /// Two structures cannot slide on each other, or their eigenvalues were not found.
     #[error(transparent)]
     Sliding(#[from] SlidingError),
+    /// An assembly does not slide steadily, or its stability is not known.
+    #[error(transparent)]
+    Assembly(#[from] AssemblyError),
     /// A signal of a march cannot be treated.
     #[error("the signal: {0}")]
     Signal(#[from] SignalError),
@@ -224,6 +228,12 @@ impl ModelFault for ModelError {
                     | SlidingError::NotFinite { .. }
                     | SlidingError::ForeignCheckpoint
                     | SlidingError::Interrupted
+            ),
+            Self::Assembly(error) => !matches!(
+                error,
+                AssemblyError::NoConvergence { .. }
+                    | AssemblyError::NoEigenvalues { .. }
+                    | AssemblyError::Structure(_)
             ),
             // a window that was chosen, not given
             Self::Transient(error) => !matches!(error, TransientError::WindowTooSmall { .. }),

@@ -10,11 +10,12 @@
 //! - [`computed_law`], [`law_cache`]: a law over speeds and depths; material and law of a case whose numbers move.
 //! - `within_law`: what the errors of a contact law leave of results, in words.
 //! - [`checks`]: every number doubted by another number.
-//! - [`oscillator`], [`contact`], [`belt`], [`two_degrees`], [`structure`], [`sliding`]: the models. [`motion`]: what oscillator and belt share. [`parameters`]:
+//! - [`oscillator`], [`contact`], [`belt`], [`two_degrees`], [`structure`], [`sliding`], [`assembly`]: the models. [`motion`]: what oscillator and belt share. [`parameters`]:
 //!   `[parameters]`.
 //! - `estimate`: what analyses would take. `written`: files of other programs, in memory.
 //! - [`template`]: the commented cases of `judder new`.
 
+pub mod assembly;
 mod axis;
 pub mod band;
 pub mod belt;
@@ -68,6 +69,7 @@ pub const REGISTRY: Registry = Registry::new(&[
     &two_degrees::MODEL,
     &structure::MODEL,
     &sliding::MODEL,
+    &assembly::MODEL,
 ]);
 
 /// Reads and validates the case file at `path` with the options `--set key=value`.

@@ -1,0 +1,132 @@
+//! From the keys of an assembly case to bodies that touch.
+//!
+//! - `body`: one body, whole or reduced.
+//! - `load`: what acts on it.
+//! - `interface`: contact points found, laws as the physics has them.
+//! - `shown`: all bodies as one, for pictures and files.
+
+mod body;
+mod interface;
+mod load;
+mod shown;
+
+pub(crate) use body::{BuiltBody, extent};
+pub(crate) use shown::Shown;
+
+use crate::assembly::case::AssemblyCase;
+use crate::assembly::case::problem::AssemblyProblem;
+use crate::error::ModelError;
+use crate::structure::build::Unbuilt;
+use judder_assembly::AssemblyError;
+use judder_assembly::assembly::{Assembly, stacked};
+use judder_keys::cause::Cause;
+use judder_structure::assembly::Sparse;
+use judder_study::case::text::CaseText;
+use num_complex::Complex64;
+
+/// Bodies that touch, their files read, their elements assembled, their contact points found.
+pub(crate) struct BuiltAssembly {
+    pub(crate) bodies: Vec<BuiltBody>,
+    pub(crate) assembly: Assembly,
+    /// The slider's node of each contact point, by contact.
+    pub(crate) nodes: Vec<Vec<usize>>,
+    /// What the user has to know.
+    pub(crate) warnings: Vec<String>,
+}
+
+/// Why an assembly cannot be, and at which dotted path of the case.
+#[derive(Debug)]
+pub(crate) struct Unassembled {
+    pub(crate) path: String,
+    pub(crate) cause: Box<Cause>,
+}
+
+impl Unassembled {
+    pub(crate) fn new(path: impl Into<String>, problem: impl Into<Cause>) -> Self {
+        Self { path: path.into(), cause: Box::new(problem.into()) }
+    }
+
+    /// With a reason in words.
+    pub(crate) fn because(path: impl Into<String>, reason: &impl ToString) -> Self {
+        Self::new(path, AssemblyProblem::Refused { reason: reason.to_string() })
+    }
+
+    /// As an error at its place in the case file.
+    pub(crate) fn placed(self, file: &CaseText) -> ModelError {
+        file.error(&self.path, *self.cause).into()
+    }
+}
+
+impl From<Unbuilt> for Unassembled {
+    fn from(Unbuilt { path, problem }: Unbuilt) -> Self {
+        Self::new(path, problem)
+    }
+}
+
+impl From<Unassembled> for ModelError {
+    fn from(unassembled: Unassembled) -> Self {
+        Self::Unsupported(unassembled.cause.to_string())
+    }
+}
+
+impl BuiltAssembly {
+    /// Reads, assembles and brings together what a case describes.
+    pub(crate) fn new(case: &AssemblyCase) -> Result<Self, Unassembled> {
+        let structures = (0..case.structures.len())
+            .map(|index| BuiltBody::structure(case, index))
+            .collect::<Result<Vec<_>, _>>()?;
+        let touching = interface::touching(case, &structures)?;
+        let mut bodies: Vec<BuiltBody> = Vec::with_capacity(structures.len());
+        for (index, structure) in structures.into_iter().enumerate() {
+            let before = bodies.last().map_or([0, 0], BuiltBody::end);
+            bodies.push(BuiltBody::new(case, index, structure, &touching.of_body(index), before)?);
+        }
+        let mut warnings: Vec<String> =
+            bodies.iter().flat_map(|body| body.warnings.iter().cloned()).collect();
+        let (interfaces, nodes) = interface::interfaces(case, &bodies, &touching, &mut warnings)?;
+        let all = |pick: fn(&BuiltBody) -> &Sparse| {
+            stacked(&bodies.iter().map(pick).collect::<Vec<_>>())
+                .map_err(|error| Unassembled::because("structure", &error))
+        };
+        let assembly = Assembly {
+            mass: all(|body| &body.matrices.mass)?,
+            damping: all(|body| &body.matrices.damping)?,
+            stiffness: all(|body| &body.matrices.stiffness)?,
+            load: bodies.iter().flat_map(|body| body.load.iter().copied()).collect(),
+            interfaces,
+        };
+        match assembly.framed() {
+            Err(AssemblyError::NoSlip { interface, place, velocity, normal }) => {
+                let path = format!("contact.{interface}.sliding");
+                Err(Unassembled::because(path, &AssemblyError::NoSlip { interface, place, velocity, normal }))
+            }
+            Err(error) => Err(Unassembled::because("contact", &error)),
+            Ok(_) => Ok(Self { bodies, assembly, nodes, warnings }),
+        }
+    }
+
+    /// A shape on the freedoms of all bodies from one on those of the assembly.
+    pub(crate) fn expanded(&self, shape: &[Complex64]) -> Vec<Complex64> {
+        self.bodies
+            .iter()
+            .flat_map(|body| body.expanded(&shape[body.first..body.first + body.size()]))
+            .collect()
+    }
+
+    /// What an analysis was refused for, in words of the case: a freedom by its structure and place.
+    pub(crate) fn told(&self, error: AssemblyError) -> ModelError {
+        let AssemblyError::RigidMotion { motions, freedom, .. } = &error else { return error.into() };
+        match self.bodies.iter().find(|body| (body.first..body.first + body.size()).contains(freedom)) {
+            Some(body) => {
+                let moves = body.moves(freedom - body.first);
+                ModelError::Unsupported(format!(
+                    "{motions} rigid motion{} held neither by supports nor by contacts: the first moves `{}` {moves}; support it, or let a \
+                     contact hold it",
+                    if *motions == 1 { " is" } else { "s are" },
+                    body.name,
+                ))
+            }
+            None => error.into(),
+        }
+    }
+}

@@ -1,0 +1,284 @@
+//! One body of an assembly, whole or reduced, and what acts on it.
+
+use super::Unassembled;
+use super::load::{Imposed, load};
+use crate::assembly::case::AssemblyCase;
+use crate::assembly::case::structure::{AssemblyStructure, BodyReduction};
+use crate::error::ModelError;
+use crate::structure::build::{Structure, symmetric_part};
+use crate::structure::case::StructureCase;
+use crate::structure::case::damping::Damping;
+use crate::structure::case::problem::StructureProblem;
+use crate::structure::case::reduction::FixedModes;
+use faer::Mat;
+use faer::sparse::Triplet;
+use judder_assembly::AssemblyError;
+use judder_assembly::assembly::{from_triplets, triplets};
+use judder_structure::assembly::{Sparse, inertia_load};
+use judder_structure::craig_bampton::{CraigBampton, CutOff};
+use judder_structure::freedom::{Direction, Numbering, Supports};
+use judder_structure::mesh::Mesh;
+use judder_study::text::short;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// A body with its matrices on its freedoms, or on what a reduction leaves of them: its coordinates.
+pub(crate) struct BuiltBody {
+    /// Its name in the case.
+    pub(crate) name: String,
+    pub(crate) structure: Structure,
+    pub(crate) matrices: BodyMatrices,
+    /// f in N.
+    pub(crate) load: Vec<f64>,
+    /// Held displacements that loads impose, in m.
+    pub(crate) imposed: Imposed,
+    /// Where its coordinates begin among those of the assembly.
+    pub(crate) first: usize,
+    /// Where its freedoms begin among those of all bodies.
+    pub(crate) first_freedom: usize,
+    /// T of a reduced body.
+    basis: Option<Mat<f64>>,
+    /// The coordinate of each freedom; `None` where a reduction does not keep it.
+    coordinates: Vec<Option<usize>>,
+    pub(crate) warnings: Vec<String>,
+}
+
+/// M, C and K of a body.
+pub(crate) struct BodyMatrices {
+    pub(crate) mass: Sparse,
+    pub(crate) damping: Sparse,
+    pub(crate) stiffness: Sparse,
+}
+
+impl BuiltBody {
+    /// The structure of a body, read and assembled.
+    pub(super) fn structure(case: &AssemblyCase, index: usize) -> Result<Structure, Unassembled> {
+        let made = Structure::new(&alone(case, index));
+        made.map_err(|unbuilt| unbuilt.of_structure(&case.structures[index].name).into())
+    }
+
+    /// A body whose coordinates and freedoms begin behind `before`, and whose nodes `touching` are in contact.
+    pub(super) fn new(
+        case: &AssemblyCase,
+        index: usize,
+        structure: Structure,
+        touching: &[usize],
+        [first, first_freedom]: [usize; 2],
+    ) -> Result<Self, Unassembled> {
+        let own = &case.structures[index];
+        let (load, imposed) = load(case, index, &structure)?;
+        let matrices = matrices(case, index, &structure)?;
+        let of_size = size_warning(&own.name, &structure).into_iter();
+        let mut body = Self {
+            name: own.name.to_string(),
+            coordinates: (0..load.len()).map(Some).collect(),
+            matrices,
+            load,
+            imposed,
+            first,
+            first_freedom,
+            basis: None,
+            warnings: of_size.chain(structure.warnings.iter().cloned()).collect(),
+            structure,
+        };
+        if let BodyReduction::Modes(modes) = own.reduction {
+            let path = format!("structure.{}.reduction", own.name);
+            body.reduce(modes, touching).map_err(|error| Unassembled::because(path, &error))?;
+        }
+        Ok(body)
+    }
+
+    /// How many coordinates it has.
+    pub(crate) fn size(&self) -> usize {
+        self.load.len()
+    }
+
+    /// Where coordinates and freedoms of the next body begin.
+    pub(super) fn end(&self) -> [usize; 2] {
+        [self.first + self.size(), self.first_freedom + self.coordinates.len()]
+    }
+
+    /// The coordinate of the assembly that is a displacement of a point; `None` where it is held.
+    pub(super) fn coordinate(&self, point: usize, direction: Direction) -> Option<usize> {
+        let freedoms = self.structure.layout.as_ref()?.freedoms.get(point)?;
+        Some(self.first + self.coordinates[freedoms[direction as usize]?]?)
+    }
+
+    /// How a point is displaced whatever happens, in m.
+    pub(super) fn displaced(&self, point: usize) -> [f64; 3] {
+        Direction::ALL.map(|direction| self.imposed.get(&(point, direction)).copied().unwrap_or(0.0))
+    }
+
+    /// A shape on its freedoms from one on its coordinates.
+    pub(super) fn expanded(&self, shape: &[Complex64]) -> Vec<Complex64> {
+        let Some(basis) = &self.basis else { return shape.to_vec() };
+        let row = |i: usize| shape.iter().enumerate().map(|(k, z)| z * basis[(i, k)]).sum();
+        (0..basis.nrows()).map(row).collect()
+    }
+
+    /// Its mass without that of its points, in kg: the force that accelerates all of it; unknown of matrices.
+    pub(crate) fn whole_mass(&self) -> Result<Option<f64>, ModelError> {
+        let Some(elements) = &self.structure.elements else { return Ok(None) };
+        let free = Numbering::new(&elements.mesh, elements.numbering.dimension(), &Supports::default())?;
+        let load = inertia_load(&elements.mesh, &elements.materials, &free, [1.0, 0.0, 0.0])?;
+        Ok(Some(load.iter().sum()))
+    }
+
+    /// How a coordinate moves it, in words.
+    pub(super) fn moves(&self, coordinate: usize) -> String {
+        let freedom = self.coordinates.iter().position(|own| *own == Some(coordinate));
+        let place = freedom.and_then(|freedom| {
+            let layout = self.structure.layout.as_ref()?;
+            let along = |own: &[Option<usize>; 3]| own.iter().position(|own| *own == Some(freedom));
+            let places = layout.freedoms.iter().enumerate();
+            let (point, axis) = places.filter_map(|(point, own)| Some((point, along(own)?))).next()?;
+            Some(format!("along {}, most at node {}", Direction::ALL[axis], layout.names[point]))
+        });
+        place.unwrap_or_else(|| format!("in coordinate {coordinate}"))
+    }
+
+    /// The body on the freedoms that contacts and loads need, and fixed-interface modes.
+    fn reduce(&mut self, modes: FixedModes, touching: &[usize]) -> Result<(), AssemblyError> {
+        let mut needed: Vec<bool> = self.load.iter().map(|force| *force != 0.0).collect();
+        let layout = self.structure.layout.iter();
+        let of_points =
+            layout.flat_map(|layout| touching.iter().filter_map(|point| layout.freedoms.get(*point)));
+        for freedom in of_points.flatten().flatten() {
+            needed[*freedom] = true;
+        }
+        let kept: Vec<usize> = (0..needed.len()).filter(|freedom| needed[*freedom]).collect();
+        let cut_off = match modes {
+            FixedModes::Count(count) => CutOff::Count(count),
+            FixedModes::CutOff(limit) => CutOff::Frequency(limit / TAU),
+        };
+        let BodyMatrices { mass, damping, stiffness } = &self.matrices;
+        let reduced = CraigBampton::new(stiffness, mass, &kept, cut_off)?;
+        let basis = reduced.basis;
+        self.matrices = BodyMatrices {
+            mass: sparse(&reduced.mass)?,
+            damping: projected(&basis, damping)?,
+            stiffness: sparse(&reduced.stiffness)?,
+        };
+        let along = |k: usize| self.load.iter().enumerate().map(|(i, force)| basis[(i, k)] * force).sum();
+        self.load = (0..basis.ncols()).map(along).collect();
+        self.coordinates = vec![None; needed.len()];
+        for (coordinate, freedom) in kept.iter().enumerate() {
+            self.coordinates[*freedom] = Some(coordinate);
+        }
+        self.basis = Some(basis);
+        Ok(())
+    }
+}
+
+/// A body as a case of its own.
+fn alone(case: &AssemblyCase, index: usize) -> StructureCase {
+    let own = &case.structures[index];
+    StructureCase {
+        title: case.title.clone(),
+        parameters: case.parameters.clone(),
+        source: own.source.clone(),
+        damping: own.damping(),
+        reduction: None,
+        analyses: Vec::new(),
+    }
+}
+
+/// M with its point masses, C and K; what α of Rayleigh's damping stands before is all of M.
+fn matrices(case: &AssemblyCase, index: usize, structure: &Structure) -> Result<BodyMatrices, Unassembled> {
+    let own = &case.structures[index];
+    let path = format!("structure.{}", own.name);
+    let problem = structure
+        .at(&alone(case, index), &case.values())
+        .map_err(|error| Unassembled::because(path.as_str(), &error))?;
+    let points = point_masses(own, structure)?;
+    let alpha = if let Damping::Rayleigh(rayleigh) = own.damping() { rayleigh.alpha } else { 0.0 };
+    let added = |matrix: &Sparse, factor: f64| {
+        let on_points = points.iter().map(|(freedom, mass)| Triplet::new(*freedom, *freedom, factor * mass));
+        let entries: Vec<_> = triplets(matrix).chain(on_points).collect();
+        from_triplets(matrix.nrows(), matrix.ncols(), &entries)
+            .map_err(|error| Unassembled::because(path.as_str(), &error))
+    };
+    let (mass, damping) = (added(problem.mass(), 1.0)?, added(problem.damping(), alpha)?);
+    let stiffness = match symmetric_part(problem.stiffness()) {
+        Ok((part, departure)) if departure <= ROUNDING => part,
+        Ok(_) => {
+            let reason = "its stiffness is not symmetric: friction within a body is none of its contacts";
+            return Err(Unassembled::because(path, &reason));
+        }
+        Err(error) => return Err(Unassembled::because(path, &error)),
+    };
+    Ok(BodyMatrices { mass, damping, stiffness })
+}
+
+/// Departure from symmetry that is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// The freedoms that point masses move, and the mass on each.
+fn point_masses(own: &AssemblyStructure, structure: &Structure) -> Result<Vec<(usize, f64)>, Unassembled> {
+    let (Some(mesh), Some(layout)) = (structure.mesh(), &structure.layout) else { return Ok(Vec::new()) };
+    let mut found = Vec::new();
+    for (index, point) in own.masses.iter().enumerate() {
+        let path = format!("structure.{}.masses.{index}.set", own.name);
+        let nodes = nodes_of_set(mesh, &point.set, path)?;
+        let share = point.mass / nodes.len() as f64;
+        let freedoms = nodes.iter().flat_map(|node| layout.freedoms[*node]).flatten();
+        found.extend(freedoms.map(|freedom| (freedom, share)));
+    }
+    Ok(found)
+}
+
+/// The nodes of a set that the case names at `path`.
+fn nodes_of_set<'a>(mesh: &'a Mesh, set: &str, path: String) -> Result<&'a [usize], Unassembled> {
+    mesh.node_sets.get(set).map(Vec::as_slice).ok_or_else(|| {
+        let known = mesh.node_sets.keys().cloned().collect();
+        Unassembled::new(path, StructureProblem::UnknownSet { name: set.to_owned(), known })
+    })
+}
+
+/// The width of a body of the plane across it; one of a body of space, and of matrices.
+pub(super) fn width(structure: &Structure) -> f64 {
+    let section = structure.elements.as_ref().and_then(|elements| elements.materials.values().next());
+    section.map_or(1.0, |(_, section)| section.thickness())
+}
+
+/// A body so large or small that its mesh may be meant in another unit of length.
+fn size_warning(name: &str, structure: &Structure) -> Option<String> {
+    /// Sizes of what brakes, seals and wipers are made of, m.
+    const USUAL: [f64; 2] = [1e-4, 10.0];
+    let size = extent(structure.mesh()?);
+    let is_usual = (USUAL[0]..=USUAL[1]).contains(&size);
+    (!is_usual).then(|| {
+        format!(
+            "`{name}` is {size} m long: is its mesh in another unit of length? unit = \"mm\" says so",
+            size = short(size)
+        )
+    })
+}
+
+/// The longest side of the box around a mesh, m.
+pub(crate) fn extent(mesh: &Mesh) -> f64 {
+    let along = |axis: usize| {
+        let places = mesh.nodes.iter().map(|node| node[axis]);
+        places.clone().fold(f64::NEG_INFINITY, f64::max) - places.fold(f64::INFINITY, f64::min)
+    };
+    (0..3).map(along).fold(0.0, f64::max)
+}
+
+/// A dense matrix as a sparse one, zeros left out.
+fn sparse(matrix: &Mat<f64>) -> Result<Sparse, AssemblyError> {
+    let all = (0..matrix.ncols()).flat_map(|j| (0..matrix.nrows()).map(move |i| (i, j)));
+    let entries = all.map(|(i, j)| Triplet::new(i, j, matrix[(i, j)]));
+    let entries: Vec<_> = entries.filter(|entry| entry.val != 0.0).collect();
+    from_triplets(matrix.nrows(), matrix.ncols(), &entries)
+}
+
+/// Tᵀ A T.
+fn projected(basis: &Mat<f64>, matrix: &Sparse) -> Result<Sparse, AssemblyError> {
+    let mut image = Mat::<f64>::zeros(basis.nrows(), basis.ncols());
+    for Triplet { row, col, val } in triplets(matrix) {
+        for k in 0..basis.ncols() {
+            image[(row, k)] += val * basis[(col, k)];
+        }
+    }
+    sparse(&(basis.transpose() * image))
+}

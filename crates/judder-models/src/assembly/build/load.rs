@@ -1,0 +1,105 @@
+//! What acts on a body.
+
+use super::Unassembled;
+use super::body::width;
+use crate::assembly::case::AssemblyCase;
+use crate::assembly::case::load::{Load, LoadAmount};
+use crate::assembly::case::problem::AssemblyProblem;
+use crate::structure::build::{Structure, points_of};
+use judder_assembly::surface::Surface;
+use judder_structure::assembly::displacement_load;
+use judder_structure::freedom::Direction;
+use std::collections::BTreeMap;
+
+/// Held displacements that are not zero, in m.
+pub(super) type Imposed = BTreeMap<(usize, Direction), f64>;
+
+/// f of a body, in N on its freedoms, and which of its held displacements are imposed.
+pub(super) fn load(
+    case: &AssemblyCase,
+    index: usize,
+    structure: &Structure,
+) -> Result<(Vec<f64>, Imposed), Unassembled> {
+    let (mut load, mut imposed) = (vec![0.0; structure.family.size()], Imposed::new());
+    for (number, own) in case.loads.iter().enumerate().filter(|(_, load)| *load.structure == index) {
+        let path = format!("load.{number}");
+        let points = points_of(&own.nodes, structure, &path)?;
+        let direction = own.direction.unwrap_or(Direction::X);
+        let acting = match own.amount {
+            LoadAmount::Force(force) => of_force(structure, &points, direction, force),
+            LoadAmount::Pressure(pressure) => of_pressure(structure, &points, pressure, &path)?,
+            LoadAmount::Displacement(displacement) => {
+                let moved: Imposed = points.iter().map(|point| ((*point, direction), displacement)).collect();
+                imposed.extend(&moved);
+                of_displacement(structure, own, &moved, &path)?
+            }
+        };
+        load.iter_mut().zip(acting).for_each(|(load, own)| *load += own);
+    }
+    Ok((load, imposed))
+}
+
+/// A force that all nodes share alike.
+fn of_force(structure: &Structure, points: &[usize], direction: Direction, force: f64) -> Vec<f64> {
+    let mut load = vec![0.0; structure.family.size()];
+    let freedoms = structure
+        .layout
+        .iter()
+        .flat_map(|layout| points.iter().filter_map(|point| layout.freedoms[*point][direction as usize]));
+    for freedom in freedoms {
+        load[freedom] += force / points.len() as f64;
+    }
+    load
+}
+
+/// A pressure on the surface between nodes, against its outward normals.
+fn of_pressure(
+    structure: &Structure,
+    points: &[usize],
+    pressure: f64,
+    path: &str,
+) -> Result<Vec<f64>, Unassembled> {
+    let path = format!("{path}.pressure");
+    let (Some(elements), Some(layout)) = (&structure.elements, &structure.layout) else {
+        return Err(Unassembled::because(path, &"a body of matrices has no surface: give it forces"));
+    };
+    let surface = match Surface::of_nodes(&elements.mesh, points) {
+        Ok(surface) if !surface.faces.is_empty() => surface,
+        Ok(_) => {
+            let reason = "no side of an element lies between these nodes: a pressure needs a surface";
+            return Err(Unassembled::because(path, &reason));
+        }
+        Err(error) => return Err(Unassembled::because(path, &error)),
+    };
+    let mut load = vec![0.0; structure.family.size()];
+    for (node, area) in surface.nodal_areas(&elements.mesh) {
+        for (axis, part) in area.into_iter().enumerate() {
+            if let Some(freedom) = layout.freedoms[node][axis] {
+                load[freedom] -= pressure * width(structure) * part;
+            }
+        }
+    }
+    Ok(load)
+}
+
+/// What displaced supports do to the free displacements.
+fn of_displacement(
+    structure: &Structure,
+    own: &Load,
+    imposed: &Imposed,
+    path: &str,
+) -> Result<Vec<f64>, Unassembled> {
+    let path = format!("{path}.displacement");
+    let Some(elements) = &structure.elements else {
+        let reason = "a body of matrices has no displacements that are held: give it forces";
+        return Err(Unassembled::because(path, &reason));
+    };
+    let is_free =
+        |(point, direction): &&(usize, Direction)| elements.numbering.number(*point, *direction).is_some();
+    if let Some((_, direction)) = imposed.keys().find(is_free) {
+        let (structure, set, direction) = (own.structure.name.clone(), own.set(), direction.to_string());
+        return Err(Unassembled::new(path, AssemblyProblem::NotFixed { structure, set, direction }));
+    }
+    displacement_load(&elements.mesh, &elements.materials, &elements.numbering, imposed)
+        .map_err(|error| Unassembled::because(path, &error))
+}

@@ -1,0 +1,124 @@
+//! The assembly case: bodies that touch at many points.
+//!
+//! - [`structure`]: `[[structure]]`, the bodies.
+//! - [`contact`]: `[[contact]]`, who slides on what, and what presses and drags between them.
+//! - [`load`]: `[[load]]`, forces, pressures, imposed displacements.
+//! - `named_list`: lists whose items keys call by their names.
+//! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
+
+pub mod contact;
+pub mod load;
+mod named_list;
+pub mod problem;
+pub mod structure;
+
+use super::{KINDS, MODEL};
+use crate::REGISTRY;
+use crate::parameters::{Parameter, Parameters};
+use contact::ContactInterface;
+use judder_keys::Settings;
+use judder_keys::declared::{Setting, Several, all, both};
+use judder_keys::document::{Data, Node};
+use judder_keys::error::Fault;
+use judder_keys::file_reference::FileReference;
+use judder_keys::schema::object;
+use judder_keys::section::Section;
+use judder_study::case::analysis::{Planned, read_analyses};
+use judder_study::case::root::{document, read_root};
+use judder_study::model::Analysis;
+use load::Load;
+use named_list::{NamedItem, NamedList, item_section};
+use serde_json::Value as Json;
+use std::path::Path;
+use std::sync::Arc;
+use structure::AssemblyStructure;
+
+/// A validated assembly case.
+#[derive(Debug, Clone)]
+pub struct AssemblyCase {
+    /// The title; empty where the case gives none.
+    pub title: String,
+    /// The parameters in the order of the case file; only factors of matrices use them.
+    pub parameters: Vec<Parameter>,
+    /// The bodies in the order of the case file.
+    pub structures: Vec<AssemblyStructure>,
+    /// Where they touch.
+    pub contacts: Vec<ContactInterface>,
+    /// What acts on them.
+    pub loads: Vec<Load>,
+    /// The analyses in the order of the case file.
+    pub analyses: Vec<Planned<Arc<dyn Analysis<AssemblyCase>>>>,
+}
+
+/// What a case says beside its analyses.
+#[derive(Debug, Settings)]
+#[settings(title = "an assembly case")]
+pub(crate) struct AssemblySections {
+    /// Numbers that factors of matrices use and sweeps vary.
+    parameters: Parameters,
+    /// The bodies.
+    #[key(example = "[[structure]], one table for each body")]
+    structure: NamedList<AssemblyStructure>,
+    /// Where they touch.
+    #[key(example = "[[contact]], one table for each contact interface")]
+    contact: NamedList<ContactInterface>,
+    /// What acts on them.
+    #[key(rule = LOADS, default = Vec::new())]
+    load: Vec<Load>,
+}
+
+const LOADS: Several<()> = Several { of: (), length: [0, usize::MAX] };
+
+impl AssemblyCase {
+    /// The values of all parameters, in their order.
+    pub fn values(&self) -> Vec<f64> {
+        self.parameters.iter().map(|parameter| parameter.value).collect()
+    }
+
+    /// The files that the case names.
+    pub fn files(&self) -> Vec<&FileReference> {
+        self.structures.iter().flat_map(|structure| structure.source.files()).collect()
+    }
+
+    /// The canonical form.
+    pub(super) fn resolved(&self) -> Json {
+        let mut json = document(MODEL.name, &self.title, &self.analyses, |kind, json| kind.write(json));
+        json.extend(object([
+            ("parameters", Parameters(self.parameters.clone()).write(&())),
+            ("structure", self.structures.iter().map(NamedItem::written).collect()),
+            ("contact", self.contacts.iter().map(NamedItem::written).collect()),
+            ("load", self.loads.write(&LOADS)),
+        ]));
+        Json::Object(json)
+    }
+}
+
+/// Reads an assembly case from the root of its tree; files are relative to `folder`.
+pub(crate) fn read(node: &Node, folder: &Path) -> Result<AssemblyCase, Fault> {
+    let (root, sections) = read_root::<AssemblySections>(node)?;
+    let (title, AssemblySections { parameters, structure, mut contact, mut load }) = sections?;
+    let names = parameters.names();
+    let found = items(&root, "structure")
+        .zip(structure.0)
+        .map(|(node, own)| own.found(&item_section::<AssemblyStructure>(node)?, &names, folder));
+    let structures = all(found)?;
+    let contacts = items(&root, "contact")
+        .zip(&mut contact.0)
+        .map(|(node, own)| own.admit(&item_section::<ContactInterface>(node)?, &structures));
+    let contacts = all(contacts);
+    let loads = items(&root, "load")
+        .zip(&mut load)
+        .map(|(node, own)| own.admit(&Section::of_table(node, "load", "a load")?, &structures));
+    let admitted = both(contacts, all(loads));
+    let (_, analyses) = both(admitted, read_analyses(&root, &(), &KINDS, REGISTRY))?;
+    let (parameters, contacts, loads) = (parameters.0, contact.0, load);
+    Ok(AssemblyCase { title, parameters, structures, contacts, loads, analyses })
+}
+
+/// The tables of a list of the case.
+fn items<'a>(root: &Section<'a>, key: &str) -> impl Iterator<Item = &'a Node> + use<'a> {
+    match root.get(key) {
+        Some(Node { data: Data::List(nodes), .. }) => nodes.iter(),
+        _ => [].iter(),
+    }
+}

@@ -1,0 +1,247 @@
+//! `[[contact]]`: a surface of one structure on a plane or on a surface of another.
+
+use super::named_list::NamedItem;
+use super::problem::AssemblyProblem;
+use super::structure::AssemblyStructure;
+use crate::sliding::case::plain_name::PlainName;
+use crate::structure::case::reduction::KeptNodes;
+use judder_assembly::AssemblyError;
+use judder_assembly::friction::Friction;
+use judder_assembly::pressure::Pressure;
+use judder_keys::Settings;
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Named, Number, Setting, Several, both, read_settings};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::Fault;
+use judder_keys::problem::Placed;
+use judder_keys::section::{Section, word};
+use serde_json::{Value as Json, json};
+
+/// A contact interface: who slides on what, and what presses and drags between them.
+#[derive(Debug, Clone, Settings)]
+#[settings(check = ContactInterface::check)]
+pub struct ContactInterface {
+    /// By which keys call this contact.
+    #[key(rule = "contact", example = "\"…\", by which keys call this contact")]
+    pub name: PlainName,
+    /// The slider, whose nodes are the contact points.
+    #[key(example = "{ structure = \"…\", set = \"y-min\" }")]
+    pub slider: SurfaceOf,
+    /// What it slides on: a rigid plane, or a surface of another structure.
+    #[key(example = "{ plane = { normal = [0, 1] } } or { structure = \"…\", set = \"…\" }")]
+    pub track: TrackSettings,
+    /// How the track moves beside the slider.
+    #[key(example = "{ velocity = \"1 m/s\", direction = [1, 0] }")]
+    pub sliding: SlidingMotion,
+    /// What presses: `rigid`, or a pressure that follows the closure.
+    #[key(default = NormalLaw::Rigid)]
+    pub normal: NormalLaw,
+    /// Friction coefficient: a number, a table against the slip speed, or one that falls from rest.
+    #[key(name = "friction_coefficient", symbol = "μ")]
+    pub friction: Friction,
+    /// Whether all points stay closed whatever their force.
+    #[key(default = false)]
+    pub all_closed: bool,
+}
+
+/// Nodes of a structure.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct SurfaceOf {
+    /// The name of a structure.
+    #[key(later)]
+    pub structure: Named<usize>,
+    /// The nodes.
+    #[key(flatten)]
+    pub nodes: KeptNodes,
+}
+
+/// What a slider slides on.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub enum TrackSettings {
+    /// A rigid plane through the foremost node of the slider.
+    Plane(PlaneSettings),
+    /// A surface of another structure.
+    #[key(flatten)]
+    Surface(SurfaceOf),
+}
+
+/// A rigid plane.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct PlaneSettings {
+    /// The normal out of the plane, towards the slider, of any length.
+    #[key(rule = VECTOR, symbol = "n", example = "[0, 1]")]
+    pub normal: Vec<f64>,
+}
+
+/// How the track moves beside the slider.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub enum SlidingMotion {
+    /// It moves with one velocity.
+    #[key(flatten)]
+    Translation(Translation),
+    /// It turns about an axis.
+    #[key(flatten)]
+    Rotation(Rotation),
+}
+
+/// A track that moves with one velocity.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct Translation {
+    /// The speed of the track beside the slider.
+    #[key(rule = Number::any(Dimension::SPEED), symbol = "V")]
+    pub velocity: f64,
+    /// The direction in which it moves, of any length.
+    #[key(rule = VECTOR, example = "[1, 0]")]
+    pub direction: Vec<f64>,
+}
+
+/// A track that turns about an axis.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct Rotation {
+    /// The angular speed of the track beside the slider, in place of velocity and direction.
+    #[key(rule = Number::any(Dimension::ANGULAR_FREQUENCY), symbol = "ω")]
+    pub speed: f64,
+    /// The axis about which it turns counter-clockwise, of any length.
+    #[key(rule = VECTOR, example = "[0, 0, 1]")]
+    pub axis: Vec<f64>,
+    /// A place of the axis.
+    #[key(rule = PLACE, default = vec![0.0; 3])]
+    pub centre: Vec<f64>,
+}
+
+/// What presses.
+#[derive(Debug, Clone, PartialEq)]
+pub enum NormalLaw {
+    /// Bodies that do not pass into each other.
+    Rigid,
+    /// A pressure that follows the closure.
+    Compliant(Pressure),
+}
+
+const VECTOR: Several<Number> = Several { of: Number::any(Dimension::NUMBER), length: [2, 3] };
+const PLACE: Several<Number> = Several { of: Number::any(Dimension::LENGTH), length: [2, 3] };
+
+impl NamedItem for ContactInterface {
+    const WHAT: &'static str = "contact";
+
+    fn name(&self) -> &PlainName {
+        &self.name
+    }
+}
+
+impl ContactInterface {
+    /// Refuses laws whose numbers make none.
+    fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        let refused = |key: &str| {
+            let place = section.place_of(&[key]);
+            move |error: AssemblyError| AssemblyProblem::Refused { reason: error.to_string() }.at(place)
+        };
+        let friction = self.friction.check().map_err(refused("friction_coefficient"));
+        let pressure = match &self.normal {
+            NormalLaw::Rigid => Ok(()),
+            NormalLaw::Compliant(pressure) => pressure.check().map_err(refused("normal")),
+        };
+        both(friction, pressure).map(drop)
+    }
+
+    /// Finds the structures, and refuses nodes that they cannot have, a structure that slides on itself, and vectors without a direction.
+    pub(super) fn admit(
+        &mut self,
+        section: &Section<'_>,
+        structures: &[AssemblyStructure],
+    ) -> Result<(), Fault> {
+        let slider = match section.inner("slider")? {
+            Some(own) => self.slider.admit(&own, structures),
+            None => Ok(()),
+        };
+        let track = match (&mut self.track, section.inner("track")?) {
+            (TrackSettings::Surface(surface), Some(own)) => surface.admit(&own, structures),
+            (TrackSettings::Plane(plane), Some(own)) => {
+                check_direction(&plane.normal, &own, "plane", "normal")
+            }
+            (_, None) => Ok(()),
+        };
+        let sliding = match &self.sliding {
+            SlidingMotion::Translation(own) => {
+                check_direction(&own.direction, section, "sliding", "direction")
+            }
+            SlidingMotion::Rotation(own) => check_direction(&own.axis, section, "sliding", "axis"),
+        };
+        both(both(slider, track), sliding)?;
+        match &self.track {
+            TrackSettings::Surface(track) if track.structure == self.slider.structure => {
+                let name = track.structure.name.clone();
+                Err(AssemblyProblem::SameStructure { name }.at(section.place_of(&["track"])))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl SurfaceOf {
+    /// The nodes in words.
+    pub(crate) fn words(&self) -> String {
+        format!("{}.{}", self.structure.name, self.nodes.words())
+    }
+
+    fn admit(&mut self, section: &Section<'_>, structures: &[AssemblyStructure]) -> Result<(), Fault> {
+        find_structure(&mut self.structure, structures, section)?;
+        KeptNodes::admit(section, &structures[*self.structure].source)
+    }
+}
+
+/// Finds the structure that `structure` of a section names.
+pub(super) fn find_structure(
+    named: &mut Named<usize>,
+    structures: &[AssemblyStructure],
+    section: &Section<'_>,
+) -> Result<(), Fault> {
+    let known: Vec<String> = structures.iter().map(|structure| structure.name.to_string()).collect();
+    let node = section.required("structure", &format!("structure = \"…\", one of {}", known.join(", ")))?;
+    let found = known.iter().position(|other| *other == named.name).ok_or_else(|| {
+        Cause::UnknownName { what: "structure", name: named.name.clone(), known }.at(node.place)
+    });
+    found.map(|found| named.found = found)
+}
+
+/// Refuses a vector of another length than two or three, and one of zeros.
+fn check_direction(vector: &[f64], section: &Section<'_>, table: &str, key: &str) -> Result<(), Fault> {
+    let (place, key) = (section.place_of(&[table, key]), format!("{}.{key}", section.path(table)));
+    if !(2..=3).contains(&vector.len()) {
+        return Err(Cause::Length { key, expected: "two or three numbers", found: vector.len() }.at(place));
+    }
+    match vector.iter().all(|part| *part == 0.0) {
+        true => Err(AssemblyProblem::NoDirection { key }.at(place)),
+        false => Ok(()),
+    }
+}
+
+/// The word for bodies that do not pass into each other.
+const RIGID: &str = "rigid";
+
+impl Setting for NormalLaw {
+    type Rule = ();
+
+    fn form((): &()) -> Allowed {
+        let rigid = Allowed::Choice { words: &[(RIGID, "bodies do not pass into each other")] };
+        Allowed::Either(vec![rigid, Pressure::form(&())])
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        match node.data {
+            Data::Table(_) => {
+                let path = section.path(key);
+                read_settings(node, &path, &format!("`{path}`")).map(Self::Compliant)
+            }
+            _ => word(&section.path(key), "normal law", node, &[(RIGID, ())]).map(|()| Self::Rigid),
+        }
+    }
+
+    fn write(&self, (): &()) -> Json {
+        match self {
+            Self::Rigid => json!(RIGID),
+            Self::Compliant(law) => Setting::write(law, &()),
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! What can be wrong with an assembly case, beyond types, units and ranges.
+
+use judder_keys::problem::Problem;
+use thiserror::Error;
+
+/// What is wrong, with what a caller needs in order to act.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum AssemblyProblem {
+    /// Two items of one name.
+    #[error("two {what}s are called `{name}`")]
+    NameTwice {
+        /// What they are.
+        what: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// A structure that slides on itself.
+    #[error("`{name}` cannot slide on itself")]
+    SameStructure {
+        /// The structure.
+        name: String,
+    },
+    /// A vector of zeros where a direction is wanted.
+    #[error("`{key}` has no direction: all its numbers are zero")]
+    NoDirection {
+        /// The key.
+        key: String,
+    },
+    /// A load whose direction lacks, or is one too many.
+    #[error("a load of `{kind}` {what}")]
+    LoadDirection {
+        /// Which load.
+        kind: &'static str,
+        /// What is wrong.
+        what: &'static str,
+    },
+    /// An imposed displacement of nodes that no support holds.
+    #[error(
+        "`{set}` of `{structure}` is not held along {direction}: only what a support fixes can be displaced"
+    )]
+    NotFixed {
+        /// The structure.
+        structure: String,
+        /// The set.
+        set: String,
+        /// The direction.
+        direction: String,
+    },
+    /// Nodes of two interfaces, or of both sides of one.
+    #[error(
+        "the contacts `{first}` and `{second}` share node {node} of `{structure}`: contact interfaces must not share nodes"
+    )]
+    SharedNode {
+        /// A contact.
+        first: String,
+        /// Another.
+        second: String,
+        /// The structure.
+        structure: String,
+        /// The node.
+        node: usize,
+    },
+    /// Sets that do not face each other.
+    #[error(
+        "no node of `{slider}` lies opposite `{track}` within {reach} m: do the sets face each other, are both meshes in one unit of length?"
+    )]
+    Apart {
+        /// The set of the slider.
+        slider: String,
+        /// The set of the track.
+        track: String,
+        /// How far was searched.
+        reach: f64,
+    },
+    /// What a part of the case is refused for.
+    #[error("{reason}")]
+    Refused {
+        /// Why.
+        reason: String,
+    },
+}
+
+impl Problem for AssemblyProblem {
+    fn kind(&self) -> &'static str {
+        "Assembly"
+    }
+
+    fn label(&self) -> &'static str {
+        match self {
+            Self::NameTwice { .. } => "given twice",
+            Self::SameStructure { .. } => "the same structure",
+            Self::NoDirection { .. } => "no direction",
+            Self::LoadDirection { .. } => "this load",
+            Self::NotFixed { .. } => "not held",
+            Self::SharedNode { .. } => "shares a node",
+            Self::Apart { .. } => "nothing opposite",
+            Self::Refused { .. } => "here",
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            Self::NameTwice { what, .. } => return Some(format!("give each {what} a `name` of its own")),
+            Self::SameStructure { .. } => {
+                "let one structure slide on another, or on track = { plane = { normal = [0, 1] } }"
+            }
+            Self::NoDirection { .. } => "give a vector such as [0, 1] in the plane, [0, 0, 1] in space",
+            Self::LoadDirection { .. } => {
+                "forces and displacements have a direction = \"x\", \"y\" or \"z\"; a pressure acts against the surface"
+            }
+            Self::NotFixed { .. } => {
+                "fix the direction in a support of the same set: supports = [{ set = \"…\", fixed = [\"y\"] }]"
+            }
+            Self::SharedNode { .. } => "take the node out of one of the sets",
+            Self::Apart { .. } => {
+                "look at the places of both sets with `judder check`; a mesh in millimetres takes unit = \"mm\""
+            }
+            Self::Refused { .. } => return None,
+        };
+        Some(help.to_owned())
+    }
+}

@@ -1,0 +1,111 @@
+//! What `judder check` shows of an assembly case.
+
+use super::Subject;
+use super::build::{BuiltAssembly, BuiltBody, extent};
+use crate::assembly::case::AssemblyCase;
+use crate::error::ModelError;
+use crate::estimate::title;
+use judder_structure::modes::{WantedModes, modes};
+use judder_study::case::text::CaseText;
+use judder_study::model::Place;
+use judder_study::resolve::Resolved;
+use judder_study::text::{columns, short};
+use serde_json::{Value, json};
+
+/// What is known of an assembly before anything is computed: mass, size and first frequency of every body, the points of every contact.
+pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> Result<Resolved, ModelError> {
+    let built = BuiltAssembly::new(case).map_err(|unassembled| unassembled.placed(file))?;
+    let bodies = built.bodies.iter().map(KnownBody::new).collect::<Result<Vec<_>, _>>()?;
+    let mut text = format!("{}\n\nbodies\n", title(&case.title));
+    let heads = ["", "freedoms", "mass (kg)", "size (m)", "first frequency (Hz)", "sets of nodes"];
+    let mut rows = vec![heads.map(str::to_owned).to_vec()];
+    rows.extend(bodies.iter().map(KnownBody::row));
+    text.push_str(&columns(&rows));
+    text.push_str("\ncontacts\n");
+    let contacts = built.assembly.interfaces.iter().map(|interface| {
+        let (low, high) =
+            interface.points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), point| {
+                (low.min(point.gap), high.max(point.gap))
+            });
+        let gaps = format!("gaps from {} to {} m", short(low), short(high));
+        vec![interface.name.clone(), format!("{} points", interface.points.len()), gaps]
+    });
+    text.push_str(&columns(&contacts.collect::<Vec<_>>()));
+    text.push_str("\nanalyses\n");
+    let asked = case.analyses.iter().enumerate().map(|(index, own)| {
+        let subject = Subject { case, built: &built, name: &own.name };
+        let place = Place { file, index, name: &own.name };
+        own.kind.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
+        Ok(vec![own.name.clone(), own.kind.estimate(&subject)?])
+    });
+    text.push_str(&columns(&asked.collect::<Result<Vec<_>, ModelError>>()?));
+    for warning in &built.warnings {
+        text.push_str(&format!("\nwarning: {warning}\n"));
+    }
+    let contacts: Vec<Value> = built
+        .assembly
+        .interfaces
+        .iter()
+        .map(|interface| json!({ "name": interface.name, "points": interface.points.len() }))
+        .collect();
+    let document = json!({
+        "case": resolved,
+        "bodies": bodies.iter().map(KnownBody::json).collect::<Vec<_>>(),
+        "contacts": contacts,
+        "warnings": built.warnings,
+    });
+    Ok(Resolved { document, text })
+}
+
+/// What tells whether a body is meant as it is.
+struct KnownBody {
+    name: String,
+    freedoms: usize,
+    mass: Option<f64>,
+    size: Option<f64>,
+    first_frequency_hz: Option<f64>,
+    sets: String,
+}
+
+impl KnownBody {
+    fn new(body: &BuiltBody) -> Result<Self, ModelError> {
+        let matrices = &body.matrices;
+        let found = modes(&matrices.stiffness, &matrices.mass, WantedModes::Lowest(7))?;
+        let elastic = found.modes.iter().find(|mode| mode.eigenvalue > found.rigid_limit);
+        let mesh = body.structure.mesh();
+        let sets = mesh.map_or_else(String::new, |mesh| {
+            let named = mesh.node_sets.iter().map(|(name, nodes)| format!("{name} ({})", nodes.len()));
+            named.collect::<Vec<_>>().join(", ")
+        });
+        Ok(Self {
+            name: body.name.clone(),
+            freedoms: body.size(),
+            mass: body.whole_mass()?,
+            size: mesh.map(extent),
+            first_frequency_hz: elastic.map(judder_structure::modes::Mode::frequency_hz),
+            sets,
+        })
+    }
+
+    fn row(&self) -> Vec<String> {
+        let number = |value: Option<f64>| value.map_or_else(|| "unknown".to_owned(), short);
+        vec![
+            self.name.clone(),
+            self.freedoms.to_string(),
+            number(self.mass),
+            number(self.size),
+            number(self.first_frequency_hz),
+            self.sets.clone(),
+        ]
+    }
+
+    fn json(&self) -> Value {
+        json!({
+            "name": self.name,
+            "freedoms": self.freedoms,
+            "mass_kg": self.mass,
+            "size_m": self.size,
+            "first_frequency_hz": self.first_frequency_hz,
+        })
+    }
+}

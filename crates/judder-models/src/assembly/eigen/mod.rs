@@ -1,0 +1,94 @@
+//! `eigen`: complex modes about steady sliding.
+
+mod run;
+pub(super) mod tables;
+
+use super::Subject;
+use crate::assembly::case::AssemblyCase;
+use crate::error::ModelError;
+use crate::structure::eigen::ToldRegion;
+use crate::structure::eigen::figure;
+use judder_keys::Settings;
+use judder_keys::declared::{Number, Pair, Settings, Whole};
+use judder_keys::dimension::Dimension;
+use judder_store::{Declared, Results};
+use judder_structure::quadratic::Region;
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Task};
+use judder_study::outcome::Outcome;
+use judder_study::text::short;
+use run::AssemblyModes;
+use serde_json::{Map, Value as Json};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// Complex modes about steady sliding.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct AssemblyEigen {
+    /// Which modes are sought.
+    #[key(flatten)]
+    pub sought: SoughtModes,
+    /// Whether structures are damped, and friction follows the velocity; without, what is left is the coupling of normal and friction forces.
+    #[key(default = true)]
+    pub damping: bool,
+}
+
+/// Which complex modes are sought.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+pub enum SoughtModes {
+    /// So many, by rising frequency, where neither a band nor a region is given.
+    #[key(rule = Whole { from: 1, to: 2000 }, default = 20)]
+    Count(usize),
+    /// All between two frequencies that grow or decay by less than half a radian a radian, in place of count.
+    #[key(rule = BAND, symbol = "ω")]
+    Band([f64; 2]),
+    /// The rectangle of λ = re + i im in which eigenvalues are sought, in place of count.
+    #[key(example = "{ re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s")]
+    Region(Region),
+}
+
+/// Two frequencies.
+const BAND: Pair = Pair {
+    of: Number::non_negative(Dimension::ANGULAR_FREQUENCY),
+    what: "two frequencies, from and to",
+    is_ascending: true,
+};
+
+/// The kind.
+pub(crate) const KIND: Kind<(), Arc<dyn Analysis<AssemblyCase>>> = Kind {
+    name: "eigen",
+    doc: "complex modes about steady sliding, each with its error, and what makes it grow",
+    declared: AssemblyEigen::declarations,
+    read: |(), section| Ok(Arc::new(AssemblyEigen::read_table(section)?)),
+    picture: Some(Picture {
+        draw: figure::eigen,
+        caption: "All eigenvalues found about steady sliding; the axis of growth rates is logarithmic on both sides of zero. Damping ratios $ζ = −$Re $λ/|λ|$: a \
+        bubble's area is their magnitude. Shapes of the fastest growing modes, which swing on the page, and how alike any two shapes are.",
+    }),
+};
+
+impl Analysis<AssemblyCase> for AssemblyEigen {
+    fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run(of, self)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        [Declared::without(ToldRegion::declared(), &["diagnosis"]), AssemblyModes::declared()].concat()
+    }
+
+    fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {
+        Ok(match self.sought {
+            SoughtModes::Count(count) => format!("the lowest {count} complex modes"),
+            SoughtModes::Band([from, to]) => {
+                format!("complex modes from {} to {} Hz", short(from / TAU), short(to / TAU))
+            }
+            SoughtModes::Region(Region { re: [from, to], im: [low, high] }) => {
+                format!("complex modes, Re from {from} to {to}, Im from {low} to {high}")
+            }
+        })
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

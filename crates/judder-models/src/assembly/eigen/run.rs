@@ -1,0 +1,160 @@
+//! Complex modes about steady sliding, and what is told of them.
+
+use super::{AssemblyEigen, SoughtModes};
+use crate::assembly::Subject;
+use crate::assembly::build::Shown;
+use crate::error::ModelError;
+use crate::structure::eigen::run::{ShownModes, found};
+use judder_assembly::linearised::{ContactTerm, Linearised, LinearisedTerms};
+use judder_assembly::work::{GrowthShares, Worker, growth_shares};
+use judder_store::{ByName, Results};
+use judder_structure::complex_modes::{ComplexMode, EigenvalueVerdict};
+use judder_structure::diagnosis::participations;
+use judder_structure::modes::{Mode, WantedModes, modes};
+use judder_structure::quadratic::Region;
+use judder_study::outcome::{CheckRecord, Outcome};
+use num_complex::Complex64;
+
+/// What is told of the modes of an assembly beside their eigenvalues.
+#[derive(Results)]
+pub(super) struct AssemblyModes {
+    /// contact points that are closed
+    closed: usize,
+    /// what makes each unstable mode grow, and of which modes it is made
+    growing: Vec<GrowingMode>,
+}
+
+/// Why a mode grows.
+#[derive(Clone, Results)]
+struct GrowingMode {
+    /// number of the mode, by rising frequency
+    mode: usize,
+    /// what each damping and each contact adds to its growth rate, in 1/s
+    growth: ByName<f64>,
+    /// the modes of frictionless contact of which it is made, by their shares in its kinetic energy
+    parents: Vec<Parent>,
+}
+
+/// A mode of frictionless contact in a complex mode.
+#[derive(Clone, Results)]
+struct Parent {
+    /// its frequency, in Hz
+    frequency_hz: f64,
+    /// its share in the kinetic energy
+    share: f64,
+}
+
+/// Parents that are told of a mode.
+const PARENTS: usize = 3;
+/// How far growths may be from the growth rate, over |λ|.
+const BALANCE: f64 = 1e-8;
+
+/// Growths below so much of the largest are rounding.
+const ROUNDING: f64 = 1e-10;
+
+pub(super) fn run(of: &Subject<'_>, asked: &AssemblyEigen) -> Result<Outcome, ModelError> {
+    let built = of.built;
+    let (steady, _) = of.steady()?;
+    let terms = LinearisedTerms { damping: asked.damping, friction_damping: asked.damping };
+    let about = Linearised::new(&built.assembly, &steady, terms)?;
+    let region = region(&about, asked.sought)?;
+    let mut found = found(&about.problem, &region)?;
+    if let SoughtModes::Count(count) = asked.sought {
+        found.modes.truncate(count);
+    }
+    let shown = Shown::new(&built.bodies);
+    let modes = ShownModes {
+        problem: &about.problem,
+        sought: &region,
+        found: &found,
+        layout: Some(&shown.layout),
+        mesh: (!shown.mesh.blocks.is_empty()).then_some(&shown.mesh),
+        expanded: &|shape| built.expanded(&about.expanded(shape)),
+    };
+    let mut outcome = modes.outcome(of.name, None)?;
+    let parents = parents(&about, &region)?;
+    let is_unstable = |mode: &&ComplexMode| mode.eigenvalue.verdict() == EigenvalueVerdict::Unstable;
+    let (mut growing, mut balances) = (Vec::new(), Vec::new());
+    for mode in found.modes.iter().filter(is_unstable) {
+        let shape = about.expanded(&mode.right);
+        let shares = growth_shares(&about, mode.eigenvalue.value, &shape)?;
+        balances.push(shares.balance.abs() / mode.eigenvalue.value.norm());
+        growing.push(GrowingMode {
+            mode: 1 + found.modes.iter().position(|other| std::ptr::eq(other, mode)).unwrap_or_default(),
+            growth: named(of, shares),
+            parents: made_of(&about, &parents, mode, shape),
+        });
+    }
+    if !balances.is_empty() {
+        outcome.checks.push(CheckRecord::new(
+            "what dampings and contacts add to growth rates sums to them",
+            format!("difference over |λ|, {} growing modes", balances.len()),
+            balances.into_iter().collect(),
+            BALANCE,
+        ));
+    }
+    let closed = steady.points.iter().filter(|point| point.is_closed).count();
+    outcome.scalars.extend(AssemblyModes { closed, growing }.scalars());
+    Ok(outcome)
+}
+
+/// The rectangle in which the modes are sought that an analysis asks for.
+fn region(about: &Linearised, sought: SoughtModes) -> Result<Region, ModelError> {
+    /// Growth rates that a band holds, over its upper frequency.
+    const STEEPNESS: f64 = 0.5;
+    let band = |from: f64, to: f64| Region { re: [-STEEPNESS * to, STEEPNESS * to], im: [from, to] };
+    match sought {
+        SoughtModes::Region(region) => Ok(region),
+        SoughtModes::Band([from, to]) => Ok(band(from, to)),
+        SoughtModes::Count(count) => {
+            // as far as as many modes of frictionless contact lie, and a few more: damping and friction move them
+            let (mass, stiffness) = about.frictionless()?;
+            let wanted = WantedModes::Lowest(count + 2 + count / 10);
+            let highest = modes(&stiffness, &mass, wanted)?.modes.into_iter().next_back();
+            let to = highest.map_or(1.0, |mode| 1.01 * mode.eigenvalue.max(0.0).sqrt());
+            Ok(band(0.0, to))
+        }
+    }
+}
+
+/// The modes of frictionless contact near the band of a region, on all freedoms.
+fn parents(about: &Linearised, region: &Region) -> Result<Vec<Mode>, ModelError> {
+    let (mass, stiffness) = about.frictionless()?;
+    let to = 1.5 * region.im[1].abs() / std::f64::consts::TAU;
+    if to <= 0.0 {
+        return Ok(Vec::new());
+    }
+    let found = modes(&stiffness, &mass, WantedModes::Band(0.0, to))?.modes;
+    Ok(found.into_iter().map(|mode| Mode { shape: about.expanded_real(&mode.shape), ..mode }).collect())
+}
+
+/// The parents that have the largest shares in the kinetic energy of a mode, whose shape on all freedoms this is.
+fn made_of(about: &Linearised, parents: &[Mode], mode: &ComplexMode, shape: Vec<Complex64>) -> Vec<Parent> {
+    let of_all = ComplexMode { eigenvalue: mode.eigenvalue, right: shape, left: Vec::new() };
+    let mut shares = participations(&about.structures[0], parents, &of_all);
+    shares.sort_by(|a, b| b.share.total_cmp(&a.share));
+    let told = shares.into_iter().take(PARENTS);
+    told.map(|own| Parent { frequency_hz: parents[own.component].frequency_hz(), share: own.share }).collect()
+}
+
+/// Growths by words: `material damping`, and of each contact what it does.
+fn named(of: &Subject<'_>, shares: GrowthShares) -> ByName<f64> {
+    let word = |worker: Worker| match worker {
+        Worker::MaterialDamping => "material damping".to_owned(),
+        Worker::Circulation => "unsymmetric stiffness".to_owned(),
+        Worker::Contact(interface, term) => {
+            let name = &of.built.assembly.interfaces[interface].name;
+            let what = match term {
+                ContactTerm::NormalStiffness => "normal stiffness",
+                ContactTerm::NormalTangentialCoupling => "normal-tangential coupling",
+                ContactTerm::FallingFriction => "falling friction",
+                ContactTerm::FrictionAcrossSlip => "friction across the slip",
+                ContactTerm::SpeedNormalCoupling => "normal force that follows the speed",
+            };
+            format!("{name}: {what}")
+        }
+    };
+    let largest = shares.shares.iter().map(|(_, growth)| growth.abs()).fold(0.0, f64::max);
+    let working = shares.shares.into_iter().filter(|(_, growth)| growth.abs() > ROUNDING * largest);
+    working.map(|(worker, growth)| (word(worker), growth)).collect()
+}

@@ -1,0 +1,129 @@
+//! Bodies that touch at many points.
+//!
+//! - `build`: from the keys of a case to bodies with their contact points.
+//! - `check`: what `judder check` shows.
+//! - A folder each: `steady_sliding`, `eigen`.
+
+pub(crate) mod build;
+pub mod case;
+mod check;
+pub mod eigen;
+pub mod steady_sliding;
+
+use crate::assembly::case::{AssemblyCase, AssemblySections};
+use crate::error::ModelError;
+use build::BuiltAssembly;
+use judder_assembly::compliance::Compliance;
+use judder_assembly::steady::{SteadySliding, steady_sliding as slide};
+use judder_keys::declared::Settings;
+use judder_keys::file_reference::FileReference;
+use judder_study::StudyError;
+use judder_study::case::analysis::{Kinds, Planned};
+use judder_study::case::text::CaseText;
+use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Task, wanted};
+use judder_study::outcome::Outcome;
+use judder_study::registry::{KindTables, ModelKind, Template};
+use judder_study::resolve::Resolved;
+use std::sync::Arc;
+
+/// The kinds of analyses.
+pub(crate) static KINDS: Kinds<(), Arc<dyn Analysis<AssemblyCase>>> =
+    Kinds::new(&[steady_sliding::KIND, eigen::KIND]);
+
+/// An assembly, and the name under which an analysis of it leaves files.
+pub struct Subject<'a> {
+    case: &'a AssemblyCase,
+    built: &'a BuiltAssembly,
+    name: &'a str,
+}
+
+impl Subject<'_> {
+    /// Steady sliding, with the compliance of the contact points that it was found on.
+    fn steady(&self) -> Result<(SteadySliding, Compliance), ModelError> {
+        let assembly = &self.built.assembly;
+        let compliance = Compliance::new(assembly).map_err(|error| self.built.told(error))?;
+        let steady = slide(assembly, &compliance).map_err(|error| self.built.told(error))?;
+        Ok((steady, compliance))
+    }
+}
+
+impl Analysed for AssemblyCase {
+    const NAME: &'static str = MODEL.name;
+
+    type Asked = dyn Analysis<Self>;
+    type Subject<'a> = Subject<'a>;
+    type Known<'a> = Subject<'a>;
+    /// What is asked, in words.
+    type Estimate = String;
+    type Error = ModelError;
+
+    fn analyses(&self) -> &[Planned<Arc<Self::Asked>>] {
+        &self.analyses
+    }
+}
+
+/// The model.
+pub(crate) const MODEL: ModelKind = ModelKind {
+    name: "assembly",
+    read: |root, folder| case::read(root, folder).map(Case::new),
+    doc: "bodies that touch at many points",
+    declared: AssemblySections::declarations,
+    swept: Vec::new,
+    prose: include_str!("reference.md"),
+    template: Template { name: "assembly", text: include_str!("template.toml"), lines: |_| String::new() },
+    kinds: || KINDS.entries(),
+    tables: &[
+        KindTables {
+            kind: steady_sliding::KIND.name,
+            report: steady_sliding::tables::report,
+            terminal: |_| None,
+        },
+        KindTables { kind: eigen::KIND.name, report: eigen::tables::report, terminal: |_| None },
+    ],
+    operating_quantities: &[],
+};
+
+impl Model for AssemblyCase {
+    fn files(&self) -> Vec<&FileReference> {
+        AssemblyCase::files(self)
+    }
+
+    fn resolved(&self) -> serde_json::Value {
+        AssemblyCase::resolved(self)
+    }
+
+    fn prepared(&self) -> Result<Prepared, StudyError> {
+        let made = BuiltAssembly::new(self).map_err(ModelError::from)?;
+        Ok(Prepared::new(Arc::new(made)))
+    }
+
+    fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        let built = BuiltAssembly::new(self).map_err(|unassembled| unassembled.placed(file))?;
+        for (place, asked) in wanted(self, file, is_wanted) {
+            let subject = Subject { case: self, built: &built, name: place.name };
+            asked.fits(&subject).map_err(StudyError::from)?.map_err(|refusal| refusal.placed(place))?;
+        }
+        Ok(Prepared::new(Arc::new(built)))
+    }
+
+    fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
+        if task.progress.interrupted() {
+            return Err(StudyError::Interrupted);
+        }
+        let own = &self.analyses[index];
+        let built = match task.prepared.get::<BuiltAssembly>() {
+            Some(built) => built,
+            None => Arc::new(BuiltAssembly::new(self).map_err(ModelError::from)?),
+        };
+        let subject = Subject { case: self, built: &built, name: &own.name };
+        let progress = task.progress;
+        let mut outcome = own.kind.run(&subject, task)?;
+        progress.advance();
+        outcome.warnings.extend(built.warnings.iter().cloned());
+        Ok(outcome)
+    }
+
+    fn resolve(&self, file: &CaseText, resolved: serde_json::Value) -> Result<Resolved, StudyError> {
+        Ok(check::resolve(file, self, resolved)?)
+    }
+}

@@ -1,0 +1,53 @@
+//! `steady-sliding`: forces and gaps of all contact points under loads that rest.
+
+mod figure;
+mod run;
+pub(super) mod tables;
+
+use super::Subject;
+use crate::assembly::case::AssemblyCase;
+use crate::error::ModelError;
+use judder_keys::Settings;
+use judder_keys::declared::Settings;
+use judder_store::{Declared, Results};
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Task};
+use judder_study::outcome::Outcome;
+use run::SteadyResults;
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
+
+/// Steady sliding.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+pub struct SteadySliding {}
+
+/// The kind.
+pub(crate) const KIND: Kind<(), Arc<dyn Analysis<AssemblyCase>>> = Kind {
+    name: "steady-sliding",
+    doc: "steady sliding: forces, gaps, pressure, which contact points are closed",
+    declared: SteadySliding::declarations,
+    read: |(), section| Ok(Arc::new(SteadySliding::read_table(section)?)),
+    picture: Some(Picture {
+        draw: figure::steady_sliding,
+        caption: "The contact points of each interface: what each carries, and where it is open. Then the bodies, and how steady sliding moves them, enlarged.",
+    }),
+};
+
+impl Analysis<AssemblyCase> for SteadySliding {
+    fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run(of)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        SteadyResults::declared()
+    }
+
+    fn estimate(&self, of: &Subject<'_>) -> Result<String, ModelError> {
+        let points: usize = of.built.nodes.iter().map(Vec::len).sum();
+        Ok(format!("steady sliding of {points} contact points"))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

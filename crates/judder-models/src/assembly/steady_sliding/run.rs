@@ -1,0 +1,244 @@
+//! Steady sliding and what is told of it.
+
+use crate::assembly::Subject;
+use crate::assembly::build::Shown;
+use crate::error::ModelError;
+use crate::structure::shapes;
+use crate::written::written;
+use judder_assembly::contact_point::ContactPoint;
+use judder_assembly::steady::{PointState, SteadySliding, Uniqueness};
+use judder_exchange::geometry::Geometry;
+use judder_exchange::vtu::{FieldValues, VtuField, write_vtu};
+use judder_store::{ByName, Results, Variable};
+use judder_study::outcome::{CheckRecord, Outcome};
+use num_complex::Complex64;
+
+/// What the forces of a converged solution may be off, over all forces.
+const IMBALANCE: f64 = 1e-9;
+
+/// What is told of steady sliding.
+#[derive(Results)]
+#[results(arrays(rows), columns(rows))]
+pub(super) struct SteadyResults {
+    /// whether the equations of all points and the balance of forces on all freedoms are met
+    converged: bool,
+    /// how far the forces on all freedoms are from balance, over all forces
+    residual: f64,
+    /// linear systems that were solved
+    iterations: usize,
+    /// whether there is a friction at which steady sliding is lost: `lost`, `kept`, or `unknown` where there are too many points to tell
+    uniqueness: &'static str,
+    /// where it is lost, by what all friction coefficients are multiplied
+    lost_at_factor: Option<f64>,
+    /// each contact
+    contacts: ByName<ContactSums>,
+    /// each contact point
+    #[result(hidden, rows)]
+    rows: Vec<PointRow>,
+}
+
+/// A contact interface in steady sliding.
+#[derive(Results)]
+pub(super) struct ContactSums {
+    /// the normal forces of all points together, in N
+    normal_force: f64,
+    /// the friction forces on the slider, along x, y and z, in N
+    tangential_force: Vec<f64>,
+    /// how many contact points there are
+    points: usize,
+    /// how many are closed
+    closed: usize,
+    /// how many are open
+    open: usize,
+    /// the largest pressure, in Pa
+    pressure_max: Option<f64>,
+    /// where the normal forces act together, in m
+    centre: Vec<f64>,
+}
+
+/// A contact point in steady sliding.
+#[derive(Clone, Results)]
+#[results(
+    rows = "contact_point",
+    arrays(contact, x, y, z, gap, normal_force, friction_force, pressure),
+    columns(contact, x, y, z, gap, normal_force, friction_force, pressure, state)
+)]
+pub(super) struct PointRow {
+    /// contact to which the point belongs
+    contact: String,
+    /// place of the point along x
+    #[result(unit = "m", column = "x_m")]
+    x: f64,
+    /// place of the point along y
+    #[result(unit = "m", column = "y_m")]
+    y: f64,
+    /// place of the point along z
+    #[result(unit = "m", column = "z_m")]
+    z: f64,
+    /// gap; where a compliant contact is closed, below zero
+    #[result(unit = "m", column = "gap_m")]
+    gap: f64,
+    /// normal force
+    #[result(unit = "N", column = "normal_force_n")]
+    normal_force: f64,
+    /// friction force along the slip
+    #[result(unit = "N", column = "friction_force_n")]
+    friction_force: f64,
+    /// pressure: the normal force over the tributary area
+    #[result(unit = "Pa", column = "pressure_pa")]
+    pressure: f64,
+    /// whether it is closed or open
+    state: &'static str,
+}
+
+impl PointRow {
+    fn new(contact: &str, point: &ContactPoint, state: &PointState) -> Self {
+        let [x, y, z] = point.place;
+        Self {
+            contact: contact.to_owned(),
+            x,
+            y,
+            z,
+            gap: state.gap,
+            normal_force: state.normal_force,
+            friction_force: state.friction_force,
+            // a node without faces has no area, and no pressure is known of it
+            pressure: if point.area > 0.0 { state.normal_force / point.area } else { f64::NAN },
+            state: if state.is_closed { "closed" } else { "open" },
+        }
+    }
+}
+
+/// Steady sliding of an assembly.
+pub(super) fn run(of: &Subject<'_>) -> Result<Outcome, ModelError> {
+    let (steady, _) = of.steady()?;
+    let results = results(of, &steady);
+    let shown = Shown::new(&of.built.bodies);
+    let displacement: Vec<Complex64> = steady.displacement.iter().map(|u| Complex64::new(*u, 0.0)).collect();
+    let displacement: Vec<f64> = of.built.expanded(&displacement).iter().map(|u| u.re).collect();
+    let Outcome { scalars, dataset, table, .. } = Outcome::of(&results)?;
+    let mut moved = shown.layout.displacements(&displacement);
+    for ((point, direction), displacement) in shown.imposed(&of.built.bodies) {
+        moved[3 * point + direction as usize] += displacement;
+    }
+    let points = shown.layout.points.len();
+    let dataset = shapes::with_layout(dataset, &shown.layout)?.with(
+        Variable::new("shape", &["shown_mode", "point", "direction"], &[1, points, 3], moved.clone())
+            .units("m")
+            .long_name("displacement in steady sliding"),
+    )?;
+    Ok(Outcome {
+        scalars,
+        dataset,
+        table,
+        checks: vec![CheckRecord::new(
+            "forces are in balance on every freedom",
+            format!("K u − f − contact forces over all forces, {} freedoms", of.built.assembly.size()),
+            steady.residual.into(),
+            IMBALANCE,
+        )],
+        warnings: lost(of, &steady).into_iter().collect(),
+        files: vec![(format!("fields/{}.vtu", of.name), field(of, &shown, &steady, &moved)?)],
+        ..Outcome::default()
+    })
+}
+
+/// That steady sliding is lost before the friction of the case.
+fn lost(of: &Subject<'_>, steady: &SteadySliding) -> Option<String> {
+    let Uniqueness::LostAt { factor, point } = steady.uniqueness else { return None };
+    let all =
+        of.built.assembly.interfaces.iter().flat_map(|own| own.points.iter().map(move |point| (own, point)));
+    let (interface, at) = all.into_iter().nth(point).filter(|_| factor <= 1.0)?;
+    let [x, y, z] = at.place;
+    Some(format!(
+        "sprag-slip: at {factor:.6} times its friction coefficients the assembly has lost its one steady sliding, first at ({x}, {y}, {z}) m of \
+         `{}`: beside the state shown there are others, or it is not reached",
+        interface.name,
+    ))
+}
+
+fn results(of: &Subject<'_>, steady: &SteadySliding) -> SteadyResults {
+    let mut states = steady.points.iter();
+    let (mut contacts, mut rows) = (Vec::new(), Vec::new());
+    for interface in &of.built.assembly.interfaces {
+        let own: Vec<(&ContactPoint, &PointState)> = interface.points.iter().zip(states.by_ref()).collect();
+        contacts.push((interface.name.clone(), ContactSums::new(&own)));
+        rows.extend(own.iter().map(|(point, state)| PointRow::new(&interface.name, point, state)));
+    }
+    SteadyResults {
+        converged: steady.residual <= IMBALANCE,
+        residual: steady.residual,
+        iterations: steady.iterations,
+        uniqueness: match steady.uniqueness {
+            Uniqueness::LostAt { .. } => "lost",
+            Uniqueness::Kept => "kept",
+            Uniqueness::Unknown => "unknown",
+        },
+        lost_at_factor: match steady.uniqueness {
+            Uniqueness::LostAt { factor, .. } => Some(factor),
+            Uniqueness::Kept | Uniqueness::Unknown => None,
+        },
+        contacts: contacts.into_iter().collect(),
+        rows,
+    }
+}
+
+impl ContactSums {
+    fn new(points: &[(&ContactPoint, &PointState)]) -> Self {
+        let normal_force: f64 = points.iter().map(|(_, state)| state.normal_force).sum();
+        let sum = |part: &dyn Fn(&ContactPoint, &PointState) -> [f64; 3]| -> Vec<f64> {
+            let parts = points.iter().map(|(point, state)| part(point, state));
+            parts.fold([0.0; 3], |sum, own| std::array::from_fn(|k| sum[k] + own[k])).to_vec()
+        };
+        let friction = |point: &ContactPoint, state: &PointState| {
+            let velocity = point.slip_velocity();
+            let speed = velocity.iter().map(|v| v * v).sum::<f64>().sqrt();
+            velocity.map(|v| state.friction_force * v / speed)
+        };
+        let moment = sum(&|point, state| point.place.map(|x| state.normal_force * x));
+        let pressures = points.iter().filter(|(point, _)| point.area > 0.0);
+        let pressures = pressures.map(|(point, state)| state.normal_force / point.area);
+        let closed = points.iter().filter(|(_, state)| state.is_closed).count();
+        Self {
+            normal_force,
+            tangential_force: sum(&friction),
+            points: points.len(),
+            closed,
+            open: points.len() - closed,
+            pressure_max: pressures.reduce(f64::max),
+            centre: moment.iter().map(|m| m / normal_force).collect(),
+        }
+    }
+}
+
+/// The bodies in ParaView: displacements, and on contact nodes pressure, gap and state.
+fn field(
+    of: &Subject<'_>,
+    shown: &Shown,
+    steady: &SteadySliding,
+    moved: &[f64],
+) -> Result<Vec<u8>, ModelError> {
+    let (labels, places) = (shown.layout.names.clone(), shown.layout.points.clone());
+    let geometry = Geometry { labels, places, ..Geometry::from(&shown.mesh) };
+    let mut on_nodes = [vec![f64::NAN; geometry.places.len()], vec![f64::NAN; geometry.places.len()]];
+    let mut states = steady.points.iter();
+    for ((interface, nodes), contact) in
+        of.built.assembly.interfaces.iter().zip(&of.built.nodes).zip(&of.case.contacts)
+    {
+        let first = shown.first_point[*contact.slider.structure];
+        for ((point, node), state) in interface.points.iter().zip(nodes).zip(states.by_ref()) {
+            on_nodes[0][first + node] = PointRow::new(&interface.name, point, state).pressure;
+            on_nodes[1][first + node] = state.gap;
+        }
+    }
+    let [pressure, gap] = on_nodes;
+    let vectors = moved.chunks_exact(3).map(|u| [u[0], u[1], u[2]]).collect();
+    let scalar =
+        |name: &str, values| VtuField { name: name.to_owned(), values: FieldValues::Scalars(values) };
+    let fields = [
+        VtuField { name: "displacement (m)".to_owned(), values: FieldValues::Vectors(vectors) },
+        scalar("pressure (Pa)", pressure),
+        scalar("gap (m)", gap),
+    ];
+    written(|to| write_vtu(to, &geometry, &fields))
+}

@@ -33,6 +33,8 @@ pub struct Compliance {
     factor: SymmetricFactor,
 }
 
+/// Contact points whose dense matrices are held, half a dozen of them: 5 GB.
+const MOST_POINTS: usize = 10_000;
 /// Right sides that are solved together: the factor is read once for all of them.
 const TOGETHER: usize = 8;
 
@@ -40,13 +42,16 @@ impl Compliance {
     /// The compliance of the contact points, one solution a point.
     ///
     /// # Errors
-    /// [`AssemblyError::RigidMotion`] where a motion is held neither by supports nor by contacts, what [`Assembly::framed`] says, and
+    /// [`AssemblyError::TooManyPoints`], [`AssemblyError::RigidMotion`] where a motion is held neither by supports nor by contacts, what [`Assembly::framed`] says, and
     /// of a factorisation that does not fit into memory.
     pub fn new(assembly: &Assembly) -> Result<Self, AssemblyError> {
         Self::of_points(assembly, &assembly.framed()?)
     }
 
     pub(crate) fn of_points(assembly: &Assembly, points: &[FramedPoint<'_>]) -> Result<Self, AssemblyError> {
+        if points.len() > MOST_POINTS {
+            return Err(AssemblyError::TooManyPoints { points: points.len(), most: MOST_POINTS });
+        }
         let spring = spring(&assembly.stiffness, points);
         let held = with_springs(&assembly.stiffness, points, spring)?;
         check_held(&held, &assembly.mass)?;

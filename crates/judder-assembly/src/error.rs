@@ -93,6 +93,28 @@ pub enum AssemblyError {
         /// Where, in m.
         place: [f64; 3],
     },
+    /// A contact point without an area, to which a pressure would give a force.
+    #[error(
+        "interface `{interface}`: the contact at {} has no area: no face lies between the nodes of the set there, so a pressure has no force; \
+         name a surface, or let the contact be rigid",
+        triple(.place)
+    )]
+    NoArea {
+        /// The interface.
+        interface: String,
+        /// Where, in m.
+        place: [f64; 3],
+    },
+    /// More contact points than fit into memory.
+    #[error(
+        "{points} contact points are more than the {most} whose compliance is held in memory; name smaller sets, or coarser meshes"
+    )]
+    TooManyPoints {
+        /// How many there are.
+        points: usize,
+        /// How many may be.
+        most: usize,
+    },
     /// Two closed points hold one displacement.
     #[error(
         "interface `{interface}`: the contact at {} holds a displacement that other closed contacts hold already; interfaces must not share nodes",

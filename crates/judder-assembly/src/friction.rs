@@ -96,7 +96,11 @@ impl Friction {
             }
             Self::Table(FrictionTable { velocity: speeds, coefficient: coefficients }) => {
                 coefficients.iter().try_for_each(|value| coefficient(*value))?;
-                check_table("friction coefficients", speeds, coefficients.len())
+                check_table(
+                    ["the speeds of a friction table", "the coefficients of a friction table"],
+                    speeds,
+                    coefficients.len(),
+                )
             }
         }
     }
@@ -119,9 +123,13 @@ impl Friction {
 }
 
 /// Whether a table has as many values as places, and these ascend.
-pub(crate) fn check_table(name: &'static str, places: &[f64], values: usize) -> Result<(), AssemblyError> {
+pub(crate) fn check_table(
+    [name, of_values]: [&'static str; 2],
+    places: &[f64],
+    values: usize,
+) -> Result<(), AssemblyError> {
     if places.is_empty() || places.len() != values {
-        return Err(AssemblyError::Length { name, found: values, expected: places.len().max(1) });
+        return Err(AssemblyError::Length { name: of_values, found: values, expected: places.len().max(1) });
     }
     if let Some(value) = places.iter().find(|place| !place.is_finite()) {
         return Err(AssemblyError::InvalidNumber { name, value: *value, requirement: "finite" });

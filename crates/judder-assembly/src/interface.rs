@@ -120,7 +120,8 @@ impl Interface {
     /// Its points in their frames; `number` is its place in the assembly.
     ///
     /// # Errors
-    /// [`AssemblyError::NoPoints`], [`AssemblyError::NoSlip`], what is wrong with its law.
+    /// [`AssemblyError::NoPoints`], [`AssemblyError::NoSlip`], [`AssemblyError::HeldPoint`], [`AssemblyError::NoArea`], what is wrong with
+    /// its law.
     pub(crate) fn framed(&self, number: usize) -> Result<Vec<FramedPoint<'_>>, AssemblyError> {
         if self.points.is_empty() {
             return Err(AssemblyError::NoPoints { interface: self.name.clone() });
@@ -133,15 +134,24 @@ impl Interface {
             }
             InterfaceLaw::Asperity(_) => {}
         }
-        let framed = |point| {
-            Ok(FramedPoint {
-                interface: number,
-                point,
-                frame: ContactPoint::frame(point, &self.name)?,
-                law: &self.law,
-                stays_closed: self.all_closed,
-            })
-        };
-        self.points.iter().map(framed).collect()
+        self.points.iter().map(|point| self.framed_point(number, point)).collect()
+    }
+
+    fn framed_point<'a>(
+        &'a self,
+        interface: usize,
+        point: &'a ContactPoint,
+    ) -> Result<FramedPoint<'a>, AssemblyError> {
+        let (name, place) = (|| self.name.clone(), point.place);
+        let frame = point.frame(&self.name)?;
+        if frame.normal.is_empty() {
+            return Err(AssemblyError::HeldPoint { interface: name(), place });
+        }
+        // so too where it is not a number
+        let has_area = point.area > 0.0 && point.area.is_finite();
+        if matches!(self.law, InterfaceLaw::Compliant(..)) && !has_area {
+            return Err(AssemblyError::NoArea { interface: name(), place });
+        }
+        Ok(FramedPoint { interface, point, frame, law: &self.law, stays_closed: self.all_closed })
     }
 }

@@ -186,6 +186,8 @@ impl<'a> ClosedPoint<'a> {
         };
         let friction = friction.at(framed.frame.speed);
         let fixed = |value: f64, by_speed: f64| ForceAt { value, by_closure: 0.0, by_speed };
+        // a point that is held closed and pulls has no friction that follows the slip
+        let normal_force = normal_force.max(0.0);
         let forces = PointForces {
             normal: fixed(normal_force, 0.0),
             friction: fixed(friction.coefficient * normal_force, friction.slope * normal_force),

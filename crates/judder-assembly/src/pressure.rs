@@ -42,6 +42,9 @@ pub struct PressureTable {
     pub pressure: Vec<f64>,
 }
 
+/// The columns of a table, in messages.
+const COLUMNS: [&str; 2] = ["the closures of a contact interface", "the pressures of a contact interface"];
+
 /// A pressure and its slope.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PressureAt {
@@ -63,8 +66,8 @@ impl Pressure {
             Self::Stiffness(value) if value.is_finite() && *value > 0.0 => Ok(()),
             Self::Stiffness(value) => invalid("the stiffness of a contact interface", *value, "positive"),
             Self::Table(PressureTable { closure: closures, pressure: pressures }) => {
-                check_table("closures of a contact interface", closures, pressures.len())?;
-                check_table("pressures of a contact interface", pressures, closures.len())?;
+                check_table(COLUMNS, closures, pressures.len())?;
+                check_table([COLUMNS[1], COLUMNS[0]], pressures, closures.len())?;
                 match (closures[0], pressures[0]) {
                     _ if closures.len() < 2 => Err(AssemblyError::Length {
                         name: "the table of pressures",

@@ -6,16 +6,16 @@
 //! (K. G. Murty, *Note on a Bard-type scheme for solving the complementarity problem*, Opsearch 11, 1974).
 
 mod active_set;
-mod uniqueness;
+mod friction_limit;
 
 use crate::AssemblyError;
 use crate::assembly::Assembly;
 use crate::compliance::Compliance;
 use crate::interface::FramedPoint;
 use active_set::{Found, Solver};
-use uniqueness::uniqueness;
+use friction_limit::friction_limit;
 
-pub use uniqueness::Uniqueness;
+pub use friction_limit::FrictionLimit;
 
 /// An assembly in steady sliding.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,8 +29,8 @@ pub struct SteadySliding {
     /// ‖K q − f − Σ (N cᵀ + T tᵀ)‖/(‖f‖ + ‖Σ (N cᵀ + T tᵀ)‖ + ‖K q‖): the balance of forces on all freedoms, which the search, on the
     /// points alone, does not see.
     pub residual: f64,
-    /// How far it is from where friction lets it be lost.
-    pub uniqueness: Uniqueness,
+    /// Where friction makes the equations of the closed points singular.
+    pub friction_limit: FrictionLimit,
 }
 
 /// A contact point in steady sliding.
@@ -76,9 +76,9 @@ pub fn steady_sliding(assembly: &Assembly, compliance: &Compliance) -> Result<St
         friction_force: friction[k],
         is_closed: is_closed[k],
     };
-    let uniqueness = uniqueness(&solver, &guess)?;
+    let friction_limit = friction_limit(&solver, &guess);
     let points = (0..points.len()).map(state).collect();
-    Ok(SteadySliding { points, displacement, iterations, residual, uniqueness })
+    Ok(SteadySliding { points, displacement, iterations, residual, friction_limit })
 }
 
 /// ‖K q − f − Σ (N cᵀ + T tᵀ)‖ over what it is made of.

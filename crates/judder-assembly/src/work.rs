@@ -27,15 +27,24 @@ pub struct GrowthShares {
     pub balance: f64,
 }
 
+/// An energy below so much of its parts is none.
+const NO_ENERGY: f64 = 1e-9;
+
 /// The work of every term on a mode x e^(λt), λ = σ + iω, of all freedoms.
 ///
 /// The power balance Re(λ̄ xᴴ(λ² M + λ C + K) x) = Re(λ̄ Σ δN xᴴ eᵀ), where δN are the force changes of rigid points, gives σ = Σ of
 /// −|λ|² Re xᴴ C x/E for every damping, −ω Im xᴴ K x/E for every stiffness, ω Im(Σ δN xᴴ eᵀ)/E for rigid interfaces, with
 /// E = |λ|² xᴴ M x + Re xᴴ K x − Re Σ δN xᴴ eᵀ: symmetric stiffness does no work.
 ///
+/// `None` where E is zero but for rounding, as of a divergence without damping: nothing does work on it.
+///
 /// # Errors
 /// [`AssemblyError::Undetermined`] where the forces of rigid points do not follow from the motion.
-pub fn growth_shares(about: &Linearised, value: c64, shape: &[c64]) -> Result<GrowthShares, AssemblyError> {
+pub fn growth_shares(
+    about: &Linearised,
+    value: c64,
+    shape: &[c64],
+) -> Result<Option<GrowthShares>, AssemblyError> {
     let [mass, damping, stiffness] = &about.structures;
     let (size, omega) = (value.norm_sqr(), value.im);
     let form = |matrix: &Sparse| hermitian(matrix, shape);
@@ -61,10 +70,14 @@ pub fn growth_shares(about: &Linearised, value: c64, shape: &[c64]) -> Result<Gr
         let worker = Worker::Contact(held.interface, ContactTerm::NormalTangentialCoupling);
         *powers.entry(worker).or_default() += omega * work.im;
     }
+    let magnitude = size * form(mass).re.abs() + own.re.abs();
+    if energy.abs() <= NO_ENERGY * magnitude {
+        return Ok(None);
+    }
     let shares: Vec<(Worker, f64)> =
         powers.into_iter().map(|(worker, power)| (worker, power / energy)).collect();
     let balance = value.re - shares.iter().map(|(_, growth)| growth).sum::<f64>();
-    Ok(GrowthShares { shares, balance })
+    Ok(Some(GrowthShares { shares, balance }))
 }
 
 /// δN of the rigid points: the least squares of E δN = (λ² M + λ C + K) x, exact but for rounding.

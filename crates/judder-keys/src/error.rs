@@ -146,10 +146,39 @@ impl Fault {
         self
     }
 
+    /// Where it begins: in which text, and there.
+    fn start(&self) -> (usize, usize) {
+        (self.place.source, self.place.start)
+    }
+
     /// What is wrong, without its place.
     pub fn into_cause(self) -> Cause {
         *self.cause
     }
+}
+
+/// A key that stands for another one, and where.
+struct MisspeltKey {
+    meant: String,
+    section: String,
+    start: (usize, usize),
+}
+
+fn misspelt_keys(faults: &[Fault]) -> Vec<MisspeltKey> {
+    let misspelt = |fault: &Fault| {
+        let (meant, section) = fault.cause.misspelt_key()?;
+        Some(MisspeltKey { meant, section, start: fault.start() })
+    };
+    faults.iter().filter_map(misspelt).collect()
+}
+
+/// Which fault says that the meant key lacks: of sections that are called alike, that of the last that begins before it.
+fn lack_of(misspelt: &MisspeltKey, faults: &[Fault]) -> Option<usize> {
+    let is_this = |fault: &Fault| {
+        fault.cause.is_lack_of(&misspelt.meant, &misspelt.section) && fault.start() <= misspelt.start
+    };
+    let lacks = (0..faults.len()).filter(|k| is_this(&faults[*k]));
+    lacks.max_by_key(|k| faults[*k].start())
 }
 
 /// The texts of a case: the file first, then the `--set` options.
@@ -162,22 +191,18 @@ impl Sources {
         Self(std::iter::once((name.to_owned(), Arc::from(text))).chain(options).collect())
     }
 
-    /// Attaches the text to a fault, and to those beside it. A key that lacks because it is misspelt is told once.
-    pub fn error(&self, fault: Fault) -> CaseError {
-        let mut first = fault;
-        let mut others = std::mem::take(&mut first.others);
-        let place = |fault: &Fault| (fault.place.source, fault.place.start);
-        let misspelt: Vec<(String, String)> =
-            others.iter().chain([&first]).filter_map(|own| own.cause.misspelt_key()).collect();
-        let order = |fault: &Fault| (fault.cause.is_lack_of(&misspelt), place(fault));
-        for other in &mut others {
-            if order(other) < order(&first) {
-                std::mem::swap(&mut first, other);
+    /// Attaches the text to a fault, and to those beside it, by their places. A key that lacks because it is misspelt is told once.
+    pub fn error(&self, mut fault: Fault) -> CaseError {
+        let mut all = std::mem::take(&mut fault.others);
+        all.insert(0, fault);
+        for misspelt in misspelt_keys(&all) {
+            if let Some(lack) = lack_of(&misspelt, &all) {
+                all.remove(lack);
             }
         }
-        others.retain(|other| !other.cause.is_lack_of(&misspelt));
-        others.sort_by_key(place);
-        let others = others.into_iter().map(|other| self.error_of(other)).collect();
+        all.sort_by_key(Fault::start);
+        let first = all.remove(0);
+        let others = all.into_iter().map(|other| self.error_of(other)).collect();
         CaseError { others, ..self.error_of(first) }
     }
 

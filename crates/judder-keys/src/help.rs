@@ -16,13 +16,12 @@ impl Cause {
         }
     }
 
-    /// Whether it is that one of these keys lacks in its section.
-    pub(crate) fn is_lack_of(&self, keys: &[(String, String)]) -> bool {
-        let is_this = |(of, of_section): &(String, String)| match self {
-            Self::MissingKey { key, section, .. } => key == of && section == of_section,
+    /// Whether it is that this key lacks in a section of this name.
+    pub(crate) fn is_lack_of(&self, meant: &str, of_section: &str) -> bool {
+        match self {
+            Self::MissingKey { key, section, .. } => key == meant && section == of_section,
             _ => false,
-        };
-        keys.iter().any(is_this)
+        }
     }
 
     /// The dotted path of the key that is to blame, where there is one.

@@ -6,9 +6,9 @@
 //! - [`friction`]: the friction force (5), with either reading of the load that carries it.
 //! - [`equilibrium`]: steady sliding (15).
 //! - [`linearisation`]: damping and stiffness about it (16)–(20), equivalent damping (23).
-//! - [`linear_system`]: any M q̈ + C q̇ + K q = 0 of two degrees of freedom, its state matrix (22).
+//! - [`linear_system`]: any M q̈ + C q̇ + K q = 0 of two degrees of freedom.
 //! - [`characteristic`]: the characteristic polynomial (21) and Hurwitz determinants, which decide stability.
-//! - [`conservative`]: the eigenvalues without damping (24), (25), their coalescence (26), thresholds in closed form (27), (28).
+//! - [`conservative`]: the eigenvalues without damping (24), (25), their coalescence (26), the threshold of the shear strength in closed form (27).
 //! - [`spectrum`]: eigenvalues and eigenvectors.
 //! - [`verdict`], [`mechanism`]: stable or not, and why; and [`growth`]: which force feeds the growth.
 //! - [`within_law`]: what the errors of the contact law leave of all that, and [`undecided`]: what of thresholds.

@@ -84,9 +84,19 @@ impl Solver<'_> {
         let mut one_at_a_time = false;
         let (mut residual, mut changing) = (f64::INFINITY, 0);
         let limit = ITERATIONS + 10 * self.points.len();
+        let mut was_brought_together = false;
         for iteration in 1..=limit {
-            let affine: Vec<AffinePoint> = (0..self.points.len()).map(|k| self.affine(k, &guess)).collect();
-            self.check_held(&affine)?;
+            let mut affine: Vec<AffinePoint> =
+                (0..self.points.len()).map(|k| self.affine(k, &guess)).collect();
+            if !self.is_held(&affine)? {
+                // springs say whether loads bring any point nearer, and which comes first; where that does not press, none does
+                let comes_nearer = of_load.iter().any(|opening| *opening < 0.0);
+                if std::mem::replace(&mut was_brought_together, true) || !comes_nearer {
+                    return Err(AssemblyError::NothingCloses);
+                }
+                let first = self.bring_together(&mut guess);
+                affine[first] = self.affine(first, &guess);
+            }
             let unknowns = self.unknowns(&affine, &guess)?;
             let opening: Vec<f64> = affine.iter().zip(&unknowns).map(|(a, z)| a.opening.at(*z)).collect();
             let normal: Vec<f64> = affine.iter().zip(&unknowns).map(|(a, z)| a.normal.at(*z)).collect();
@@ -111,13 +121,21 @@ impl Solver<'_> {
         Err(AssemblyError::NoConvergence { iterations: limit, changing, points: self.points.len(), residual })
     }
 
-    /// Refuses to go on where no contact carries a force, and nothing else holds the bodies.
-    fn check_held(&self, affine: &[AffinePoint]) -> Result<(), AssemblyError> {
+    /// Whether a contact carries a force, or something else holds the bodies.
+    fn is_held(&self, affine: &[AffinePoint]) -> Result<bool, AssemblyError> {
         let carries = |point: &AffinePoint| point.normal.slope != 0.0;
-        if affine.iter().any(carries) || rigid_motions(&self.assembly.stiffness, &self.assembly.mass)? == 0 {
-            return Ok(());
-        }
-        Err(AssemblyError::NothingCloses)
+        Ok(affine.iter().any(carries) || rigid_motions(&self.assembly.stiffness, &self.assembly.mass)? == 0)
+    }
+
+    /// Closes the point whose gap is smallest where springs hold the bodies, and says which.
+    fn bring_together(&self, guess: &mut Guess) -> usize {
+        let of_load = &self.compliance.of_load;
+        let gap = |k: &usize| self.points[*k].point.gap + of_load[*k];
+        let first = (0..self.points.len()).min_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(0);
+        guess.closed[first] = matches!(self.points[first].law, InterfaceLaw::Rigid(_));
+        // a compliant one by as much as the springs yield
+        guess.opening[first] = -self.points[first].point.gap - of_load[first].abs();
+        first
     }
 
     /// How a point's opening and forces follow from its unknown: the force of a rigid one that is closed, the opening of any other.

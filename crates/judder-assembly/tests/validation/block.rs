@@ -154,6 +154,21 @@ fn without_friction_modes_neither_grow_nor_decay_and_with_it_some_lock_in() {
     assert!(with_friction.iter().any(|own| own.value.re > own.error), "{with_friction:?}");
 }
 
+/// A block that contacts alone hold, above the plane by more than springs would yield: it comes down and carries its load.
+#[test]
+fn what_is_above_the_plane_comes_down() {
+    for law in [
+        InterfaceLaw::Rigid(Friction::Constant(0.3)),
+        InterfaceLaw::Compliant(Pressure::Stiffness(1e14), Friction::Constant(0.3)),
+    ] {
+        let mut assembly = block(law, 1.0);
+        assembly.interfaces[0].points.iter_mut().for_each(|point| point.gap = 1e-3);
+        let steady = solved(&assembly).unwrap();
+        let total: f64 = steady.points.iter().map(|point| point.normal_force).sum();
+        assert!((total - 1e3).abs() < 1e-6 && steady.residual < 1e-10, "{total} {}", steady.residual);
+    }
+}
+
 #[test]
 fn what_nothing_holds_and_what_pulls_off_are_told() {
     let mut pulled = block(InterfaceLaw::Rigid(Friction::Constant(0.2)), 1.0);

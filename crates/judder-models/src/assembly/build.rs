@@ -3,15 +3,18 @@
 //! - `body`: one body, whole or reduced.
 //! - `load`: what acts on it.
 //! - `interface`: contact points found, laws as the physics has them.
+//! - `size`: how large a body is.
 //! - `shown`: all bodies as one, for pictures and files.
 
 mod body;
 mod interface;
 mod load;
 mod shown;
+mod size;
 
-pub(crate) use body::{BuiltBody, extent};
+pub(crate) use body::BuiltBody;
 pub(crate) use shown::Shown;
+pub(crate) use size::extent;
 
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;

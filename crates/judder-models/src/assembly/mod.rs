@@ -14,7 +14,7 @@ use crate::assembly::case::{AssemblyCase, AssemblySections};
 use crate::error::ModelError;
 use build::BuiltAssembly;
 use judder_assembly::compliance::Compliance;
-use judder_assembly::steady::{SteadySliding, steady_sliding as slide};
+use judder_assembly::steady::{FrictionLimit, SteadySliding, steady_sliding as slide};
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
 use judder_study::StudyError;
@@ -30,6 +30,9 @@ use std::sync::Arc;
 pub(crate) static KINDS: Kinds<(), Arc<dyn Analysis<AssemblyCase>>> =
     Kinds::new(&[steady_sliding::KIND, eigen::KIND]);
 
+/// What the forces of a converged solution may be off, over all forces.
+const IMBALANCE: f64 = 1e-9;
+
 /// An assembly, and the name under which an analysis of it leaves files.
 pub struct Subject<'a> {
     case: &'a AssemblyCase,
@@ -44,6 +47,37 @@ impl Subject<'_> {
         let compliance = Compliance::new(assembly).map_err(|error| self.built.told(error))?;
         let steady = slide(assembly, &compliance).map_err(|error| self.built.told(error))?;
         Ok((steady, compliance))
+    }
+
+    /// What is to be said of steady sliding before anything is concluded from it.
+    fn doubts(&self, steady: &SteadySliding) -> Vec<String> {
+        let interfaces = &self.built.assembly.interfaces;
+        let mut doubts = Vec::new();
+        if let FrictionLimit::At { factor, point } = steady.friction_limit
+            && factor <= 1.0
+            && let Some((interface, at)) =
+                interfaces.iter().flat_map(|own| own.points.iter().map(move |point| (own, point))).nth(point)
+        {
+            let [x, y, z] = at.place;
+            doubts.push(format!(
+                "sprag-slip: at {factor:.6} times their friction coefficients the closed points have begun to move without a change of force, first \
+                 at ({x}, {y}, {z}) m of `{}`: beside the state shown there are others, or it is not reached",
+                interface.name,
+            ));
+        }
+        if steady.residual > IMBALANCE {
+            let off = steady.residual;
+            doubts.push(format!(
+                "forces are out of balance by {off:.1e} of all forces: steady sliding is not to be trusted"
+            ));
+        }
+        let pulling = steady.points.iter().filter(|point| point.normal_force < 0.0).count();
+        if pulling > 0 {
+            doubts.push(format!(
+                "{pulling} contact points that are held closed pull: with `all_closed = false` they open, and the modes are others"
+            ));
+        }
+        doubts
     }
 }
 

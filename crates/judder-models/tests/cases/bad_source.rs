@@ -48,7 +48,7 @@ fn no_model() {
         "title = \"x\"\n",
         "the case lacks the key `model`",
         "",
-        r#"give model = "oscillator" or model = "contact" or model = "belt" or model = "two-degrees" or model = "structure" or model = "sliding""#,
+        r#"give model = "oscillator" or model = "contact" or model = "belt" or model = "two-degrees" or model = "structure" or model = "sliding" or model = "assembly""#,
     );
 }
 
@@ -58,7 +58,7 @@ fn an_unknown_model() {
         "model = \"oscilator\"\n",
         "unknown model `oscilator`",
         "oscilator",
-        "did you mean `oscillator`? known: oscillator, contact, belt, two-degrees, structure, sliding",
+        "did you mean `oscillator`? known: oscillator, contact, belt, two-degrees, structure, sliding, assembly",
     );
 }
 

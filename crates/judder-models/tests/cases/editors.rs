@@ -46,7 +46,7 @@ fn an_unknown_template_names_the_known_ones() {
     assert_eq!(error.to_string(), "there is no template `oscilator`");
     assert_eq!(
         help_of(&error),
-        "did you mean `oscillator`? known: oscillator, contact, belt, two-degrees, structure, beams-paper"
+        "did you mean `oscillator`? known: oscillator, contact, belt, two-degrees, structure, beams-paper, assembly"
     );
 }
 

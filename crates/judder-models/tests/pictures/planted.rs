@@ -14,7 +14,9 @@ use num_complex::Complex64;
 use oscillator::{critical, equivalent_damping, spectrum, stability_map};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
-use structure::{eigen, eigen_sweep, growth, locus, march, modes, receptance, reduction, spectrogram};
+use structure::{
+    eigen, eigen_sweep, growth, locus, march, modes, receptance, reduction, spectrogram, steady_sliding,
+};
 
 pub(super) type Point = (f64, f64);
 
@@ -28,7 +30,7 @@ pub(super) struct Planted {
 
 type Plant = fn(u64) -> Vec<Planted>;
 
-pub(super) const PLANTED: [(&str, &str, Plant); 31] = [
+pub(super) const PLANTED: [(&str, &str, Plant); 33] = [
     ("oscillator", "equivalent-damping", equivalent_damping),
     ("oscillator", "spectrum", spectrum),
     ("oscillator", "critical-shear-strength", critical),
@@ -60,6 +62,8 @@ pub(super) const PLANTED: [(&str, &str, Plant); 31] = [
     ("sliding", "growth", growth),
     ("sliding", "march", march),
     ("sliding", "spectrogram", spectrogram),
+    ("assembly", "steady-sliding", steady_sliding),
+    ("assembly", "eigen", eigen),
 ];
 
 const NAN: f64 = f64::NAN;

@@ -1,6 +1,6 @@
 //! The contact interfaces of a case: points found, laws as the physics has them.
 
-use super::body::width;
+use super::size::width;
 use super::{BuiltBody, Unassembled};
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::contact::{ContactInterface, NormalLaw, SlidingMotion, SurfaceOf, TrackSettings};
@@ -83,6 +83,12 @@ pub(super) fn interfaces(
         if alone > 0 {
             warnings.push(format!(
                 "{alone} of {all} nodes of the slider of `{}` have no partner on the track: they carry no contact",
+                contact.name,
+            ));
+        }
+        if let (SlidingMotion::Rotation(_), Some(_)) = (&contact.sliding, &sides.track) {
+            warnings.push(format!(
+                "the track of `{}` turns: gyroscopic, convective and centrifugal terms of its body are left out",
                 contact.name,
             ));
         }

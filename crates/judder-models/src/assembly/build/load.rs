@@ -1,7 +1,7 @@
 //! What acts on a body.
 
 use super::Unassembled;
-use super::body::width;
+use super::size::width;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::load::{Load, LoadAmount};
 use crate::assembly::case::problem::AssemblyProblem;
@@ -26,10 +26,20 @@ pub(super) fn load(
         let points = points_of(&own.nodes, structure, &path)?;
         let direction = own.direction.unwrap_or(Direction::X);
         let acting = match own.amount {
-            LoadAmount::Force(force) => of_force(structure, &points, direction, force),
+            LoadAmount::Force(force) => of_force(structure, &points, direction, force).ok_or_else(|| {
+                let reason = format!(
+                    "no node of `{}` is free along {direction}: a force there moves nothing",
+                    own.set()
+                );
+                Unassembled::because(format!("{path}.force"), &reason)
+            })?,
             LoadAmount::Pressure(pressure) => of_pressure(structure, &points, pressure, &path)?,
             LoadAmount::Displacement(displacement) => {
                 let moved: Imposed = points.iter().map(|point| ((*point, direction), displacement)).collect();
+                if moved.keys().any(|key| imposed.contains_key(key)) {
+                    let reason = "another load displaces nodes of this set in this direction";
+                    return Err(Unassembled::because(format!("{path}.displacement"), &reason));
+                }
                 imposed.extend(&moved);
                 of_displacement(structure, own, &moved, &path)?
             }
@@ -39,17 +49,16 @@ pub(super) fn load(
     Ok((load, imposed))
 }
 
-/// A force that all nodes share alike.
-fn of_force(structure: &Structure, points: &[usize], direction: Direction, force: f64) -> Vec<f64> {
+/// A force that all nodes share alike; `None` where all are held.
+fn of_force(structure: &Structure, points: &[usize], direction: Direction, force: f64) -> Option<Vec<f64>> {
+    let layout = structure.layout.as_ref()?;
+    let free: Vec<usize> =
+        points.iter().filter_map(|point| layout.freedoms[*point][direction as usize]).collect();
     let mut load = vec![0.0; structure.family.size()];
-    let freedoms = structure
-        .layout
-        .iter()
-        .flat_map(|layout| points.iter().filter_map(|point| layout.freedoms[*point][direction as usize]));
-    for freedom in freedoms {
-        load[freedom] += force / points.len() as f64;
+    for freedom in &free {
+        load[*freedom] += force / points.len() as f64;
     }
-    load
+    (!free.is_empty()).then_some(load)
 }
 
 /// A pressure on the surface between nodes, against its outward normals.

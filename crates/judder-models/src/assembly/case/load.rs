@@ -33,7 +33,7 @@ pub struct Load {
 /// What acts on the nodes of a set.
 #[derive(Debug, Clone, Copy, PartialEq, Settings)]
 pub enum LoadAmount {
-    /// The force on all nodes together, along the direction; on a surface evenly.
+    /// The force on all nodes together, along the direction, which all nodes share alike.
     #[key(rule = Number::any(Dimension::FORCE), symbol = "F")]
     Force(f64),
     /// The pressure on the surface between the nodes.

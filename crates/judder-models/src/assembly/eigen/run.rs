@@ -1,14 +1,14 @@
 //! Complex modes about steady sliding, and what is told of them.
 
 use super::{AssemblyEigen, SoughtModes};
-use crate::assembly::Subject;
 use crate::assembly::build::Shown;
+use crate::assembly::{IMBALANCE, Subject};
 use crate::error::ModelError;
 use crate::structure::eigen::run::{ShownModes, found};
 use judder_assembly::linearised::{ContactTerm, Linearised, LinearisedTerms};
 use judder_assembly::work::{GrowthShares, Worker, growth_shares};
 use judder_store::{ByName, Results};
-use judder_structure::complex_modes::{ComplexMode, EigenvalueVerdict};
+use judder_structure::complex_modes::{ComplexMode, ComplexModes, EigenvalueVerdict};
 use judder_structure::diagnosis::participations;
 use judder_structure::modes::{Mode, WantedModes, modes};
 use judder_structure::quadratic::Region;
@@ -57,11 +57,7 @@ pub(super) fn run(of: &Subject<'_>, asked: &AssemblyEigen) -> Result<Outcome, Mo
     let (steady, _) = of.steady()?;
     let terms = LinearisedTerms { damping: asked.damping, friction_damping: asked.damping };
     let about = Linearised::new(&built.assembly, &steady, terms)?;
-    let region = region(&about, asked.sought)?;
-    let mut found = found(&about.problem, &region)?;
-    if let SoughtModes::Count(count) = asked.sought {
-        found.modes.truncate(count);
-    }
+    let (region, found) = sought(&about, asked.sought)?;
     let shown = Shown::new(&built.bodies);
     let modes = ShownModes {
         problem: &about.problem,
@@ -72,12 +68,20 @@ pub(super) fn run(of: &Subject<'_>, asked: &AssemblyEigen) -> Result<Outcome, Mo
         expanded: &|shape| built.expanded(&about.expanded(shape)),
     };
     let mut outcome = modes.outcome(of.name, None)?;
-    let parents = parents(&about, &region)?;
+    outcome.warnings.extend(of.doubts(&steady));
+    outcome.missing += usize::from(steady.residual > IMBALANCE);
+    if let SoughtModes::Count(count) = asked.sought
+        && found.modes.len() < count
+    {
+        let few = found.modes.len();
+        outcome.warnings.push(format!("{few} of {count} modes: in the searched region there are no more"));
+    }
+    let parents = if outcome.scalars["unstable"] == 0 { Vec::new() } else { parents(&about, &region)? };
     let is_unstable = |mode: &&ComplexMode| mode.eigenvalue.verdict() == EigenvalueVerdict::Unstable;
     let (mut growing, mut balances) = (Vec::new(), Vec::new());
     for mode in found.modes.iter().filter(is_unstable) {
         let shape = about.expanded(&mode.right);
-        let shares = growth_shares(&about, mode.eigenvalue.value, &shape)?;
+        let Some(shares) = growth_shares(&about, mode.eigenvalue.value, &shape)? else { continue };
         balances.push(shares.balance.abs() / mode.eigenvalue.value.norm());
         growing.push(GrowingMode {
             mode: 1 + found.modes.iter().position(|other| std::ptr::eq(other, mode)).unwrap_or_default(),
@@ -98,23 +102,44 @@ pub(super) fn run(of: &Subject<'_>, asked: &AssemblyEigen) -> Result<Outcome, Mo
     Ok(outcome)
 }
 
-/// The rectangle in which the modes are sought that an analysis asks for.
-fn region(about: &Linearised, sought: SoughtModes) -> Result<Region, ModelError> {
-    /// Growth rates that a band holds, over its upper frequency.
-    const STEEPNESS: f64 = 0.5;
-    let band = |from: f64, to: f64| Region { re: [-STEEPNESS * to, STEEPNESS * to], im: [from, to] };
-    match sought {
-        SoughtModes::Region(region) => Ok(region),
-        SoughtModes::Band([from, to]) => Ok(band(from, to)),
-        SoughtModes::Count(count) => {
-            // as far as as many modes of frictionless contact lie, and a few more: damping and friction move them
-            let (mass, stiffness) = about.frictionless()?;
-            let wanted = WantedModes::Lowest(count + 2 + count / 10);
-            let highest = modes(&stiffness, &mass, wanted)?.modes.into_iter().next_back();
-            let to = highest.map_or(1.0, |mode| 1.01 * mode.eigenvalue.max(0.0).sqrt());
-            Ok(band(0.0, to))
+/// The modes that an analysis asks for, and the rectangle in which there are no others.
+fn sought(about: &Linearised, sought: SoughtModes) -> Result<(Region, ComplexModes), ModelError> {
+    let region = match sought {
+        SoughtModes::Region(region) => region,
+        SoughtModes::Band([from, to]) => band(from, to),
+        SoughtModes::Count(count) => return lowest(about, count),
+    };
+    Ok((region, found(&about.problem, &region)?))
+}
+
+/// Growth rates that a band holds, over its upper frequency.
+const STEEPNESS: f64 = 0.5;
+
+fn band(from: f64, to: f64) -> Region {
+    Region { re: [-STEEPNESS * to, STEEPNESS * to], im: [from, to] }
+}
+
+/// The lowest modes: as far up as so many of frictionless contact lie, and farther while damping and friction leave fewer there.
+fn lowest(about: &Linearised, count: usize) -> Result<(Region, ComplexModes), ModelError> {
+    /// How much farther at a time, and how often.
+    const FARTHER: (f64, usize) = (1.5, 4);
+    let (mass, stiffness) = about.frictionless()?;
+    let highest = modes(&stiffness, &mass, WantedModes::Lowest(count + 1))?.modes.into_iter().next_back();
+    let mut region = band(0.0, highest.map_or(1.0, |mode| 1.01 * mode.eigenvalue.max(0.0).sqrt()));
+    let mut all = found(&about.problem, &region)?;
+    for _ in 0..FARTHER.1 {
+        if all.modes.len() >= count {
+            break;
         }
+        region = band(0.0, FARTHER.0 * region.im[1]);
+        all = found(&about.problem, &region)?;
     }
+    if let (Some(last), Some(next)) = (all.modes.get(count.saturating_sub(1)), all.modes.get(count)) {
+        // between the last that is told and the next
+        region.im[1] = 0.5 * (last.eigenvalue.value.im + next.eigenvalue.value.im);
+        all.modes.truncate(count);
+    }
+    Ok((region, all))
 }
 
 /// The modes of frictionless contact near the band of a region, on all freedoms.

@@ -1,20 +1,17 @@
 //! Steady sliding and what is told of it.
 
-use crate::assembly::Subject;
 use crate::assembly::build::Shown;
+use crate::assembly::{IMBALANCE, Subject};
 use crate::error::ModelError;
 use crate::structure::shapes;
 use crate::written::written;
 use judder_assembly::contact_point::ContactPoint;
-use judder_assembly::steady::{PointState, SteadySliding, Uniqueness};
+use judder_assembly::steady::{FrictionLimit, PointState, SteadySliding};
 use judder_exchange::geometry::Geometry;
 use judder_exchange::vtu::{FieldValues, VtuField, write_vtu};
 use judder_store::{ByName, Results, Variable};
 use judder_study::outcome::{CheckRecord, Outcome};
 use num_complex::Complex64;
-
-/// What the forces of a converged solution may be off, over all forces.
-const IMBALANCE: f64 = 1e-9;
 
 /// What is told of steady sliding.
 #[derive(Results)]
@@ -26,10 +23,11 @@ pub(super) struct SteadyResults {
     residual: f64,
     /// linear systems that were solved
     iterations: usize,
-    /// whether there is a friction at which steady sliding is lost: `lost`, `kept`, or `unknown` where there are too many points to tell
-    uniqueness: &'static str,
-    /// where it is lost, by what all friction coefficients are multiplied
-    lost_at_factor: Option<f64>,
+    /// by what all friction coefficients are multiplied where the equations of the points that are closed become singular; none where that
+    /// is at no friction, or not known
+    friction_limit: Option<f64>,
+    /// whether that was looked for
+    friction_limit_known: bool,
     /// each contact
     contacts: ByName<ContactSums>,
     /// each contact point
@@ -52,8 +50,8 @@ pub(super) struct ContactSums {
     open: usize,
     /// the largest pressure, in Pa
     pressure_max: Option<f64>,
-    /// where the normal forces act together, in m
-    centre: Vec<f64>,
+    /// where the normal forces act together, in m; none where there are none
+    centre: Option<Vec<f64>>,
 }
 
 /// A contact point in steady sliding.
@@ -137,24 +135,11 @@ pub(super) fn run(of: &Subject<'_>) -> Result<Outcome, ModelError> {
             steady.residual.into(),
             IMBALANCE,
         )],
-        warnings: lost(of, &steady).into_iter().collect(),
+        missing: usize::from(steady.residual > IMBALANCE),
+        warnings: of.doubts(&steady),
         files: vec![(format!("fields/{}.vtu", of.name), field(of, &shown, &steady, &moved)?)],
         ..Outcome::default()
     })
-}
-
-/// That steady sliding is lost before the friction of the case.
-fn lost(of: &Subject<'_>, steady: &SteadySliding) -> Option<String> {
-    let Uniqueness::LostAt { factor, point } = steady.uniqueness else { return None };
-    let all =
-        of.built.assembly.interfaces.iter().flat_map(|own| own.points.iter().map(move |point| (own, point)));
-    let (interface, at) = all.into_iter().nth(point).filter(|_| factor <= 1.0)?;
-    let [x, y, z] = at.place;
-    Some(format!(
-        "sprag-slip: at {factor:.6} times its friction coefficients the assembly has lost its one steady sliding, first at ({x}, {y}, {z}) m of \
-         `{}`: beside the state shown there are others, or it is not reached",
-        interface.name,
-    ))
 }
 
 fn results(of: &Subject<'_>, steady: &SteadySliding) -> SteadyResults {
@@ -169,15 +154,11 @@ fn results(of: &Subject<'_>, steady: &SteadySliding) -> SteadyResults {
         converged: steady.residual <= IMBALANCE,
         residual: steady.residual,
         iterations: steady.iterations,
-        uniqueness: match steady.uniqueness {
-            Uniqueness::LostAt { .. } => "lost",
-            Uniqueness::Kept => "kept",
-            Uniqueness::Unknown => "unknown",
+        friction_limit: match steady.friction_limit {
+            FrictionLimit::At { factor, .. } => Some(factor),
+            FrictionLimit::None | FrictionLimit::Unknown => None,
         },
-        lost_at_factor: match steady.uniqueness {
-            Uniqueness::LostAt { factor, .. } => Some(factor),
-            Uniqueness::Kept | Uniqueness::Unknown => None,
-        },
+        friction_limit_known: steady.friction_limit != FrictionLimit::Unknown,
         contacts: contacts.into_iter().collect(),
         rows,
     }
@@ -206,7 +187,7 @@ impl ContactSums {
             closed,
             open: points.len() - closed,
             pressure_max: pressures.reduce(f64::max),
-            centre: moment.iter().map(|m| m / normal_force).collect(),
+            centre: (normal_force != 0.0).then(|| moment.iter().map(|m| m / normal_force).collect()),
         }
     }
 }

@@ -2,10 +2,10 @@
 
 use super::assembled::{add_supports, assembled, section};
 use super::{Structure, Unbuilt};
-use crate::structure::case::body::{Body, LengthUnit};
+use crate::structure::case::body::Body;
 use crate::structure::case::damping::Damping;
 use crate::structure::case::problem::StructureProblem;
-use judder_exchange::mesh_file::{FileSection, MeshFile, read_mesh};
+use judder_exchange::mesh_file::{FileSection, MeshFile, Units, read_mesh};
 use judder_keys::file_reference::FileReference;
 use judder_structure::freedom::Supports;
 use judder_structure::material::{Elastic, ElementSection};
@@ -16,8 +16,11 @@ pub(super) fn structure(body: &Body, file: &FileReference, damping: &Damping) ->
     let mut read = read_mesh(&file.path).map_err(|error| {
         Unbuilt::new("structure.mesh", StructureProblem::File { reason: error.to_string() })
     })?;
-    let metres = body.unit.map_or(1.0, LengthUnit::metres);
-    read.mesh.nodes.iter_mut().flatten().for_each(|place| *place *= metres);
+    if let Some(unit) = body.unit {
+        // lengths, newtons and seconds: of materials and sections in the file too
+        let length = unit.metres();
+        read = read.in_si(Units { length, mass: 1.0 / length, time: 1.0 });
+    }
     name_nodes(&mut read);
     refuse_strangers(body, &read)?;
     let materials = materials(body, &read)?;

@@ -25,7 +25,7 @@ pub struct Body {
     /// Where its elements come from.
     #[key(flatten)]
     pub geometry: Geometry,
-    /// The unit of the lengths of a mesh file; metres where left out.
+    /// The unit of the lengths of a mesh file, and with newtons and seconds of what it says of materials; metres where left out.
     #[key(omitted)]
     pub unit: Option<LengthUnit>,
     /// How the third direction of a body of the plane is meant; a mesh file may say it.

@@ -59,6 +59,25 @@ pub(super) fn eigen(seed: u64) -> Vec<Planted> {
     alone(dataset(variables, &[]), Vec::new())
 }
 
+/// Points of two contacts, one along a line and one over a surface, which nothing joins.
+pub(super) fn steady_sliding(seed: u64) -> Vec<Planted> {
+    let mut random = Random(seed);
+    let contacts: Vec<String> = (0..12).map(|k| if k < 5 { "line" } else { "surface" }.to_owned()).collect();
+    let mut place = |is_flat: bool| -> Vec<f64> {
+        (0..12).map(|k| if is_flat || k < 5 { 0.0 } else { random.next() }).collect()
+    };
+    let (y, z) = (place(false), place(true));
+    let variables = vec![
+        along("contact", "contact_point", contacts),
+        along("x", "contact_point", steps(12)),
+        along("y", "contact_point", y),
+        along("z", "contact_point", z),
+        along("normal_force", "contact_point", Random(seed + 1).gappy(12, -0.2)),
+        along("gap", "contact_point", steps(12)),
+    ];
+    alone(dataset(variables, &[]), Vec::new())
+}
+
 pub(super) fn eigen_sweep(seed: u64) -> Vec<Planted> {
     let (friction, values) = (steps(15), eigenvalues(&mut Random(seed), 45));
     let mut runs = Vec::new();

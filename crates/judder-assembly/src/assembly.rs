@@ -15,7 +15,7 @@ pub struct Assembly {
     pub mass: Sparse,
     /// C in N s/m, of the structures alone.
     pub damping: Sparse,
-    /// K in N/m, of the structures alone.
+    /// K in N/m, of the structures alone; unsymmetric where they bring circulation.
     pub stiffness: Sparse,
     /// f in N, with what imposed displacements do.
     pub load: Vec<f64>,
@@ -83,6 +83,33 @@ pub(crate) fn sum<'a>(
 ) -> Result<Sparse, AssemblyError> {
     let entries: Vec<_> = triplets(first).chain(others.flat_map(triplets)).collect();
     from_triplets(first.nrows(), first.ncols(), &entries)
+}
+
+/// Whether a matrix is its own transpose but for rounding, that is measured by the largest entries of the rows: bodies of different
+/// stiffness stand in one matrix.
+pub(crate) fn is_symmetric(matrix: &Sparse) -> bool {
+    /// What reductions leave is a hundred times less.
+    const ROUNDING: f64 = 1e-11;
+    let mut largest = vec![0.0_f64; matrix.nrows()];
+    for entry in triplets(matrix) {
+        for k in [entry.row, entry.col] {
+            largest[k] = largest[k].max(entry.val.abs());
+        }
+    }
+    triplets(matrix).all(|entry| {
+        let mirrored = matrix.get(entry.col, entry.row).copied().unwrap_or(0.0);
+        (mirrored - entry.val).abs() <= ROUNDING * largest[entry.row].max(largest[entry.col])
+    })
+}
+
+/// (A + Aᵀ)/2.
+pub(crate) fn symmetric_part(matrix: &Sparse) -> Result<Sparse, AssemblyError> {
+    let halves = |entry: Triplet<usize, usize, f64>| {
+        let half = 0.5 * entry.val;
+        [Triplet::new(entry.row, entry.col, half), Triplet::new(entry.col, entry.row, half)]
+    };
+    let entries: Vec<_> = triplets(matrix).flat_map(halves).collect();
+    from_triplets(matrix.nrows(), matrix.ncols(), &entries)
 }
 
 /// The entries of a matrix.

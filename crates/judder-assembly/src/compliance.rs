@@ -1,7 +1,7 @@
 //! How the contact points yield under forces at contact points.
 
 use crate::AssemblyError;
-use crate::assembly::{Assembly, from_triplets, triplets};
+use crate::assembly::{Assembly, from_triplets, is_symmetric, triplets};
 use crate::interface::FramedPoint;
 use crate::row::Row;
 use faer::Mat;
@@ -10,6 +10,7 @@ use judder_structure::assembly::Sparse;
 use judder_structure::factor::SymmetricFactor;
 use judder_structure::modes::{WantedModes, below, modes};
 use judder_structure::rigid::{largest_ratio, rigid_limit};
+use judder_structure::statics::{GeneralStatics, product};
 use rayon::prelude::*;
 
 /// The compliance of an assembly on its contact points, which no friction coefficient enters.
@@ -30,7 +31,7 @@ pub struct Compliance {
     pub(crate) of_load: Vec<f64>,
     /// s in N/m.
     pub(crate) spring: f64,
-    factor: SymmetricFactor,
+    factor: Factor,
 }
 
 /// Contact points whose dense matrices are held, half a dozen of them: 5 GB.
@@ -55,31 +56,21 @@ impl Compliance {
         let spring = spring(&assembly.stiffness, points);
         let held = with_springs(&assembly.stiffness, points, spring)?;
         check_held(&held, &assembly.mass)?;
-        let factor = SymmetricFactor::new(&held)?;
-        let solve = |points: &[FramedPoint<'_>]| -> Vec<Vec<f64>> {
-            let mut rights: [Vec<f64>; TOGETHER] = std::array::from_fn(|k| {
-                let mut right = vec![0.0; assembly.size()];
-                points.get(k).into_iter().for_each(|point| point.frame.normal.add_to(1.0, &mut right));
-                right
-            });
-            factor.solve_together(rights.each_mut().map(Vec::as_mut_slice));
-            rights.into_iter().take(points.len()).collect()
-        };
-        // K is symmetric: c_i K⁻¹ t_jᵀ = t_j K⁻¹ c_iᵀ, so solutions for the normals are enough
-        let columns: Vec<(Vec<f64>, Vec<f64>)> = points
+        let factor = Factor::new(&held)?;
+        let columns: Vec<[Vec<f64>; 2]> = points
             .par_chunks(TOGETHER)
-            .flat_map_iter(|chunk| {
-                solve(chunk).into_iter().map(|moved| {
-                    let normal = points.iter().map(|point| point.frame.normal.of(&moved)).collect();
-                    (normal, points.iter().map(|point| point.frame.slip.of(&moved)).collect())
-                })
-            })
+            .flat_map_iter(|chunk| factor.columns(chunk, points, assembly.size()))
             .collect();
         let mut of_load = assembly.load.clone();
         factor.solve(&mut of_load);
+        let of_slip = |i: usize, j: usize| match factor {
+            // K is symmetric: c_i K⁻¹ t_jᵀ = t_j K⁻¹ c_iᵀ
+            Factor::Symmetric(_) => columns[i][1][j],
+            Factor::General(_) => columns[j][1][i],
+        };
         Ok(Self {
-            of_normal: Mat::from_fn(points.len(), points.len(), |i, j| columns[j].0[i]),
-            of_slip: Mat::from_fn(points.len(), points.len(), |i, j| columns[i].1[j]),
+            of_normal: Mat::from_fn(points.len(), points.len(), |i, j| columns[j][0][i]),
+            of_slip: Mat::from_fn(points.len(), points.len(), of_slip),
             of_load: points.iter().map(|point| point.frame.normal.of(&of_load)).collect(),
             spring,
             factor,
@@ -102,6 +93,63 @@ impl Compliance {
         }
         self.factor.solve(&mut q);
         q
+    }
+}
+
+/// A stiffness that is factored: symmetric, or with the circulation that bodies bring.
+#[derive(Debug)]
+enum Factor {
+    Symmetric(SymmetricFactor),
+    General(Box<GeneralStatics>),
+}
+
+impl Factor {
+    fn new(stiffness: &Sparse) -> Result<Self, AssemblyError> {
+        Ok(match is_symmetric(stiffness) {
+            true => Self::Symmetric(SymmetricFactor::new(stiffness)?),
+            false => Self::General(Box::new(GeneralStatics::new(stiffness)?)),
+        })
+    }
+
+    fn solve(&self, load: &mut [f64]) {
+        match self {
+            Self::Symmetric(factor) => factor.solve(load),
+            Self::General(factor) => factor.solve(load),
+        }
+    }
+
+    /// Of some points: how unit forces along their normals open all points, and how those slip under them; of a stiffness that is not
+    /// symmetric how unit forces along their slips open all points.
+    fn columns(
+        &self,
+        chunk: &[FramedPoint<'_>],
+        points: &[FramedPoint<'_>],
+        size: usize,
+    ) -> Vec<[Vec<f64>; 2]> {
+        let forced = |row: Option<&Row>| {
+            let mut right = vec![0.0; size];
+            row.into_iter().for_each(|row| row.add_to(1.0, &mut right));
+            right
+        };
+        let opened = |moved: &[f64]| points.iter().map(|point| point.frame.normal.of(moved)).collect();
+        match self {
+            Self::Symmetric(factor) => {
+                let mut rights: [Vec<f64>; TOGETHER] =
+                    std::array::from_fn(|k| forced(chunk.get(k).map(|point| &point.frame.normal)));
+                factor.solve_together(rights.each_mut().map(Vec::as_mut_slice));
+                let slipped = |moved: &[f64]| points.iter().map(|point| point.frame.slip.of(moved)).collect();
+                let moved = rights.iter().take(chunk.len());
+                moved.map(|moved| [opened(moved), slipped(moved)]).collect()
+            }
+            Self::General(factor) => {
+                let of_row = |row: &Row| {
+                    let mut moved = forced(Some(row));
+                    factor.solve(&mut moved);
+                    opened(&moved)
+                };
+                chunk.iter().map(|point| [of_row(&point.frame.normal), of_row(&point.frame.slip)]).collect()
+            }
+        }
     }
 }
 
@@ -144,18 +192,50 @@ pub(crate) fn outer<'a>(
 
 /// Refuses bodies that can move without force although springs hold every contact.
 fn check_held(stiffness: &Sparse, mass: &Sparse) -> Result<(), AssemblyError> {
+    let largest = |shape: Vec<f64>, motions: usize| {
+        let largest = |best: usize, k: usize| if shape[k].abs() > shape[best].abs() { k } else { best };
+        AssemblyError::RigidMotion { motions, freedom: (0..shape.len()).fold(0, largest), shape }
+    };
+    if !is_symmetric(stiffness) {
+        return motion_without_force(stiffness, mass)?.map_or(Ok(()), |shape| Err(largest(shape, 1)));
+    }
     let motions = rigid_motions(stiffness, mass)?;
     if motions == 0 {
         return Ok(());
     }
     let found = modes(stiffness, mass, WantedModes::Lowest(1))?;
-    let shape = found.modes.into_iter().next().map(|mode| mode.shape).unwrap_or_default();
-    let largest = |best: usize, k: usize| if shape[k].abs() > shape[best].abs() { k } else { best };
-    Err(AssemblyError::RigidMotion { motions, freedom: (0..shape.len()).fold(0, largest), shape })
+    Err(largest(found.modes.into_iter().next().map(|mode| mode.shape).unwrap_or_default(), motions))
 }
 
-/// How many motions there are without force.
+/// How many motions there are without force; of a stiffness that is not symmetric whether there is one.
 pub(crate) fn rigid_motions(stiffness: &Sparse, mass: &Sparse) -> Result<usize, AssemblyError> {
+    if !is_symmetric(stiffness) {
+        return Ok(usize::from(motion_without_force(stiffness, mass)?.is_some()));
+    }
     let limit = rigid_limit(stiffness.nrows(), largest_ratio(stiffness, mass));
     Ok(below(stiffness, mass, limit)?)
+}
+
+/// A motion that a stiffness, which need not be symmetric, does not resist: by inverse iteration on K + s M with s the largest
+/// eigenvalue that rounding makes of zero.
+fn motion_without_force(stiffness: &Sparse, mass: &Sparse) -> Result<Option<Vec<f64>>, AssemblyError> {
+    /// Steps: each brings out what lies at zero by as much as it lies nearer than the rest.
+    const STEPS: usize = 3;
+    let size = |shape: &[f64]| shape.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let limit = rigid_limit(stiffness.nrows(), largest_ratio(stiffness, mass));
+    let scaled = triplets(mass).map(|entry| Triplet::new(entry.row, entry.col, limit * entry.val));
+    let entries: Vec<_> = triplets(stiffness).chain(scaled).collect();
+    let factor = GeneralStatics::new(&from_triplets(stiffness.nrows(), stiffness.ncols(), &entries)?)?;
+    let mut shape: Vec<f64> = (0..stiffness.nrows()).map(|k| 1.0 + 0.5 * (k as f64).sin()).collect();
+    let mut nearest = f64::INFINITY;
+    for _ in 0..STEPS {
+        let before = size(&shape);
+        shape.iter_mut().for_each(|x| *x /= before);
+        let mut moved = product(mass, &shape);
+        factor.solve(&mut moved);
+        nearest = 1.0 / size(&moved);
+        shape = moved;
+    }
+    // of a motion without force it is s itself
+    Ok((nearest <= 3.0 * limit).then_some(shape))
 }

@@ -96,7 +96,7 @@ pub enum AssemblyError {
     /// A contact point without an area, to which a pressure would give a force.
     #[error(
         "interface `{interface}`: the contact at {} has no area: no face lies between the nodes of the set there, so a pressure has no force; \
-         name a surface, or let the contact be rigid",
+         name a surface, or let the contact be rigid, or give it a stiffness of points in N/m, normal = {{ point_stiffness = \"1e6 N/m\" }}",
         triple(.place)
     )]
     NoArea {
@@ -125,6 +125,14 @@ pub enum AssemblyError {
         interface: String,
         /// Where, in m.
         place: [f64; 3],
+    },
+    /// A tie holds a displacement that other ties hold already.
+    #[error(
+        "form {form} of the ties (counted from 0) holds a displacement that those before it hold already"
+    )]
+    RedundantTie {
+        /// Which form.
+        form: usize,
     },
     /// Neither supports nor contacts hold a motion of the bodies.
     #[error(

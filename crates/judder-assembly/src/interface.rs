@@ -26,7 +26,7 @@ pub struct Interface {
 pub enum InterfaceLaw {
     /// 0 ≤ N ⟂ g ≥ 0, T = μ N.
     Rigid(Friction),
-    /// N = a p(−g), T = μ N.
+    /// N = a p(−g), or k times −g of each point, T = μ N.
     Compliant(Pressure, Friction),
     /// N and T of one point, each of closure and slip speed.
     Asperity(Arc<dyn Asperity>),
@@ -66,6 +66,7 @@ impl InterfaceLaw {
         match self {
             Self::Rigid(_) => PointForces::default(),
             Self::Compliant(pressure, friction) => {
+                let area = if pressure.is_of_points() { 1.0 } else { area };
                 let pressure =
                     if stays_closed { pressure.extended_at(closure) } else { pressure.at(closure) };
                 let friction = friction.at(speed);
@@ -149,7 +150,9 @@ impl Interface {
         }
         // so too where it is not a number
         let has_area = point.area > 0.0 && point.area.is_finite();
-        if matches!(self.law, InterfaceLaw::Compliant(..)) && !has_area {
+        let needs_area =
+            matches!(&self.law, InterfaceLaw::Compliant(pressure, _) if !pressure.is_of_points());
+        if needs_area && !has_area {
             return Err(AssemblyError::NoArea { interface: name(), place });
         }
         Ok(FramedPoint { interface, point, frame, law: &self.law, stays_closed: self.all_closed })

@@ -6,7 +6,7 @@
 //! - [`surface`], [`search`]: contact points of two sets of faces whose meshes need not match.
 //! - [`friction`], [`pressure`]: friction coefficient against slip speed, pressure against closure.
 //! - [`interface`]: contact points with one law.
-//! - [`assembly`]: bodies with their loads and interfaces.
+//! - [`assembly`]: bodies with their loads and interfaces; [`spring`], [`tie`]: what else joins them.
 //! - [`compliance`]: how the contact points yield.
 //! - [`steady`]: steady sliding: forces, gaps, which points are closed.
 //! - [`linearised`]: small motions about it, `null_basis` on the freedoms that closed rigid points leave.
@@ -25,8 +25,10 @@ pub mod onset;
 pub mod pressure;
 pub mod row;
 pub mod search;
+pub mod spring;
 pub mod steady;
 pub mod surface;
+pub mod tie;
 mod vector;
 pub mod work;
 

@@ -8,7 +8,7 @@
 //! - the friction of every point follows the slip speed, ∂T/∂|v| tᵀt, and its direction the slip direction, T/|V| sᵀs, both in the damping.
 
 use crate::AssemblyError;
-use crate::assembly::{Assembly, from_triplets, sum};
+use crate::assembly::{Assembly, from_triplets, is_symmetric, sum, symmetric_part};
 use crate::compliance::outer;
 use crate::interface::{ForceAt, FramedPoint, InterfaceLaw, PointForces};
 use crate::null_basis::NullBasis;
@@ -129,12 +129,15 @@ impl Linearised {
         Ok(Self { problem, structures, contacts, held: held.collect(), trial })
     }
 
-    /// M and K without friction, on the freedoms that are left: symmetric, its modes are the parents of those that lock in.
+    /// M and K without friction, on the freedoms that are left: symmetric, its modes are the parents of those that lock in. Of a
+    /// stiffness that brings circulation it is the symmetric part.
     ///
     /// # Errors
     /// [`AssemblyError::Structure`] where it does not fit into memory.
     pub fn frictionless(&self) -> Result<(Sparse, Sparse), AssemblyError> {
         let [mass, _, stiffness] = &self.structures;
+        let symmetric = if is_symmetric(stiffness) { None } else { Some(symmetric_part(stiffness)?) };
+        let stiffness = symmetric.as_ref().unwrap_or(stiffness);
         let normal = self.contacts.iter().filter(|contact| contact.term == ContactTerm::NormalStiffness);
         let stiffness = sum(stiffness, normal.map(|contact| &contact.matrix))?;
         let projected = |matrix: &Sparse| NullBasis::projected(&self.trial, matrix, &self.trial);

@@ -80,6 +80,28 @@ impl NullBasis {
         self.rows.iter().map(|row| row.of(z)).collect()
     }
 
+    /// Bᵀ f.
+    pub(crate) fn transposed(&self, load: &[f64]) -> Vec<f64> {
+        let mut on_left = vec![0.0; self.size];
+        for (row, force) in self.rows.iter().zip(load) {
+            row.add_to(*force, &mut on_left);
+        }
+        on_left
+    }
+
+    /// r B.
+    pub(crate) fn form(&self, row: &Row) -> Row {
+        Row::sum(row.entries().iter().map(|(freedom, value)| (*value, &self.rows[*freedom])))
+    }
+
+    /// The freedom that the component `z` is.
+    pub(crate) fn freedom(&self, z: usize) -> usize {
+        let own = |row: &Row| row.entries() == [(z, 1.0)];
+        let is_dependent = |freedom: &usize| self.dependent.contains(freedom);
+        let mut all = (0..self.rows.len()).filter(|freedom| own(&self.rows[*freedom]));
+        all.find(|freedom| !is_dependent(freedom)).unwrap_or(z)
+    }
+
     /// Lᵀ A R of two bases of the same freedoms.
     pub(crate) fn projected(left: &Self, matrix: &Sparse, right: &Self) -> Result<Sparse, AssemblyError> {
         let mut entries = Vec::new();

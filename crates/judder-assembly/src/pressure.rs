@@ -16,8 +16,10 @@ const PRESSURES: Several<Number> =
     Several { of: Number::non_negative(Dimension::STRESS), length: [2, usize::MAX] };
 #[cfg(feature = "keys")]
 const STIFFNESS: Number = Number::positive(Dimension::new(-2, 1, -2, 0));
+#[cfg(feature = "keys")]
+const POINT_STIFFNESS: Number = Number::positive(Dimension::STIFFNESS);
 
-/// p(d), the pressure in Pa at a closure d = −g in m; zero where the interface is open, d ≤ 0.
+/// p(d), the pressure in Pa at a closure d = −g in m, or the force of a point in N; zero where the interface is open, d ≤ 0.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "keys", derive(judder_keys::Settings))]
 pub enum Pressure {
@@ -26,6 +28,11 @@ pub enum Pressure {
     /// p = k_n d, with k_n in N/m³.
     #[cfg_attr(feature = "keys", key(rule = STIFFNESS, symbol = "k_n"))]
     Stiffness(f64),
+    /// Force over closure of each contact point, whatever its area, in place of a pressure.
+    ///
+    /// N = k d, with k in N/m: what minimal models have, whose bodies have no faces.
+    #[cfg_attr(feature = "keys", key(rule = POINT_STIFFNESS, symbol = "k"))]
+    PointStiffness(f64),
     /// Pressures at closures, in place of a stiffness.
     Table(PressureTable),
 }
@@ -45,7 +52,7 @@ pub struct PressureTable {
 /// The columns of a table, in messages.
 const COLUMNS: [&str; 2] = ["the closures of a contact interface", "the pressures of a contact interface"];
 
-/// A pressure and its slope.
+/// A pressure and its slope; of a law of points a force in N and its slope in N/m.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PressureAt {
     /// p in Pa.
@@ -63,8 +70,12 @@ impl Pressure {
         let invalid =
             |name, value, requirement| Err(AssemblyError::InvalidNumber { name, value, requirement });
         match self {
-            Self::Stiffness(value) if value.is_finite() && *value > 0.0 => Ok(()),
-            Self::Stiffness(value) => invalid("the stiffness of a contact interface", *value, "positive"),
+            Self::Stiffness(value) | Self::PointStiffness(value) if value.is_finite() && *value > 0.0 => {
+                Ok(())
+            }
+            Self::Stiffness(value) | Self::PointStiffness(value) => {
+                invalid("the stiffness of a contact interface", *value, "positive")
+            }
             Self::Table(PressureTable { closure: closures, pressure: pressures }) => {
                 check_table(COLUMNS, closures, pressures.len())?;
                 check_table([COLUMNS[1], COLUMNS[0]], pressures, closures.len())?;
@@ -82,6 +93,12 @@ impl Pressure {
         }
     }
 
+    /// Whether it is the force of a point whatever its area.
+    #[must_use]
+    pub fn is_of_points(&self) -> bool {
+        matches!(self, Self::PointStiffness(_))
+    }
+
     /// p and dp/dd at a closure in m of an interface that stays closed: below zero it pulls as stiffly as it begins to press.
     #[must_use]
     pub fn extended_at(&self, closure: f64) -> PressureAt {
@@ -89,7 +106,7 @@ impl Pressure {
             return self.at(closure);
         }
         let slope = match self {
-            Self::Stiffness(stiffness) => *stiffness,
+            Self::Stiffness(stiffness) | Self::PointStiffness(stiffness) => *stiffness,
             Self::Table(PressureTable { closure: closures, pressure: pressures }) => {
                 on_table(closures, pressures, 0.0).1
             }
@@ -104,7 +121,9 @@ impl Pressure {
             return PressureAt::default();
         }
         match self {
-            Self::Stiffness(stiffness) => PressureAt { value: stiffness * closure, slope: *stiffness },
+            Self::Stiffness(stiffness) | Self::PointStiffness(stiffness) => {
+                PressureAt { value: stiffness * closure, slope: *stiffness }
+            }
             Self::Table(PressureTable { closure: closures, pressure: pressures }) => {
                 let last = closures.len() - 1;
                 if closure < closures[last] {
@@ -128,7 +147,11 @@ mod tests {
 
     #[test]
     fn pressures_have_the_slopes_of_their_differences() {
-        for law in [Pressure::Stiffness(1e12), table(&[0.0, 1e-6, 3e-6], &[0.0, 1e5, 9e5])] {
+        for law in [
+            Pressure::Stiffness(1e12),
+            Pressure::PointStiffness(1e6),
+            table(&[0.0, 1e-6, 3e-6], &[0.0, 1e5, 9e5]),
+        ] {
             law.check().unwrap();
             for closure in [2e-7, 2.2e-6, 5e-6] {
                 let step = 1e-4 * closure;

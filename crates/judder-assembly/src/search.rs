@@ -26,6 +26,8 @@ pub struct TouchingBody<'a> {
 pub enum Track<'a> {
     /// A rigid plane through the foremost node of the slider, with its normal out of it, of any length.
     Plane([f64; 3]),
+    /// Such a plane that moves as a node of a body does.
+    Carried(TouchingBody<'a>, usize, [f64; 3]),
     /// The surface of a body between the nodes of a set.
     Body(TouchingBody<'a>, &'a [usize]),
 }
@@ -84,20 +86,19 @@ pub fn contact_points(
     let surface = Surface::of_nodes(slider.mesh, nodes)?;
     let (areas, normals) = (surface.tributary(slider.mesh), surface.normals(slider.mesh));
     let opposite: Box<dyn Fn(usize) -> Option<Partner> + '_> = match track {
-        Track::Plane(normal) => {
+        Track::Plane(normal) | Track::Carried(_, _, normal) => {
             let normal = unit(*normal).ok_or(AssemblyError::NoNormal { normal: *normal })?;
             if normals.values().map(|outward| dot(*outward, normal)).sum::<f64>() > 0.0 {
                 return Err(AssemblyError::WrongNormal { normal });
             }
             let height = move |node: &usize| dot(normal, slider.mesh.nodes[*node]);
             let foremost = nodes.iter().map(height).fold(f64::INFINITY, f64::min);
+            let (moved, displaced) = match track {
+                Track::Carried(body, node, _) => (body.displacement(*node), (body.displaced)(*node)),
+                _ => Default::default(),
+            };
             Box::new(move |node| {
-                Some(Partner {
-                    normal,
-                    gap: height(&node) - foremost,
-                    moved: Default::default(),
-                    displaced: [0.0; 3],
-                })
+                Some(Partner { normal, gap: height(&node) - foremost, moved: moved.clone(), displaced })
             })
         }
         Track::Body(body, nodes) => {

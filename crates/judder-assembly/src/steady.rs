@@ -48,6 +48,20 @@ pub struct PointState {
     pub is_closed: bool,
 }
 
+impl SteadySliding {
+    /// Bodies that touch nowhere, at rest where they are: what small motions need where there are no contact points.
+    #[must_use]
+    pub fn untouched(freedoms: usize) -> Self {
+        Self {
+            displacement: vec![0.0; freedoms],
+            points: Vec::new(),
+            iterations: 0,
+            residual: 0.0,
+            friction_limit: FrictionLimit::None,
+        }
+    }
+}
+
 /// Forces and gaps of steady sliding, on the compliance of the assembly's points.
 ///
 /// # Errors

@@ -24,7 +24,7 @@ pub struct Dimension {
 /// A dimension that case files use: its name with article, an example, its SI unit.
 struct NamedDimension(Dimension, &'static str, &'static str, &'static str);
 
-const NAMED: [NamedDimension; 17] = [
+const NAMED: [NamedDimension; 18] = [
     NamedDimension(Dimension::NUMBER, "a plain number", "0.01", "1"),
     NamedDimension(Dimension::LENGTH, "a length", "10 mm", "m"),
     NamedDimension(Dimension::MASS, "a mass", "30 g", "kg"),
@@ -37,6 +37,7 @@ const NAMED: [NamedDimension; 17] = [
     NamedDimension(Dimension::COMPLIANCE, "a compliance", "1e-7 1/Pa", "1/Pa"),
     NamedDimension(Dimension::COMPLIANCE_RATE, "a compliance per time", "1e-5 1/Pa/s", "1/Pa/s"),
     NamedDimension(Dimension::STIFFNESS, "a stiffness", "50 N/m", "N/m"),
+    NamedDimension(Dimension::DAMPING, "a damping", "10 N s/m", "N s/m"),
     NamedDimension(Dimension::ANGULAR_FREQUENCY, "an angular frequency", "40 rad/s\" or \"7 kHz", "rad/s"),
     NamedDimension(Dimension::RATE, "a rate", "5 1/s", "1/s"),
     NamedDimension(Dimension::TEMPERATURE, "a temperature", "25 degC\" or \"298 K", "K"),
@@ -69,6 +70,8 @@ impl Dimension {
     pub const COMPLIANCE_RATE: Self = Self::new(1, -1, 1, 0);
     /// Stiffness of a spring, N/m.
     pub const STIFFNESS: Self = Self::new(0, 1, -2, 0);
+    /// Damping of a damper.
+    pub const DAMPING: Self = Self::new(0, 1, -1, 0);
     /// Angular frequency, rad/s; a frequency in Hz is 2π rad/s.
     pub const ANGULAR_FREQUENCY: Self = Self::new(0, 0, -1, 1);
     /// Rate, 1/s.

@@ -92,12 +92,21 @@ impl AffineFamily {
     /// [`StructureError::WrongFactors`] where their number is not that of the terms, [`StructureError::NotFinite`] for a factor
     /// that is no number, [`StructureError::EmptyMatrix`] where they make mass or stiffness zero.
     pub fn at(&self, factors: &Factors) -> Result<Quadratic, StructureError> {
+        let [mass, damping, stiffness] = self.matrices(factors)?;
+        Quadratic::new(mass, damping, stiffness)
+    }
+
+    /// M, C and K at these factors, any of which may be zero.
+    ///
+    /// # Errors
+    /// [`StructureError::WrongFactors`] where their number is not that of the terms.
+    pub fn matrices(&self, factors: &Factors) -> Result<[Sparse; 3], StructureError> {
         self.check(factors)?;
-        Quadratic::new(
+        Ok([
             self.mass.at(&factors.mass),
             self.damping.at(&factors.damping),
             self.stiffness.at(&factors.stiffness),
-        )
+        ])
     }
 
     /// # Errors

@@ -4,8 +4,8 @@ use crate::StructureError;
 use crate::assembly::Sparse;
 use faer::linalg::cholesky::llt::factor::LltError as Pivot;
 use faer::linalg::solvers::Solve;
-use faer::sparse::linalg::LltError;
-use faer::sparse::linalg::solvers::Llt;
+use faer::sparse::linalg::solvers::{Llt, Lu};
+use faer::sparse::linalg::{LltError, LuError};
 use faer::sparse::ops::binary_op;
 use faer::{ColMut, Side};
 use rayon::prelude::*;
@@ -28,6 +28,39 @@ impl Statics {
                 Err(StructureError::NotHeld { row: index })
             }
             Err(LltError::Generic(_)) => Err(StructureError::OutOfMemory { rows: stiffness.nrows() }),
+        }
+    }
+
+    /// u with K u = f, in place of f.
+    pub fn solve(&self, load: &mut [f64]) {
+        self.factor.solve_in_place(ColMut::from_slice_mut(load));
+    }
+}
+
+/// A stiffness that need not be symmetric, factored once for many loads.
+#[derive(Debug, Clone)]
+pub struct GeneralStatics {
+    factor: Lu<usize, f64>,
+}
+
+impl GeneralStatics {
+    /// The factors P K Q = L U.
+    ///
+    /// # Errors
+    /// [`StructureError::Singular`] to rounding, [`StructureError::OutOfMemory`].
+    pub fn new(stiffness: &Sparse) -> Result<Self, StructureError> {
+        let rows = stiffness.nrows();
+        let factor = match stiffness.sp_lu() {
+            Ok(factor) => Self { factor },
+            Err(LuError::SymbolicSingular { .. }) => return Err(StructureError::Singular { rows }),
+            Err(LuError::Generic(_)) => return Err(StructureError::OutOfMemory { rows }),
+        };
+        // a zero pivot shows as what is not finite
+        let mut probe = vec![1.0; rows];
+        factor.solve(&mut probe);
+        match probe.iter().all(|u| u.is_finite()) {
+            true => Ok(factor),
+            false => Err(StructureError::Singular { rows }),
         }
     }
 

@@ -1,8 +1,9 @@
 //! What holds for every assembly.
 
 use crate::common::{dense, undamped};
+use faer::sparse::Triplet;
 use faer::{Mat, c64};
-use judder_assembly::assembly::Assembly;
+use judder_assembly::assembly::{Assembly, from_triplets, triplets};
 use judder_assembly::compliance::Compliance;
 use judder_assembly::contact_point::ContactPoint;
 use judder_assembly::friction::Friction;
@@ -61,6 +62,15 @@ fn assembly(numbers: &[f64], friction: f64, share: f64) -> Assembly {
         all_closed: true,
     };
     undamped(symmetric(0, 1.0), symmetric(count, 2.0), load, vec![sole])
+}
+
+/// The same with circulation in the stiffness of the slider, between its first node's displacements.
+fn circulating(numbers: &[f64], friction: f64, share: f64, circulation: f64) -> Assembly {
+    let assembly = assembly(numbers, friction, share);
+    let mut entries: Vec<_> = triplets(&assembly.stiffness).collect();
+    entries.extend([Triplet::new(0, 1, circulation), Triplet::new(1, 0, -circulation)]);
+    let stiffness = from_triplets(SIZE, SIZE, &entries).unwrap();
+    Assembly { stiffness, ..assembly }
 }
 
 /// λ of (λ² M + K, −e; c, 0) by inverting beside a shift; those at infinity come out far away.
@@ -133,9 +143,12 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 40, ..ProptestConfig::default() })]
 
     #[test]
-    fn three_formulations_have_the_same_eigenvalues(numbers in numbers(), friction in 0.0..0.8_f64, share in 0.1..0.9_f64) {
-        let assembly = assembly(&numbers, friction, share);
+    fn three_formulations_have_the_same_eigenvalues(
+        numbers in numbers(), friction in 0.0..0.8_f64, share in 0.1..0.9_f64, circulation in prop_oneof![Just(0.0), 0.0..0.8_f64],
+    ) {
+        let assembly = circulating(&numbers, friction, share, circulation);
         let steady = steady_sliding(&assembly, &Compliance::new(&assembly).unwrap()).unwrap();
+        prop_assert!(steady.residual < 1e-12, "{}", steady.residual);
         let about = Linearised::new(&assembly, &steady, LinearisedTerms::default()).unwrap();
         let region = Region { re: [-50.0, 50.0], im: [1e-3, 50.0] };
         let found = complex_modes(&about.problem, &region, &ComplexModeSettings::default()).unwrap();
@@ -152,8 +165,10 @@ proptest! {
     }
 
     #[test]
-    fn growths_sum_to_the_growth_rate(numbers in numbers(), friction in 0.0..0.8_f64, share in 0.1..0.9_f64) {
-        let assembly = assembly(&numbers, friction, share);
+    fn growths_sum_to_the_growth_rate(
+        numbers in numbers(), friction in 0.0..0.8_f64, share in 0.1..0.9_f64, circulation in prop_oneof![Just(0.0), 0.0..0.8_f64],
+    ) {
+        let assembly = circulating(&numbers, friction, share, circulation);
         let steady = steady_sliding(&assembly, &Compliance::new(&assembly).unwrap()).unwrap();
         let about = Linearised::new(&assembly, &steady, LinearisedTerms::default()).unwrap();
         let region = Region { re: [-50.0, 50.0], im: [1e-3, 50.0] };

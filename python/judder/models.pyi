@@ -512,8 +512,10 @@ class Assembly(Model):
         contact: Sequence[Mapping[str, Any]] | None = None,
         load: Sequence[Mapping[str, Any]] | None = None,
         parameters: Mapping[str, float] | None = None,
+        spring: Sequence[Mapping[str, Any]] | None = None,
         structure: Sequence[Mapping[str, Any]] | None = None,
         sweep: Sequence[Mapping[str, Any]] | None = None,
+        tie: Sequence[Mapping[str, Any]] | None = None,
         title: str | None = None,
     ) -> None: ...
     def steady_sliding(

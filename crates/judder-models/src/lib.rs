@@ -11,7 +11,7 @@
 //! - `within_law`: what the errors of a contact law leave of results, in words.
 //! - [`checks`]: every number doubted by another number.
 //! - [`oscillator`], [`contact`], [`belt`], [`two_degrees`], [`structure`], [`sliding`], [`assembly`]: the models. [`motion`]: what oscillator and belt share. [`parameters`]:
-//!   `[parameters]`.
+//!   `[parameters]`. `entries`, [`mass`]: matrices of numbers and expressions of them.
 //! - `estimate`: what analyses would take. `written`: files of other programs, in memory.
 //! - [`template`]: the commented cases of `judder new`.
 
@@ -23,12 +23,14 @@ pub mod bridge;
 pub mod checks;
 pub mod computed_law;
 pub mod contact;
+pub mod entries;
 mod error;
 mod estimate;
 mod indenter;
 mod known_substrate;
 mod labels;
 pub mod law_cache;
+pub mod mass;
 pub mod material;
 mod measured_band;
 pub mod motion;

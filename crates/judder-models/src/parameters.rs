@@ -33,6 +33,11 @@ impl Parameters {
     pub(crate) fn names(&self) -> Vec<String> {
         self.0.iter().map(|parameter| parameter.name.clone()).collect()
     }
+
+    /// Their values.
+    pub(crate) fn values(&self) -> Vec<f64> {
+        self.0.iter().map(|parameter| parameter.value).collect()
+    }
 }
 
 /// None where they are left out.

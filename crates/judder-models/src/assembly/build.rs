@@ -2,12 +2,13 @@
 //!
 //! - `body`: one body, whole or reduced.
 //! - `load`: what acts on it.
-//! - `interface`: contact points found, laws as the physics has them.
+//! - `interface`: contact points found, laws as the physics has them. `joint`: springs and ties.
 //! - `size`: how large a body is.
 //! - `shown`: all bodies as one, for pictures and files.
 
 mod body;
 mod interface;
+mod joint;
 mod load;
 mod shown;
 mod size;
@@ -22,6 +23,8 @@ use crate::error::ModelError;
 use crate::structure::build::Unbuilt;
 use judder_assembly::AssemblyError;
 use judder_assembly::assembly::{Assembly, stacked};
+use judder_assembly::row::Row;
+use judder_assembly::tie::Bond;
 use judder_keys::cause::Cause;
 use judder_structure::assembly::Sparse;
 use judder_study::case::text::CaseText;
@@ -35,6 +38,8 @@ pub(crate) struct BuiltAssembly {
     pub(crate) nodes: Vec<Vec<usize>>,
     /// What the user has to know.
     pub(crate) warnings: Vec<String>,
+    /// How the freedoms of the bodies follow from those that ties leave.
+    bond: Option<Bond>,
 }
 
 /// Why an assembly cannot be, and at which dotted path of the case.
@@ -91,6 +96,7 @@ impl BuiltAssembly {
             stacked(&bodies.iter().map(pick).collect::<Vec<_>>())
                 .map_err(|error| Unassembled::because("structure", &error))
         };
+        let joints = |error: &AssemblyError| Unassembled::because("spring", error);
         let assembly = Assembly {
             mass: all(|body| &body.matrices.mass)?,
             damping: all(|body| &body.matrices.damping)?,
@@ -98,18 +104,23 @@ impl BuiltAssembly {
             load: bodies.iter().flat_map(|body| body.load.iter().copied()).collect(),
             interfaces,
         };
+        let assembly =
+            assembly.with_springs(&joint::springs(case, &bodies)?).map_err(|error| joints(&error))?;
+        let (assembly, bond) = bonded(case, &bodies, assembly, &mut warnings)?;
         match assembly.framed() {
             Err(AssemblyError::NoSlip { interface, place, velocity, normal }) => {
                 let path = format!("contact.{interface}.sliding");
                 Err(Unassembled::because(path, &AssemblyError::NoSlip { interface, place, velocity, normal }))
             }
             Err(error) => Err(Unassembled::because("contact", &error)),
-            Ok(_) => Ok(Self { bodies, assembly, nodes, warnings }),
+            Ok(_) => Ok(Self { bodies, assembly, nodes, warnings, bond }),
         }
     }
 
     /// A shape on the freedoms of all bodies from one on those of the assembly.
     pub(crate) fn expanded(&self, shape: &[Complex64]) -> Vec<Complex64> {
+        let of_bodies = self.bond.as_ref().map(|bond| bond.expanded(shape));
+        let shape = of_bodies.as_deref().unwrap_or(shape);
         self.bodies
             .iter()
             .flat_map(|body| body.expanded(&shape[body.first..body.first + body.size()]))
@@ -119,7 +130,8 @@ impl BuiltAssembly {
     /// What an analysis was refused for, in words of the case: a freedom by its structure and place.
     pub(crate) fn told(&self, error: AssemblyError) -> ModelError {
         let AssemblyError::RigidMotion { motions, freedom, .. } = &error else { return error.into() };
-        match self.bodies.iter().find(|body| (body.first..body.first + body.size()).contains(freedom)) {
+        let freedom = self.bond.as_ref().map_or(*freedom, |bond| bond.freedom(*freedom));
+        match self.bodies.iter().find(|body| (body.first..body.first + body.size()).contains(&freedom)) {
             Some(body) => {
                 let moves = body.moves(freedom - body.first);
                 ModelError::Unsupported(format!(
@@ -131,5 +143,27 @@ impl BuiltAssembly {
             }
             None => error.into(),
         }
+    }
+}
+
+/// The assembly on the freedoms that ties leave.
+fn bonded(
+    case: &AssemblyCase,
+    bodies: &[BuiltBody],
+    assembly: Assembly,
+    warnings: &mut Vec<String>,
+) -> Result<(Assembly, Option<Bond>), Unassembled> {
+    let ties = joint::ties(case, bodies, warnings)?;
+    if ties.is_empty() {
+        return Ok((assembly, None));
+    }
+    let forms: Vec<Row> = ties.iter().map(|tied| tied.form.clone()).collect();
+    match assembly.tied(&forms) {
+        Ok((assembly, bond)) => Ok((assembly, Some(bond))),
+        Err(AssemblyError::RedundantTie { form }) => {
+            let name = case.ties[ties[form].tie].name.to_string();
+            Err(Unassembled::new(format!("tie.{name}"), AssemblyProblem::RedundantTie { name }))
+        }
+        Err(error) => Err(Unassembled::because("tie", &error)),
     }
 }

@@ -2,11 +2,13 @@
 //!
 //! - [`structure`]: `[[structure]]`, the bodies.
 //! - [`contact`]: `[[contact]]`, who slides on what, and what presses and drags between them.
+//! - [`joint`]: `[[spring]]` and `[[tie]]`, what else joins bodies.
 //! - [`load`]: `[[load]]`, forces, pressures, imposed displacements.
 //! - `named_list`: lists whose items keys call by their names.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
 
 pub mod contact;
+pub mod joint;
 pub mod load;
 mod named_list;
 pub mod problem;
@@ -14,8 +16,10 @@ pub mod structure;
 
 use super::{KINDS, MODEL};
 use crate::REGISTRY;
+use crate::entries::Scope;
 use crate::parameters::{Parameter, Parameters};
 use contact::ContactInterface;
+use joint::{Spring, Tie};
 use judder_keys::Settings;
 use judder_keys::declared::{Setting, Several, all, both};
 use judder_keys::document::{Data, Node};
@@ -38,12 +42,16 @@ use structure::AssemblyStructure;
 pub struct AssemblyCase {
     /// The title; empty where the case gives none.
     pub title: String,
-    /// The parameters in the order of the case file; only factors of matrices use them.
+    /// The parameters in the order of the case file; only factors and entries of matrices use them.
     pub parameters: Vec<Parameter>,
     /// The bodies in the order of the case file.
     pub structures: Vec<AssemblyStructure>,
     /// Where they touch.
     pub contacts: Vec<ContactInterface>,
+    /// Springs between them, or to the ground.
+    pub springs: Vec<Spring>,
+    /// Where they are bonded.
+    pub ties: Vec<Tie>,
     /// What acts on them.
     pub loads: Vec<Load>,
     /// The analyses in the order of the case file.
@@ -54,14 +62,20 @@ pub struct AssemblyCase {
 #[derive(Debug, Settings)]
 #[settings(title = "an assembly case")]
 pub(crate) struct AssemblySections {
-    /// Numbers that factors of matrices use and sweeps vary.
+    /// Numbers that factors and entries of matrices use and sweeps vary.
     parameters: Parameters,
     /// The bodies.
     #[key(example = "[[structure]], one table for each body")]
     structure: NamedList<AssemblyStructure>,
-    /// Where they touch.
-    #[key(example = "[[contact]], one table for each contact interface")]
+    /// Where they touch; nowhere where left out.
+    #[key(default = NamedList(Vec::new()), example = "[[contact]], one table for each contact interface")]
     contact: NamedList<ContactInterface>,
+    /// Springs with dampers between them, or to the ground.
+    #[key(default = NamedList(Vec::new()), example = "[[spring]], one table for each spring")]
+    spring: NamedList<Spring>,
+    /// Where they are bonded.
+    #[key(default = NamedList(Vec::new()), example = "[[tie]], one table for each bond")]
+    tie: NamedList<Tie>,
     /// What acts on them.
     #[key(rule = LOADS, default = Vec::new())]
     load: Vec<Load>,
@@ -89,6 +103,14 @@ impl AssemblyCase {
             ("contact", self.contacts.iter().map(NamedItem::written).collect()),
             ("load", self.loads.write(&LOADS)),
         ]));
+        // without any the form is that of cases from before there were any
+        let springs = self.springs.iter().map(NamedItem::written).collect::<Vec<_>>();
+        let ties = self.ties.iter().map(NamedItem::written).collect::<Vec<_>>();
+        for (key, written) in [("spring", springs), ("tie", ties)] {
+            if !written.is_empty() {
+                json.insert(key.to_owned(), written.into());
+            }
+        }
         Json::Object(json)
     }
 }
@@ -96,23 +118,32 @@ impl AssemblyCase {
 /// Reads an assembly case from the root of its tree; files are relative to `folder`.
 pub(crate) fn read(node: &Node, folder: &Path) -> Result<AssemblyCase, Fault> {
     let (root, sections) = read_root::<AssemblySections>(node)?;
-    let (title, AssemblySections { parameters, structure, mut contact, mut load }) = sections?;
-    let names = parameters.names();
+    let (title, AssemblySections { parameters, structure, mut contact, mut spring, mut tie, mut load }) =
+        sections?;
+    let (names, values) = (parameters.names(), parameters.values());
+    let scope = Scope { names: &names, values: &values, swept: &[] };
     let found = items(&root, "structure")
         .zip(structure.0)
-        .map(|(node, own)| own.found(&item_section::<AssemblyStructure>(node)?, &names, folder));
+        .map(|(node, own)| own.found(&item_section::<AssemblyStructure>(node)?, &scope, folder));
     let structures = all(found)?;
     let contacts = items(&root, "contact")
         .zip(&mut contact.0)
         .map(|(node, own)| own.admit(&item_section::<ContactInterface>(node)?, &structures));
     let contacts = all(contacts);
+    let springs = items(&root, "spring")
+        .zip(&mut spring.0)
+        .map(|(node, own)| own.admit(&item_section::<Spring>(node)?, &structures));
+    let ties = items(&root, "tie")
+        .zip(&mut tie.0)
+        .map(|(node, own)| own.admit(&item_section::<Tie>(node)?, &structures));
+    let joints = both(all(springs), all(ties));
     let loads = items(&root, "load")
         .zip(&mut load)
         .map(|(node, own)| own.admit(&Section::of_table(node, "load", "a load")?, &structures));
-    let admitted = both(contacts, all(loads));
+    let admitted = both(contacts, both(joints, all(loads)));
     let (_, analyses) = both(admitted, read_analyses(&root, &(), &KINDS, REGISTRY))?;
-    let (parameters, contacts, loads) = (parameters.0, contact.0, load);
-    Ok(AssemblyCase { title, parameters, structures, contacts, loads, analyses })
+    let (parameters, contacts, springs, ties) = (parameters.0, contact.0, spring.0, tie.0);
+    Ok(AssemblyCase { title, parameters, structures, contacts, springs, ties, loads: load, analyses })
 }
 
 /// The tables of a list of the case.

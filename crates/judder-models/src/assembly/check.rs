@@ -5,6 +5,7 @@ use super::build::{BuiltAssembly, BuiltBody, extent};
 use crate::assembly::case::AssemblyCase;
 use crate::error::ModelError;
 use crate::estimate::title;
+use crate::structure::build::symmetric_part;
 use judder_structure::modes::{WantedModes, modes};
 use judder_study::case::text::CaseText;
 use judder_study::model::Place;
@@ -21,7 +22,9 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
     let mut rows = vec![heads.map(str::to_owned).to_vec()];
     rows.extend(bodies.iter().map(KnownBody::row));
     text.push_str(&columns(&rows));
-    text.push_str("\ncontacts\n");
+    if !case.contacts.is_empty() {
+        text.push_str("\ncontacts\n");
+    }
     let contacts = built.assembly.interfaces.iter().map(|interface| {
         let (low, high) =
             interface.points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), point| {
@@ -69,20 +72,28 @@ struct KnownBody {
 
 impl KnownBody {
     fn new(body: &BuiltBody) -> Result<Self, ModelError> {
-        let matrices = &body.matrices;
-        let found = modes(&matrices.stiffness, &matrices.mass, WantedModes::Lowest(7))?;
-        let elastic = found.modes.iter().find(|mode| mode.eigenvalue > found.rigid_limit);
-        let mesh = body.structure.mesh();
-        let sets = mesh.map_or_else(String::new, |mesh| {
-            let named = mesh.node_sets.iter().map(|(name, nodes)| format!("{name} ({})", nodes.len()));
-            named.collect::<Vec<_>>().join(", ")
+        let (stiffness, departure) = symmetric_part(&body.matrices.stiffness)?;
+        // a mass without springs of its own has no frequency, one with circulation no real one
+        let has_modes = departure == 0.0 && stiffness.val().iter().any(|entry| *entry != 0.0);
+        let found = match has_modes {
+            true => Some(modes(&stiffness, &body.matrices.mass, WantedModes::Lowest(7))?),
+            false => None,
+        };
+        let elastic = found.and_then(|found| {
+            let limit = found.rigid_limit;
+            found.modes.into_iter().find(|mode| mode.eigenvalue > limit)
         });
+        let mesh = body.structure.mesh();
+        let of_layout = body.structure.layout.as_ref().map(|layout| &layout.sets);
+        let sets = mesh.map(|mesh| &mesh.node_sets).or(of_layout).into_iter().flatten();
+        let sets =
+            sets.map(|(name, nodes)| format!("{name} ({})", nodes.len())).collect::<Vec<_>>().join(", ");
         Ok(Self {
             name: body.name.clone(),
             freedoms: body.size(),
             mass: body.whole_mass()?,
             size: mesh.map(extent),
-            first_frequency_hz: elastic.map(judder_structure::modes::Mode::frequency_hz),
+            first_frequency_hz: elastic.as_ref().map(judder_structure::modes::Mode::frequency_hz),
             sets,
         })
     }

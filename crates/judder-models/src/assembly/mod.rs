@@ -41,6 +41,14 @@ pub struct Subject<'a> {
 }
 
 impl Subject<'_> {
+    /// Steady sliding; bodies that touch nowhere are at rest.
+    fn steady_or_untouched(&self) -> Result<SteadySliding, ModelError> {
+        if self.built.assembly.interfaces.is_empty() {
+            return Ok(SteadySliding::untouched(self.built.assembly.size()));
+        }
+        self.steady().map(|(steady, _)| steady)
+    }
+
     /// Steady sliding, with the compliance of the contact points that it was found on.
     fn steady(&self) -> Result<(SteadySliding, Compliance), ModelError> {
         let assembly = &self.built.assembly;

@@ -23,6 +23,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::REGISTRY;
+use crate::entries::Scope;
 use crate::parameters::{Parameter, Parameters};
 use crate::sliding::{KINDS, MODEL};
 use contact::SlidingContact;
@@ -177,7 +178,9 @@ impl SlidingSections {
     /// The case of what was read, without its analyses.
     fn found(self, title: String, root: &Section<'_>, origin: Arc<Origin>) -> Result<SlidingCase, Fault> {
         let Self { parameters, structure, mut contact, motion, mut observe } = self;
-        let structures = structure.found(root, &parameters.names(), &origin.folder)?;
+        let (names, values) = (parameters.names(), parameters.values());
+        let scope = Scope { names: &names, values: &values, swept: &[] };
+        let structures = structure.found(root, &scope, &origin.folder)?;
         let observed = match (&mut observe, root.inner("observe")?) {
             (Some(observe), Some(section)) => observe.admit(&section, &structures),
             _ => Ok(()),

@@ -2,10 +2,11 @@
 //!
 //! - `body`, `mesh_file`: bodies that a case describes, meshes of other programs.
 //! - `assembled`: elements with materials and supports, assembled.
-//! - `sums`: matrices of other programs, read.
+//! - `sums`: matrices of other programs, read. `arrays`: matrices that stand in the case.
 //! - `layout`: where freedoms lie, and the lines that show a shape.
 //! - `kept`: the freedoms that a reduction keeps.
 
+mod arrays;
 mod assembled;
 mod body;
 mod kept;
@@ -13,12 +14,13 @@ mod layout;
 mod mesh_file;
 mod sums;
 
+use assembled::nodes_of;
 pub(crate) use kept::{freedoms_of, points_of};
 pub(crate) use layout::Layout;
 
 use crate::error::ModelError;
 use crate::structure::case::problem::StructureProblem;
-use crate::structure::case::{StructureCase, StructureSource};
+use crate::structure::case::{Matrices, StructureCase, StructureSource};
 use judder_structure::affine::{AffineFamily, Factors};
 use judder_structure::assembly::Sparse;
 use judder_structure::freedom::Numbering;
@@ -91,7 +93,8 @@ impl Structure {
     pub(crate) fn new(case: &StructureCase) -> Result<Self, Unbuilt> {
         let mut structure = match &case.source {
             StructureSource::Body(body) => body::structure(body, &case.damping),
-            StructureSource::Matrices(sums) => sums::structure(sums),
+            StructureSource::Matrices(Matrices::Files(sums)) => sums::structure(sums),
+            StructureSource::Matrices(Matrices::Arrays(arrays)) => arrays::structure(arrays),
         }?;
         if let Some(reduction) = &case.reduction {
             structure.kept = kept::kept(reduction, &structure)?;
@@ -102,6 +105,15 @@ impl Structure {
     /// The mesh of its elements, where it has any.
     pub(crate) fn mesh(&self) -> Option<&Mesh> {
         self.elements.as_ref().map(|elements| &elements.mesh)
+    }
+
+    /// The points of a set that the case names at `path`.
+    pub(crate) fn set(&self, name: &str, path: &str) -> Result<&[usize], Unbuilt> {
+        match (self.mesh(), &self.layout) {
+            (Some(mesh), _) => nodes_of(&mesh.node_sets, name, path),
+            (None, Some(layout)) => nodes_of(&layout.sets, name, path),
+            (None, None) => Ok(&[]),
+        }
     }
 
     /// M, C and K where the parameters of a case are `values`.
@@ -117,8 +129,12 @@ impl Structure {
 pub(crate) fn factors(case: &StructureCase, values: &[f64]) -> Result<Factors, ModelError> {
     match &case.source {
         StructureSource::Body(_) => Ok(assembled::factors(&case.damping)),
-        StructureSource::Matrices(sums) => {
-            sums::factors(sums, values).map_err(|cause| ModelError::Unsupported(cause.to_string()))
+        StructureSource::Matrices(matrices) => {
+            let factors = match matrices {
+                Matrices::Files(sums) => sums::factors(sums, values),
+                Matrices::Arrays(arrays) => arrays::factors(arrays, values),
+            };
+            factors.map_err(|cause| ModelError::Unsupported(cause.to_string()))
         }
     }
 }

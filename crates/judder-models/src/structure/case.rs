@@ -1,12 +1,13 @@
 //! The structure case: one linear structure alone, from a generator, a mesh file or the matrices of another program.
 //!
 //! - [`body`]: what elements, materials and supports make: `[structure]`.
-//! - [`matrices`]: what other programs assembled: `[matrices]`, sums of files with factors.
+//! - [`matrices`]: what other programs assembled: `[matrices]`, sums of files with factors. [`arrays`]: the same as arrays in the case.
 //! - [`damping`]: `[damping]` of a body.
 //! - [`reduction`]: `[reduction]`, which freedoms and modes are kept.
 //! - `scope`: what the analyses need to know of the case.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
 
+pub mod arrays;
 pub mod body;
 pub mod damping;
 pub(crate) mod lists;
@@ -18,15 +19,17 @@ pub(crate) mod scope;
 use std::path::Path;
 
 use crate::REGISTRY;
+use crate::entries::{EntryMatrix, Scope};
 use crate::parameters::{Parameter, Parameters};
 use crate::structure::MODEL;
 use crate::swept_keys::ParameterKeys;
+use arrays::MatrixArrays;
 use body::{Body, Geometry};
 use damping::Damping;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Setting, Settings, both};
-use judder_keys::document::Node;
+use judder_keys::declared::{Allowed, Setting, Settings, both};
+use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::file_reference::{FileReference, read_file_reference};
 use judder_keys::problem::Placed;
@@ -65,8 +68,17 @@ pub enum StructureSource {
     /// Elements with materials and supports.
     #[key(flatten)]
     Body(Body),
-    /// M, C and K that another program assembled.
-    Matrices(MatrixSums),
+    /// M, C and K: sums of files with factors, or arrays of numbers and expressions.
+    Matrices(Matrices),
+}
+
+/// M, C and K that a case gives.
+#[derive(Debug, Clone)]
+pub enum Matrices {
+    /// What another program assembled, in files.
+    Files(MatrixSums),
+    /// Arrays in the case itself.
+    Arrays(MatrixArrays),
 }
 
 impl StructureCase {
@@ -100,18 +112,18 @@ impl StructureSource {
         Ok(())
     }
 
-    /// Finds the files, which are relative to `folder`, and compiles the factors, which are expressions of `parameters`; the keys of
-    /// `section` are those of a body, or `matrices`.
+    /// Finds the files, which are relative to `folder`, and compiles factors and entries, which are expressions of the parameters; the
+    /// keys of `section` are those of a body, or `matrices`.
     pub(crate) fn found(
         self,
         section: &Section<'_>,
-        parameters: &[String],
+        scope: &Scope<'_>,
         folder: &Path,
     ) -> Result<Self, Fault> {
         match (self, section.inner("matrices")?) {
             (Self::Body(body), _) => body.found(section, folder).map(Self::Body),
-            (Self::Matrices(sums), Some(own)) => sums.found(&own, parameters, folder).map(Self::Matrices),
-            (Self::Matrices(sums), None) => Ok(Self::Matrices(sums)),
+            (Self::Matrices(matrices), Some(own)) => matrices.found(&own, scope, folder).map(Self::Matrices),
+            (Self::Matrices(matrices), None) => Ok(Self::Matrices(matrices)),
         }
     }
 
@@ -122,7 +134,67 @@ impl StructureSource {
                 Geometry::Mesh(file) => vec![file],
                 Geometry::Beam(_) | Geometry::Block(_) => Vec::new(),
             },
-            Self::Matrices(sums) => sums.files(),
+            Self::Matrices(Matrices::Files(sums)) => sums.files(),
+            Self::Matrices(Matrices::Arrays(_)) => Vec::new(),
+        }
+    }
+}
+
+impl Setting for Matrices {
+    type Rule = ();
+
+    fn form((): &()) -> Allowed {
+        Allowed::Either(vec![MatrixSums::form(&()), MatrixArrays::form()])
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        // files are tables, rows of arrays lists
+        let is_array = |key: &str| match node.entry(key).map(|node| &node.data) {
+            Some(Data::List(items)) => {
+                !matches!(items.first(), Some(Node { data: Data::Table(_), .. }) | None)
+            }
+            _ => false,
+        };
+        match ["mass", "damping", "stiffness", "freedoms"].into_iter().any(is_array) {
+            true => MatrixArrays::read(section, key, node).map(Self::Arrays),
+            false => MatrixSums::read(section, key, node, &()).map(Self::Files),
+        }
+    }
+
+    fn write(&self, (): &()) -> Json {
+        match self {
+            Self::Files(sums) => sums.write(&()),
+            Self::Arrays(arrays) => arrays.written(),
+        }
+    }
+}
+
+impl Matrices {
+    fn found(self, section: &Section<'_>, scope: &Scope<'_>, folder: &Path) -> Result<Self, Fault> {
+        match self {
+            Self::Files(sums) => sums.found(section, scope.names, folder).map(Self::Files),
+            Self::Arrays(arrays) => arrays.found(section, scope).map(Self::Arrays),
+        }
+    }
+
+    /// Whether a factor or an entry depends on the parameter at `index`.
+    pub(crate) fn depends_on(&self, index: usize) -> bool {
+        match self {
+            Self::Files(sums) => {
+                sums.sums().iter().flat_map(|(_, terms)| *terms).any(|term| term.factor.depends_on(index))
+            }
+            Self::Arrays(arrays) => arrays.matrices().iter().any(|matrix| matrix.depends_on(index)),
+        }
+    }
+
+    /// Refuses factors and entries that are not finite where the parameters are `values`.
+    pub(crate) fn check(&self, values: &[f64]) -> Result<(), Cause> {
+        match self {
+            Self::Files(sums) => sums.check(values),
+            Self::Arrays(arrays) => {
+                let mut entries = arrays.matrices().iter().flat_map(EntryMatrix::entries);
+                entries.try_for_each(|entry| entry.evaluate(values).map(drop))
+            }
         }
     }
 }
@@ -149,8 +221,8 @@ pub(crate) struct StructureSections {
 enum SourceSections {
     /// A body of elements.
     Structure(Body),
-    /// M, C and K that another program assembled.
-    Matrices(MatrixSums),
+    /// M, C and K: sums of files with factors, or arrays of numbers and expressions.
+    Matrices(Matrices),
 }
 
 /// `[reduction]`, which says what is kept.
@@ -178,19 +250,14 @@ impl SourceSections {
         }
     }
 
-    /// The source, whose files are relative to `folder` and whose factors are expressions of `parameters`.
-    fn found(
-        self,
-        root: &Section<'_>,
-        parameters: &[String],
-        folder: &Path,
-    ) -> Result<StructureSource, Fault> {
+    /// The source, whose files are relative to `folder` and whose factors and entries are expressions of the parameters.
+    fn found(self, root: &Section<'_>, scope: &Scope<'_>, folder: &Path) -> Result<StructureSource, Fault> {
         match (self, root.inner("structure")?) {
             (Self::Structure(body), Some(section)) => {
-                StructureSource::Body(body).found(&section, parameters, folder)
+                StructureSource::Body(body).found(&section, scope, folder)
             }
             (Self::Structure(body), None) => Ok(StructureSource::Body(body)),
-            (Self::Matrices(sums), _) => StructureSource::Matrices(sums).found(root, parameters, folder),
+            (Self::Matrices(matrices), _) => StructureSource::Matrices(matrices).found(root, scope, folder),
         }
     }
 }
@@ -225,7 +292,7 @@ pub(crate) fn read(node: &Node, folder: &Path) -> Result<StructureCase, Fault> {
     let scope = StructureScope {
         keys: ParameterKeys(parameters.names()),
         source: case.as_ref().ok().map(|case| case.source.clone()),
-        values: parameters.0.iter().map(|parameter| parameter.value).collect(),
+        values: parameters.values(),
         has_reduction: root.get("reduction").is_some(),
     };
     let analyses = read_analyses(&root, &scope, &super::KINDS, REGISTRY);
@@ -242,7 +309,11 @@ impl StructureCase {
         folder: &Path,
     ) -> Result<Self, Fault> {
         let StructureSections { parameters, source, damping, reduction } = sections;
-        let source = source.found(root, &parameters.names(), folder)?;
+        let (names, values) = (parameters.names(), parameters.values());
+        // which parameters analyses vary is not known yet: they judge entries
+        let swept: Vec<usize> = (0..values.len()).collect();
+        let scope = Scope { names: &names, values: &values, swept: &swept };
+        let source = source.found(root, &scope, folder)?;
         let reduction = reduction.map(|ReductionSection { kept, modes }| Reduction { kept, modes });
         let (parameters, damping) = (parameters.0, damping.unwrap_or_default());
         Ok(Self { title, parameters, source, damping, reduction, analyses: Vec::new() })
@@ -264,9 +335,9 @@ impl StructureCase {
                 json.insert("structure".to_owned(), body.written(body.write(&())));
                 json.insert("damping".to_owned(), self.damping.write(&()));
             }
-            StructureSource::Matrices(sums) => {
+            StructureSource::Matrices(matrices) => {
                 json.insert("parameters".to_owned(), Parameters(self.parameters.clone()).write(&()));
-                json.insert("matrices".to_owned(), sums.write(&()));
+                json.insert("matrices".to_owned(), matrices.write(&()));
             }
         }
         if let Some(kept) = &self.reduction {

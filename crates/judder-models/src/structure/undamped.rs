@@ -3,7 +3,7 @@
 use crate::error::ModelError;
 use crate::structure::build::{Structure, factors, symmetric_part};
 use crate::structure::case::matrices::MatrixTerm;
-use crate::structure::case::{StructureCase, StructureSource};
+use crate::structure::case::{Matrices, StructureCase, StructureSource};
 use judder_structure::StructureError;
 use judder_structure::affine::Term;
 use judder_structure::assembly::Sparse;
@@ -78,7 +78,7 @@ impl Undamped {
             return Ok(Self { mass, stiffness, of: ModesOf::Structure });
         }
         let mut left_out = Vec::new();
-        if let StructureSource::Matrices(sums) = &case.source {
+        if let StructureSource::Matrices(Matrices::Files(sums)) = &case.source {
             let count = case.parameters.len();
             let family = &structure.family;
             left_out.extend(without(&sums.mass, family.mass(), &mut at.mass, count)?);

@@ -1,10 +1,10 @@
 //! The two-degrees case: M, C and K as expressions of a few parameters, for benchmarks and minimal models.
 
 use crate::REGISTRY;
+use crate::entries::{Entries, EntryMatrix, Order, Scope};
 use crate::parameters::{Parameter, Parameters};
 use crate::sweep::{ParameterKey, Sweep};
 use crate::swept_keys::ParameterKeys;
-use crate::two_degrees::matrix::{Entries, Matrix, Scope};
 use crate::two_degrees::{KINDS, MODEL, Varying};
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
@@ -28,7 +28,7 @@ pub struct TwoDegreesCase {
     /// The analyses in the order of the case file.
     pub analyses: Vec<Planned<Arc<dyn Varying>>>,
     /// M, C and K.
-    matrices: Box<[Matrix; 3]>,
+    matrices: Box<[EntryMatrix; 3]>,
 }
 
 /// The matrices at one point, row-major, every entry finite.
@@ -64,9 +64,9 @@ impl TwoDegreesCase {
     pub fn matrices(&self, values: &[f64]) -> Result<TwoDegreesMatrices, Cause> {
         let [mass, damping, stiffness] = &*self.matrices;
         Ok(TwoDegreesMatrices {
-            mass: mass.evaluate(values)?,
-            damping: damping.evaluate(values)?,
-            stiffness: stiffness.evaluate(values)?,
+            mass: evaluated(mass, values)?,
+            damping: evaluated(damping, values)?,
+            stiffness: evaluated(stiffness, values)?,
         })
     }
 
@@ -82,8 +82,16 @@ impl TwoDegreesCase {
 
     /// The texts of the entries of M, C and K as the case file has them, with the names of the matrices.
     pub fn expressions(&self) -> [(&'static str, [[&str; 2]; 2]); 3] {
-        self.matrices.each_ref().map(|matrix| (matrix.name, matrix.texts()))
+        self.matrices
+            .each_ref()
+            .map(|matrix| (matrix.name, [0, 1].map(|row| [0, 1].map(|column| matrix.text(row, column)))))
     }
+}
+
+/// Two rows of two numbers where the parameters are `values`; the first entry that is not finite is the error.
+fn evaluated(matrix: &EntryMatrix, values: &[f64]) -> Result<[[f64; 2]; 2], Cause> {
+    let row = |row: usize| Ok::<_, Cause>([matrix.entry(row, 0, values)?, matrix.entry(row, 1, values)?]);
+    Ok([row(0)?, row(1)?])
 }
 
 /// What a case says beside its analyses.
@@ -101,21 +109,24 @@ pub(crate) struct TwoDegreesSections {
 #[derive(Debug, Settings)]
 struct MatrixKeys {
     /// M, 2×2 numbers or expressions; the identity by default.
+    #[key(rule = Order::Two)]
     mass: Option<Entries>,
     /// C; zero by default.
+    #[key(rule = Order::Two)]
     damping: Option<Entries>,
     /// K.
-    #[key(example = "[[\"2\", \"1 - mu\"], [1, 2]]")]
+    #[key(rule = Order::Two, example = "[[\"2\", \"1 - mu\"], [1, 2]]")]
     stiffness: Entries,
 }
 
 impl MatrixKeys {
     /// The matrices, all that is wrong with them told.
-    fn compiled(self, scope: &Scope<'_>) -> Result<Box<[Matrix; 3]>, Fault> {
-        let mass = self.mass.as_ref().map_or(Ok(Matrix::diagonal("mass", 1.0)), |given| given.mass(scope));
+    fn compiled(self, scope: &Scope<'_>) -> Result<Box<[EntryMatrix; 3]>, Fault> {
+        let mass =
+            self.mass.as_ref().map_or(Ok(EntryMatrix::diagonal("mass", 2, 1.0)), |given| given.mass(scope));
         let damping = self.damping.as_ref();
-        let damping =
-            damping.map_or(Ok(Matrix::diagonal("damping", 0.0)), |given| given.matrix("damping", scope));
+        let damping = damping
+            .map_or(Ok(EntryMatrix::diagonal("damping", 2, 0.0)), |given| given.matrix("damping", scope));
         let (mass, (damping, stiffness)) =
             both(mass, both(damping, self.stiffness.matrix("stiffness", scope)))?;
         Ok(Box::new([mass, damping, stiffness]))

@@ -1,14 +1,11 @@
 //! Any M, C, K of two degrees of freedom, as expressions of parameters.
 //!
 //! - `check`: what `judder check` shows.
-//! - `matrix`, `mass`: matrices as the case has them.
 //! - A folder each: `spectrum`, `stability_map`, `critical`.
 
 pub mod case;
 mod check;
 pub mod critical;
-pub mod mass;
-mod matrix;
 pub mod spectrum;
 pub mod stability_map;
 

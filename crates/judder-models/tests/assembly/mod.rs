@@ -1,5 +1,9 @@
 //! Assemblies end to end.
 
+mod joined;
+mod minimal;
+mod printed;
+
 use crate::{case, number, run_into};
 
 /// A pressure of 1 MPa on 50 × 40 mm presses with 2 kN, of which friction drags μ along: all of it, in the table point by point.

@@ -118,3 +118,245 @@ fn bodies_that_cannot_touch() {
     assert!(message.starts_with("the contacts `sole` and `side` share node 0 of `block`"), "{message}");
     assert_eq!(place, "{ structure = \"block\", set = \"x-min\" }");
 }
+
+/// The mass on a belt, whose matrices are arrays and which a spring holds.
+const MASS: &str = include_str!("../../../../cases/assembly/mass-on-belt.toml");
+/// The mass on two springs.
+const COUPLED: &str = include_str!("../../../../cases/assembly/mode-coupling.toml");
+
+#[test]
+fn arrays_that_are_no_square_matrices() {
+    let square = "give as many rows as entries in each, as in [[\"2\", \"1 - mu\"], [1, 2]]";
+    refused(
+        &spoilt(MASS, "mass = [[8, 0], [0, 8]]", "mass = [[8, 0], [0]]"),
+        "`structure.block.matrices.mass` is not square: it has 2 rows, but row 2 has 1 entry",
+        "[0]",
+        square,
+    );
+    refused(
+        &spoilt(MASS, "mass = [[8, 0], [0, 8]]", "mass = [[8, 0]]"),
+        "`structure.block.matrices.mass` is not square: it has 1 row, but row 1 has 2 entries",
+        "[8, 0]",
+        square,
+    );
+    refused(
+        &spoilt(MASS, "mass = [[8, 0], [0, 8]]", "mass = [[8, 0], [0, 8]]\nstiffness = [[315]]"),
+        "`structure.block.matrices.stiffness` has 1 row, but the mass has 2",
+        "[[315]]",
+        "give 2 rows of 2 entries",
+    );
+    refused(
+        &spoilt(MASS, "mass = [[8, 0], [0, 8]]", "mass = [[8, 0], [0, true]]"),
+        "`structure.block.matrices.mass` is a boolean, but must be a number or an expression in quotes",
+        "true",
+        "",
+    );
+    refused(
+        &spoilt(MASS, "mass = [[8, 0], [0, 8]]", "stiffness = [[8, 0], [0, 8]]"),
+        "`structure.block.matrices` lacks the key `mass`",
+        "[structure.matrices]",
+        "give mass = [[1, 0], [0, 1]], a row for each freedom",
+    );
+}
+
+#[test]
+fn masses_without_inertia_and_entries_without_a_value() {
+    refused(
+        &spoilt(MASS, "mass = [[8, 0], [0, 8]]", "mass = [[8, 0], [0, -8]]"),
+        "the mass matrix [[8.0, 0.0], [0.0, -8.0]] is not positive definite",
+        "[[8, 0], [0, -8]]",
+        "mass[0][0] and the determinant must be positive, as in [[2, 1], [1, 2]]",
+    );
+    let three = spoilt(MASS, "mass = [[8, 0], [0, 8]]", "mass = [[1, 0, 1], [0, 1, 0], [1, 0, 1]]");
+    refused(
+        &spoilt(&three, "[[\"mass\", \"y\"],", "[[\"mass\", \"y\"], [\"mass\", \"x\"],"),
+        "the mass matrix [[1.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 1.0]] is singular",
+        "[[1, 0, 1], [0, 1, 0], [1, 0, 1]]",
+        "every motion must have inertia: the determinants of the first rows and columns, one, two and so on, must be positive",
+    );
+    refused(
+        &spoilt(MASS, "mass = [[8, 0], [0, 8]]", "mass = [[8, 1], [0, 8]]"),
+        "the mass matrix [[8.0, 1.0], [0.0, 8.0]] is not symmetric",
+        "[[8, 1], [0, 8]]",
+        "let mass[0][1] and mass[1][0] be equal, as in [[2, 1], [1, 2]]",
+    );
+    let with = |entry: &str| {
+        let with = format!("mass = [[8, 0], [0, 8]]\nstiffness = [[0, {entry}], [0, 0]]");
+        format!("[parameters]\nkappa = 0.0\n{}", spoilt(MASS, "mass = [[8, 0], [0, 8]]", &with))
+    };
+    let title = "title = \"A mass on a moving belt\"\nmodel = \"assembly\"\n";
+    let first = |text: String| format!("{title}{}", text.replacen(title, "", 1));
+    refused(
+        &first(with("\"kapa\"")),
+        "unknown symbol `kapa`",
+        "kapa",
+        "did you mean `kappa`? known symbols: kappa, pi; functions: sin cos tan asin acos atan sinh cosh tanh exp ln sqrt abs",
+    );
+    refused(
+        &first(with("\"1/kappa\"")),
+        "stiffness[0][1] is inf, at kappa = 0",
+        "1/kappa",
+        "an entry must be finite: mind division by zero, roots and logarithms of negative numbers",
+    );
+}
+
+#[test]
+fn freedoms_that_are_not_those_of_the_rows() {
+    let freedoms = "freedoms = [[\"mass\", \"y\"], [\"mass\", \"z\"]]";
+    refused(
+        &spoilt(MASS, freedoms, "freedoms = [[\"mass\", \"y\"]]"),
+        "`structure.block.matrices.freedoms` names 1 freedom, but the mass has 2 rows",
+        "[[\"mass\", \"y\"]]",
+        "name 2: one for each row, in their order, as in [[\"mass\", \"x\"], [\"mass\", \"y\"]]",
+    );
+    refused(
+        &spoilt(MASS, freedoms, "freedoms = [[\"mass\", \"y\"], [\"mass\", \"y\"]]"),
+        "`structure.block.matrices.freedoms` names node `mass` along y twice",
+        "[\"mass\", \"y\"]",
+        "a node has one freedom along each of x, y, z; call another node by another name",
+    );
+    refused(
+        &spoilt(MASS, freedoms, "freedoms = [[\"mass\", \"y\"], [\"mass\"]]"),
+        "an entry of `structure.block.matrices.freedoms` must be a node and a direction, and has 1 part",
+        "[\"mass\"]",
+        "as in [\"mass\", \"x\"]",
+    );
+    refused(
+        &spoilt(MASS, freedoms, "freedoms = [[\"mass\", \"y\"], [\"mass\", \"up\"]]"),
+        "unknown direction `up`",
+        "up",
+        "known: x, y, z",
+    );
+    refused(
+        &spoilt(MASS, freedoms, &format!("{freedoms}\nplaces = {{ mas = [\"0 m\", \"1 m\"] }}")),
+        "unknown node `mas`",
+        "[\"0 m\", \"1 m\"]",
+        "did you mean `mass`? known: mass",
+    );
+    refused(
+        &spoilt(MASS, freedoms, &format!("{freedoms}\nplaces = {{ mass = [\"0 m\"] }}")),
+        "`structure.block.matrices.places.mass` has 1 entries, but must have two or three lengths",
+        "[\"0 m\"]",
+        "give two or three lengths",
+    );
+}
+
+#[test]
+fn nodes_that_arrays_do_not_have() {
+    refused(
+        &spoilt(
+            MASS,
+            "slider = { structure = \"block\", set = \"mass\" }",
+            "slider = { structure = \"block\", set = \"mas\" }",
+        ),
+        "unknown node `mas`",
+        "\"mas\"",
+        "did you mean `mass`? known: mass",
+    );
+    refused(
+        &spoilt(
+            MASS,
+            "slider = { structure = \"block\", set = \"mass\" }",
+            "slider = { structure = \"block\", nodes = [1] }",
+        ),
+        "`contact.belt.slider` of arrays names a node of `matrices.freedoms`, not a number",
+        "[1]",
+        "as in set = \"mass\"",
+    );
+}
+
+#[test]
+fn springs_that_join_nothing() {
+    let direction = "direction = [0, 0, 1]\n";
+    refused(
+        &spoilt(MASS, direction, ""),
+        "a spring to the ground has no second place that would give its direction",
+        "[[spring]]",
+        "give direction = [0, 1], or another vector",
+    );
+    refused(
+        &spoilt(MASS, direction, "direction = [0, 0, 0]\n"),
+        "`spring.across.direction` has no direction: all its numbers are zero",
+        "[0, 0, 0]",
+        "give a vector such as [0, 1] in the plane, [0, 0, 1] in space",
+    );
+    refused(
+        &spoilt(MASS, "stiffness = \"315 N/m\"\n", ""),
+        "a spring of neither stiffness nor damping does nothing",
+        "[[spring]]",
+        "give stiffness = \"1e6 N/m\" or damping = \"10 N s/m\"",
+    );
+    refused(
+        &spoilt(MASS, "stiffness = \"315 N/m\"", "stiffness = \"-315 N/m\""),
+        "`spring.across.stiffness` must be zero or positive, but is -315.0",
+        "\"-315 N/m\"",
+        "",
+    );
+    refused(
+        &spoilt(MASS, "to = \"ground\"", "to = \"floor\""),
+        "unknown end of a spring `floor`",
+        "floor",
+        "known: ground",
+    );
+    refused(
+        &spoilt(COUPLED, "name = \"stiff\"", "name = \"soft\""),
+        "two springs are called `soft`",
+        "[[spring]]",
+        "give each spring a `name` of its own",
+    );
+    let second = "[[structure]]\nname = \"other\"\n[structure.matrices]\nmass = [[1]]\nfreedoms = [[\"end\", \"z\"]]\n\n[[spring]]";
+    let joined = spoilt(MASS, "[[spring]]", second);
+    let joined = spoilt(&joined, "to = \"ground\"", "to = { structure = \"other\", set = \"end\" }");
+    let (message, place) = unassembled(&spoilt(&joined, direction, ""));
+    assert_eq!(
+        message,
+        "both ends of the spring lie at one place: there is no line along which it would act"
+    );
+    assert_eq!(place, "[[spring]]");
+    let (message, _) = unassembled(&spoilt(MASS, direction, "direction = [1, 0]\n"));
+    assert_eq!(message, "neither end of the spring can move along it: supports hold both");
+}
+
+#[test]
+fn steady_sliding_of_bodies_that_touch_nowhere() {
+    let start = MASS.find("[[contact]]").unwrap();
+    let end = MASS.find("[[load]]").unwrap();
+    let (message, place) = unassembled(&format!("{}{}", &MASS[..start], &MASS[end..]));
+    assert_eq!(message, "nothing touches: the case has no `[[contact]]`, so nothing slides");
+    assert_eq!(place, "[[analysis]]");
+}
+
+#[test]
+fn tracks_without_faces_and_normals_of_surfaces() {
+    let second = "[[structure]]\nname = \"disc\"\n[structure.matrices]\nmass = [[1]]\nstiffness = [[100]]\n\
+        freedoms = [[\"rim\", \"y\"]]\n\n[[spring]]";
+    let two = spoilt(MASS, "[[spring]]", second);
+    let track = "track = { plane = { normal = [0, 1] } }";
+    let (message, place) =
+        unassembled(&spoilt(&two, track, "track = { structure = \"disc\", set = \"rim\" }"));
+    assert_eq!(message, "`disc.rim` has no faces that something could slide on");
+    assert_eq!(place, "{ structure = \"disc\", set = \"rim\" }");
+    let with_normal = "track = { structure = \"strip\", set = \"y-max\", normal = [0, 1] }";
+    let (message, place) =
+        unassembled(&spoilt(PAD, "track = { structure = \"strip\", set = \"y-max\" }", with_normal));
+    assert_eq!(message, "a plane moves with one node, but `strip.y-max` has 61");
+    assert_eq!(place, "[0, 1]");
+}
+
+#[test]
+fn ties_that_bond_nothing_or_twice() {
+    let tie = |to: &str| {
+        format!(
+            "[[tie]]\nname = \"bond\"\nfrom = {{ structure = \"pad\", set = \"y-max\" }}\nto = {{ structure = \"{to}\", set = \"y-min\" }}\n\n[[contact]]"
+        )
+    };
+    refused(
+        &spoilt(PAD, "[[contact]]", &tie("pad")),
+        "`pad` cannot be tied to itself",
+        "{ structure = \"pad\", set = \"y-min\" }",
+        "let one structure be tied to another",
+    );
+    let (message, place) = unassembled(&spoilt(PAD, "[[contact]]", &tie("strip")));
+    assert!(message.starts_with("no node of `pad.y-max` lies opposite `strip.y-min`"), "{message}");
+    assert_eq!(place, "{ structure = \"strip\", set = \"y-min\" }");
+}

@@ -38,9 +38,9 @@ fn families_that_cannot_be() {
     );
     family(
         "{ key = \"parameters.idle\", values = [1] }",
-        "no factor of a matrix contains the parameter `idle`",
+        "no factor and no entry of a matrix contains the parameter `idle`",
         "parameters.idle",
-        "sweep a parameter that a factor contains",
+        "sweep a parameter that a factor or an entry contains",
     );
     family(
         "{ key = \"parameters.load\", values = [1, 0] }",

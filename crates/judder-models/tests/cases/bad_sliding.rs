@@ -94,6 +94,19 @@ fn a_structure_of_nothing() {
 }
 
 #[test]
+fn a_structure_of_arrays() {
+    let text = with_analyses("");
+    let (from, to) = (text.find("beam = {").unwrap(), text.find("reduction = { count = 20 }").unwrap());
+    let arrays = "matrices = { mass = [[1]], freedoms = [[\"end\", \"y\"]] }\n";
+    refused(
+        &format!("{}{arrays}{}", &text[..from], &text[to..]),
+        "the matrices of `oblique` are arrays, but those of a sliding case are files",
+        "{ mass = [[1]], freedoms = [[\"end\", \"y\"]] }",
+        "write them to files, or take `model = \"assembly\"`, whose bodies may be arrays",
+    );
+}
+
+#[test]
 fn a_structure_that_slides_on_itself() {
     changed(
         "track = { structure = \"horizontal\", set = \"upper-corners\" }",

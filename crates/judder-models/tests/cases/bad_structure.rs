@@ -255,7 +255,7 @@ fn a_region_without_width() {
 fn a_sweep_of_a_body() {
     refused(
         &analysis("kind = \"eigen-sweep\"\nregion = { re = [0, 1], im = [0, 1] }"),
-        "there is nothing to sweep: only factors of `[matrices]` depend on parameters",
+        "there is nothing to sweep: only factors and entries of `[matrices]` depend on parameters",
         "[[analysis]]",
         "take matrices with factors such as \"1/speed - 1\", or run the case once a value with `--set`",
     );
@@ -369,5 +369,5 @@ fn a_parameter_that_no_factor_contains() {
     let text =
         MATRICES.replace("speed = 2", "speed = 2\nload = 1").replace("parameters.speed", "parameters.load");
     let error = with_files(&FILES, &text, &[]).unwrap_err();
-    assert_eq!(error.to_string(), "no factor of a matrix contains the parameter `load`");
+    assert_eq!(error.to_string(), "no factor and no entry of a matrix contains the parameter `load`");
 }

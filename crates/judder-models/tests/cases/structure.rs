@@ -5,7 +5,7 @@ use judder_models::structure::case::body::{EndCondition, Geometry};
 use judder_models::structure::case::damping::Damping;
 use judder_models::structure::case::damping::Rayleigh;
 use judder_models::structure::case::reduction::{FixedModes, KeptNodes};
-use judder_models::structure::case::{StructureCase, StructureSource};
+use judder_models::structure::case::{Matrices, StructureCase, StructureSource};
 use judder_models::structure::eigen_sweep::settings::EigenSweep;
 use judder_models::structure::modes::Modes;
 use judder_structure::eigen_sweep::SweepMethod;
@@ -129,7 +129,7 @@ pub(crate) const FILES: [&str; 6] =
 #[test]
 fn sums_of_matrices_have_factors_of_parameters() {
     let case = with_files(&FILES, MATRICES, &[]).unwrap().of::<StructureCase>().unwrap().clone();
-    let StructureSource::Matrices(sums) = &case.source else { panic!("matrices") };
+    let StructureSource::Matrices(Matrices::Files(sums)) = &case.source else { panic!("matrices") };
     let values: Vec<f64> = sums
         .sums()
         .iter()

@@ -6,10 +6,9 @@ use super::size::size_warning;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::structure::{AssemblyStructure, BodyReduction};
 use crate::error::ModelError;
-use crate::structure::build::{Structure, symmetric_part};
+use crate::structure::build::{Structure, factors, symmetric_part};
 use crate::structure::case::StructureCase;
 use crate::structure::case::damping::Damping;
-use crate::structure::case::problem::StructureProblem;
 use crate::structure::case::reduction::FixedModes;
 use faer::Mat;
 use faer::sparse::Triplet;
@@ -18,7 +17,6 @@ use judder_assembly::assembly::{from_triplets, triplets};
 use judder_structure::assembly::{Sparse, inertia_load};
 use judder_structure::craig_bampton::{CraigBampton, CutOff};
 use judder_structure::freedom::{Direction, Numbering, Supports};
-use judder_structure::mesh::Mesh;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -132,7 +130,7 @@ impl BuiltBody {
             let along = |own: &[Option<usize>; 3]| own.iter().position(|own| *own == Some(freedom));
             let places = layout.freedoms.iter().enumerate();
             let (point, axis) = places.filter_map(|(point, own)| Some((point, along(own)?))).next()?;
-            Some(format!("along {}, most at node {}", Direction::ALL[axis], layout.names[point]))
+            Some(format!("along {}, most at {}", Direction::ALL[axis], layout.word(point)))
         });
         place.unwrap_or_else(|| format!("in coordinate {coordinate}"))
     }
@@ -187,27 +185,24 @@ fn alone(case: &AssemblyCase, index: usize) -> StructureCase {
 fn matrices(case: &AssemblyCase, index: usize, structure: &Structure) -> Result<BodyMatrices, Unassembled> {
     let own = &case.structures[index];
     let path = format!("structure.{}", own.name);
-    let problem = structure
-        .at(&alone(case, index), &case.values())
-        .map_err(|error| Unassembled::because(path.as_str(), &error))?;
+    let refused = |error: &dyn std::fmt::Display| Unassembled::because(path.as_str(), &error.to_string());
+    let factors = factors(&alone(case, index), &case.values()).map_err(|error| refused(&error))?;
+    let [mass, damping, stiffness] = structure.family.matrices(&factors).map_err(|error| refused(&error))?;
     let points = point_masses(own, structure)?;
     let alpha = if let Damping::Rayleigh(rayleigh) = own.damping() { rayleigh.alpha } else { 0.0 };
     let added = |matrix: &Sparse, factor: f64| {
         let on_points = points.iter().map(|(freedom, mass)| Triplet::new(*freedom, *freedom, factor * mass));
         let entries: Vec<_> = triplets(matrix).chain(on_points).collect();
-        from_triplets(matrix.nrows(), matrix.ncols(), &entries)
-            .map_err(|error| Unassembled::because(path.as_str(), &error))
+        from_triplets(matrix.nrows(), matrix.ncols(), &entries).map_err(|error| refused(&error))
     };
-    let (mass, damping) = (added(problem.mass(), 1.0)?, added(problem.damping(), alpha)?);
-    let stiffness = match symmetric_part(problem.stiffness()) {
-        Ok((part, departure)) if departure <= ROUNDING => part,
-        Ok(_) => {
-            let reason = "its stiffness is not symmetric: friction within a body is none of its contacts";
-            return Err(Unassembled::because(path, &reason));
-        }
-        Err(error) => return Err(Unassembled::because(path, &error)),
-    };
-    Ok(BodyMatrices { mass, damping, stiffness })
+    let (part, departure) = symmetric_part(&stiffness).map_err(|error| refused(&error))?;
+    let is_symmetric = departure <= ROUNDING;
+    if !is_symmetric && own.reduction != BodyReduction::None {
+        let reason = "its stiffness is not symmetric, and fixed-interface modes are those of a symmetric one: leave `reduction` out";
+        return Err(Unassembled::because(format!("{path}.reduction"), &reason));
+    }
+    let stiffness = if is_symmetric { part } else { stiffness };
+    Ok(BodyMatrices { mass: added(&mass, 1.0)?, damping: added(&damping, alpha)?, stiffness })
 }
 
 /// Departure from symmetry that is rounding.
@@ -215,24 +210,17 @@ const ROUNDING: f64 = 1e-12;
 
 /// The freedoms that point masses move, and the mass on each.
 fn point_masses(own: &AssemblyStructure, structure: &Structure) -> Result<Vec<(usize, f64)>, Unassembled> {
-    let (Some(mesh), Some(layout)) = (structure.mesh(), &structure.layout) else { return Ok(Vec::new()) };
+    let Some(layout) = &structure.layout else { return Ok(Vec::new()) };
     let mut found = Vec::new();
     for (index, point) in own.masses.iter().enumerate() {
-        let path = format!("structure.{}.masses.{index}.set", own.name);
-        let nodes = nodes_of_set(mesh, &point.set, path)?;
+        let nodes = structure
+            .set(&point.set, &format!("structure.masses.{index}.set"))
+            .map_err(|unbuilt| unbuilt.of_structure(&own.name))?;
         let share = point.mass / nodes.len() as f64;
         let freedoms = nodes.iter().flat_map(|node| layout.freedoms[*node]).flatten();
         found.extend(freedoms.map(|freedom| (freedom, share)));
     }
     Ok(found)
-}
-
-/// The nodes of a set that the case names at `path`.
-fn nodes_of_set<'a>(mesh: &'a Mesh, set: &str, path: String) -> Result<&'a [usize], Unassembled> {
-    mesh.node_sets.get(set).map(Vec::as_slice).ok_or_else(|| {
-        let known = mesh.node_sets.keys().cloned().collect();
-        Unassembled::new(path, StructureProblem::UnknownSet { name: set.to_owned(), known })
-    })
 }
 
 /// A dense matrix as a sparse one, zeros left out.

@@ -1,14 +1,19 @@
 //! The contact interfaces of a case: points found, laws as the physics has them.
 
+use super::joint::joined;
 use super::size::width;
 use super::{BuiltBody, Unassembled};
 use crate::assembly::case::AssemblyCase;
-use crate::assembly::case::contact::{ContactInterface, NormalLaw, SlidingMotion, SurfaceOf, TrackSettings};
+use crate::assembly::case::contact::{
+    ContactInterface, NormalLaw, SlidingMotion, SurfaceOf, TrackOf, TrackSettings,
+};
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::structure::build::{Structure, points_of};
+use judder_assembly::AssemblyError;
 use judder_assembly::interface::{Interface, InterfaceLaw};
 use judder_assembly::search::{FoundPoints, Sliding, TouchingBody, Track, contact_points, usual_reach};
 use judder_assembly::surface::Surface;
+use judder_structure::freedom::Direction;
 use judder_structure::mesh::Mesh;
 use std::collections::BTreeMap;
 
@@ -24,17 +29,22 @@ struct Sides {
     track: Option<Side>,
 }
 
-/// The nodes of all contacts.
+/// The nodes of all contacts, and of what else joins bodies.
 pub(super) struct Touching {
     contacts: Vec<Sides>,
+    /// Structures, and nodes of springs and ties.
+    joined: Vec<(usize, Vec<usize>)>,
 }
 
 impl Touching {
-    /// All nodes of a body that are in some contact.
+    /// All nodes of a body that are in some contact, spring or tie.
     pub(super) fn of_body(&self, index: usize) -> Vec<usize> {
         let sides =
             self.contacts.iter().flat_map(|sides| [Some(&sides.slider), sides.track.as_ref()]).flatten();
-        sides.filter(|side| side.structure == index).flat_map(|side| side.points.iter().copied()).collect()
+        let sides = sides.map(|side| (side.structure, &side.points));
+        let joined = self.joined.iter().map(|(structure, points)| (*structure, points));
+        let own = sides.chain(joined).filter(|(structure, _)| *structure == index);
+        own.flat_map(|(_, points)| points.iter().copied()).collect()
     }
 }
 
@@ -46,7 +56,9 @@ pub(super) fn touching(case: &AssemblyCase, structures: &[Structure]) -> Result<
         let mut side = |surface: &SurfaceOf, key: &str| -> Result<Side, Unassembled> {
             let (structure, path) = (*surface.structure, format!("contact.{}.{key}", contact.name));
             let points = points_of(&surface.nodes, &structures[structure], &path)?;
-            for point in &points {
+            // nodes without faces have no edge that two surfaces would share
+            let with_faces = points.iter().filter(|_| structures[structure].elements.is_some());
+            for point in with_faces {
                 if let Some(other) = taken.insert((structure, *point), contact) {
                     let problem = AssemblyProblem::SharedNode {
                         first: other.name.to_string(),
@@ -62,11 +74,11 @@ pub(super) fn touching(case: &AssemblyCase, structures: &[Structure]) -> Result<
         let slider = side(&contact.slider, "slider")?;
         let track = match &contact.track {
             TrackSettings::Plane(_) => None,
-            TrackSettings::Surface(surface) => Some(side(surface, "track")?),
+            TrackSettings::Surface(track) => Some(side(&track.surface, "track")?),
         };
         contacts.push(Sides { slider, track });
     }
-    Ok(Touching { contacts })
+    Ok(Touching { contacts, joined: joined(case, structures)? })
 }
 
 /// The interfaces with their points, and the slider's node of each point.
@@ -103,6 +115,59 @@ pub(super) fn interfaces(
     Ok((made, nodes))
 }
 
+/// A body as the search for contact points wants it.
+struct Sought<'a> {
+    mesh: Mesh,
+    width: f64,
+    freedom: Box<dyn Fn(usize, Direction) -> Option<usize> + 'a>,
+    displaced: Box<dyn Fn(usize) -> [f64; 3] + 'a>,
+}
+
+impl<'a> Sought<'a> {
+    fn new(body: &'a BuiltBody) -> Self {
+        Self {
+            mesh: mesh_of(&body.structure),
+            width: width(&body.structure),
+            freedom: Box::new(|node, direction| body.coordinate(node, direction)),
+            displaced: Box::new(|node| body.displaced(node)),
+        }
+    }
+
+    fn touching(&self) -> TouchingBody<'_> {
+        let Self { mesh, width, freedom, displaced } = self;
+        TouchingBody { mesh, width: *width, freedom, displaced }
+    }
+
+    /// How far a partner of these nodes is sought.
+    fn reach(&self, points: &[usize]) -> f64 {
+        Surface::of_nodes(&self.mesh, points).map_or(0.0, |surface| usual_reach(&self.mesh, &surface))
+    }
+}
+
+/// What was found between two surfaces, and how far it was sought.
+pub(super) struct FoundBeside {
+    pub(super) found: FoundPoints,
+    pub(super) reach: f64,
+}
+
+/// The points of one body beside the faces of another, which does not move.
+pub(super) fn points_beside(
+    [first, second]: [usize; 2],
+    [points, opposite]: [&[usize]; 2],
+    bodies: &[BuiltBody],
+) -> Result<FoundBeside, AssemblyError> {
+    let (own, other) = (Sought::new(&bodies[first]), Sought::new(&bodies[second]));
+    let reach = own.reach(points).max(other.reach(opposite));
+    let track = Track::Body(other.touching(), opposite);
+    let found = contact_points(&own.touching(), points, &track, Sliding::Translation([0.0; 3]), reach)?;
+    Ok(FoundBeside { found, reach })
+}
+
+/// Sets that do not face each other, named at a key.
+pub(super) fn apart(path: String, slider: String, track: String, reach: f64) -> Unassembled {
+    Unassembled::new(path, AssemblyProblem::Apart { slider, track, reach })
+}
+
 /// The contact points of a contact.
 fn found(
     contact: &ContactInterface,
@@ -110,42 +175,43 @@ fn found(
     sides: &Sides,
 ) -> Result<FoundPoints, Unassembled> {
     let path = |key: &str| format!("contact.{}.{key}", contact.name);
-    let meshes: Vec<Mesh> = bodies.iter().map(|body| mesh_of(&body.structure)).collect();
-    let freedoms: Vec<_> =
-        bodies.iter().map(|body| |node, direction| body.coordinate(node, direction)).collect();
-    let displaced: Vec<_> = bodies.iter().map(|body| |node| body.displaced(node)).collect();
-    let body = |index: usize| TouchingBody {
-        mesh: &meshes[index],
-        width: width(&bodies[index].structure),
-        freedom: &freedoms[index],
-        displaced: &displaced[index],
-    };
-    let reach = |side: &Side| {
-        let mesh = &meshes[side.structure];
-        Surface::of_nodes(mesh, &side.points).map_or(0.0, |surface| usual_reach(mesh, &surface))
-    };
-    let slider = &sides.slider;
-    let (track, reach) = match (&contact.track, &sides.track) {
-        (_, Some(track)) => {
-            (Track::Body(body(track.structure), &track.points), reach(slider).max(reach(track)))
+    let slider = Sought::new(&bodies[sides.slider.structure]);
+    let other = sides.track.as_ref().map(|side| (side, Sought::new(&bodies[side.structure])));
+    let (track, reach) = match (&contact.track, &other) {
+        (TrackSettings::Surface(TrackOf { normal: Some(normal), surface }), Some((side, body))) => {
+            let [node] = side.points[..] else {
+                let (set, found) = (surface.words(), side.points.len());
+                return Err(Unassembled::new(
+                    path("track.normal"),
+                    AssemblyProblem::CarriedBySet { set, found },
+                ));
+            };
+            (Track::Carried(body.touching(), node, in_space(normal)), 0.0)
         }
-        (TrackSettings::Plane(plane), None) => (Track::Plane(in_space(&plane.normal)), 0.0),
+        (TrackSettings::Surface(own), Some((side, body))) => {
+            if bodies[side.structure].structure.elements.is_none() {
+                let node = own.surface.words();
+                return Err(Unassembled::new(path("track"), AssemblyProblem::NoFaces { node }));
+            }
+            let reach = slider.reach(&sides.slider.points).max(body.reach(&side.points));
+            (Track::Body(body.touching(), &side.points), reach)
+        }
+        (TrackSettings::Plane(plane), _) => (Track::Plane(in_space(&plane.normal)), 0.0),
         (TrackSettings::Surface(_), None) => (Track::Plane([0.0; 3]), 0.0),
     };
     let motion = sliding(&contact.sliding);
-    let found = contact_points(&body(slider.structure), &slider.points, &track, motion, reach)
+    let found = contact_points(&slider.touching(), &sides.slider.points, &track, motion, reach)
         .map_err(|error| Unassembled::because(path("slider"), &error))?;
     match (&contact.track, found.points.is_empty()) {
         (TrackSettings::Surface(track), true) => {
-            let (slider, track) = (contact.slider.words(), track.words());
-            Err(Unassembled::new(path("track"), AssemblyProblem::Apart { slider, track, reach }))
+            Err(apart(path("track"), contact.slider.words(), track.surface.words(), reach))
         }
         _ => Ok(found),
     }
 }
 
 /// The mesh of a body; of matrices its places alone.
-fn mesh_of(structure: &Structure) -> Mesh {
+pub(super) fn mesh_of(structure: &Structure) -> Mesh {
     match (structure.mesh(), &structure.layout) {
         (Some(mesh), _) => mesh.clone(),
         (None, Some(layout)) => Mesh { nodes: layout.points.clone(), ..Mesh::default() },

@@ -4,6 +4,7 @@ use super::BuiltBody;
 use crate::structure::build::Layout;
 use judder_structure::freedom::Direction;
 use judder_structure::mesh::{Mesh, MeshBlock};
+use std::collections::BTreeMap;
 
 /// The points, lines and elements of all bodies.
 pub(crate) struct Shown {
@@ -16,8 +17,13 @@ pub(crate) struct Shown {
 impl Shown {
     /// The bodies one after the other; points are numbered anew, from one on.
     pub(crate) fn new(bodies: &[BuiltBody]) -> Self {
-        let mut layout =
-            Layout { points: Vec::new(), names: Vec::new(), freedoms: Vec::new(), lines: Vec::new() };
+        let mut layout = Layout {
+            points: Vec::new(),
+            names: Vec::new(),
+            freedoms: Vec::new(),
+            lines: Vec::new(),
+            sets: BTreeMap::new(),
+        };
         let (mut mesh, mut first_point) = (Mesh::default(), Vec::new());
         for body in bodies {
             let first = layout.points.len();

@@ -10,7 +10,7 @@ use judder_assembly::friction::Friction;
 use judder_assembly::pressure::Pressure;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Named, Number, Setting, Several, both, read_settings};
+use judder_keys::declared::{Allowed, Named, Number, Setting, Several, all, both, read_settings};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
@@ -28,13 +28,13 @@ pub struct ContactInterface {
     /// The slider, whose nodes are the contact points.
     #[key(example = "{ structure = \"…\", set = \"y-min\" }")]
     pub slider: SurfaceOf,
-    /// What it slides on: a rigid plane, or a surface of another structure.
+    /// What it slides on: a rigid plane, a surface of another structure, or a node of it that carries a plane.
     #[key(example = "{ plane = { normal = [0, 1] } } or { structure = \"…\", set = \"…\" }")]
     pub track: TrackSettings,
     /// How the track moves beside the slider.
     #[key(example = "{ velocity = \"1 m/s\", direction = [1, 0] }")]
     pub sliding: SlidingMotion,
-    /// What presses: `rigid`, or a pressure that follows the closure.
+    /// What presses: `rigid`, or a pressure or a force that follows the closure.
     #[key(default = NormalLaw::Rigid)]
     pub normal: NormalLaw,
     /// Friction coefficient: a number, a table against the slip speed, or one that falls from rest.
@@ -63,7 +63,18 @@ pub enum TrackSettings {
     Plane(PlaneSettings),
     /// A surface of another structure.
     #[key(flatten)]
-    Surface(SurfaceOf),
+    Surface(TrackOf),
+}
+
+/// A surface of another structure, or a node of it that carries a plane.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct TrackOf {
+    /// The surface, or the node.
+    #[key(flatten)]
+    pub surface: SurfaceOf,
+    /// Of a single node, which has no surface: the normal of a rigid plane that moves with it, out of it, towards the slider.
+    #[key(rule = VECTOR, symbol = "n", omitted, example = "[0, 1]")]
+    pub normal: Option<Vec<f64>>,
 }
 
 /// A rigid plane.
@@ -119,7 +130,7 @@ pub enum NormalLaw {
     Compliant(Pressure),
 }
 
-const VECTOR: Several<Number> = Several { of: Number::any(Dimension::NUMBER), length: [2, 3] };
+pub(super) const VECTOR: Several<Number> = Several { of: Number::any(Dimension::NUMBER), length: [2, 3] };
 const PLACE: Several<Number> = Several { of: Number::any(Dimension::LENGTH), length: [2, 3] };
 
 impl NamedItem for ContactInterface {
@@ -156,22 +167,26 @@ impl ContactInterface {
             None => Ok(()),
         };
         let track = match (&mut self.track, section.inner("track")?) {
-            (TrackSettings::Surface(surface), Some(own)) => surface.admit(&own, structures),
+            (TrackSettings::Surface(track), Some(own)) => {
+                let normal =
+                    track.normal.iter().map(|own| check_direction(own, section, &["track", "normal"]));
+                both(track.surface.admit(&own, structures), all(normal)).map(drop)
+            }
             (TrackSettings::Plane(plane), Some(own)) => {
-                check_direction(&plane.normal, &own, "plane", "normal")
+                check_direction(&plane.normal, &own, &["plane", "normal"])
             }
             (_, None) => Ok(()),
         };
         let sliding = match &self.sliding {
             SlidingMotion::Translation(own) => {
-                check_direction(&own.direction, section, "sliding", "direction")
+                check_direction(&own.direction, section, &["sliding", "direction"])
             }
-            SlidingMotion::Rotation(own) => check_direction(&own.axis, section, "sliding", "axis"),
+            SlidingMotion::Rotation(own) => check_direction(&own.axis, section, &["sliding", "axis"]),
         };
         both(both(slider, track), sliding)?;
         match &self.track {
-            TrackSettings::Surface(track) if track.structure == self.slider.structure => {
-                let name = track.structure.name.clone();
+            TrackSettings::Surface(track) if track.surface.structure == self.slider.structure => {
+                let name = track.surface.structure.name.clone();
                 Err(AssemblyProblem::SameStructure { name }.at(section.place_of(&["track"])))
             }
             _ => Ok(()),
@@ -185,7 +200,11 @@ impl SurfaceOf {
         format!("{}.{}", self.structure.name, self.nodes.words())
     }
 
-    fn admit(&mut self, section: &Section<'_>, structures: &[AssemblyStructure]) -> Result<(), Fault> {
+    pub(super) fn admit(
+        &mut self,
+        section: &Section<'_>,
+        structures: &[AssemblyStructure],
+    ) -> Result<(), Fault> {
         find_structure(&mut self.structure, structures, section)?;
         KeptNodes::admit(section, &structures[*self.structure].source)
     }
@@ -205,9 +224,9 @@ pub(super) fn find_structure(
     found.map(|found| named.found = found)
 }
 
-/// Refuses a vector of another length than two or three, and one of zeros.
-fn check_direction(vector: &[f64], section: &Section<'_>, table: &str, key: &str) -> Result<(), Fault> {
-    let (place, key) = (section.place_of(&[table, key]), format!("{}.{key}", section.path(table)));
+/// Refuses a vector of another length than two or three, and one of zeros, under these keys of a section.
+pub(super) fn check_direction(vector: &[f64], section: &Section<'_>, keys: &[&str]) -> Result<(), Fault> {
+    let (place, key) = (section.place_of(keys), section.path(&keys.join(".")));
     if !(2..=3).contains(&vector.len()) {
         return Err(Cause::Length { key, expected: "two or three numbers", found: vector.len() }.at(place));
     }

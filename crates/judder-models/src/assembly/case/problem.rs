@@ -72,6 +72,53 @@ pub enum AssemblyProblem {
         /// How far was searched.
         reach: f64,
     },
+    /// A track without faces and without a normal.
+    #[error("`{node}` has no faces that something could slide on")]
+    NoFaces {
+        /// The node.
+        node: String,
+    },
+    /// A normal of a track that is a surface.
+    #[error("a plane moves with one node, but `{set}` has {found}")]
+    CarriedBySet {
+        /// The set.
+        set: String,
+        /// How many nodes it has.
+        found: usize,
+    },
+    /// A spring of neither stiffness nor damping.
+    #[error("a spring of neither stiffness nor damping does nothing")]
+    IdleSpring,
+    /// A spring to the ground without a direction.
+    #[error("a spring to the ground has no second place that would give its direction")]
+    GroundWithoutDirection,
+    /// A spring whose ends lie at one place.
+    #[error("both ends of the spring lie at one place: there is no line along which it would act")]
+    NoLength,
+    /// A spring neither end of which can move.
+    #[error("neither end of the spring can move along it: supports hold both")]
+    HeldSpring,
+    /// A structure that is tied to itself.
+    #[error("`{name}` cannot be tied to itself")]
+    TiedToItself {
+        /// The structure.
+        name: String,
+    },
+    /// Tied nodes that a load displaces.
+    #[error("a load displaces nodes of `{set}`, which are tied")]
+    DisplacedTie {
+        /// The set.
+        set: String,
+    },
+    /// A tie that holds what others hold already.
+    #[error("the tie `{name}` holds a displacement that ties or supports hold already")]
+    RedundantTie {
+        /// The tie.
+        name: String,
+    },
+    /// Steady sliding of bodies that touch nowhere.
+    #[error("nothing touches: the case has no `[[contact]]`, so nothing slides")]
+    NothingTouches,
     /// What a part of the case is refused for.
     #[error("{reason}")]
     Refused {
@@ -94,6 +141,14 @@ impl Problem for AssemblyProblem {
             Self::NotFixed { .. } => "not held",
             Self::SharedNode { .. } => "shares a node",
             Self::Apart { .. } => "nothing opposite",
+            Self::NoFaces { .. } => "no faces",
+            Self::CarriedBySet { .. } => "of a surface",
+            Self::IdleSpring | Self::GroundWithoutDirection | Self::NoLength | Self::HeldSpring => {
+                "this spring"
+            }
+            Self::TiedToItself { .. } => "the same structure",
+            Self::DisplacedTie { .. } | Self::RedundantTie { .. } => "this tie",
+            Self::NothingTouches => "of this case",
             Self::Refused { .. } => "here",
         }
     }
@@ -114,6 +169,21 @@ impl Problem for AssemblyProblem {
             Self::SharedNode { .. } => "take the node out of one of the sets",
             Self::Apart { .. } => {
                 "look at the places of both sets with `judder check`; a mesh in millimetres takes unit = \"mm\""
+            }
+            Self::NoFaces { .. } => {
+                "give the normal of a plane that moves with it: track = { structure = \"…\", set = \"…\", normal = [0, 1] }"
+            }
+            Self::CarriedBySet { .. } => {
+                "leave `normal` out, the faces of a surface have their own; or name a set of one node"
+            }
+            Self::IdleSpring => "give stiffness = \"1e6 N/m\" or damping = \"10 N s/m\"",
+            Self::GroundWithoutDirection | Self::NoLength => "give direction = [0, 1], or another vector",
+            Self::HeldSpring => "let it act in another direction, or leave it out",
+            Self::TiedToItself { .. } => "let one structure be tied to another",
+            Self::DisplacedTie { .. } => "displace other nodes, or join the bodies by a spring",
+            Self::RedundantTie { .. } => "leave nodes that are held twice out of one of the sets",
+            Self::NothingTouches => {
+                "give a table [[contact]], or ask for `eigen`, the complex modes of the bodies as they are"
             }
             Self::Refused { .. } => return None,
         };

@@ -1,10 +1,11 @@
 //! `[[structure]]`: the bodies of an assembly.
 
 use super::named_list::NamedItem;
+use crate::entries::Scope;
 use crate::sliding::case::plain_name::PlainName;
-use crate::structure::case::StructureSource;
 use crate::structure::case::damping::Damping;
 use crate::structure::case::reduction::FixedModes;
+use crate::structure::case::{Matrices, StructureSource};
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Number, Setting, Settings as _, Several};
 use judder_keys::dimension::Dimension;
@@ -67,7 +68,7 @@ impl AssemblyStructure {
                 self.damping.get_or_insert_default();
                 Ok(())
             }
-            (StructureSource::Matrices(_), Some(node)) if !self.masses.is_empty() => {
+            (StructureSource::Matrices(Matrices::Files(_)), Some(node)) if !self.masses.is_empty() => {
                 Err(Cause::Meaningless { key: "masses", with: section.path("matrices") }.at(node.place))
             }
             (StructureSource::Matrices(_), _) => Ok(()),
@@ -79,14 +80,14 @@ impl AssemblyStructure {
         self.damping.clone().unwrap_or_default()
     }
 
-    /// Finds the files, which are relative to `folder`, and compiles factors.
+    /// Finds the files, which are relative to `folder`, and compiles factors and entries.
     pub(super) fn found(
         mut self,
         section: &Section<'_>,
-        parameters: &[String],
+        scope: &Scope<'_>,
         folder: &Path,
     ) -> Result<Self, Fault> {
-        self.source = self.source.found(section, parameters, folder)?;
+        self.source = self.source.found(section, scope, folder)?;
         Ok(self)
     }
 }

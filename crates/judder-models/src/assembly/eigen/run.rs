@@ -54,7 +54,7 @@ const ROUNDING: f64 = 1e-10;
 
 pub(super) fn run(of: &Subject<'_>, asked: &AssemblyEigen) -> Result<Outcome, ModelError> {
     let built = of.built;
-    let (steady, _) = of.steady()?;
+    let steady = of.steady_or_untouched()?;
     let terms = LinearisedTerms { damping: asked.damping, friction_damping: asked.damping };
     let about = Linearised::new(&built.assembly, &steady, terms)?;
     let (region, found) = sought(&about, asked.sought)?;

@@ -6,12 +6,13 @@ pub(super) mod tables;
 
 use super::Subject;
 use crate::assembly::case::AssemblyCase;
+use crate::assembly::case::problem::AssemblyProblem;
 use crate::error::ModelError;
 use judder_keys::Settings;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use run::SteadyResults;
 use serde_json::{Map, Value as Json};
@@ -34,6 +35,11 @@ pub(crate) const KIND: Kind<(), Arc<dyn Analysis<AssemblyCase>>> = Kind {
 };
 
 impl Analysis<AssemblyCase> for SteadySliding {
+    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+        let touches = !of.case.contacts.is_empty();
+        Ok(if touches { Ok(()) } else { Err(Refusal::key("", AssemblyProblem::NothingTouches)) })
+    }
+
     fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of)
     }

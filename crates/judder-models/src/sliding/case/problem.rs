@@ -30,6 +30,12 @@ pub enum SlidingProblem {
         /// Their name.
         name: String,
     },
+    /// Matrices that stand in the case, whose nodes have no edge to slide on.
+    #[error("the matrices of `{name}` are arrays, but those of a sliding case are files")]
+    Arrays {
+        /// The structure.
+        name: String,
+    },
     /// A structure that would slide on itself.
     #[error("`{name}` is both the slider and the track")]
     SameStructure {
@@ -216,6 +222,7 @@ impl Problem for SlidingProblem {
             Self::StructureCount { .. } => "not two",
             Self::Name { .. } => "this name",
             Self::NameTwice { .. } => "given twice",
+            Self::Arrays { .. } => "not in a sliding case",
             Self::SameStructure { .. } => "the same structure",
             Self::NotOneNode { .. } => "not one node",
             Self::NoNodeThere { .. } => "outside the structure",
@@ -251,6 +258,9 @@ impl SlidingProblem {
             }
             Self::Name { .. } => {
                 "use 1 to 100 of A-Z a-z 0-9 _ -: keys such as structure.NAME.width contain it"
+            }
+            Self::Arrays { .. } => {
+                "write them to files, or take `model = \"assembly\"`, whose bodies may be arrays"
             }
             Self::NameTwice { what, .. } => return format!("give each {what} a `name` of its own"),
             Self::SameStructure { .. } => "let one structure slide on the other",

@@ -4,9 +4,10 @@ use std::path::Path;
 
 use super::plain_name::PlainName;
 use super::problem::SlidingProblem;
-use crate::structure::case::StructureSource;
+use crate::entries::Scope;
 use crate::structure::case::damping::Damping;
 use crate::structure::case::reduction::Reduction;
+use crate::structure::case::{Matrices, StructureSource};
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Named, Setting, both, read_settings};
@@ -71,10 +72,14 @@ impl SlidingStructure {
     }
 
     /// Finds the files, which are relative to `folder`, compiles factors, and refuses kept freedoms that it cannot have.
-    fn found(mut self, node: &Node, parameters: &[String], folder: &Path) -> Result<Self, Fault> {
+    fn found(mut self, node: &Node, scope: &Scope<'_>, folder: &Path) -> Result<Self, Fault> {
         let (path, title) = (format!("structure.{}", self.name), format!("the structure `{}`", self.name));
         let section = Section::of_table(node, &path, &title)?;
-        self.source = self.source.found(&section, parameters, folder)?;
+        self.source = self.source.found(&section, scope, folder)?;
+        if let StructureSource::Matrices(Matrices::Arrays(_)) = self.source {
+            let problem = SlidingProblem::Arrays { name: self.name.to_string() };
+            return Err(problem.at(section.place_of(&["matrices"])));
+        }
         match section.inner("reduction")? {
             Some(own) => self.reduction.admit(&own, &self.source).map(|()| self),
             None => Ok(self),
@@ -87,11 +92,11 @@ impl SlidingStructure {
 pub(crate) struct Structures([SlidingStructure; 2]);
 
 impl Structures {
-    /// Finds the files of both, which are relative to `folder`; factors of matrices are expressions of `parameters`.
+    /// Finds the files of both, which are relative to `folder`; factors of matrices are expressions of the parameters.
     pub(super) fn found(
         self,
         root: &Section<'_>,
-        parameters: &[String],
+        scope: &Scope<'_>,
         folder: &Path,
     ) -> Result<[SlidingStructure; 2], Fault> {
         let Self([one, other]) = self;
@@ -99,7 +104,7 @@ impl Structures {
             return Ok([one, other]);
         };
         let [first, second] = &nodes[..] else { return Ok([one, other]) };
-        let found = both(one.found(first, parameters, folder), other.found(second, parameters, folder));
+        let found = both(one.found(first, scope, folder), other.found(second, scope, folder));
         found.map(|(one, other)| [one, other])
     }
 }

@@ -69,16 +69,20 @@ pub(super) fn section(body: &Body, dimension: usize) -> ElementSection {
 /// Adds the supports that a case names by sets.
 pub(super) fn add_supports(body: &Body, mesh: &Mesh, supports: &mut Supports) -> Result<(), Unbuilt> {
     for (index, support) in body.supports.iter().enumerate() {
-        let nodes = nodes_of(mesh, &support.set, &format!("structure.supports.{index}.set"))?;
+        let nodes = nodes_of(&mesh.node_sets, &support.set, &format!("structure.supports.{index}.set"))?;
         hold(nodes, support.fixed, support.tied, supports);
     }
     Ok(())
 }
 
 /// The nodes of a set that the case names at `path`.
-pub(super) fn nodes_of<'a>(mesh: &'a Mesh, set: &str, path: &str) -> Result<&'a [usize], Unbuilt> {
-    mesh.node_sets.get(set).map(Vec::as_slice).ok_or_else(|| {
-        let known = mesh.node_sets.keys().cloned().collect();
+pub(super) fn nodes_of<'a>(
+    sets: &'a BTreeMap<String, Vec<usize>>,
+    set: &str,
+    path: &str,
+) -> Result<&'a [usize], Unbuilt> {
+    sets.get(set).map(Vec::as_slice).ok_or_else(|| {
+        let known = sets.keys().cloned().collect();
         Unbuilt::new(path, StructureProblem::UnknownSet { name: set.to_owned(), known })
     })
 }

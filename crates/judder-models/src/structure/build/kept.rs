@@ -1,6 +1,5 @@
 //! The freedoms that a reduction keeps.
 
-use super::assembled::nodes_of;
 use super::{Structure, Unbuilt};
 use crate::structure::case::problem::StructureProblem;
 use crate::structure::case::reduction::{Kept, KeptNodes, Reduction};
@@ -34,9 +33,9 @@ pub(crate) fn freedoms_of(reduction: &Reduction, structure: &Structure) -> Resul
 
 /// The points of the layout that nodes at the dotted path `path` of the case name, in their order.
 pub(crate) fn points_of(nodes: &KeptNodes, structure: &Structure, path: &str) -> Result<Vec<usize>, Unbuilt> {
-    match (nodes, structure.mesh(), &structure.layout) {
-        (KeptNodes::Set(set), Some(mesh), _) => Ok(nodes_of(mesh, set, &format!("{path}.set"))?.to_vec()),
-        (KeptNodes::Numbers(nodes), _, Some(layout)) => {
+    match (nodes, &structure.layout) {
+        (KeptNodes::Set(set), ..) => Ok(structure.set(set, &format!("{path}.set"))?.to_vec()),
+        (KeptNodes::Numbers(nodes), Some(layout)) => {
             let point = |node: &usize| {
                 let unknown = StructureProblem::UnknownNode { node: *node };
                 let place = layout.names.iter().position(|name| name == node);

@@ -15,6 +15,8 @@ pub(crate) struct Layout {
     pub(crate) freedoms: Vec<[Option<usize>; 3]>,
     /// Lines that show the body: pairs of points.
     pub(crate) lines: Vec<[usize; 2]>,
+    /// Sets of points by name, where there is no mesh that has them.
+    pub(crate) sets: BTreeMap<String, Vec<usize>>,
 }
 
 /// Faces meet in an edge of the body where the cosine between their normals is below this: about 30°.
@@ -27,7 +29,8 @@ impl Layout {
             .map(|node| Direction::ALL.map(|direction| numbering.number(node, direction)))
             .collect();
         let names = (0..mesh.nodes.len()).collect();
-        Self { points: mesh.nodes.clone(), names, freedoms, lines: outline(mesh) }
+        let (points, lines) = (mesh.nodes.clone(), outline(mesh));
+        Self { points, names, freedoms, lines, sets: BTreeMap::new() }
     }
 
     /// The nodes of a table of freedoms.
@@ -43,7 +46,13 @@ impl Layout {
             });
             freedoms[point][entry.direction as usize] = Some(freedom);
         }
-        Self { points, names, freedoms, lines: Vec::new() }
+        Self { points, names, freedoms, lines: Vec::new(), sets: BTreeMap::new() }
+    }
+
+    /// A point in words: by the name of its set where that has no other, else by its number.
+    pub(crate) fn word(&self, point: usize) -> String {
+        let own = self.sets.iter().find(|(_, points)| points[..] == [point]);
+        own.map_or_else(|| format!("node {}", self.names[point]), |(name, _)| format!("`{name}`"))
     }
 
     /// The displacements of all points, x, y, z of one after the other, of a vector of all freedoms.

@@ -68,10 +68,10 @@ pub enum StructureProblem {
         point: String,
     },
     /// A sweep of a structure that has no parameters.
-    #[error("there is nothing to sweep: only factors of `[matrices]` depend on parameters")]
+    #[error("there is nothing to sweep: only factors and entries of `[matrices]` depend on parameters")]
     NothingToSweep,
-    /// A swept parameter that no factor contains.
-    #[error("no factor of a matrix contains the parameter `{name}`")]
+    /// A swept parameter that no factor and no entry contains.
+    #[error("no factor and no entry of a matrix contains the parameter `{name}`")]
     IdleParameter {
         /// The parameter.
         name: String,
@@ -154,6 +154,8 @@ pub enum KeptProblem {
     NoSets,
     /// Numbers of nodes of a body.
     NoNodes,
+    /// Numbers of nodes of arrays, which have names.
+    NoNumbers,
     /// Numbers of nodes without `matrices.freedoms`.
     NoTable,
 }
@@ -164,6 +166,9 @@ fn kept(problem: &KeptProblem, key: &str) -> String {
             format!("matrices have no sets: `{key}` names nodes of the table `matrices.freedoms`")
         }
         KeptProblem::NoNodes => format!("`{key}` of a body names sets, not nodes"),
+        KeptProblem::NoNumbers => {
+            format!("`{key}` of arrays names a node of `matrices.freedoms`, not a number")
+        }
         KeptProblem::NoTable => {
             format!("`{key}` names nodes, but `matrices.freedoms` does not say which freedoms they have")
         }
@@ -236,7 +241,7 @@ impl StructureProblem {
                 "take matrices with factors such as \"1/speed - 1\", or run the case once a value with `--set`"
                     .to_owned()
             }
-            Self::IdleParameter { .. } => "sweep a parameter that a factor contains".to_owned(),
+            Self::IdleParameter { .. } => "sweep a parameter that a factor or an entry contains".to_owned(),
             Self::UnsortedValues => "branches are followed from one value to the next: sort them".to_owned(),
             Self::UnknownSet { name, known } => did_you_mean(name, known, "sets here"),
             Self::UnknownGroup { name, known } => did_you_mean(name, known, "names here"),
@@ -247,6 +252,7 @@ impl StructureProblem {
             Self::Unbuilt { .. } => "mend what the message names".to_owned(),
             Self::Kept { problem: KeptProblem::NoSets, .. } => "as in nodes = [1, 17]".to_owned(),
             Self::Kept { problem: KeptProblem::NoNodes, .. } => "as in set = \"end\"".to_owned(),
+            Self::Kept { problem: KeptProblem::NoNumbers, .. } => "as in set = \"mass\"".to_owned(),
             Self::Kept { problem: KeptProblem::NoTable, .. } => {
                 "give freedoms = \"table.csv\" with the matrices".to_owned()
             }

@@ -1,14 +1,14 @@
 //! `[reduction]`: which freedoms are kept, and how many modes with them held.
 
-use super::StructureSource;
 use super::problem::{KeptProblem, StructureProblem};
+use super::{Matrices, StructureSource};
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Number, Several, UNLIMITED, Whole, all};
 use judder_keys::dimension::Dimension;
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
-use judder_keys::section::{Section, list};
+use judder_keys::section::{Section, list, text};
 
 /// What a Craig–Bampton reduction keeps.
 #[derive(Debug, Clone, PartialEq, Settings)]
@@ -36,7 +36,7 @@ pub struct Kept {
 /// Nodes that a case names.
 #[derive(Debug, Clone, PartialEq, Settings)]
 pub enum KeptNodes {
-    /// A set of nodes of a body.
+    /// A set of nodes of a body, or a node of arrays by its name.
     #[key(later)]
     Set(String),
     /// Of matrices, in place of set: nodes of the table of freedoms, by their numbers in it.
@@ -89,15 +89,29 @@ impl KeptNodes {
         }
     }
 
-    /// Refuses a `section` that names nodes otherwise than those of `source` are: by a set of a body, by numbers of a table of freedoms.
+    /// Refuses a `section` that names nodes otherwise than those of `source` are: by a set of a body, by numbers of a table of freedoms, by
+    /// a name that arrays have.
     pub(crate) fn admit(section: &Section<'_>, source: &StructureSource) -> Result<(), Fault> {
         let (problem, node) = match (source, section.get("set"), section.get("nodes")) {
             (StructureSource::Body(_), _, Some(node)) => (KeptProblem::NoNodes, node),
             (StructureSource::Body(_), ..) => {
                 return section.required("set", "set = \"…\", a set of nodes").map(drop);
             }
-            (StructureSource::Matrices(_), Some(node), _) => (KeptProblem::NoSets, node),
-            (StructureSource::Matrices(sums), ..) => {
+            (StructureSource::Matrices(Matrices::Arrays(_)), _, Some(node)) => (KeptProblem::NoNumbers, node),
+            (StructureSource::Matrices(Matrices::Arrays(arrays)), ..) => {
+                let known = arrays.nodes();
+                let expected = format!("set = \"…\", one of {}", known.join(", "));
+                let node = section.required("set", &expected)?;
+                let name = text(&section.path("set"), node)?;
+                return match known.iter().any(|own| own == name) {
+                    true => Ok(()),
+                    false => {
+                        Err(Cause::UnknownName { what: "node", name: name.to_owned(), known }.at(node.place))
+                    }
+                };
+            }
+            (StructureSource::Matrices(Matrices::Files(_)), Some(node), _) => (KeptProblem::NoSets, node),
+            (StructureSource::Matrices(Matrices::Files(sums)), ..) => {
                 let node = section.required("nodes", "nodes = [1, 17], numbers of the table of freedoms")?;
                 if sums.freedoms.is_some() {
                     return Ok(());

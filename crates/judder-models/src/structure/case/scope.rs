@@ -1,7 +1,6 @@
 //! What the analyses of a structure case need to know of it.
 
-use super::StructureSource;
-use super::matrices::MatrixSums;
+use super::{Matrices, StructureSource};
 use crate::swept_keys::ParameterKeys;
 use judder_keys::error::Fault;
 use judder_keys::section::Section;
@@ -18,16 +17,16 @@ pub(crate) struct StructureScope {
 
 impl StructureScope {
     /// The matrices, where it is given by them.
-    pub(crate) fn sums(&self) -> Option<&MatrixSums> {
+    pub(crate) fn matrices(&self) -> Option<&Matrices> {
         match &self.source {
-            Some(StructureSource::Matrices(sums)) => Some(sums),
+            Some(StructureSource::Matrices(matrices)) => Some(matrices),
             Some(StructureSource::Body(_)) | None => None,
         }
     }
 
-    /// Refuses an analysis at the case's own parameters where a factor has no value.
+    /// Refuses an analysis at the case's own parameters where a factor or an entry has no value.
     pub(crate) fn check_factors(&self, section: &Section<'_>) -> Result<(), Fault> {
-        let checked = self.sums().map(|sums| sums.check(&self.values));
+        let checked = self.matrices().map(|matrices| matrices.check(&self.values));
         checked.unwrap_or(Ok(())).map_err(|cause| cause.at(section.place))
     }
 }

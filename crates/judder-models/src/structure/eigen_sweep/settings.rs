@@ -3,10 +3,9 @@
 use crate::read_sweep::{
     PlacedFamily, SWEEP, check_size, family_declaration, read_placed_family, required, write_family,
 };
-use crate::structure::case::StructureSource;
-use crate::structure::case::matrices::MatrixSums;
 use crate::structure::case::problem::StructureProblem;
 use crate::structure::case::scope::StructureScope;
+use crate::structure::case::{Matrices, StructureSource};
 use crate::structure::eigen::Eigen;
 use crate::sweep::{Family, ParameterKey};
 use crate::swept_keys::{ParameterKeys, SweptKeys};
@@ -164,26 +163,26 @@ fn read_varied(
     let node = section.required("sweep", expected)?;
     let sweep = read_values(&scope.keys, section, node)?;
     let family = read_placed_family(&scope.keys, section, sweep.key);
-    let Some(sums) = scope.sums() else { return Ok((sweep, family?.map(|placed| placed.family))) };
-    let ((), family) = both(check_effect(scope, sums, sweep.key, node.place), family)?;
+    let Some(matrices) = scope.matrices() else { return Ok((sweep, family?.map(|placed| placed.family))) };
+    let ((), family) = both(check_effect(scope, matrices, sweep.key, node.place), family)?;
     if let Some(placed) = &family {
         let size =
             check_size(&[(placed.family.values.len(), placed.whole), (sweep.values.len(), node.place)]);
-        both(check_effect(scope, sums, placed.family.key, placed.key), size)?;
+        both(check_effect(scope, matrices, placed.family.key, placed.key), size)?;
     }
-    check_values(scope, sums, &sweep, node.place, family.as_ref())?;
+    check_values(scope, matrices, &sweep, node.place, family.as_ref())?;
     Ok((sweep, family.map(|placed| placed.family)))
 }
 
-/// Refuses a parameter that no factor contains.
+/// Refuses a parameter that no factor and no entry contains.
 fn check_effect(
     scope: &StructureScope,
-    sums: &MatrixSums,
+    matrices: &Matrices,
     key: ParameterKey,
     place: Place,
 ) -> Result<(), Fault> {
     let index = key.index();
-    if sums.sums().iter().flat_map(|(_, terms)| *terms).any(|term| term.factor.depends_on(index)) {
+    if matrices.depends_on(index) {
         return Ok(());
     }
     Err(StructureProblem::IdleParameter { name: scope.keys.0[index].clone() }.at(place))
@@ -192,7 +191,7 @@ fn check_effect(
 /// Refuses values at which a factor has none, at the value of the family or, without one, at the sweep.
 fn check_values(
     scope: &StructureScope,
-    sums: &MatrixSums,
+    matrices: &Matrices,
     sweep: &ParameterValues,
     place: Place,
     family: Option<&PlacedFamily<ParameterKey>>,
@@ -200,7 +199,7 @@ fn check_values(
     let along = |mut values: Vec<f64>, place: Place| {
         sweep.values.iter().try_for_each(|value| {
             values[sweep.key.index()] = *value;
-            sums.check(&values).map_err(|cause| cause.at(place))
+            matrices.check(&values).map_err(|cause| cause.at(place))
         })
     };
     let Some(placed) = family else { return along(scope.values.clone(), place) };

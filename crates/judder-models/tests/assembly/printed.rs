@@ -1,0 +1,76 @@
+//! The table of printed numbers in the book is what the cases give.
+
+use super::minimal::{damping_ratio, fastest_growth, results};
+use crate::{case, number};
+use std::path::Path;
+
+/// A number that somebody printed.
+struct Printed {
+    case: &'static str,
+    source: &'static str,
+    what: &'static str,
+    printed: &'static str,
+    found: f64,
+}
+
+impl Printed {
+    fn row(&self) -> String {
+        let Self { case, source, what, printed, found } = self;
+        let of: f64 = printed.parse().unwrap();
+        format!(
+            "| `{case}` | {source} | {what} | {printed} | {} | {:+.1e} |\n",
+            eight(*found),
+            found / of - 1.0
+        )
+    }
+}
+
+/// Eight digits.
+fn eight(value: f64) -> String {
+    let exponent = value.abs().log10().floor() as i32;
+    match exponent {
+        -3..=6 => format!("{value:.*}", (7 - exponent) as usize),
+        _ => format!("{value:.7e}"),
+    }
+}
+
+fn table() -> String {
+    let belt = damping_ratio(&case("assembly/mass-on-belt.toml", &[]));
+    let incline = results(&case("assembly/block-on-incline.toml", &[]));
+    let incline = &incline["steady"]["contacts"]["incline"];
+    let [x, y] = [0, 1].map(|axis| number(&incline["tangential_force"][axis]));
+    let normal = number(&incline["normal_force"]);
+    let held = normal * 20_f64.to_radians().sin() + x;
+    let growth = fastest_growth(&case("assembly/mode-coupling.toml", &[]));
+    let strut = results(&case("assembly/sprag-slip.toml", &[]));
+    let digs = number(&strut["steady"]["contacts"]["surface"]["normal_force"]) / 10.0;
+    let locks = number(&strut["steady"]["friction_limit"]) * 0.4;
+    let row = |case, source, what, printed, found| Printed { case, source, what, printed, found }.row();
+    [
+        "| case | source | number | printed | judder | difference |\n| --- | --- | --- | --- | --- | --- |\n"
+            .to_owned(),
+        row("mass-on-belt", "ANSYS VM274", "damping ratio", "4.98012e-4", belt),
+        row("block-on-incline", "ANSYS VM29", "normal force", "95.942", normal),
+        row("block-on-incline", "ANSYS VM29", "friction force", "28.783", x.hypot(y)),
+        row("block-on-incline", "ANSYS VM29", "force that holds it", "5.76728", held),
+        row("mode-coupling", "Hoffmann 2002, closed form", "growth rate at μ = 1", "0.2020717688", growth),
+        row("sprag-slip", "Spurr 1961, closed form", "normal force over load", "3.2554236981", digs),
+        row("sprag-slip", "Spurr 1961, closed form", "friction at which it locks", "0.5773502692", locks),
+    ]
+    .concat()
+}
+
+#[test]
+fn printed_numbers_of_the_book_are_those_of_the_cases() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/src/theory/assemblies.md");
+    let text = std::fs::read_to_string(&page).unwrap();
+    let (before, rest) = text.split_once("<!-- printed numbers -->\n").unwrap();
+    let (own, after) = rest.split_once("<!-- end -->").unwrap();
+    let table = table();
+    if std::env::var("JUDDER_GOLDEN").is_ok_and(|word| word == "write") {
+        let text = format!("{before}<!-- printed numbers -->\n{table}<!-- end -->{after}");
+        std::fs::write(&page, text).unwrap();
+        return;
+    }
+    assert_eq!(own, table, "JUDDER_GOLDEN=write writes it");
+}

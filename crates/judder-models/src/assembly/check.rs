@@ -3,6 +3,7 @@
 use super::Subject;
 use super::build::{BuiltAssembly, BuiltBody, extent};
 use crate::assembly::case::AssemblyCase;
+use crate::assembly::case::joint::{Spring, Tie};
 use crate::error::ModelError;
 use crate::estimate::title;
 use crate::structure::build::symmetric_part;
@@ -34,6 +35,7 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
         vec![interface.name.clone(), format!("{} points", interface.points.len()), gaps]
     });
     text.push_str(&columns(&contacts.collect::<Vec<_>>()));
+    text.push_str(&joints(case));
     text.push_str("\nanalyses\n");
     let asked = case.analyses.iter().enumerate().map(|(index, own)| {
         let subject = Subject { case, built: &built, name: &own.name };
@@ -58,6 +60,27 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
         "warnings": built.warnings,
     });
     Ok(Resolved { document, text })
+}
+
+/// What joins the bodies beside contacts.
+fn joints(case: &AssemblyCase) -> String {
+    let mut text = String::new();
+    if !case.springs.is_empty() {
+        let row = |own: &Spring| {
+            let [stiffness, damping] = [own.stiffness, own.damping].map(short);
+            let ends = format!("{} to {}", own.from.words(), own.to.words());
+            vec![own.name.to_string(), ends, format!("{stiffness} N/m"), format!("{damping} N s/m")]
+        };
+        text.push_str("\nsprings\n");
+        text.push_str(&columns(&case.springs.iter().map(row).collect::<Vec<_>>()));
+    }
+    if !case.ties.is_empty() {
+        let row =
+            |own: &Tie| vec![own.name.to_string(), format!("{} on {}", own.from.words(), own.to.words())];
+        text.push_str("\nties\n");
+        text.push_str(&columns(&case.ties.iter().map(row).collect::<Vec<_>>()));
+    }
+    text
 }
 
 /// What tells whether a body is meant as it is.

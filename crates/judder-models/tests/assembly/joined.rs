@@ -62,7 +62,10 @@ fn springs_between_masses_and_to_the_ground() {
         ),
         MODES.to_owned(),
     ];
-    let modes = modes(&read(&text.concat()));
+    let file = read(&text.concat());
+    let told = file.case.resolve(&file, file.case.resolved()).unwrap().text;
+    assert!(told.contains("middle  a.end to b.end   40 N/m   0.1 N s/m"), "{told}");
+    let modes = modes(&file);
     // masses together and against each other: λ² m + λ c + k with k, c of the middle none or twice
     for (value, (damping, stiffness)) in
         modes["eigenvalues"].as_array().unwrap().iter().zip([(0.4, 100.0), (0.6, 180.0)])

@@ -47,6 +47,16 @@ pub enum SpringEnd {
     Nodes(SurfaceOf),
 }
 
+impl SpringEnd {
+    /// The end in words.
+    pub(crate) fn words(&self) -> String {
+        match self {
+            Self::Ground => GROUND.to_owned(),
+            Self::Nodes(nodes) => nodes.words(),
+        }
+    }
+}
+
 /// Nodes of a structure that are bonded to another.
 #[derive(Debug, Clone, Settings)]
 pub struct Tie {

@@ -514,6 +514,7 @@ class Assembly(Model):
         parameters: Mapping[str, float] | None = None,
         spring: Sequence[Mapping[str, Any]] | None = None,
         structure: Sequence[Mapping[str, Any]] | None = None,
+        substrate: Mapping[str, Any] | None = None,
         sweep: Sequence[Mapping[str, Any]] | None = None,
         tie: Sequence[Mapping[str, Any]] | None = None,
         title: str | None = None,

@@ -41,6 +41,12 @@ impl ContactPoint {
         along(self.velocity, -dot(self.velocity, self.normal), self.normal)
     }
 
+    /// |P V|, the slip speed of steady sliding in m/s.
+    #[must_use]
+    pub fn slip_speed(&self) -> f64 {
+        length(self.slip_velocity())
+    }
+
     /// Its forms along the normal, along the slip and across it.
     ///
     /// # Errors

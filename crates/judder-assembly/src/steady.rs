@@ -9,10 +9,11 @@ mod active_set;
 mod friction_limit;
 
 use crate::AssemblyError;
-use crate::assembly::Assembly;
+use crate::assembly::{Assembly, triplets};
 use crate::compliance::Compliance;
 use crate::interface::FramedPoint;
 use active_set::{Found, Solver};
+use faer::sparse::Triplet;
 use friction_limit::friction_limit;
 
 pub use friction_limit::FrictionLimit;
@@ -26,8 +27,8 @@ pub struct SteadySliding {
     pub points: Vec<PointState>,
     /// Linear systems that were solved.
     pub iterations: usize,
-    /// ‖K q − f − Σ (N cᵀ + T tᵀ)‖/(‖f‖ + ‖Σ (N cᵀ + T tᵀ)‖ + ‖K q‖): the balance of forces on all freedoms, which the search, on the
-    /// points alone, does not see.
+    /// ‖K q − f − Σ (N cᵀ + T tᵀ)‖/(‖f‖ + ‖Σ (N cᵀ + T tᵀ)‖ + ‖K q‖) without what the rounding of K q explains: the balance of forces on
+    /// all freedoms, which the search, on the points alone, does not see.
     pub residual: f64,
     /// Where friction makes the equations of the closed points singular.
     pub friction_limit: FrictionLimit,
@@ -95,6 +96,9 @@ pub fn steady_sliding(assembly: &Assembly, compliance: &Compliance) -> Result<St
     Ok(SteadySliding { points, displacement, iterations, residual, friction_limit })
 }
 
+/// Digits of |K| |q| that are rounding: of a slender body, which bends easily, they are forces as large as its loads' last digits.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// ‖K q − f − Σ (N cᵀ + T tᵀ)‖ over what it is made of.
 fn imbalance(
     assembly: &Assembly,
@@ -110,7 +114,14 @@ fn imbalance(
         point.frame.slip.add_to(friction[k], &mut contact);
     }
     let norm = |values: &mut dyn Iterator<Item = f64>| values.map(|x| x * x).sum::<f64>().sqrt();
-    let off = (0..q.len()).map(|k| inner[k] - assembly.load[k] - contact[k]);
+    let mut sizes = vec![0.0; q.len()];
+    for Triplet { row, col, val } in triplets(&assembly.stiffness) {
+        sizes[row] += (val * q[col]).abs();
+    }
+    let off = (0..q.len()).map(|k| {
+        let off = (inner[k] - assembly.load[k] - contact[k]).abs();
+        (off - ROUNDING * sizes[k]).max(0.0)
+    });
     let size = norm(&mut inner.iter().copied())
         + norm(&mut assembly.load.iter().copied())
         + norm(&mut contact.iter().copied());

@@ -201,7 +201,10 @@ impl<K: Keys> Flat for Numbers<K> {
     fn read(section: &Section<'_>, rule: &&'static str) -> Result<Self, Fault> {
         let given =
             K::of_section(rule).filter_map(|entry| section.get(entry.name()).map(|node| (entry, node)));
-        all(given.map(|(entry, node)| Ok((entry.key, entry.rule.read(entry.path, node)?)))).map(Self)
+        let read = |(entry, node): (&Key<K>, &Node)| {
+            Ok((entry.key, entry.rule.read(&section.path(entry.name()), node)?))
+        };
+        all(given.map(read)).map(Self)
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

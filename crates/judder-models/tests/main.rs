@@ -20,6 +20,7 @@ mod sliding_cases;
 mod structure;
 mod substrates;
 mod sweep;
+mod validation;
 mod within_law;
 mod zones;
 

@@ -4,6 +4,7 @@
 //!
 //! - [`groups`]: the dimensionless groups (9)–(11), (14), to and from quantities with units; the coefficients they stand for.
 //! - [`friction`]: the friction force (5), with either reading of the load that carries it.
+//! - [`sphere`]: the sphere in SI units, whatever carries it.
 //! - [`equilibrium`]: steady sliding (15).
 //! - [`linearisation`]: damping and stiffness about it (16)–(20), equivalent damping (23).
 //! - [`linear_system`]: any M q̈ + C q̇ + K q = 0 of two degrees of freedom.
@@ -43,6 +44,7 @@ pub mod mechanism;
 pub mod motion;
 pub mod quasi_steady;
 pub mod spectrum;
+pub mod sphere;
 pub mod undecided;
 pub mod verdict;
 pub mod within_law;

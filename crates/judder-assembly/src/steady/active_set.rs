@@ -62,6 +62,10 @@ const FREE_ITERATIONS: usize = 40;
 const ITERATIONS: usize = 200;
 /// Closures this near to their equations, by the largest of them, are theirs.
 const CONVERGED: f64 = 1e-12;
+/// By how much the logarithm of a depth changes at most in one step.
+const LARGEST_STEP: f64 = 3.0;
+/// No asperity is as little deep, m.
+const NO_DEPTH: f64 = 1e-30;
 
 pub(super) struct Solver<'a> {
     pub(super) assembly: &'a Assembly,
@@ -84,7 +88,8 @@ impl Solver<'_> {
         let mut one_at_a_time = false;
         let (mut residual, mut changing) = (f64::INFINITY, 0);
         let limit = ITERATIONS + 10 * self.points.len();
-        let mut was_brought_together = false;
+        let (mut was_brought_together, mut has_settled) = (false, false);
+        let is_curved = self.points.iter().any(|point| matches!(point.law, InterfaceLaw::Asperity(_)));
         for iteration in 1..=limit {
             let mut affine: Vec<AffinePoint> =
                 (0..self.points.len()).map(|k| self.affine(k, &guess)).collect();
@@ -98,7 +103,9 @@ impl Solver<'_> {
                 affine[first] = self.affine(first, &guess);
             }
             let unknowns = self.unknowns(&affine, &guess)?;
-            let opening: Vec<f64> = affine.iter().zip(&unknowns).map(|(a, z)| a.opening.at(*z)).collect();
+            let opening: Vec<f64> = (0..self.points.len())
+                .map(|k| self.opened(k, &guess, affine[k].opening.at(unknowns[k])))
+                .collect();
             let normal: Vec<f64> = affine.iter().zip(&unknowns).map(|(a, z)| a.normal.at(*z)).collect();
             let mut changes: Vec<usize> = (0..self.points.len())
                 .filter(|k| self.changes(*k, &guess, opening[*k], normal[*k]))
@@ -107,9 +114,12 @@ impl Solver<'_> {
                 (0..self.points.len()).map(|k| self.forces(k, opening[k], unknowns[k], affine[k])).collect();
             residual = self.residual(&opening, &carried);
             (guess.opening, changing) = (opening, changes.len());
-            if changes.is_empty() && residual <= CONVERGED * self.scale(&guess.opening) {
+            let settles = changes.is_empty() && residual <= CONVERGED * self.scale(&guess.opening);
+            // of a law that is curved one step more has all digits
+            if settles && (has_settled || !is_curved) {
                 return Ok(Found { guess, carried, iterations: iteration });
             }
+            has_settled = settles;
             // a set that was there before would come again
             one_at_a_time |=
                 iteration > FREE_ITERATIONS || (!changes.is_empty() && !seen.insert(guess.closed.clone()));
@@ -164,6 +174,22 @@ impl Solver<'_> {
             normal: tangent(forces.normal.value, forces.normal.by_closure),
             friction: tangent(forces.friction.value, forces.friction.by_closure),
         }
+    }
+
+    /// The opening of a point after a step of Newton's method that leads to `linear`.
+    ///
+    /// The force of an asperity rises with a power of its depth, which spans decades: its step is one in the logarithm of the depth,
+    /// from which powers look convex, so that it comes down to its root and never leaves the contact on the way.
+    fn opened(&self, k: usize, guess: &Guess, linear: f64) -> f64 {
+        let point = &self.points[k];
+        let depth = -(point.point.gap + guess.opening[k]);
+        let wanted = -(point.point.gap + linear);
+        let is_open = depth <= 0.0 || (depth < NO_DEPTH && wanted <= 0.0);
+        if is_open || !matches!(point.law, InterfaceLaw::Asperity(_)) {
+            return linear;
+        }
+        let step = (wanted / depth - 1.0).clamp(-LARGEST_STEP, LARGEST_STEP);
+        -(point.point.gap + depth * step.exp())
     }
 
     /// z of all points: y − S_nn (N + s y) − S_nt T = y_f.

@@ -3,6 +3,7 @@
 //! - `body`: one body, whole or reduced.
 //! - `load`: what acts on it.
 //! - `interface`: contact points found, laws as the physics has them. `joint`: springs and ties.
+//! - `sphere`: laws of contacts that are a sphere on a substrate.
 //! - `size`: how large a body is.
 //! - `shown`: all bodies as one, for pictures and files.
 
@@ -12,10 +13,12 @@ mod joint;
 mod load;
 mod shown;
 mod size;
+mod sphere;
 
 pub(crate) use body::BuiltBody;
 pub(crate) use shown::Shown;
 pub(crate) use size::extent;
+pub(crate) use sphere::{Sphere, SphereState};
 
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
@@ -24,11 +27,14 @@ use crate::structure::build::Unbuilt;
 use judder_assembly::AssemblyError;
 use judder_assembly::assembly::{Assembly, stacked};
 use judder_assembly::row::Row;
+use judder_assembly::steady::SteadySliding;
 use judder_assembly::tie::Bond;
 use judder_keys::cause::Cause;
 use judder_structure::assembly::Sparse;
+use judder_study::Progress;
 use judder_study::case::text::CaseText;
 use num_complex::Complex64;
+use std::sync::Arc;
 
 /// Bodies that touch, their files read, their elements assembled, their contact points found.
 pub(crate) struct BuiltAssembly {
@@ -36,6 +42,8 @@ pub(crate) struct BuiltAssembly {
     pub(crate) assembly: Assembly,
     /// The slider's node of each contact point, by contact.
     pub(crate) nodes: Vec<Vec<usize>>,
+    /// The sphere of each contact that is one.
+    pub(crate) spheres: Vec<Option<Arc<Sphere>>>,
     /// What the user has to know.
     pub(crate) warnings: Vec<String>,
     /// How the freedoms of the bodies follow from those that ties leave.
@@ -106,15 +114,35 @@ impl BuiltAssembly {
         };
         let assembly =
             assembly.with_springs(&joint::springs(case, &bodies)?).map_err(|error| joints(&error))?;
-        let (assembly, bond) = bonded(case, &bodies, assembly, &mut warnings)?;
-        match assembly.framed() {
+        let (mut assembly, bond) = bonded(case, &bodies, assembly, &mut warnings)?;
+        match assembly.framed().map(drop) {
             Err(AssemblyError::NoSlip { interface, place, velocity, normal }) => {
                 let path = format!("contact.{interface}.sliding");
                 Err(Unassembled::because(path, &AssemblyError::NoSlip { interface, place, velocity, normal }))
             }
             Err(error) => Err(Unassembled::because("contact", &error)),
-            Ok(_) => Ok(Self { bodies, assembly, nodes, warnings, bond }),
-        }
+            Ok(()) => Ok(()),
+        }?;
+        let spheres = sphere::spheres(case, &mut assembly)?;
+        Ok(Self { bodies, assembly, nodes, spheres, warnings, bond })
+    }
+
+    /// Finds the laws of all spheres, where they are not known yet.
+    pub(crate) fn find_laws(&self, progress: &dyn Progress) -> Result<(), ModelError> {
+        self.spheres.iter().flatten().try_for_each(|sphere| sphere.find(progress))
+    }
+
+    /// Each sphere with the number of its interface and its state in steady sliding, unless it is in the air.
+    pub(crate) fn sliding_spheres<'a>(
+        &'a self,
+        steady: &'a SteadySliding,
+    ) -> impl Iterator<Item = (usize, &'a Sphere, SphereState)> + 'a {
+        let interfaces = self.spheres.iter().enumerate();
+        interfaces.filter_map(|(index, sphere)| {
+            let (sphere, point) = (sphere.as_deref()?, self.assembly.interfaces[index].points.first()?);
+            let state = steady.points.iter().find(|point| point.interface == index)?;
+            Some((index, sphere, sphere.state(state, point.slip_speed())?))
+        })
     }
 
     /// A shape on the freedoms of all bodies from one on those of the assembly.

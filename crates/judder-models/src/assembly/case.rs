@@ -2,11 +2,13 @@
 //!
 //! - [`structure`]: `[[structure]]`, the bodies.
 //! - [`contact`]: `[[contact]]`, who slides on what, and what presses and drags between them.
+//! - [`asperity`]: of a contact that is a sphere on `[substrate]`.
 //! - [`joint`]: `[[spring]]` and `[[tie]]`, what else joins bodies.
 //! - [`load`]: `[[load]]`, forces, pressures, imposed displacements.
 //! - `named_list`: lists whose items keys call by their names.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
 
+pub mod asperity;
 pub mod contact;
 pub mod joint;
 pub mod load;
@@ -17,14 +19,18 @@ pub mod structure;
 use super::{KINDS, MODEL};
 use crate::REGISTRY;
 use crate::entries::Scope;
+use crate::oscillator::case::OscillatorCase;
 use crate::parameters::{Parameter, Parameters};
-use contact::ContactInterface;
+use crate::substrate::{SubstrateKeys, refuse_conflicts};
+use asperity::SphereSubstrate;
+use contact::{ContactForces, ContactInterface};
 use joint::{Spring, Tie};
 use judder_keys::Settings;
 use judder_keys::declared::{Setting, Several, all, both};
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::file_reference::FileReference;
+use judder_keys::problem::Placed;
 use judder_keys::schema::object;
 use judder_keys::section::Section;
 use judder_study::case::analysis::{Planned, read_analyses};
@@ -32,6 +38,7 @@ use judder_study::case::root::{document, read_root};
 use judder_study::model::Analysis;
 use load::Load;
 use named_list::{NamedItem, NamedList, item_section};
+use problem::AssemblyProblem;
 use serde_json::Value as Json;
 use std::path::Path;
 use std::sync::Arc;
@@ -54,6 +61,10 @@ pub struct AssemblyCase {
     pub ties: Vec<Tie>,
     /// What acts on them.
     pub loads: Vec<Load>,
+    /// What spheres slide on, where there are any.
+    pub substrate: Option<SphereSubstrate>,
+    /// The sphere of each contact that is one, as an oscillator case has it.
+    pub spheres: Vec<Option<OscillatorCase>>,
     /// The analyses in the order of the case file.
     pub analyses: Vec<Planned<Arc<dyn Analysis<AssemblyCase>>>>,
 }
@@ -79,6 +90,9 @@ pub(crate) struct AssemblySections {
     /// What acts on them.
     #[key(rule = LOADS, default = Vec::new())]
     load: Vec<Load>,
+    /// What the spheres of contacts slide on; its keys are those of an oscillator case.
+    #[key(omitted)]
+    substrate: Option<SubstrateKeys>,
 }
 
 const LOADS: Several<()> = Several { of: (), length: [0, usize::MAX] };
@@ -91,7 +105,10 @@ impl AssemblyCase {
 
     /// The files that the case names.
     pub fn files(&self) -> Vec<&FileReference> {
-        self.structures.iter().flat_map(|structure| structure.source.files()).collect()
+        let of_structures = self.structures.iter().flat_map(|structure| structure.source.files());
+        let of_substrate = self.substrate.iter().flat_map(|own| own.substrate.file());
+        let of_laws = self.spheres.iter().flatten().flat_map(|sphere| &sphere.law_file);
+        of_structures.chain(of_substrate).chain(of_laws).collect()
     }
 
     /// The canonical form.
@@ -111,15 +128,20 @@ impl AssemblyCase {
                 json.insert(key.to_owned(), written.into());
             }
         }
-        Json::Object(json)
+        match &self.substrate {
+            Some(own) => own.written(json),
+            None => Json::Object(json),
+        }
     }
 }
 
 /// Reads an assembly case from the root of its tree; files are relative to `folder`.
 pub(crate) fn read(node: &Node, folder: &Path) -> Result<AssemblyCase, Fault> {
     let (root, sections) = read_root::<AssemblySections>(node)?;
-    let (title, AssemblySections { parameters, structure, mut contact, mut spring, mut tie, mut load }) =
-        sections?;
+    let ((title, sections), ()) = both(sections, refuse_conflicts(&root))?;
+    let AssemblySections { parameters, structure, mut contact, mut spring, mut tie, mut load, substrate } =
+        sections;
+    let substrate = substrate.map(|keys| SphereSubstrate::found(keys, &root, folder)).transpose();
     let (names, values) = (parameters.names(), parameters.values());
     let scope = Scope { names: &names, values: &values, swept: &[] };
     let found = items(&root, "structure")
@@ -140,10 +162,53 @@ pub(crate) fn read(node: &Node, folder: &Path) -> Result<AssemblyCase, Fault> {
     let loads = items(&root, "load")
         .zip(&mut load)
         .map(|(node, own)| own.admit(&Section::of_table(node, "load", "a load")?, &structures));
-    let admitted = both(contacts, both(joints, all(loads)));
-    let (_, analyses) = both(admitted, read_analyses(&root, &(), &KINDS, REGISTRY))?;
-    let (parameters, contacts, springs, ties) = (parameters.0, contact.0, spring.0, tie.0);
-    Ok(AssemblyCase { title, parameters, structures, contacts, springs, ties, loads: load, analyses })
+    let admitted =
+        both(both(contacts, substrate), both(joints, all(loads))).and_then(|((_, substrate), _)| {
+            let spheres = spheres(&root, &mut contact.0, substrate.as_ref(), !load.is_empty(), folder)?;
+            Ok((substrate, spheres))
+        });
+    let ((substrate, spheres), analyses) = both(admitted, read_analyses(&root, &(), &KINDS, REGISTRY))?;
+    let (parameters, contacts, springs, ties, loads) = (parameters.0, contact.0, spring.0, tie.0, load);
+    Ok(AssemblyCase {
+        title,
+        parameters,
+        structures,
+        contacts,
+        springs,
+        ties,
+        loads,
+        substrate,
+        spheres,
+        analyses,
+    })
+}
+
+/// The sphere of each contact that is one; refuses a substrate without any.
+fn spheres(
+    root: &Section<'_>,
+    contacts: &mut [ContactInterface],
+    substrate: Option<&SphereSubstrate>,
+    has_loads: bool,
+    folder: &Path,
+) -> Result<Vec<Option<OscillatorCase>>, Fault> {
+    let found = items(root, "contact").zip(contacts).map(|(node, own)| {
+        let (section, name) = (item_section::<ContactInterface>(node)?, &own.name);
+        match (&mut own.forces, section.inner("asperity")?) {
+            (ContactForces::Asperity(sphere), Some(section)) => {
+                if sphere.normal_load.is_none() && !has_loads {
+                    let contact = name.to_string();
+                    return Err(AssemblyProblem::NothingPresses { contact }.at(section.place));
+                }
+                sphere.found(&section, substrate, root, folder).map(Some)
+            }
+            _ => Ok(None),
+        }
+    });
+    let spheres = all(found)?;
+    match root.get("substrate") {
+        Some(node) if spheres.iter().all(Option::is_none) => Err(AssemblyProblem::NoSphere.at(node.place)),
+        _ => Ok(spheres),
+    }
 }
 
 /// The tables of a list of the case.

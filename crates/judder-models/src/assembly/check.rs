@@ -26,13 +26,18 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
     if !case.contacts.is_empty() {
         text.push_str("\ncontacts\n");
     }
-    let contacts = built.assembly.interfaces.iter().map(|interface| {
+    let contacts = built.assembly.interfaces.iter().zip(&built.spheres).map(|(interface, sphere)| {
         let (low, high) =
             interface.points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), point| {
                 (low.min(point.gap), high.max(point.gap))
             });
         let gaps = format!("gaps from {} to {} m", short(low), short(high));
-        vec![interface.name.clone(), format!("{} points", interface.points.len()), gaps]
+        let sphere = sphere.as_deref().zip(interface.points.first()).map(|(sphere, point)| {
+            let (velocity, load) = (sphere.velocity(point.slip_speed()), sphere.normal_load());
+            format!("a sphere, v τ/R = {}, F_n = {} N", short(velocity), short(load))
+        });
+        let points = format!("{} points", interface.points.len());
+        [Some(interface.name.clone()), Some(points), Some(gaps), sphere].into_iter().flatten().collect()
     });
     text.push_str(&columns(&contacts.collect::<Vec<_>>()));
     text.push_str(&joints(case));

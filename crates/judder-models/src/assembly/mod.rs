@@ -12,18 +12,19 @@ pub mod steady_sliding;
 
 use crate::assembly::case::{AssemblyCase, AssemblySections};
 use crate::error::ModelError;
+use crate::material::with_used;
 use build::BuiltAssembly;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::steady::{FrictionLimit, SteadySliding, steady_sliding as slide};
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
-use judder_study::StudyError;
 use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::text::CaseText;
 use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Task, wanted};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{KindTables, ModelKind, Template};
 use judder_study::resolve::Resolved;
+use judder_study::{Silent, StudyError};
 use std::sync::Arc;
 
 /// The kinds of analyses.
@@ -51,6 +52,7 @@ impl Subject<'_> {
 
     /// Steady sliding, with the compliance of the contact points that it was found on.
     fn steady(&self) -> Result<(SteadySliding, Compliance), ModelError> {
+        self.built.find_laws(&Silent)?;
         let assembly = &self.built.assembly;
         let compliance = Compliance::new(assembly).map_err(|error| self.built.told(error))?;
         let steady = slide(assembly, &compliance).map_err(|error| self.built.told(error))?;
@@ -84,6 +86,10 @@ impl Subject<'_> {
             doubts.push(format!(
                 "{pulling} contact points that are held closed pull: with `all_closed = false` they open, and the modes are others"
             ));
+        }
+        for (index, sphere, state) in self.built.sliding_spheres(steady) {
+            let name = &interfaces[index].name;
+            doubts.extend(sphere.doubts(&state).into_iter().map(|doubt| format!("`{name}`: {doubt}")));
         }
         doubts
     }
@@ -134,6 +140,13 @@ impl Model for AssemblyCase {
         AssemblyCase::resolved(self)
     }
 
+    fn with_used(&self, resolved: serde_json::Value) -> Result<serde_json::Value, StudyError> {
+        match &self.substrate {
+            Some(own) => Ok(with_used(&own.substrate, &own.inputs, resolved)?),
+            None => Ok(resolved),
+        }
+    }
+
     fn prepared(&self) -> Result<Prepared, StudyError> {
         let made = BuiltAssembly::new(self).map_err(ModelError::from)?;
         Ok(Prepared::new(Arc::new(made)))
@@ -157,8 +170,9 @@ impl Model for AssemblyCase {
             Some(built) => built,
             None => Arc::new(BuiltAssembly::new(self).map_err(ModelError::from)?),
         };
-        let subject = Subject { case: self, built: &built, name: &own.name };
         let progress = task.progress;
+        built.find_laws(progress)?;
+        let subject = Subject { case: self, built: &built, name: &own.name };
         let mut outcome = own.kind.run(&subject, task)?;
         progress.advance();
         outcome.warnings.extend(built.warnings.iter().cloned());

@@ -107,9 +107,9 @@ pub(crate) struct OscillatorSections {
     operation: Numbers<OscillatorKey>,
 }
 
-/// `[contact]`.
-#[derive(Debug, Settings)]
-struct ContactSection {
+/// `[contact]`; of an assembly what a contact says of a sphere.
+#[derive(Debug, Clone, Settings)]
+pub(crate) struct ContactSection {
     #[key(flatten, rule = "contact")]
     numbers: Numbers<OscillatorKey>,
     /// Contact law.
@@ -121,7 +121,7 @@ struct ContactSection {
 }
 
 /// A law as a case gives it.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 enum GivenLaw {
     /// By its name.
     Word(LawName),
@@ -129,7 +129,7 @@ enum GivenLaw {
 }
 
 /// A law that is a table.
-#[derive(Debug, Settings)]
+#[derive(Debug, Clone, Settings)]
 #[settings(check = LawTable::is_one)]
 enum LawTable {
     /// A law that was computed earlier; a path relative to the case file.
@@ -148,7 +148,10 @@ impl LawTable {
     /// Refuses keys of both, an accuracy alone, and a law that is not computed.
     fn is_one(section: &Section<'_>) -> Result<(), Fault> {
         let refused = |key: &'static str, requirement: &'static str| match section.get(key) {
-            Some(node) => Err(OscillatorProblem::LawTable { key, requirement }.at(node.place)),
+            Some(node) => {
+                let table = section.own_path().to_owned();
+                Err(OscillatorProblem::LawTable { table, key, requirement }.at(node.place))
+            }
             None => Ok(()),
         };
         if section.get("computed").is_none() {
@@ -186,6 +189,45 @@ impl Setting for GivenLaw {
     }
 }
 
+impl ContactSection {
+    /// Puts it into a case; `section` is where it stands, its file is relative to `folder`.
+    pub(crate) fn tell(
+        &self,
+        case: &mut OscillatorCase,
+        section: Option<&Section<'_>>,
+        folder: &Path,
+    ) -> Result<(), Fault> {
+        case.inputs.set_all(&self.numbers);
+        case.friction_load = self.friction_load;
+        match &self.law {
+            GivenLaw::Word(law) => case.law = *law,
+            GivenLaw::Table(LawTable::Computed { accuracy, .. }) => {
+                (case.law, case.law_accuracy) = (LawName::Bem, *accuracy);
+            }
+            GivenLaw::Table(LawTable::File(_)) => case.law = LawName::File,
+        }
+        let table = match (case.law, section) {
+            (LawName::File, Some(section)) => section.inner("law")?,
+            _ => None,
+        };
+        case.law_file = table.map(|law| read_file_reference(&law, "file", folder)).transpose()?;
+        Ok(())
+    }
+
+    /// The same as a case says it, every number filled in.
+    pub(crate) fn of(case: &OscillatorCase) -> Self {
+        let law = match (&case.law_file, case.law) {
+            (Some(file), _) => GivenLaw::Table(LawTable::File(file.clone())),
+            (None, LawName::Bem) => {
+                GivenLaw::Table(LawTable::Computed { computed: true, accuracy: case.law_accuracy })
+            }
+            (None, word) => GivenLaw::Word(word),
+        };
+        let numbers = case.inputs.numbers("contact", |_| true);
+        Self { numbers, law, friction_load: case.friction_load }
+    }
+}
+
 impl OscillatorCase {
     /// The case of what was read; files are relative to `folder`.
     fn of(
@@ -195,22 +237,11 @@ impl OscillatorCase {
         folder: &Path,
     ) -> Result<Self, Fault> {
         let OscillatorSections { substrate, indenter, contact, oscillator, operation } = sections;
-        let mut case = Self { title, friction_load: contact.friction_load, ..Self::default() };
-        match contact.law {
-            GivenLaw::Word(law) => case.law = law,
-            GivenLaw::Table(LawTable::Computed { accuracy, .. }) => {
-                (case.law, case.law_accuracy) = (LawName::Bem, accuracy);
-            }
-            GivenLaw::Table(LawTable::File(_)) => case.law = LawName::File,
-        }
-        let law_file = match (case.law, root.inner("contact")?) {
-            (LawName::File, Some(contact)) => contact.inner("law")?,
-            _ => None,
-        };
-        let law_file = law_file.map(|law| read_file_reference(&law, "file", folder)).transpose();
+        let mut case = Self { title, ..Self::default() };
         let substrate = substrate.found(root, &mut case.inputs, folder);
-        (case.substrate, case.law_file) = both(substrate, law_file)?;
-        for numbers in [&indenter, &contact.numbers, &oscillator, &operation] {
+        let contact = contact.tell(&mut case, root.inner("contact")?.as_ref(), folder);
+        (case.substrate, ()) = both(substrate, contact)?;
+        for numbers in [&indenter, &oscillator, &operation] {
             case.inputs.set_all(numbers);
         }
         check_terms(&case).map_err(|cause| cause.at(moduli_place(root)))?;
@@ -220,17 +251,10 @@ impl OscillatorCase {
     /// The same as a case says it, every number filled in.
     fn sections(&self) -> OscillatorSections {
         let numbers = |section| self.inputs.numbers(section, |_| true);
-        let law = match (&self.law_file, self.law) {
-            (Some(file), _) => GivenLaw::Table(LawTable::File(file.clone())),
-            (None, LawName::Bem) => {
-                GivenLaw::Table(LawTable::Computed { computed: true, accuracy: self.law_accuracy })
-            }
-            (None, word) => GivenLaw::Word(word),
-        };
         OscillatorSections {
             substrate: self.substrate.keys(&self.inputs),
             indenter: numbers("indenter"),
-            contact: ContactSection { numbers: numbers("contact"), law, friction_load: self.friction_load },
+            contact: ContactSection::of(self),
             oscillator: numbers("oscillator"),
             operation: numbers("operation"),
         }
@@ -256,7 +280,7 @@ pub(crate) fn read(node: &Node, folder: &Path) -> Result<OscillatorCase, Fault> 
 }
 
 /// Checks the moduli, and that a fitted law is asked about one retardation time alone.
-fn check_terms(case: &OscillatorCase) -> Result<(), Cause> {
+pub(crate) fn check_terms(case: &OscillatorCase) -> Result<(), Cause> {
     let terms = match &case.substrate.source {
         RelaxationSource::OneTime => 1,
         RelaxationSource::Prony(terms) => terms.len(),

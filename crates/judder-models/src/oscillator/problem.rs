@@ -8,8 +8,10 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum OscillatorProblem {
     /// A law that is a table whose keys do not fit each other.
-    #[error("`{key}` of `contact.law` must be {requirement}")]
+    #[error("`{key}` of `{table}` must be {requirement}")]
     LawTable {
+        /// The table.
+        table: String,
         /// The key.
         key: &'static str,
         /// What it must be.

@@ -19,8 +19,16 @@ use serde_json::{Map, Value, json};
 pub struct Condition {
     /// The figures, to be small against 1.
     pub figures: QuasiSteady,
-    /// ω_nx, rad/s.
+    /// ω_nx, or that of a mode, rad/s.
     pub natural_frequency: f64,
+}
+
+/// A contact that slides, as far as eq. (3) asks: v τ/R, and A/R².
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Sliding {
+    pub(crate) velocity: f64,
+    /// Not a number where nothing is known of steady sliding.
+    pub(crate) area: f64,
 }
 
 /// What is told of eq. (3) at the operating points of a case.
@@ -47,13 +55,28 @@ impl Condition {
         contact: Option<&Contact>,
         terms: &[LawTerm],
     ) -> Option<Self> {
-        let groups = bridge::groups(inputs);
-        let sliding = contact.and_then(|contact| SteadyState::new(contact, inputs).ok());
-        let area = sliding.map_or(f64::NAN, |sliding| sliding.equilibrium.response.area.value);
-        Some(Self {
-            figures: QuasiSteady::new(groups.retardation_time, groups.velocity, area, terms)?,
-            natural_frequency: inputs.number(OscillatorKey::NaturalFrequency),
-        })
+        let steady = contact.and_then(|contact| SteadyState::new(contact, inputs).ok());
+        let area = steady.map_or(f64::NAN, |steady| steady.equilibrium.response.area.value);
+        let sliding = Sliding { velocity: bridge::groups(inputs).velocity, area };
+        let frequency = inputs.number(OscillatorKey::NaturalFrequency);
+        Self::of_motion(frequency, inputs, sliding, terms)
+    }
+
+    /// For small motions of this frequency, rad/s, on the substrate of these inputs.
+    pub(crate) fn of_motion(
+        frequency: f64,
+        inputs: &OscillatorInputs,
+        Sliding { velocity, area }: Sliding,
+        terms: &[LawTerm],
+    ) -> Option<Self> {
+        let figure = frequency * inputs.number(OscillatorKey::RetardationTime);
+        let figures = QuasiSteady::new(figure, velocity, area, terms)?;
+        Some(Self { figures, natural_frequency: frequency })
+    }
+
+    /// Whether motions are beyond what a law of steady sliding holds for.
+    pub(crate) fn is_broken(&self) -> bool {
+        Standing::of(self.figures.figure) == Standing::Broken
     }
 
     /// The largest figures over operating points.
@@ -115,7 +138,7 @@ impl Condition {
     /// nor the motions break it.
     pub(crate) fn warning(&self, motions: Option<f64>) -> Option<String> {
         let QuasiSteady { figure, longest, memory } = self.figures;
-        if Standing::of(figure) < Standing::Broken {
+        if !self.is_broken() {
             let broken = motions.filter(|motions| Standing::of(*motions) == Standing::Broken)?;
             return Some(format!(
                 "eq. (3), the condition of steady-sliding laws in motion, is broken by the motions: |(ω − v_d/A_x) τ| is up to {} where ≪ 1 is \

@@ -11,6 +11,7 @@ mod bad_quantity;
 mod bad_sliding;
 mod bad_sliding_analysis;
 mod bad_source;
+mod bad_sphere;
 mod bad_structure;
 mod bad_study_sweep;
 mod bad_sweep;

@@ -5,11 +5,12 @@ use super::size::width;
 use super::{BuiltBody, Unassembled};
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::contact::{
-    ContactInterface, NormalLaw, SlidingMotion, SurfaceOf, TrackOf, TrackSettings,
+    ContactForces, ContactInterface, NormalLaw, SlidingMotion, SurfaceOf, TrackOf, TrackSettings,
 };
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::structure::build::{Structure, points_of};
 use judder_assembly::AssemblyError;
+use judder_assembly::friction::Friction;
 use judder_assembly::interface::{Interface, InterfaceLaw};
 use judder_assembly::search::{FoundPoints, Sliding, TouchingBody, Track, contact_points, usual_reach};
 use judder_assembly::surface::Surface;
@@ -72,6 +73,12 @@ pub(super) fn touching(case: &AssemblyCase, structures: &[Structure]) -> Result<
             Ok(Side { structure, points })
         };
         let slider = side(&contact.slider, "slider")?;
+        if matches!(contact.forces, ContactForces::Asperity(_)) && slider.points.len() != 1 {
+            let (contact, set) = (contact.name.to_string(), contact.slider.words());
+            let path = format!("contact.{contact}.slider");
+            let problem = AssemblyProblem::SeveralPoints { contact, set, nodes: slider.points.len() };
+            return Err(Unassembled::new(path, problem));
+        }
         let track = match &contact.track {
             TrackSettings::Plane(_) => None,
             TrackSettings::Surface(track) => Some(side(&track.surface, "track")?),
@@ -107,8 +114,8 @@ pub(super) fn interfaces(
         made.push(Interface {
             name: contact.name.to_string(),
             points: found.points,
-            law: law(contact),
-            all_closed: contact.all_closed,
+            law: law(&contact.forces),
+            all_closed: matches!(contact.forces, ContactForces::Coulomb { all_closed: true, .. }),
         });
         nodes.push(found.nodes);
     }
@@ -240,10 +247,15 @@ fn sliding(own: &SlidingMotion) -> Sliding {
     }
 }
 
-fn law(contact: &ContactInterface) -> InterfaceLaw {
-    let friction = contact.friction.clone();
-    match &contact.normal {
-        NormalLaw::Rigid => InterfaceLaw::Rigid(friction),
-        NormalLaw::Compliant(pressure) => InterfaceLaw::Compliant(pressure.clone(), friction),
+/// The law of an interface; of a sphere, until its load is known, that of a rigid point without friction.
+fn law(forces: &ContactForces) -> InterfaceLaw {
+    match forces {
+        ContactForces::Coulomb { normal: NormalLaw::Rigid, friction, .. } => {
+            InterfaceLaw::Rigid(friction.clone())
+        }
+        ContactForces::Coulomb { normal: NormalLaw::Compliant(pressure), friction, .. } => {
+            InterfaceLaw::Compliant(pressure.clone(), friction.clone())
+        }
+        ContactForces::Asperity(_) => InterfaceLaw::Rigid(Friction::Constant(0.0)),
     }
 }

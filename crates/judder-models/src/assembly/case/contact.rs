@@ -1,5 +1,6 @@
 //! `[[contact]]`: a surface of one structure on a plane or on a surface of another.
 
+use super::asperity::Asperity;
 use super::named_list::NamedItem;
 use super::problem::AssemblyProblem;
 use super::structure::AssemblyStructure;
@@ -34,15 +35,29 @@ pub struct ContactInterface {
     /// How the track moves beside the slider.
     #[key(example = "{ velocity = \"1 m/s\", direction = [1, 0] }")]
     pub sliding: SlidingMotion,
-    /// What presses: `rigid`, or a pressure or a force that follows the closure.
-    #[key(default = NormalLaw::Rigid)]
-    pub normal: NormalLaw,
-    /// Friction coefficient: a number, a table against the slip speed, or one that falls from rest.
-    #[key(name = "friction_coefficient", symbol = "μ")]
-    pub friction: Friction,
-    /// Whether all points stay closed whatever their force.
-    #[key(default = false)]
-    pub all_closed: bool,
+    /// What presses and drags.
+    #[key(flatten)]
+    pub forces: ContactForces,
+}
+
+/// What presses and drags at a contact.
+#[derive(Debug, Clone, Settings)]
+pub enum ContactForces {
+    /// A normal law, and friction that is proportional to the normal force.
+    Coulomb {
+        /// What presses: `rigid`, or a pressure or a force that follows the closure.
+        #[key(default = NormalLaw::Rigid)]
+        normal: NormalLaw,
+        /// Friction coefficient: a number, a table against the slip speed, or one that falls from rest.
+        #[key(name = "friction_coefficient", symbol = "μ")]
+        friction: Friction,
+        /// Whether all points stay closed whatever their force.
+        #[key(default = false)]
+        all_closed: bool,
+    },
+    /// A sphere on the substrate of the case, for one contact point, in place of normal and friction_coefficient; its keys are those of an oscillator case.
+    #[key(example = "{ radius = \"10 mm\", law = \"oscillator-paper\", shear_strength = 0.01 }")]
+    Asperity(Asperity),
 }
 
 /// Nodes of a structure.
@@ -148,8 +163,9 @@ impl ContactInterface {
             let place = section.place_of(&[key]);
             move |error: AssemblyError| AssemblyProblem::Refused { reason: error.to_string() }.at(place)
         };
-        let friction = self.friction.check().map_err(refused("friction_coefficient"));
-        let pressure = match &self.normal {
+        let ContactForces::Coulomb { normal, friction, .. } = &self.forces else { return Ok(()) };
+        let friction = friction.check().map_err(refused("friction_coefficient"));
+        let pressure = match normal {
             NormalLaw::Rigid => Ok(()),
             NormalLaw::Compliant(pressure) => pressure.check().map_err(refused("normal")),
         };

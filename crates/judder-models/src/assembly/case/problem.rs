@@ -119,6 +119,45 @@ pub enum AssemblyProblem {
     /// Steady sliding of bodies that touch nowhere.
     #[error("nothing touches: the case has no `[[contact]]`, so nothing slides")]
     NothingTouches,
+    /// A sphere without a substrate.
+    #[error("`{key}` is a sphere on the substrate of the case, but the case has no `[substrate]`")]
+    NoSubstrate {
+        /// The key of the sphere.
+        key: String,
+    },
+    /// A substrate without a sphere.
+    #[error("no contact has a sphere that would slide on the `[substrate]`")]
+    NoSphere,
+    /// A sphere whose contact has several nodes.
+    #[error(
+        "`{set}` has {nodes} nodes, but the sphere of `{contact}` touches at one: its law is that of the whole contact"
+    )]
+    SeveralPoints {
+        /// The contact.
+        contact: String,
+        /// The set of the slider.
+        set: String,
+        /// How many nodes it has.
+        nodes: usize,
+    },
+    /// A sphere that neither a load of its own nor one of the case presses.
+    #[error("nothing presses the sphere of `{contact}`: the case has no loads, and it no `normal_load`")]
+    NothingPresses {
+        /// The contact.
+        contact: String,
+    },
+    /// A load of a sphere that is not the one with which the loads of the case press it.
+    #[error(
+        "the sphere of `{contact}` has a `normal_load` of {given:.6e} N, but the loads of the case press it with {pressing:.6e} N"
+    )]
+    OtherLoad {
+        /// The contact.
+        contact: String,
+        /// As it was given, N.
+        given: f64,
+        /// What the loads of the case press with, N.
+        pressing: f64,
+    },
     /// What a part of the case is refused for.
     #[error("{reason}")]
     Refused {
@@ -149,6 +188,11 @@ impl Problem for AssemblyProblem {
             Self::TiedToItself { .. } => "the same structure",
             Self::DisplacedTie { .. } | Self::RedundantTie { .. } => "this tie",
             Self::NothingTouches => "of this case",
+            Self::NoSubstrate { .. } => "a sphere without a substrate",
+            Self::NoSphere => "a substrate without a sphere",
+            Self::SeveralPoints { .. } => "more than one node",
+            Self::NothingPresses { .. } => "nothing presses",
+            Self::OtherLoad { .. } => "another load",
             Self::Refused { .. } => "here",
         }
     }
@@ -184,6 +228,19 @@ impl Problem for AssemblyProblem {
             Self::RedundantTie { .. } => "leave nodes that are held twice out of one of the sets",
             Self::NothingTouches => {
                 "give a table [[contact]], or ask for `eigen`, the complex modes of the bodies as they are"
+            }
+            Self::NoSubstrate { .. } => {
+                "give the case its substrate: [substrate] with rubbery_modulus, glassy_modulus, retardation_time, as in an oscillator case"
+            }
+            Self::NoSphere => "give a contact asperity = { … }, or leave the substrate out",
+            Self::SeveralPoints { .. } => {
+                "name a set of one node, as `end-lower` of a beam is; a surface takes `normal` and `friction_coefficient`"
+            }
+            Self::NothingPresses { .. } => {
+                "press with a [[load]], or give asperity a normal_load, the F_n of an oscillator case"
+            }
+            Self::OtherLoad { .. } => {
+                "leave normal_load out: it follows from the loads; or leave the loads out, then it presses by itself"
             }
             Self::Refused { .. } => return None,
         };

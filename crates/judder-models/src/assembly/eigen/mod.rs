@@ -1,5 +1,6 @@
 //! `eigen`: complex modes about steady sliding.
 
+mod beyond_law;
 mod run;
 pub(super) mod tables;
 
@@ -8,6 +9,7 @@ use crate::assembly::case::AssemblyCase;
 use crate::error::ModelError;
 use crate::structure::eigen::ToldRegion;
 use crate::structure::eigen::figure;
+use beyond_law::BeyondLaws;
 use judder_keys::Settings;
 use judder_keys::declared::{Number, Pair, Settings, Whole};
 use judder_keys::dimension::Dimension;
@@ -73,7 +75,8 @@ impl Analysis<AssemblyCase> for AssemblyEigen {
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
-        [Declared::without(ToldRegion::declared(), &["diagnosis"]), AssemblyModes::declared()].concat()
+        let region = Declared::without(ToldRegion::declared(), &["diagnosis"]);
+        [region, AssemblyModes::declared(), Option::<BeyondLaws>::declared()].concat()
     }
 
     fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {

@@ -1,5 +1,6 @@
 //! Complex modes about steady sliding, and what is told of them.
 
+use super::beyond_law::BeyondLaws;
 use super::{AssemblyEigen, SoughtModes};
 use crate::assembly::build::Shown;
 use crate::assembly::{IMBALANCE, Subject};
@@ -99,6 +100,9 @@ pub(super) fn run(of: &Subject<'_>, asked: &AssemblyEigen) -> Result<Outcome, Mo
     }
     let closed = steady.points.iter().filter(|point| point.is_closed).count();
     outcome.scalars.extend(AssemblyModes { closed, growing }.scalars());
+    let (beyond, warnings) = BeyondLaws::of(of, &steady, &found.modes);
+    outcome.scalars.extend(beyond.scalars());
+    outcome.warnings.extend(warnings);
     Ok(outcome)
 }
 

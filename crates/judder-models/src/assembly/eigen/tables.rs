@@ -9,7 +9,24 @@ use serde_json::{Map, Value};
 pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     let growing = results.get("growing").and_then(Value::as_array);
     let grows = growing.into_iter().flatten().map(grows);
-    tables::report(results).into_iter().chain(grows).collect()
+    tables::report(results).into_iter().chain(grows).chain(beyond_laws(results)).collect()
+}
+
+/// The modes that are too fast for the law of a sphere.
+fn beyond_laws(results: &Map<String, Value>) -> Option<PageTable> {
+    let beyond = results.get("beyond_quasi_steady")?.as_array()?;
+    let row = |told: &Value| {
+        let contact = told["contact"].as_str().unwrap_or_default().to_owned();
+        let figures = ["quasi_steady_figure", "quasi_steady_longest", "quasi_steady_memory"];
+        let figures = figures.map(|key| short(&told[key]));
+        [vec![short(&told["mode"]), contact], figures.to_vec()].concat()
+    };
+    (!beyond.is_empty()).then(|| PageTable {
+        caption: "Modes that are too fast for the law of a sphere: figures that are to be small against 1"
+            .to_owned(),
+        head: ["mode", "contact", "ω τ", "of the longest time", "ω T"].map(String::from).to_vec(),
+        rows: beyond.iter().map(row).collect(),
+    })
 }
 
 /// What each damping and each contact adds to the growth rate of a mode, and of which modes of frictionless contact it is made.

@@ -14,7 +14,7 @@ use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
-use run::SteadyResults;
+use run::{SphereResults, SteadyResults};
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
@@ -45,7 +45,7 @@ impl Analysis<AssemblyCase> for SteadySliding {
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
-        SteadyResults::declared()
+        [SteadyResults::declared(), Option::<SphereResults>::declared()].concat()
     }
 
     fn estimate(&self, of: &Subject<'_>) -> Result<String, ModelError> {

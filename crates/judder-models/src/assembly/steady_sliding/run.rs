@@ -1,6 +1,6 @@
 //! Steady sliding and what is told of it.
 
-use crate::assembly::build::Shown;
+use crate::assembly::build::{Shown, Sphere, SphereState};
 use crate::assembly::{IMBALANCE, Subject};
 use crate::error::ModelError;
 use crate::structure::shapes;
@@ -33,6 +33,28 @@ pub(super) struct SteadyResults {
     /// each contact point
     #[result(hidden, rows)]
     rows: Vec<PointRow>,
+}
+
+/// What is told of contacts that are a sphere.
+#[derive(Results)]
+pub(super) struct SphereResults {
+    /// each contact that is a sphere on the substrate, unless it is in the air
+    spheres: ByName<SlidingSphere>,
+}
+
+/// A sphere in steady sliding.
+#[derive(Results)]
+pub(super) struct SlidingSphere {
+    /// the sliding speed v τ/R
+    velocity: f64,
+    /// the indentation y/R
+    indentation: f64,
+    /// the contact area, in m²
+    area: f64,
+    /// the viscoelastic friction coefficient
+    viscoelastic_friction: f64,
+    /// the load that presses it, in N
+    normal_load: f64,
 }
 
 /// A contact interface in steady sliding.
@@ -114,7 +136,8 @@ pub(super) fn run(of: &Subject<'_>) -> Result<Outcome, ModelError> {
     let shown = Shown::new(&of.built.bodies);
     let displacement: Vec<Complex64> = steady.displacement.iter().map(|u| Complex64::new(*u, 0.0)).collect();
     let displacement: Vec<f64> = of.built.expanded(&displacement).iter().map(|u| u.re).collect();
-    let Outcome { scalars, dataset, table, .. } = Outcome::of(&results)?;
+    let Outcome { mut scalars, dataset, table, .. } = Outcome::of(&results)?;
+    scalars.extend(spheres(of, &steady).scalars());
     let mut moved = shown.layout.displacements(&displacement);
     for ((point, direction), displacement) in shown.imposed(&of.built.bodies) {
         moved[3 * point + direction as usize] += displacement;
@@ -140,6 +163,22 @@ pub(super) fn run(of: &Subject<'_>) -> Result<Outcome, ModelError> {
         files: vec![(format!("fields/{}.vtu", of.name), field(of, &shown, &steady, &moved)?)],
         ..Outcome::default()
     })
+}
+
+/// The spheres of an assembly that has some.
+fn spheres(of: &Subject<'_>, steady: &SteadySliding) -> Option<SphereResults> {
+    let told = |(index, _, state): (usize, &Sphere, SphereState)| {
+        let own = SlidingSphere {
+            velocity: state.velocity,
+            indentation: state.indentation,
+            area: state.area,
+            viscoelastic_friction: state.response.friction.value,
+            normal_load: state.normal_load,
+        };
+        (of.built.assembly.interfaces[index].name.clone(), own)
+    };
+    let has_spheres = of.built.spheres.iter().any(Option::is_some);
+    has_spheres.then(|| SphereResults { spheres: of.built.sliding_spheres(steady).map(told).collect() })
 }
 
 fn results(of: &Subject<'_>, steady: &SteadySliding) -> SteadyResults {

@@ -32,5 +32,23 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     };
     let contacts = results.get("contacts").and_then(Value::as_object);
     let rows: Vec<Vec<String>> = contacts.into_iter().flatten().map(row).collect();
-    vec![PageTable { caption: "Contacts".to_owned(), head: head.map(String::from).to_vec(), rows }]
+    let contacts = PageTable { caption: "Contacts".to_owned(), head: head.map(String::from).to_vec(), rows };
+    std::iter::once(contacts).chain(spheres(results)).collect()
+}
+
+/// The contacts that are a sphere.
+fn spheres(results: &Map<String, Value>) -> Option<PageTable> {
+    let spheres = results.get("spheres")?.as_object()?;
+    let row = |(name, told): (&String, &Value)| {
+        let keys = ["velocity", "indentation", "area", "viscoelastic_friction", "normal_load"];
+        let numbers = keys.map(|key| short(&told[key]));
+        [vec![name.clone()], numbers.to_vec()].concat()
+    };
+    (!spheres.is_empty()).then(|| PageTable {
+        caption: "Spheres on the substrate".to_owned(),
+        head: ["contact", "speed v τ/R", "indentation y/R", "area (m²)", "μ_visc", "load F_n (N)"]
+            .map(String::from)
+            .to_vec(),
+        rows: spheres.iter().map(row).collect(),
+    })
 }

@@ -537,3 +537,29 @@ class Assembly(Model):
         progress: Progress | None = None,
     ) -> Result:
         """Complex modes about steady sliding, each with its error, and what makes it grow."""
+    def eigen_sweep(
+        self,
+        *,
+        sweep: Mapping[str, Any],
+        band: Sequence[str] | None = None,
+        region: Mapping[str, Any] | None = None,
+        damping: bool | None = None,
+        method: Literal["full", "projected"] | None = None,
+        tolerance: float | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Result:
+        """Complex modes about steady sliding along any key, and where they begin to grow."""
+    def stability_map(
+        self,
+        *,
+        x: Mapping[str, Any],
+        y: Mapping[str, Any],
+        band: Sequence[str] | None = None,
+        region: Mapping[str, Any] | None = None,
+        damping: bool | None = None,
+        boundaries: bool | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Result:
+        """Where steady sliding is stable over two keys, and what feeds the fastest growing mode."""

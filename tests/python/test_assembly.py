@@ -179,6 +179,34 @@ def test_a_block_on_a_plane(judder, tmp_path, friction, law):
     assert len(found) == 12 == ((values.imag > 0) & (values.imag <= last) & (np.abs(values.real) < 0.5 * last)).sum()
 
 
+def test_the_onsets_of_a_block(judder, tmp_path):
+    block = Block(
+        (0.04, 0.02), (6, 3), (0.0, 0.0), 2e9, 0.35, 1200.0, 0.01, True, 0.0, 0.0, [("y-max", 0), ("y-max", 1)]
+    )
+    pressed = np.zeros(len(block.whole))
+    pressed[2 * block.side("y-max") + 1] = -20e-6
+    load = -(block.whole @ pressed)[block.free]
+    normal, slip = (np.array([block.form(node, axis) for node in block.side("y-min")]) for axis in (1, 0))
+    command = [judder, "run", CASES / "block-on-plane.toml", "-o", tmp_path, "--only", "friction"]
+    command += ["--set", "structure.block.block.cells=[6, 3]"]
+    subprocess.run(command, check=True, capture_output=True)
+    found = json.loads((tmp_path / "summary.json").read_text())["results"]["friction"]
+    located = [onset for onset in found["onsets"] if not onset["jumps"]]
+    assert located
+
+    def apart(friction, omega):
+        """(λ₁ − λ₂)² of the two eigenvalues nearest to iω: below zero before they lock in."""
+        closed, force = steady(block.k, load, normal, slip, (friction, None))
+        values = spectrum(block.m, block.c, block.k, normal, slip, closed, force, (friction, None), 0.0)
+        one, other = values[np.argsort(np.abs(values - 1j * omega))[:2]]
+        return ((one - other) ** 2).real
+
+    for onset in located:
+        omega, beside = 2 * np.pi * onset["frequency_hz"], 1e-4
+        value = brentq(apart, onset["value"] - beside, onset["value"] + beside, (omega,), xtol=1e-13)
+        assert abs(value - onset["value"]) < 1e-6 * value
+
+
 def test_a_pad_on_a_strip_whose_mesh_does_not_match(judder, tmp_path):
     strip = Block(
         (0.12, 0.008), (60, 3), (0.0, 0.0), 110e9, 0.28, 7200.0, 0.04, False, 10.0, 1e-8,

@@ -5,18 +5,20 @@ use crate::interface::{FramedPoint, Interface};
 use crate::row::Row;
 use faer::sparse::Triplet;
 use judder_structure::assembly::Sparse;
+use std::sync::Arc;
 
 /// Bodies that touch at any number of contact points.
 ///
-/// M q̈ + C q̇ + K q = f + Σ (N n + T) over the contact points, on the freedoms of all bodies one after the other.
+/// M q̈ + C q̇ + K q = f + Σ (N n + T) over the contact points, on the freedoms of all bodies one after the other. Assemblies of the same
+/// bodies share their matrices.
 #[derive(Debug, Clone)]
 pub struct Assembly {
     /// M in kg.
-    pub mass: Sparse,
+    pub mass: Arc<Sparse>,
     /// C in N s/m, of the structures alone.
-    pub damping: Sparse,
+    pub damping: Arc<Sparse>,
     /// K in N/m, of the structures alone; unsymmetric where they bring circulation.
-    pub stiffness: Sparse,
+    pub stiffness: Arc<Sparse>,
     /// f in N, with what imposed displacements do.
     pub load: Vec<f64>,
     /// Where the bodies touch.

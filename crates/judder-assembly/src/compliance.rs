@@ -12,6 +12,7 @@ use judder_structure::modes::{WantedModes, below, modes};
 use judder_structure::rigid::{largest_ratio, rigid_limit};
 use judder_structure::statics::{GeneralStatics, product};
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// The compliance of an assembly on its contact points, which no friction coefficient enters.
 ///
@@ -32,6 +33,10 @@ pub struct Compliance {
     /// s in N/m.
     pub(crate) spring: f64,
     factor: Factor,
+    /// The forms of the points along their normals and along the slips, K and f that it was made of.
+    forms: Vec<[Row; 2]>,
+    stiffness: Arc<Sparse>,
+    load: Vec<f64>,
 }
 
 /// Contact points whose dense matrices are held, half a dozen of them: 5 GB.
@@ -74,7 +79,26 @@ impl Compliance {
             of_load: points.iter().map(|point| point.frame.normal.of(&of_load)).collect(),
             spring,
             factor,
+            forms: forms(points).collect(),
+            stiffness: Arc::clone(&assembly.stiffness),
+            load: assembly.load.clone(),
         })
+    }
+
+    /// Whether it is that of another assembly too: of one with the same stiffness, load and directions of its points.
+    ///
+    /// # Errors
+    /// As of [`Assembly::framed`].
+    pub fn is_of(&self, assembly: &Assembly) -> Result<bool, AssemblyError> {
+        let points = assembly.framed()?;
+        let same_points =
+            points.len() == self.forms.len() && forms(&points).zip(&self.forms).all(|(a, b)| a == *b);
+        let [own, other] = [&self.stiffness, &assembly.stiffness];
+        let is_alike = || {
+            own.col_ptr() == other.col_ptr() && own.row_idx() == other.row_idx() && own.val() == other.val()
+        };
+        let same_stiffness = Arc::ptr_eq(own, other) || is_alike();
+        Ok(same_points && same_stiffness && self.load == assembly.load)
     }
 
     /// q under the loads, the forces of the points and their openings y.
@@ -94,6 +118,11 @@ impl Compliance {
         self.factor.solve(&mut q);
         q
     }
+}
+
+/// What enters the compliance of points.
+fn forms<'a>(points: &'a [FramedPoint<'_>]) -> impl Iterator<Item = [Row; 2]> + 'a {
+    points.iter().map(|point| [point.frame.normal.clone(), point.frame.slip.clone()])
 }
 
 /// A stiffness that is factored: symmetric, or with the circulation that bodies bring.

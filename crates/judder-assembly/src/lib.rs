@@ -10,7 +10,6 @@
 //! - [`compliance`]: how the contact points yield.
 //! - [`steady`]: steady sliding: forces, gaps, which points are closed.
 //! - [`linearised`]: small motions about it, `null_basis` on the freedoms that closed rigid points leave.
-//! - [`onset`]: where along a parameter modes begin or cease to grow.
 //! - [`work`]: what each damping and each interface adds to the growth of a mode.
 
 pub mod assembly;
@@ -21,7 +20,6 @@ pub mod friction;
 pub mod interface;
 pub mod linearised;
 mod null_basis;
-pub mod onset;
 pub mod pressure;
 pub mod row;
 pub mod search;

@@ -18,6 +18,7 @@ use faer::c64;
 use faer::sparse::Triplet;
 use judder_structure::assembly::Sparse;
 use judder_structure::quadratic::Quadratic;
+use std::sync::Arc;
 
 /// What a contact does to small motions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -82,11 +83,12 @@ pub struct Linearised {
     /// (λ² M + λ C + K) z = 0 on the freedoms that closed rigid points leave.
     pub problem: Quadratic,
     /// M, C and K of the structures on all freedoms; the damping without entries where it is left out.
-    pub structures: [Sparse; 3],
+    pub structures: [Arc<Sparse>; 3],
     /// What the contacts do, by interface and term.
     pub contacts: Vec<ContactMatrix>,
     pub(crate) held: Vec<HeldPoint>,
     trial: NullBasis,
+    test: NullBasis,
 }
 
 impl Linearised {
@@ -109,8 +111,8 @@ impl Linearised {
             .collect();
         let contacts = contact_matrices(assembly, &closed, terms)?;
         let empty = from_triplets(assembly.size(), assembly.size(), &[])?;
-        let damping = if terms.damping { assembly.damping.clone() } else { empty };
-        let structures = [assembly.mass.clone(), damping, assembly.stiffness.clone()];
+        let damping = if terms.damping { Arc::clone(&assembly.damping) } else { Arc::new(empty) };
+        let structures = [Arc::clone(&assembly.mass), damping, Arc::clone(&assembly.stiffness)];
         let rigid: Vec<&ClosedPoint<'_>> = closed.iter().filter(|point| point.is_rigid()).collect();
         let (trial, test) = bases(assembly, &rigid)?;
         let projected = |matrix: &Sparse| NullBasis::projected(&test, matrix, &trial);
@@ -126,7 +128,7 @@ impl Linearised {
         let held = rigid
             .iter()
             .map(|point| HeldPoint { interface: point.framed.interface, equilibrium: point.equilibrium() });
-        Ok(Self { problem, structures, contacts, held: held.collect(), trial })
+        Ok(Self { problem, structures, contacts, held: held.collect(), trial, test })
     }
 
     /// M and K without friction, on the freedoms that are left: symmetric, its modes are the parents of those that lock in. Of a
@@ -154,6 +156,12 @@ impl Linearised {
     #[must_use]
     pub fn expanded(&self, shape: &[c64]) -> Vec<c64> {
         self.trial.expanded(shape)
+    }
+
+    /// A left shape, which no force of a closed rigid point moves, on all freedoms from one on those that are left.
+    #[must_use]
+    pub fn expanded_left(&self, shape: &[c64]) -> Vec<c64> {
+        self.test.expanded(shape)
     }
 }
 

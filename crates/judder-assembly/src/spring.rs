@@ -5,6 +5,7 @@ use crate::assembly::{Assembly, from_triplets, triplets};
 use crate::compliance::outer;
 use crate::row::Row;
 use judder_structure::assembly::Sparse;
+use std::sync::Arc;
 
 /// A spring with a damper beside it: the force k s + c ṡ of its elongation s = r q + s₀ pulls its ends together.
 ///
@@ -40,7 +41,7 @@ impl Assembly {
             let of_springs = springs.iter().filter(|spring| factor(spring) != 0.0);
             let own = of_springs.flat_map(|own| outer(factor(own), &own.elongation, &own.elongation));
             let entries: Vec<_> = triplets(matrix).chain(own).collect();
-            from_triplets(freedoms, freedoms, &entries)
+            from_triplets(freedoms, freedoms, &entries).map(Arc::new)
         };
         self.stiffness = added(&self.stiffness, |spring| spring.stiffness)?;
         self.damping = added(&self.damping, |spring| spring.damping)?;

@@ -6,6 +6,7 @@ use crate::null_basis::NullBasis;
 use crate::row::Row;
 use faer::c64;
 use judder_structure::assembly::Sparse;
+use std::sync::Arc;
 
 /// The freedoms that ties leave: q = B z with r B = 0 for every form r that ties hold at zero.
 #[derive(Debug, Clone)]
@@ -22,7 +23,7 @@ impl Assembly {
     pub fn tied(self, forms: &[Row]) -> Result<(Self, Bond), AssemblyError> {
         let basis =
             NullBasis::new(self.size(), forms, None).map_err(|form| AssemblyError::RedundantTie { form })?;
-        let projected = |matrix: &Sparse| NullBasis::projected(&basis, matrix, &basis);
+        let projected = |matrix: &Sparse| NullBasis::projected(&basis, matrix, &basis).map(Arc::new);
         let (mass, damping) = (projected(&self.mass)?, projected(&self.damping)?);
         let stiffness = projected(&self.stiffness)?;
         let load = basis.transposed(&self.load);
@@ -62,9 +63,9 @@ mod tests {
             from_triplets(2, 2, &entries).unwrap()
         };
         let assembly = Assembly {
-            mass: diagonal([1.0, 2.0]),
-            damping: diagonal([0.1, 0.2]),
-            stiffness: diagonal([30.0, 70.0]),
+            mass: diagonal([1.0, 2.0]).into(),
+            damping: diagonal([0.1, 0.2]).into(),
+            stiffness: diagonal([30.0, 70.0]).into(),
             load: vec![5.0, 6.0],
             interfaces: Vec::new(),
         };

@@ -2,7 +2,7 @@
 //!
 //! In the order in which the data flows:
 //!
-//! - `swept_keys`, `read_sweep`, [`mod@sweep`]: what the analyses of a case vary. `axis`, `labels`: how that is called.
+//! - `swept_keys`, `read_sweep`, [`mod@sweep`]: what the analyses of a case vary. [`key_sweep`]: any number of a case, read anew at each value. `axis`, `labels`: how that is called.
 //! - [`substrate`], `spectrum_source`, [`material`], `indenter`: what substrate a case names, and the surface that presses.
 //! - `measured_band`: the frequencies that sliding excites, against those of measured moduli. `known_substrate`: what is to be said of the
 //!   substrate of an oscillator case.
@@ -27,6 +27,7 @@ pub mod entries;
 mod error;
 mod estimate;
 mod indenter;
+pub mod key_sweep;
 mod known_substrate;
 mod labels;
 pub mod law_cache;

@@ -5,6 +5,7 @@
 //! a part of its shown error.
 
 mod basis;
+mod problem_family;
 mod projection;
 mod samples;
 mod tracking;
@@ -14,12 +15,16 @@ use crate::affine::{AffineFamily, Factors};
 use crate::complex_modes::{
     ComplexMode, ComplexModeSettings, Eigenvalue, Gap, Region, complex_modes, finished,
 };
+use crate::onset::StabilityAt;
 use faer::c64;
+use projection::Projection;
 use rayon::prelude::*;
 use samples::FullSamples;
 use std::fmt::{self, Display, Formatter};
 use std::ops::Range;
 use tracking::SweepTracker;
+
+pub use problem_family::{ProblemFamily, projected};
 
 /// How the points are solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,10 +87,22 @@ pub struct Tracked {
 }
 
 /// A point that is solved but not yet followed.
-struct Solved {
-    modes: Vec<ComplexMode>,
-    gaps: Vec<Gap>,
-    full: bool,
+#[derive(Debug, Clone)]
+pub struct SolvedPoint {
+    /// Its modes; vectors of all points have one length.
+    pub modes: Vec<ComplexMode>,
+    /// Why there may be more.
+    pub gaps: Vec<Gap>,
+    /// Whether it was solved on its own, not in a basis.
+    pub full: bool,
+}
+
+impl SolvedPoint {
+    /// A point of which nothing is known.
+    #[must_use]
+    pub fn unsolved() -> Self {
+        Self { modes: Vec::new(), gaps: Vec::new(), full: true }
+    }
 }
 
 /// An eigenvalue may have entered or left the region within so many of its last steps.
@@ -122,60 +139,130 @@ pub fn eigen_sweeps(
     settings: &ComplexModeSettings,
     method: SweepMethod,
 ) -> Result<Vec<SweptEigenvalues>, StructureError> {
-    region.check()?;
-    let points = curves.concat();
+    let points: Vec<&Factors> = curves.iter().copied().flatten().collect();
     for factors in &points {
         family.check(factors)?;
     }
-    let full = |factors: &Factors| -> Result<Solved, StructureError> {
-        let modes = complex_modes(&family.at(factors)?, region, settings)?;
-        Ok(Solved { modes: modes.modes, gaps: modes.gaps, full: true })
-    };
-    let each_curve = |solve: &(dyn Fn(usize) -> Result<Solved, StructureError> + Sync)| {
-        let mut first = 0;
-        let ranges = curves.iter().map(|curve| {
-            first += curve.len();
-            first - curve.len()..first
-        });
-        ranges.map(|range| followed(range, region, solve)).collect::<Result<Vec<SweptEigenvalues>, _>>()
-    };
-    let (SweepMethod::Projected { tolerance }, false) = (method, points.is_empty()) else {
-        return each_curve(&|number| full(&points[number]));
-    };
-    let samples = FullSamples::trained(family, &points, region, tolerance)?;
-    let Some(projection) = samples.projection() else {
-        return each_curve(&|number| full(&points[number]));
-    };
-    let sweeps = each_curve(&|number| {
-        if let Some((taken, sample)) = samples.of_point(number) {
-            let modes = samples.modes(*taken, sample, settings)?;
-            return Ok(Solved { modes, gaps: sample.gaps.clone(), full: true });
-        }
-        let projected = samples.projected(projection, number)?;
-        let Some((projected, gaps)) = projected.filter(|(projected, _)| projected.within(tolerance)) else {
-            return full(&points[number]);
+    let prepared = PreparedSweep::new(family, points, region, *settings, method)?;
+    let mut first = 0;
+    let each = curves.iter().map(|curve| {
+        first += curve.len();
+        prepared.followed(first - curve.len()..first)
+    });
+    each.collect()
+}
+
+/// A sweep whose samples are solved: any point can be asked for.
+pub struct PreparedSweep<'a, F: ProblemFamily> {
+    family: &'a F,
+    region: &'a Region,
+    settings: ComplexModeSettings,
+    points: Vec<&'a F::Point>,
+    /// With the share of |λ| that the basis may leave open.
+    samples: Option<(FullSamples<'a, F>, f64)>,
+}
+
+impl<'a, F: ProblemFamily> PreparedSweep<'a, F> {
+    /// Solves the points that the method needs as samples.
+    ///
+    /// # Errors
+    /// As of [`eigen_sweep`].
+    pub fn new(
+        family: &'a F,
+        points: Vec<&'a F::Point>,
+        region: &'a Region,
+        settings: ComplexModeSettings,
+        method: SweepMethod,
+    ) -> Result<Self, F::Error> {
+        region.check()?;
+        let samples = match method {
+            SweepMethod::Projected { tolerance } if !points.is_empty() => {
+                Some((FullSamples::trained(family, points.clone(), region, tolerance)?, tolerance))
+            }
+            _ => None,
         };
-        let problem = family.at(&points[number])?;
-        let modes = finished(&problem, &projected.refined, &projected.left_open, region, settings);
-        Ok(Solved { modes, gaps, full: false })
-    })?;
-    let with_basis =
-        |sweep| SweptEigenvalues { basis: Some(projection.size()), samples: samples.points(), ..sweep };
-    Ok(sweeps.into_iter().map(with_basis).collect())
+        let samples = samples.filter(|(samples, _)| samples.projection().is_some());
+        Ok(Self { family, region, settings, points, samples })
+    }
+
+    /// The modes at one of its points.
+    ///
+    /// # Errors
+    /// Those of [`complex_modes`], and where there is no problem.
+    pub fn point(&self, number: usize) -> Result<SolvedPoint, F::Error> {
+        if let Some((samples, _)) = &self.samples
+            && let Some((taken, sample)) = samples.of_point(number)
+        {
+            let modes = samples.modes(*taken, sample, &self.settings)?;
+            return Ok(SolvedPoint { modes, gaps: sample.gaps.clone(), full: true });
+        }
+        self.at(self.points[number])
+    }
+
+    /// The modes at any point.
+    ///
+    /// # Errors
+    /// Those of [`complex_modes`], and where there is no problem.
+    pub fn at(&self, point: &F::Point) -> Result<SolvedPoint, F::Error> {
+        self.within(point, self.region)
+    }
+
+    /// The modes at any point in a part of the region.
+    ///
+    /// # Errors
+    /// As of [`Self::at`].
+    pub fn within(&self, point: &F::Point, region: &Region) -> Result<SolvedPoint, F::Error> {
+        let problem = self.family.at(point)?;
+        if let Some((samples, tolerance)) = &self.samples
+            && let Some(projection) = samples.projection()
+            && let Some((projected, gaps)) = samples.projected(projection, point, &problem, region)?
+            && projected.within(*tolerance)
+        {
+            let modes = finished(&problem, &projected.refined, &projected.left_open, region, &self.settings);
+            return Ok(SolvedPoint { modes, gaps, full: false });
+        }
+        let modes = complex_modes(&problem, region, &self.settings)?;
+        Ok(SolvedPoint { modes: modes.modes, gaps: modes.gaps, full: true })
+    }
+
+    /// The eigenvalues of a curve of its points, followed.
+    ///
+    /// # Errors
+    /// As of [`Self::point`], at the first point that has one.
+    pub fn followed(&self, curve: Range<usize>) -> Result<SweptEigenvalues, F::Error> {
+        let sweep = followed(curve, self.region, &|number| self.point(number))?;
+        Ok(SweptEigenvalues { basis: self.basis(), samples: self.samples(), ..sweep })
+    }
+
+    /// Vectors of the basis; `None` where there is none.
+    #[must_use]
+    pub fn basis(&self) -> Option<usize> {
+        self.samples.as_ref().and_then(|(samples, _)| samples.projection()).map(Projection::size)
+    }
+
+    /// The points that made the basis.
+    #[must_use]
+    pub fn samples(&self) -> Vec<usize> {
+        self.samples.as_ref().map_or_else(Vec::new, |(samples, _)| samples.points())
+    }
 }
 
 /// Solves the points of a curve side by side and follows their modes in order.
-fn followed(
+///
+/// # Errors
+/// That of the first point that has one.
+pub fn followed<E: Send>(
     curve: Range<usize>,
     region: &Region,
-    solve: &(dyn Fn(usize) -> Result<Solved, StructureError> + Sync),
-) -> Result<SweptEigenvalues, StructureError> {
+    solve: &(dyn Fn(usize) -> Result<SolvedPoint, E> + Sync),
+) -> Result<SweptEigenvalues, E> {
     let mut tracker = SweepTracker::default();
     let mut sweep = SweptEigenvalues::empty();
     let numbers: Vec<usize> = curve.collect();
     for batch in numbers.chunks(BATCH) {
-        let solved: Vec<Solved> = batch.par_iter().map(|number| solve(*number)).collect::<Result<_, _>>()?;
-        for Solved { modes, gaps, full } in solved {
+        let solved: Vec<Result<SolvedPoint, E>> = batch.par_iter().map(|number| solve(*number)).collect();
+        for point in solved {
+            let SolvedPoint { modes, gaps, full } = point?;
             let branches = tracker.next(&modes);
             let eigenvalues = modes
                 .iter()
@@ -217,6 +304,13 @@ fn mark_torn(points: &mut [PointEigenvalues], region: &Region) {
 }
 
 impl PointEigenvalues {
+    /// What they say of stability, where nothing touches.
+    #[must_use]
+    pub fn stability(&self) -> StabilityAt {
+        let eigenvalues = self.eigenvalues.iter().map(|tracked| tracked.eigenvalue).collect();
+        StabilityAt { eigenvalues, closed: Vec::new() }
+    }
+
     /// The eigenvalue of a branch.
     fn value(&self, branch: usize) -> Option<c64> {
         self.eigenvalues.iter().find(|of| of.branch == branch).map(|of| of.eigenvalue.value)

@@ -18,6 +18,7 @@
 //! - [`quadratic`]: mass, damping and stiffness of a structure that need not be symmetric, [`affine`]: as sums of matrices with factors.
 //! - [`complex_modes`]: all eigenvalues of a region of the complex plane, each with its error and verdict.
 //! - [`eigen_sweep`]: complex modes over parameters, followed from point to point.
+//! - [`onset`]: where along a parameter modes begin or cease to grow.
 //! - [`diagnosis`]: why a mode grows.
 //! - [`receptance`]: the displacement of one degree of freedom under a harmonic force on another.
 //! - [`statics`]: displacements under loads that rest.
@@ -40,6 +41,7 @@ pub mod material;
 pub mod mesh;
 pub mod modal_form;
 pub mod modes;
+pub mod onset;
 pub mod quadratic;
 pub mod receptance;
 pub mod reduction_error;

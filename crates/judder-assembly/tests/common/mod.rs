@@ -7,6 +7,7 @@ use judder_assembly::friction::Friction;
 use judder_assembly::interface::{Interface, InterfaceLaw};
 use judder_assembly::row::Row;
 use judder_structure::assembly::Sparse;
+use std::sync::Arc;
 
 /// A matrix from rows of numbers.
 pub(crate) fn dense(rows: &[&[f64]]) -> Sparse {
@@ -55,5 +56,6 @@ pub(crate) fn undamped(
     interfaces: Vec<Interface>,
 ) -> Assembly {
     let none = Sparse::try_new_from_triplets(load.len(), load.len(), &[]).unwrap();
-    Assembly { mass, damping: none, stiffness, load, interfaces }
+    let [mass, damping, stiffness] = [mass, none, stiffness].map(Arc::new);
+    Assembly { mass, damping, stiffness, load, interfaces }
 }

@@ -70,7 +70,7 @@ fn circulating(numbers: &[f64], friction: f64, share: f64, circulation: f64) -> 
     let mut entries: Vec<_> = triplets(&assembly.stiffness).collect();
     entries.extend([Triplet::new(0, 1, circulation), Triplet::new(1, 0, -circulation)]);
     let stiffness = from_triplets(SIZE, SIZE, &entries).unwrap();
-    Assembly { stiffness, ..assembly }
+    Assembly { stiffness: stiffness.into(), ..assembly }
 }
 
 /// λ of (λ² M + K, −e; c, 0) by inverting beside a shift; those at infinity come out far away.

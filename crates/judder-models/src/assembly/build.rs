@@ -24,6 +24,7 @@ use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::error::ModelError;
 use crate::structure::build::Unbuilt;
+use interface::Touching;
 use judder_assembly::AssemblyError;
 use judder_assembly::assembly::{Assembly, stacked};
 use judder_assembly::row::Row;
@@ -38,7 +39,10 @@ use std::sync::Arc;
 
 /// Bodies that touch, their files read, their elements assembled, their contact points found.
 pub(crate) struct BuiltAssembly {
-    pub(crate) bodies: Vec<BuiltBody>,
+    pub(crate) bodies: Arc<[BuiltBody]>,
+    touching: Arc<Touching>,
+    /// M, C and K of the bodies, without what joins them.
+    matrices: [Arc<Sparse>; 3],
     pub(crate) assembly: Assembly,
     /// The slider's node of each contact point, by contact.
     pub(crate) nodes: Vec<Vec<usize>>,
@@ -97,18 +101,55 @@ impl BuiltAssembly {
             let before = bodies.last().map_or([0, 0], BuiltBody::end);
             bodies.push(BuiltBody::new(case, index, structure, &touching.of_body(index), before)?);
         }
+        let all = |pick: fn(&BuiltBody) -> &Sparse| {
+            stacked(&bodies.iter().map(pick).collect::<Vec<_>>())
+                .map(Arc::new)
+                .map_err(|error| Unassembled::because("structure", &error))
+        };
+        let matrices = [
+            all(|body| &body.matrices.mass)?,
+            all(|body| &body.matrices.damping)?,
+            all(|body| &body.matrices.stiffness)?,
+        ];
+        Self::of_bodies(case, bodies.into(), Arc::new(touching), matrices)
+    }
+
+    /// The assembly of a case that differs from this one's in keys alone; bodies that these cannot concern are taken over.
+    pub(crate) fn swept<'a>(
+        &self,
+        case: &AssemblyCase,
+        mut paths: impl Iterator<Item = &'a str>,
+    ) -> Result<Self, Unassembled> {
+        match paths.all(|path| path.starts_with("contact.")) {
+            true => {
+                let matrices = self.matrices.each_ref().map(Arc::clone);
+                Self::of_bodies(case, Arc::clone(&self.bodies), Arc::clone(&self.touching), matrices)
+            }
+            false => Self::new(case),
+        }
+    }
+
+    /// Whether another has the same bodies.
+    pub(crate) fn shares_bodies(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.bodies, &other.bodies)
+    }
+
+    /// Brings bodies together.
+    fn of_bodies(
+        case: &AssemblyCase,
+        bodies: Arc<[BuiltBody]>,
+        touching: Arc<Touching>,
+        matrices: [Arc<Sparse>; 3],
+    ) -> Result<Self, Unassembled> {
         let mut warnings: Vec<String> =
             bodies.iter().flat_map(|body| body.warnings.iter().cloned()).collect();
         let (interfaces, nodes) = interface::interfaces(case, &bodies, &touching, &mut warnings)?;
-        let all = |pick: fn(&BuiltBody) -> &Sparse| {
-            stacked(&bodies.iter().map(pick).collect::<Vec<_>>())
-                .map_err(|error| Unassembled::because("structure", &error))
-        };
         let joints = |error: &AssemblyError| Unassembled::because("spring", error);
+        let [mass, damping, stiffness] = matrices.each_ref().map(Arc::clone);
         let assembly = Assembly {
-            mass: all(|body| &body.matrices.mass)?,
-            damping: all(|body| &body.matrices.damping)?,
-            stiffness: all(|body| &body.matrices.stiffness)?,
+            mass,
+            damping,
+            stiffness,
             load: bodies.iter().flat_map(|body| body.load.iter().copied()).collect(),
             interfaces,
         };
@@ -124,7 +165,7 @@ impl BuiltAssembly {
             Ok(()) => Ok(()),
         }?;
         let spheres = sphere::spheres(case, &mut assembly)?;
-        Ok(Self { bodies, assembly, nodes, spheres, warnings, bond })
+        Ok(Self { bodies, touching, matrices, assembly, nodes, spheres, warnings, bond })
     }
 
     /// Finds the laws of all spheres, where they are not known yet.

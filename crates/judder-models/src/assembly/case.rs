@@ -19,6 +19,7 @@ pub mod structure;
 use super::{KINDS, MODEL};
 use crate::REGISTRY;
 use crate::entries::Scope;
+use crate::key_sweep::{KeySweep, KeySweepProblem, Origin};
 use crate::oscillator::case::OscillatorCase;
 use crate::parameters::{Parameter, Parameters};
 use crate::substrate::{SubstrateKeys, refuse_conflicts};
@@ -42,7 +43,7 @@ use problem::AssemblyProblem;
 use serde_json::Value as Json;
 use std::path::Path;
 use std::sync::Arc;
-use structure::AssemblyStructure;
+use structure::{AssemblyStructure, BodyReduction};
 
 /// A validated assembly case.
 #[derive(Debug, Clone)]
@@ -67,6 +68,8 @@ pub struct AssemblyCase {
     pub spheres: Vec<Option<OscillatorCase>>,
     /// The analyses in the order of the case file.
     pub analyses: Vec<Planned<Arc<dyn Analysis<AssemblyCase>>>>,
+    /// What the case was read from, to read it anew with another value.
+    origin: Arc<Origin>,
 }
 
 /// What a case says beside its analyses.
@@ -103,12 +106,33 @@ impl AssemblyCase {
         self.parameters.iter().map(|parameter| parameter.value).collect()
     }
 
+    /// Whether a body is reduced.
+    pub(super) fn is_reduced(&self) -> bool {
+        self.structures.iter().any(|structure| structure.reduction != BodyReduction::None)
+    }
+
+    /// The case with whole bodies.
+    pub(super) fn whole(mut self) -> Self {
+        for structure in &mut self.structures {
+            structure.reduction = BodyReduction::None;
+        }
+        self
+    }
+
     /// The files that the case names.
     pub fn files(&self) -> Vec<&FileReference> {
         let of_structures = self.structures.iter().flat_map(|structure| structure.source.files());
         let of_substrate = self.substrate.iter().flat_map(|own| own.substrate.file());
         let of_laws = self.spheres.iter().flatten().flat_map(|sphere| &sphere.law_file);
         of_structures.chain(of_substrate).chain(of_laws).collect()
+    }
+
+    /// The case with swept keys at these values, in SI units, without analyses: read anew, so that every key can be swept.
+    ///
+    /// # Errors
+    /// [`KeySweepProblem::SweptKey`] where the case has no such key, [`KeySweepProblem::SweptValue`] where there is no such case.
+    pub fn at(&self, swept: &[(&KeySweep, f64)]) -> Result<Self, KeySweepProblem> {
+        self.origin.at(swept, |root, folder| read_bodies(root, folder).and_then(|(_, case)| case))
     }
 
     /// The canonical form.
@@ -137,50 +161,72 @@ impl AssemblyCase {
 
 /// Reads an assembly case from the root of its tree; files are relative to `folder`.
 pub(crate) fn read(node: &Node, folder: &Path) -> Result<AssemblyCase, Fault> {
+    let (root, case) = read_bodies(node, folder)?;
+    let analyses = read_analyses(&root, &case.as_ref().ok().cloned(), &KINDS, REGISTRY);
+    let (case, analyses) = both(case, analyses)?;
+    Ok(AssemblyCase { analyses, ..case })
+}
+
+/// A root, and everything but its analyses.
+type Bodies<'a> = (Section<'a>, Result<AssemblyCase, Fault>);
+
+/// Everything but the analyses.
+fn read_bodies<'a>(node: &'a Node, folder: &Path) -> Result<Bodies<'a>, Fault> {
     let (root, sections) = read_root::<AssemblySections>(node)?;
-    let ((title, sections), ()) = both(sections, refuse_conflicts(&root))?;
-    let AssemblySections { parameters, structure, mut contact, mut spring, mut tie, mut load, substrate } =
-        sections;
-    let substrate = substrate.map(|keys| SphereSubstrate::found(keys, &root, folder)).transpose();
-    let (names, values) = (parameters.names(), parameters.values());
-    let scope = Scope { names: &names, values: &values, swept: &[] };
-    let found = items(&root, "structure")
-        .zip(structure.0)
-        .map(|(node, own)| own.found(&item_section::<AssemblyStructure>(node)?, &scope, folder));
-    let structures = all(found)?;
-    let contacts = items(&root, "contact")
-        .zip(&mut contact.0)
-        .map(|(node, own)| own.admit(&item_section::<ContactInterface>(node)?, &structures));
-    let contacts = all(contacts);
-    let springs = items(&root, "spring")
-        .zip(&mut spring.0)
-        .map(|(node, own)| own.admit(&item_section::<Spring>(node)?, &structures));
-    let ties = items(&root, "tie")
-        .zip(&mut tie.0)
-        .map(|(node, own)| own.admit(&item_section::<Tie>(node)?, &structures));
-    let joints = both(all(springs), all(ties));
-    let loads = items(&root, "load")
-        .zip(&mut load)
-        .map(|(node, own)| own.admit(&Section::of_table(node, "load", "a load")?, &structures));
-    let admitted =
-        both(both(contacts, substrate), both(joints, all(loads))).and_then(|((_, substrate), _)| {
-            let spheres = spheres(&root, &mut contact.0, substrate.as_ref(), !load.is_empty(), folder)?;
-            Ok((substrate, spheres))
-        });
-    let ((substrate, spheres), analyses) = both(admitted, read_analyses(&root, &(), &KINDS, REGISTRY))?;
-    let (parameters, contacts, springs, ties, loads) = (parameters.0, contact.0, spring.0, tie.0, load);
-    Ok(AssemblyCase {
-        title,
-        parameters,
-        structures,
-        contacts,
-        springs,
-        ties,
-        loads,
-        substrate,
-        spheres,
-        analyses,
-    })
+    let case = both(sections, refuse_conflicts(&root)).and_then(|((title, sections), ())| {
+        sections.found(title, &root, &Arc::new(Origin::new(node, folder)))
+    });
+    Ok((root, case))
+}
+
+impl AssemblySections {
+    /// The case of what was read, without its analyses.
+    fn found(self, title: String, root: &Section<'_>, origin: &Arc<Origin>) -> Result<AssemblyCase, Fault> {
+        let Self { parameters, structure, mut contact, mut spring, mut tie, mut load, substrate } = self;
+        let folder = origin.folder.as_path();
+        let substrate = substrate.map(|keys| SphereSubstrate::found(keys, root, folder)).transpose();
+        let (names, values) = (parameters.names(), parameters.values());
+        let scope = Scope { names: &names, values: &values, swept: &[] };
+        let found = items(root, "structure")
+            .zip(structure.0)
+            .map(|(node, own)| own.found(&item_section::<AssemblyStructure>(node)?, &scope, folder));
+        let structures = all(found)?;
+        let contacts = items(root, "contact")
+            .zip(&mut contact.0)
+            .map(|(node, own)| own.admit(&item_section::<ContactInterface>(node)?, &structures));
+        let contacts = all(contacts);
+        let springs = items(root, "spring")
+            .zip(&mut spring.0)
+            .map(|(node, own)| own.admit(&item_section::<Spring>(node)?, &structures));
+        let ties = items(root, "tie")
+            .zip(&mut tie.0)
+            .map(|(node, own)| own.admit(&item_section::<Tie>(node)?, &structures));
+        let joints = both(all(springs), all(ties));
+        let loads = items(root, "load")
+            .zip(&mut load)
+            .map(|(node, own)| own.admit(&Section::of_table(node, "load", "a load")?, &structures));
+        let admitted =
+            both(both(contacts, substrate), both(joints, all(loads))).and_then(|((_, substrate), _)| {
+                let spheres = spheres(root, &mut contact.0, substrate.as_ref(), !load.is_empty(), folder)?;
+                Ok((substrate, spheres))
+            });
+        let (substrate, spheres) = admitted?;
+        let (contacts, springs, ties, loads) = (contact.0, spring.0, tie.0, load);
+        let (parameters, analyses) = (parameters.0, Vec::new());
+        Ok(AssemblyCase {
+            title,
+            parameters,
+            structures,
+            contacts,
+            springs,
+            ties,
+            loads,
+            substrate,
+            spheres,
+            analyses,
+            origin: Arc::clone(origin),
+        })
+    }
 }
 
 /// The sphere of each contact that is one; refuses a substrate without any.

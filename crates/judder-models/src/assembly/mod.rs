@@ -2,13 +2,17 @@
 //!
 //! - `build`: from the keys of a case to bodies with their contact points.
 //! - `check`: what `judder check` shows.
-//! - A folder each: `steady_sliding`, `eigen`.
+//! - `swept`: steady sliding and small motions about it at any values of keys.
+//! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`.
 
 pub(crate) mod build;
 pub mod case;
 mod check;
 pub mod eigen;
+pub mod eigen_sweep;
+pub mod stability_map;
 pub mod steady_sliding;
+mod swept;
 
 use crate::assembly::case::{AssemblyCase, AssemblySections};
 use crate::error::ModelError;
@@ -28,8 +32,8 @@ use judder_study::{Silent, StudyError};
 use std::sync::Arc;
 
 /// The kinds of analyses.
-pub(crate) static KINDS: Kinds<(), Arc<dyn Analysis<AssemblyCase>>> =
-    Kinds::new(&[steady_sliding::KIND, eigen::KIND]);
+pub(crate) static KINDS: Kinds<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> =
+    Kinds::new(&[steady_sliding::KIND, eigen::KIND, eigen_sweep::KIND, stability_map::KIND]);
 
 /// What the forces of a converged solution may be off, over all forces.
 const IMBALANCE: f64 = 1e-9;
@@ -47,16 +51,18 @@ impl Subject<'_> {
         if self.built.assembly.interfaces.is_empty() {
             return Ok(SteadySliding::untouched(self.built.assembly.size()));
         }
-        self.steady().map(|(steady, _)| steady)
+        self.steady(&self.compliance()?)
     }
 
-    /// Steady sliding, with the compliance of the contact points that it was found on.
-    fn steady(&self) -> Result<(SteadySliding, Compliance), ModelError> {
+    /// How the contact points yield.
+    fn compliance(&self) -> Result<Compliance, ModelError> {
+        Compliance::new(&self.built.assembly).map_err(|error| self.built.told(error))
+    }
+
+    /// Steady sliding on the compliance of the contact points.
+    fn steady(&self, compliance: &Compliance) -> Result<SteadySliding, ModelError> {
         self.built.find_laws(&Silent)?;
-        let assembly = &self.built.assembly;
-        let compliance = Compliance::new(assembly).map_err(|error| self.built.told(error))?;
-        let steady = slide(assembly, &compliance).map_err(|error| self.built.told(error))?;
-        Ok((steady, compliance))
+        slide(&self.built.assembly, compliance).map_err(|error| self.built.told(error))
     }
 
     /// What is to be said of steady sliding before anything is concluded from it.
@@ -127,6 +133,11 @@ pub(crate) const MODEL: ModelKind = ModelKind {
             terminal: |_| None,
         },
         KindTables { kind: eigen::KIND.name, report: eigen::tables::report, terminal: |_| None },
+        KindTables {
+            kind: eigen_sweep::KIND.name,
+            report: crate::structure::eigen_sweep::tables::report,
+            terminal: |_| None,
+        },
     ],
     operating_quantities: &[],
 };

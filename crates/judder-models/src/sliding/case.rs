@@ -6,7 +6,6 @@
 //! - [`observe`]: `[observe]`, points and signals.
 //! - [`signals`]: what is kept of a march.
 //! - [`plain_name`]: names of structures and points.
-//! - [`sweep`]: any number of the case over a range.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
 
 pub mod contact;
@@ -16,19 +15,17 @@ pub mod plain_name;
 pub mod problem;
 pub mod signals;
 pub mod structure;
-pub mod sweep;
 
-use std::fmt;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use crate::REGISTRY;
 use crate::entries::Scope;
+use crate::key_sweep::{KeySweep, KeySweepProblem, Origin};
 use crate::parameters::{Parameter, Parameters};
 use crate::sliding::{KINDS, MODEL};
 use contact::SlidingContact;
 use judder_keys::Settings;
-use judder_keys::cause::Cause;
 use judder_keys::declared::{Setting, both};
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
@@ -40,10 +37,8 @@ use judder_study::case::root::{document, read_root};
 use judder_study::model::Analysis;
 use motion::SlidingMotion;
 use observe::{Observed, ObservedPoint};
-use problem::SlidingProblem;
 use serde_json::Value as Json;
 use structure::{SlidingStructure, Structures};
-use sweep::KeySweep;
 
 /// A validated sliding case.
 #[derive(Debug, Clone)]
@@ -64,18 +59,6 @@ pub struct SlidingCase {
     pub analyses: Vec<Planned<Arc<dyn Analysis<SlidingCase>>>>,
     /// What the case was read from, to read it anew with another value.
     origin: Arc<Origin>,
-}
-
-struct Origin {
-    root: Node,
-    folder: PathBuf,
-}
-
-impl fmt::Debug for Origin {
-    /// The folder alone: the typed case says what the tree held.
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.debug_struct("Origin").field("folder", &self.folder).finish_non_exhaustive()
-    }
 }
 
 impl SlidingCase {
@@ -115,24 +98,9 @@ impl SlidingCase {
     /// The case with a swept key at `value`, in SI units, without analyses: read anew, so that every key can be swept.
     ///
     /// # Errors
-    /// [`SlidingProblem::SweptKey`] where the case has no such key, [`SlidingProblem::SweptValue`] where there is no such case.
-    pub fn at(&self, sweep: &KeySweep, value: f64) -> Result<Self, SlidingProblem> {
-        let Origin { root, folder } = &*self.origin;
-        let mut root = root.clone();
-        let place = root.place;
-        let read = root
-            .set(&sweep.path, place, Node { place, data: sweep.data(value) })
-            .and_then(|()| read_system(&root, folder).and_then(|(_, case)| case));
-        read.map_err(|fault| {
-            let cause = fault.into_cause();
-            let (key, value) = (sweep.path.clone(), sweep.text(value));
-            let advice = cause.help().unwrap_or_else(|| "sweep values that the key can take".to_owned());
-            let reason = cause.to_string();
-            match cause {
-                Cause::UnknownKey { .. } => SlidingProblem::SweptKey { key, reason, advice },
-                _ => SlidingProblem::SweptValue { key, value, reason, advice },
-            }
-        })
+    /// [`KeySweepProblem::SweptKey`] where the case has no such key, [`KeySweepProblem::SweptValue`] where there is no such case.
+    pub fn at(&self, sweep: &KeySweep, value: f64) -> Result<Self, KeySweepProblem> {
+        self.origin.at(&[(sweep, value)], |root, folder| read_system(root, folder).and_then(|(_, case)| case))
     }
 }
 
@@ -169,7 +137,7 @@ type System<'a> = (Section<'a>, Result<SlidingCase, Fault>);
 /// Everything but the analyses.
 fn read_system<'a>(node: &'a Node, folder: &Path) -> Result<System<'a>, Fault> {
     let (root, sections) = read_root::<SlidingSections>(node)?;
-    let origin = || Arc::new(Origin { root: node.clone(), folder: folder.to_owned() });
+    let origin = || Arc::new(Origin::new(node, folder));
     let case = sections.and_then(|(title, sections)| sections.found(title, &root, origin()));
     Ok((root, case))
 }

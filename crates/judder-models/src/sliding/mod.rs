@@ -103,6 +103,7 @@ pub const MODEL: ModelKind = ModelKind {
     kinds: || KINDS.entries(),
     operating_quantities: &[],
     tables: &[
+        KindTables { kind: locus::KIND.name, report: locus::tables::report, terminal: |_| None },
         KindTables { kind: march::KIND.name, report: march::tables::report, terminal: |_| None },
         KindTables {
             kind: modes::KIND.name,

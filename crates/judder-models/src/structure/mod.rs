@@ -88,6 +88,7 @@ pub const MODEL: ModelKind = ModelKind {
     operating_quantities: &[],
     tables: &[
         KindTables { kind: eigen::KIND.name, report: eigen::tables::report, terminal: |_| None },
+        KindTables { kind: eigen_sweep::KIND.name, report: eigen_sweep::tables::report, terminal: |_| None },
         KindTables { kind: modes::KIND.name, report: |_| Vec::new(), terminal: modes::tables::terminal },
     ],
 };

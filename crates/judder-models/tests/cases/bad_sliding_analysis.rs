@@ -3,8 +3,8 @@
 use super::bad_sliding::analysis;
 use super::parse;
 use super::sliding::with_analyses;
+use judder_models::key_sweep::KeySweepProblem;
 use judder_models::sliding::case::SlidingCase;
-use judder_models::sliding::case::problem::SlidingProblem;
 use judder_models::sliding::locus::settings::Locus;
 
 #[test]
@@ -126,7 +126,7 @@ fn a_value_between_the_ends_of_a_sweep() {
     let judder_models::sliding::locus::settings::Along::Key { sweep, .. } = &locus.along else {
         panic!("a key")
     };
-    let SlidingProblem::SweptValue { key, value, reason, .. } = case.at(sweep, -0.01).unwrap_err() else {
+    let KeySweepProblem::SweptValue { key, value, reason, .. } = case.at(sweep, -0.01).unwrap_err() else {
         panic!("a value")
     };
     assert_eq!((key.as_str(), value.as_str()), ("motion.velocity", "-0.01 m/s"));

@@ -15,7 +15,8 @@ use oscillator::{critical, equivalent_damping, spectrum, stability_map};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use structure::{
-    eigen, eigen_sweep, growth, locus, march, modes, receptance, reduction, spectrogram, steady_sliding,
+    assembly_map, eigen, eigen_sweep, growth, locus, march, modes, receptance, reduction, spectrogram,
+    steady_sliding,
 };
 
 pub(super) type Point = (f64, f64);
@@ -30,7 +31,7 @@ pub(super) struct Planted {
 
 type Plant = fn(u64) -> Vec<Planted>;
 
-pub(super) const PLANTED: [(&str, &str, Plant); 33] = [
+pub(super) const PLANTED: [(&str, &str, Plant); 35] = [
     ("oscillator", "equivalent-damping", equivalent_damping),
     ("oscillator", "spectrum", spectrum),
     ("oscillator", "critical-shear-strength", critical),
@@ -64,6 +65,8 @@ pub(super) const PLANTED: [(&str, &str, Plant); 33] = [
     ("sliding", "spectrogram", spectrogram),
     ("assembly", "steady-sliding", steady_sliding),
     ("assembly", "eigen", eigen),
+    ("assembly", "eigen-sweep", eigen_sweep),
+    ("assembly", "stability-map", assembly_map),
 ];
 
 const NAN: f64 = f64::NAN;

@@ -5,22 +5,18 @@
 //! V does not carry the two differ little. Twice ‖s‖ ‖Q⁻¹ r‖/|d| is shown as the error.
 
 use super::basis::decomposed;
+use super::problem_family::ProblemFamily;
 use crate::StructureError;
-use crate::affine::{AffineFamily, Factors, Term};
 use crate::complex_modes::{RefinedEigenvalue, SearchedRegion, ShiftedFactor, Triple, vectors};
-use crate::quadratic::{MatrixSide, Region};
-use crate::statics::{dot, product};
+use crate::quadratic::{MatrixSide, Quadratic, Region};
 use faer::{Mat, c64};
 use judder_dense::general::{real_eigen, solve};
-use rayon::prelude::*;
 
-/// The terms Vᵀ A V of a family.
-pub(super) struct Projection<'a> {
-    family: &'a AffineFamily,
+/// A family on a basis V.
+pub(super) struct Projection<'a, F: ProblemFamily> {
+    family: &'a F,
     basis: Vec<Vec<f64>>,
-    mass: Vec<Mat<f64>>,
-    damping: Vec<Mat<f64>>,
-    stiffness: Vec<Mat<f64>>,
+    prepared: F::OnBasis,
 }
 
 /// Eigenvalues of the projected problem, measured on the full one, with what the projection leaves open of each, times d.
@@ -37,12 +33,9 @@ impl Projected {
     }
 }
 
-impl<'a> Projection<'a> {
+impl<'a, F: ProblemFamily> Projection<'a, F> {
     /// On the vectors of samples; `None` where these are no basis.
-    pub(super) fn new<'s>(
-        family: &'a AffineFamily,
-        samples: impl Iterator<Item = &'s SearchedRegion>,
-    ) -> Option<Self> {
+    pub(super) fn new<'s>(family: &'a F, samples: impl Iterator<Item = &'s SearchedRegion>) -> Option<Self> {
         let snapshots: Vec<Vec<f64>> = samples
             .flat_map(|sample| &sample.refined)
             .flat_map(|refined| [&refined.triple.right, &refined.triple.left])
@@ -51,14 +44,7 @@ impl<'a> Projection<'a> {
             })
             .collect();
         let basis = decomposed(&snapshots)?;
-        let on_basis = |terms: &[Term]| terms.iter().map(|term| projected(term, &basis)).collect();
-        Some(Self {
-            family,
-            mass: on_basis(family.mass()),
-            damping: on_basis(family.damping()),
-            stiffness: on_basis(family.stiffness()),
-            basis,
-        })
+        Some(Self { family, prepared: family.on_basis(&basis), basis })
     }
 
     /// Vectors of the basis.
@@ -66,30 +52,28 @@ impl<'a> Projection<'a> {
         self.basis.len()
     }
 
-    /// The eigenvalues in a region at these factors; the factors of a sample near them measure what is left open. `None` where the
+    /// The eigenvalues in a region at a point; the factors of a sample near it measure what is left open. `None` where the
     /// projected problem has no solution: its mass is singular, say.
     pub(super) fn at(
         &self,
-        factors: &Factors,
+        point: &F::Point,
+        problem: &Quadratic,
         region: &Region,
         sample: &[ShiftedFactor],
     ) -> Result<Option<Projected>, StructureError> {
-        let Some(triples) = self.triples(factors, region) else { return Ok(None) };
-        let problem = self.family.at(factors)?;
+        let matrices = self.family.projected(&self.prepared, &self.basis, point, problem);
+        let Some(triples) = self.triples(matrices, region) else { return Ok(None) };
         let refined: Vec<RefinedEigenvalue> =
-            triples.into_iter().map(|triple| RefinedEigenvalue::measured(&problem, triple)).collect();
+            triples.into_iter().map(|triple| RefinedEigenvalue::measured(problem, triple)).collect();
         let left_open = left_open(&refined, sample)?;
         Ok(Some(Projected { refined, left_open }))
     }
 
     /// The eigenvalues of the projected problem in a region, with their vectors on all freedoms.
-    fn triples(&self, factors: &Factors, region: &Region) -> Option<Vec<Triple>> {
+    fn triples(&self, [mass, damping, stiffness]: [Mat<f64>; 3], region: &Region) -> Option<Vec<Triple>> {
         let size = self.size();
-        let mass = sum(&self.mass, &factors.mass, size);
         // λ = ω₀ s makes the blocks of the companion matrix alike
         let unit = region.re.iter().chain(&region.im).fold(0.0_f64, |a, b| a.max(b.abs()));
-        let stiffness = sum(&self.stiffness, &factors.stiffness, size);
-        let damping = sum(&self.damping, &factors.damping, size);
         let mut blocks = Mat::from_fn(size, 2 * size, |i, j| {
             if j < size { -stiffness[(i, j)] / (unit * unit) } else { -damping[(i, j - size)] / unit }
         });
@@ -118,7 +102,7 @@ impl<'a> Projection<'a> {
 
     /// V times coordinates, of length one.
     fn lifted(&self, coordinates: impl Fn(usize) -> c64) -> Vec<c64> {
-        let mut sum = vec![c64::new(0.0, 0.0); self.family.size()];
+        let mut sum = vec![c64::new(0.0, 0.0); self.basis.first().map_or(0, Vec::len)];
         for (i, vector) in self.basis.iter().enumerate() {
             let share = coordinates(i);
             for (s, v) in sum.iter_mut().zip(vector) {
@@ -132,23 +116,6 @@ impl<'a> Projection<'a> {
 
 /// Eigenvalues that lie outside of the region by this share of its size are looked at: their error may reach in.
 const BORDER: f64 = 1e-6;
-
-/// Vᵀ A V.
-fn projected(term: &Term, basis: &[Vec<f64>]) -> Mat<f64> {
-    let columns: Vec<Vec<f64>> = basis
-        .par_iter()
-        .map(|vector| {
-            let image = product(&term.matrix, vector);
-            basis.iter().map(|left| dot(left, &image)).collect()
-        })
-        .collect();
-    Mat::from_fn(basis.len(), basis.len(), |i, j| columns[j][i])
-}
-
-/// Σ fᵢ Aᵢ.
-fn sum(matrices: &[Mat<f64>], factors: &[f64], size: usize) -> Mat<f64> {
-    Mat::from_fn(size, size, |i, j| matrices.iter().zip(factors).map(|(matrix, f)| f * matrix[(i, j)]).sum())
-}
 
 /// 2 ‖s‖ ‖Q⁻¹ r‖ of each, with the factor whose shift is nearest.
 fn left_open(refined: &[RefinedEigenvalue], sample: &[ShiftedFactor]) -> Result<Vec<f64>, StructureError> {

@@ -20,6 +20,7 @@ use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::short;
 use run::AssemblyModes;
+pub(super) use run::band;
 use serde_json::{Map, Value as Json};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -50,18 +51,18 @@ pub enum SoughtModes {
 }
 
 /// Two frequencies.
-const BAND: Pair = Pair {
+pub(super) const BAND: Pair = Pair {
     of: Number::non_negative(Dimension::ANGULAR_FREQUENCY),
     what: "two frequencies, from and to",
     is_ascending: true,
 };
 
 /// The kind.
-pub(crate) const KIND: Kind<(), Arc<dyn Analysis<AssemblyCase>>> = Kind {
+pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> = Kind {
     name: "eigen",
     doc: "complex modes about steady sliding, each with its error, and what makes it grow",
     declared: AssemblyEigen::declarations,
-    read: |(), section| Ok(Arc::new(AssemblyEigen::read_table(section)?)),
+    read: |_, section| Ok(Arc::new(AssemblyEigen::read_table(section)?)),
     picture: Some(Picture {
         draw: figure::eigen,
         caption: "All eigenvalues found about steady sliding; the axis of growth rates is logarithmic on both sides of zero. Damping ratios $ζ = −$Re $λ/|λ|$: a \

@@ -119,7 +119,8 @@ fn sought(about: &Linearised, sought: SoughtModes) -> Result<(Region, ComplexMod
 /// Growth rates that a band holds, over its upper frequency.
 const STEEPNESS: f64 = 0.5;
 
-fn band(from: f64, to: f64) -> Region {
+/// All of a band that grows or decays by less than so much.
+pub(in crate::assembly) fn band(from: f64, to: f64) -> Region {
     Region { re: [-STEEPNESS * to, STEEPNESS * to], im: [from, to] }
 }
 

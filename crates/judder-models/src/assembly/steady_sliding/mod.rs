@@ -23,11 +23,11 @@ use std::sync::Arc;
 pub struct SteadySliding {}
 
 /// The kind.
-pub(crate) const KIND: Kind<(), Arc<dyn Analysis<AssemblyCase>>> = Kind {
+pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> = Kind {
     name: "steady-sliding",
     doc: "steady sliding: forces, gaps, pressure, which contact points are closed",
     declared: SteadySliding::declarations,
-    read: |(), section| Ok(Arc::new(SteadySliding::read_table(section)?)),
+    read: |_, section| Ok(Arc::new(SteadySliding::read_table(section)?)),
     picture: Some(Picture {
         draw: figure::steady_sliding,
         caption: "The contact points of each interface: what each carries, and where it is open. Then the bodies, and how steady sliding moves them, enlarged.",

@@ -131,7 +131,7 @@ impl PointRow {
 
 /// Steady sliding of an assembly.
 pub(super) fn run(of: &Subject<'_>) -> Result<Outcome, ModelError> {
-    let (steady, _) = of.steady()?;
+    let steady = of.steady(&of.compliance()?)?;
     let results = results(of, &steady);
     let shown = Shown::new(&of.built.bodies);
     let displacement: Vec<Complex64> = steady.displacement.iter().map(|u| Complex64::new(*u, 0.0)).collect();

@@ -97,7 +97,7 @@ fn without_verdict(mut places: Vec<u8>, classes: &mut Vec<Class>, standing: &[u8
 }
 
 /// The class map with ascending axes.
-fn ascending(columns: &[f64], rows: &[f64], codes: &[u8], classes: Vec<Class>) -> ClassMap {
+pub(crate) fn ascending(columns: &[f64], rows: &[f64], codes: &[u8], classes: Vec<Class>) -> ClassMap {
     let (across, up) = (ascending_order(columns), ascending_order(rows));
     let at = |row: &usize, column: &usize| codes[row * columns.len() + column];
     ClassMap {

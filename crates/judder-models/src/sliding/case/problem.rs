@@ -171,34 +171,6 @@ pub enum SlidingProblem {
         /// The limit, s.
         limit: f64,
     },
-    /// A swept key that no structure, contact or motion has.
-    #[error("`{key}` cannot be swept")]
-    NotSwept {
-        /// The key as written.
-        key: String,
-    },
-    /// A value of a swept key with which the case cannot be.
-    #[error("with `{key}` = {value}: {reason}")]
-    SweptValue {
-        /// The swept key.
-        key: String,
-        /// Its value, with the unit.
-        value: String,
-        /// What is wrong then.
-        reason: String,
-        /// What would be right.
-        advice: String,
-    },
-    /// Something else than a key of the case that a sweep should vary.
-    #[error("`{key}` cannot be swept: {reason}")]
-    SweptKey {
-        /// The key as written.
-        key: String,
-        /// What is wrong with it.
-        reason: String,
-        /// What would be right.
-        advice: String,
-    },
     /// Structures, contact or motion that do not go together.
     #[error("{reason}")]
     Unbuilt {
@@ -238,8 +210,6 @@ impl Problem for SlidingProblem {
             Self::SampleRate { .. } => "this rate",
             Self::TooManySteps { .. } => "too long",
             Self::StepLimit { .. } => "too large",
-            Self::NotSwept { .. } | Self::SweptKey { .. } => "not to be swept",
-            Self::SweptValue { .. } => "a value of this sweep",
             Self::Unbuilt { .. } => "here",
         }
     }
@@ -297,11 +267,6 @@ impl SlidingProblem {
                     SHARE * limit
                 );
             }
-            Self::NotSwept { .. } => {
-                "sweep a number of a structure, the contact, the motion or the parameters: structure.NAME.beam.angle, \
-                 contact.friction_coefficient, motion.load.force, parameters.NAME"
-            }
-            Self::SweptValue { advice, .. } | Self::SweptKey { advice, .. } => advice,
             Self::Unbuilt { advice, .. } => advice,
         };
         help.to_owned()

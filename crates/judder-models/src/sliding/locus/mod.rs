@@ -13,6 +13,7 @@ mod results;
 mod run;
 pub mod settings;
 mod swept;
+pub(crate) mod tables;
 mod traced;
 
 use super::{Subject, blame, cost};

@@ -1,7 +1,8 @@
 //! `locus`: complex eigenvalues against the position of the contact, or against any key.
 
+use crate::key_sweep::{KeySweep, SweptSections};
 use crate::sliding::case::SlidingCase;
-use crate::sliding::case::sweep::KeySweep;
+
 use crate::structure::modes::{MODES, MODES_LIMIT};
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
@@ -42,7 +43,7 @@ pub enum Along {
         #[key(rule = POSITION, symbol = "s", example = "\"74 mm\", where the contact is held while the key is swept")]
         at: f64,
         /// Any number of `structure`, `contact`, `motion` or `parameters` over a range; each value is a case of its own.
-        #[key(example = "…, `{ key, from, to, points, scale }`, or `{ key, values }`")]
+        #[key(rule = SWEPT, example = "…, `{ key, from, to, points, scale }`, or `{ key, values }`")]
         sweep: KeySweep,
     },
 }
@@ -61,6 +62,14 @@ pub struct Positions {
     pub points: usize,
 }
 
+/// What can be swept: the sections whose numbers describe structures, contact and motion.
+const SWEPT: SweptSections = SweptSections {
+    names: &["parameters", "structure", "contact", "motion"],
+    advice: "sweep a number of a structure, the contact, the motion or the parameters: structure.NAME.beam.angle, contact.friction_coefficient, \
+        motion.load.force, parameters.NAME",
+    example: "contact.friction_coefficient",
+};
+
 const POSITION: Number = Number::non_negative(Dimension::LENGTH);
 
 /// The most positions.
@@ -74,7 +83,7 @@ impl Locus {
     pub(crate) fn admit(mut self, case: &SlidingCase, section: &Section<'_>) -> Result<Self, Fault> {
         match (&mut self.along, section.get("sweep")) {
             (Along::Positions(positions), _) => positions.admit(case, section.inner("positions")?)?,
-            (Along::Key { sweep, .. }, Some(node)) => sweep.admit(case, node)?,
+            (Along::Key { sweep, .. }, Some(node)) => sweep.admit(node, |value| case.at(sweep, value))?,
             (Along::Key { .. }, None) => (),
         }
         Ok(self)

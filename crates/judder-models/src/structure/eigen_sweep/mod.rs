@@ -1,20 +1,24 @@
 //! `eigen-sweep`: complex modes along a parameter.
 
-mod figure;
+pub(crate) mod branches;
+pub(crate) mod figure;
+pub(crate) mod onsets;
 mod run;
 pub mod settings;
+pub(crate) mod tables;
 
 use super::Subject;
 use crate::axis::keys_of_curves;
 use crate::error::ModelError;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
+use branches::EigenvalueCurve;
 use judder_store::{Declared, Results};
 use judder_structure::eigen_sweep::SweepMethod;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
-use run::{EigenvalueCurve, ToldSweep};
+use run::ToldSweep;
 use serde_json::{Map, Value as Json};
 use settings::EigenSweep;
 use std::sync::Arc;

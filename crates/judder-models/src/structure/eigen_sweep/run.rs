@@ -1,34 +1,25 @@
 //! `eigen-sweep`: complex modes along a parameter, followed from value to value.
 
-use super::super::eigen::run::{ToldMode, VERDICTS, code, gap_warnings, in_order};
+use super::branches::SweptBranches;
+use super::onsets::LocatedOnsets;
 use super::settings::EigenSweep;
 use crate::axis::{Curves, name_of};
 use crate::error::ModelError;
 use crate::labels::parameter;
 use crate::structure::build::{Structure, factors};
 use crate::structure::case::StructureCase;
-use judder_store::{Dataset, Results, Table, Variable};
+use judder_store::Results;
 use judder_structure::affine::Factors;
-use judder_structure::complex_modes::{ComplexModeSettings, Eigenvalue, EigenvalueVerdict, complex_modes};
-use judder_structure::eigen_sweep::{PointEigenvalues, SweptEigenvalues, Tracked, eigen_sweeps};
+use judder_structure::complex_modes::{ComplexModeSettings, Eigenvalue, complex_modes};
+use judder_structure::eigen_sweep::{PointEigenvalues, PreparedSweep};
+use judder_structure::onset::StabilityAt;
 use judder_study::Progress;
 use judder_study::axis::Axis;
 use judder_study::labels::Quantity;
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
-use num_complex::Complex64;
-use serde_json::{Map, Value, json};
 
 /// Points of a projected sweep that are solved on the full matrices as well.
 const CHECKED: usize = 3;
-
-/// What is swept and what came of it.
-struct Run<'a> {
-    settings: &'a EigenSweep,
-    axis: Axis,
-    curves: Curves<Vec<f64>>,
-    /// One for each curve.
-    sweeps: Vec<SweptEigenvalues>,
-}
 
 pub(super) fn run(
     case: &StructureCase,
@@ -42,38 +33,52 @@ pub(super) fn run(
         .iter()
         .map(|inputs| along(case, settings, inputs))
         .collect::<Result<Vec<Vec<Factors>>, _>>()?;
-    let each_curve: Vec<&[Factors]> = points.iter().map(Vec::as_slice).collect();
-    let mut sweeps = eigen_sweeps(
+    let prepared = PreparedSweep::new(
         &structure.family,
-        &each_curve,
+        points.iter().flatten().collect(),
         &settings.region,
-        &ComplexModeSettings::default(),
+        ComplexModeSettings::default(),
         settings.method,
     )?;
-    for point in sweeps.iter_mut().flat_map(|sweep| &mut sweep.points) {
-        point.eigenvalues.sort_by(|a, b| in_order(&a.eigenvalue, &b.eigenvalue));
-    }
-    let (all_factors, all_points): (Vec<&Factors>, Vec<&PointEigenvalues>) =
-        points.iter().flatten().zip(sweeps.iter().flat_map(|sweep| &sweep.points)).unzip();
-    (1..all_points.len()).for_each(|_| progress.advance());
-    let incomplete = all_points.iter().filter(|point| !point.gaps.is_empty()).count();
-    let mut checks = vec![CheckRecord::new(
-        "no eigenvalue is missing",
-        format!("values at which a check did not close, of {}", all_points.len()),
-        Disagreement::exceptions(all_points.iter().map(|point| !point.gaps.is_empty())),
-        0.0,
-    )];
-    checks.extend(against_full(structure, settings, &all_factors, &all_points)?);
+    let values = &settings.sweep.values;
+    let sweeps = (0..points.len())
+        .map(|curve| prepared.followed(curve * values.len()..(curve + 1) * values.len()))
+        .collect::<Result<Vec<_>, _>>()?;
+    let onsets = curves.inputs.iter().zip(&sweeps).map(|(inputs, sweep)| {
+        let known: Vec<Option<StabilityAt>> =
+            sweep.points.iter().map(|point| Some(point.stability())).collect();
+        LocatedOnsets::new(
+            values,
+            &known,
+            &settings.region,
+            &mut |value, within| -> Result<StabilityAt, ModelError> {
+                let factors = at(case, settings, inputs, value)?;
+                let modes = prepared.within(&factors, within)?.modes;
+                Ok(StabilityAt {
+                    eigenvalues: modes.iter().map(|mode| mode.eigenvalue).collect(),
+                    closed: Vec::new(),
+                })
+            },
+        )
+    });
+    let onsets = onsets.collect();
     let quantity = Quantity { name: "value".to_owned(), ..parameter(name_of(&settings.sweep.path)) };
     let axis = Axis { quantity, values: settings.sweep.values.clone(), scale: settings.sweep.scale };
-    let run = Run { settings, axis, curves, sweeps };
+    let branches = SweptBranches::new(&settings.region, axis, curves, sweeps, onsets);
+    let (all_factors, all_points): (Vec<&Factors>, Vec<&PointEigenvalues>) =
+        points.iter().flatten().zip(branches.points()).unzip();
+    (1..all_points.len()).for_each(|_| progress.advance());
+    let mut checks = vec![branches.completeness()];
+    checks.extend(against_full(structure, settings, &all_factors, &all_points)?);
+    let mut scalars = branches.scalars();
+    scalars.extend(ToldSweep::new(settings, &branches).scalars());
     Ok(Outcome {
-        scalars: run.scalars(),
-        dataset: run.dataset()?,
-        table: Some(run.table()?),
+        scalars,
+        dataset: branches.dataset()?,
+        table: Some(branches.table()?),
         checks,
-        missing: incomplete,
-        warnings: run.warnings(),
+        missing: branches.incomplete(),
+        warnings: branches.warnings(),
         files: Vec::new(),
         ..Outcome::default()
     })
@@ -81,14 +86,21 @@ pub(super) fn run(
 
 /// The factors along a curve whose parameters have these values.
 fn along(case: &StructureCase, settings: &EigenSweep, inputs: &[f64]) -> Result<Vec<Factors>, ModelError> {
+    settings.sweep.values.iter().map(|value| at(case, settings, inputs, *value)).collect()
+}
+
+/// The factors at a value of the swept parameter, where the others have these values.
+fn at(
+    case: &StructureCase,
+    settings: &EigenSweep,
+    inputs: &[f64],
+    value: f64,
+) -> Result<Factors, ModelError> {
     let mut inputs = inputs.to_vec();
-    let mut at = |value: &f64| {
-        if let Some(parameter) = inputs.get_mut(settings.sweep.key.index()) {
-            *parameter = *value;
-        }
-        factors(case, &inputs)
-    };
-    settings.sweep.values.iter().map(&mut at).collect()
+    if let Some(parameter) = inputs.get_mut(settings.sweep.key.index()) {
+        *parameter = value;
+    }
+    factors(case, &inputs)
 }
 
 /// A few points of a projected sweep, solved again on the full matrices: how far eigenvalues lie apart over the error that is shown.
@@ -149,148 +161,15 @@ pub(super) struct ToldSweep {
     samples: usize,
 }
 
-/// What is told of one curve.
-#[derive(Results)]
-pub(super) struct EigenvalueCurve {
-    /// the values of the parameter
-    value: Vec<f64>,
-    /// the eigenvalues at each
-    eigenvalues: Vec<Vec<OnBranch>>,
-    /// whether it is proven that there are no more
-    complete: bool,
-    /// whether one grows, at each
-    unstable: Vec<bool>,
-    branches: usize,
-    /// values that were solved on the full matrices
-    solved_in_full: usize,
-}
-
-/// An eigenvalue of a branch.
-#[derive(Results)]
-struct OnBranch {
-    #[result(flatten)]
-    mode: ToldMode,
-    branch: usize,
-}
-
-impl EigenvalueCurve {
-    fn new(values: &[f64], sweep: &SweptEigenvalues) -> Self {
-        let told = |own: &Tracked| OnBranch { mode: ToldMode::new(0, &own.eigenvalue), branch: own.branch };
-        let is_unstable = |point: &PointEigenvalues| {
-            point.eigenvalues.iter().any(|t| t.eigenvalue.verdict() == EigenvalueVerdict::Unstable)
-        };
-        Self {
-            value: values.to_vec(),
-            eigenvalues: sweep
-                .points
-                .iter()
-                .map(|point| point.eigenvalues.iter().map(told).collect())
-                .collect(),
-            complete: sweep.points.iter().all(|point| point.gaps.is_empty()),
-            unstable: sweep.points.iter().map(is_unstable).collect(),
-            branches: sweep.branches,
-            solved_in_full: sweep.points.iter().filter(|point| point.full).count(),
-        }
-    }
-}
-
-/// What stands where a branch has no eigenvalue.
-const NONE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
-/// The code of a verdict where a branch has no eigenvalue.
-const ABSENT: u8 = 3;
-
-impl Run<'_> {
-    fn scalars(&self) -> Map<String, Value> {
-        let curves = self.sweeps.iter().map(|sweep| EigenvalueCurve::new(&self.axis.values, sweep).scalars());
-        let mut scalars = self.curves.scalars(curves.collect());
+impl ToldSweep {
+    fn new<I>(settings: &EigenSweep, branches: &SweptBranches<'_, I>) -> Self {
         // one basis serves all curves
-        let (basis, samples) =
-            self.sweeps.first().map_or((None, 0), |sweep| (sweep.basis, sweep.samples.len()));
-        let (key, method) = (self.settings.sweep.path.clone(), self.settings.method.to_string());
-        scalars.extend(ToldSweep { key, method, basis, samples }.scalars());
-        scalars
-    }
-
-    fn warnings(&self) -> Vec<String> {
-        const SHOWN: usize = 3;
-        let points = self.sweeps.iter().enumerate().flat_map(|(curve, sweep)| {
-            self.axis.values.iter().zip(&sweep.points).map(move |(value, point)| (curve, value, point))
-        });
-        let open = points.filter(|(_, _, point)| !point.gaps.is_empty());
-        let more = open.clone().count().saturating_sub(SHOWN);
-        let mut warnings: Vec<String> = open
-            .take(SHOWN)
-            .flat_map(|(curve, value, point)| {
-                let with = self.curves.told(curve).map_or_else(String::new, |told| format!(", {told}"));
-                gap_warnings(&point.gaps).into_iter().map(move |gap| format!("at {value}{with}: {gap}"))
-            })
-            .collect();
-        if more > 0 {
-            warnings.push(format!("eigenvalues may be missing at {more} more values"));
+        let first = branches.sweeps.first();
+        Self {
+            key: settings.sweep.path.clone(),
+            method: settings.method.to_string(),
+            basis: first.and_then(|sweep| sweep.basis),
+            samples: first.map_or(0, |sweep| sweep.samples.len()),
         }
-        warnings
-    }
-
-    fn dataset(&self) -> Result<Dataset, ModelError> {
-        let branches = self.sweeps.iter().map(|sweep| sweep.branches).max().unwrap_or(0);
-        let (over, shape) = self.curves.dimensions(&self.axis, &[("branch", branches)]);
-        let count = shape.iter().product();
-        let mut values = vec![NONE; count];
-        let (mut errors, mut verdicts) = (vec![f64::NAN; count], vec![ABSENT; count]);
-        for (row, point) in self.sweeps.iter().flat_map(|sweep| &sweep.points).enumerate() {
-            for Tracked { eigenvalue, branch } in &point.eigenvalues {
-                let place = row * branches + branch;
-                values[place] = eigenvalue.value;
-                errors[place] = eigenvalue.error;
-                verdicts[place] = code(eigenvalue.verdict());
-            }
-        }
-        let region = &self.settings.region;
-        let meanings: Vec<(u8, &str)> = VERDICTS.into_iter().chain([(ABSENT, "not in the region")]).collect();
-        let mut dataset = Dataset::new().attribute("region", json!({ "re": region.re, "im": region.im }))?;
-        if let Some(family) = self.curves.coordinate() {
-            dataset = dataset.with(family)?;
-        }
-        Ok(dataset
-            .with(self.axis.coordinate())?
-            .with(
-                Variable::new("eigenvalue", &over, &shape, values)
-                    .units("1/s")
-                    .long_name("eigenvalue λ of a branch, NaN where it is not in the region"),
-            )?
-            .with(
-                Variable::new("error", &over, &shape, errors)
-                    .units("1/s")
-                    .long_name("how far the true eigenvalue may be"),
-            )?
-            .with(Variable::classes("verdict", &over, &shape, verdicts, &meanings).long_name("verdict"))?)
-    }
-
-    fn table(&self) -> Result<Table, ModelError> {
-        let rows_of =
-            |sweep: &SweptEigenvalues| sweep.points.iter().map(|point| point.eigenvalues.len()).sum();
-        let rows_of_curve: Vec<usize> = self.sweeps.iter().map(rows_of).collect();
-        let points = self.sweeps.iter().flat_map(|sweep| self.axis.values.iter().zip(&sweep.points));
-        let rows: Vec<(f64, &Tracked)> = points
-            .flat_map(|(value, point)| point.eigenvalues.iter().map(move |tracked| (*value, tracked)))
-            .collect();
-        let of = |pick: &dyn Fn(&Tracked) -> f64| -> Vec<f64> {
-            rows.iter().map(|(_, tracked)| pick(tracked)).collect()
-        };
-        let words: Vec<String> = rows.iter().map(|(_, t)| t.eigenvalue.verdict().name().to_owned()).collect();
-        let branches: Vec<i64> = rows.iter().map(|(_, tracked)| tracked.branch as i64).collect();
-        let mut table = Table::new();
-        if let Some((name, unit, values)) = self.curves.column(&rows_of_curve) {
-            table = table.column(&name, &unit, values)?;
-        }
-        Ok(table
-            .column("value", "1", rows.iter().map(|(value, _)| *value).collect::<Vec<f64>>())?
-            .column("branch", "1", branches)?
-            .column("re", "1/s", of(&|t| t.eigenvalue.value.re))?
-            .column("im", "1/s", of(&|t| t.eigenvalue.value.im))?
-            .column("frequency", "Hz", of(&|t| t.eigenvalue.frequency_hz()))?
-            .column("damping_ratio", "1", of(&|t| t.eigenvalue.damping_ratio()))?
-            .column("error", "1/s", of(&|t| t.eigenvalue.error))?
-            .column("verdict", "1", words)?)
     }
 }

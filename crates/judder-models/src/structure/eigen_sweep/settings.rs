@@ -87,7 +87,7 @@ impl MethodKeys {
         }
     }
 
-    fn method(&self) -> SweepMethod {
+    pub(crate) fn method(&self) -> SweepMethod {
         match self.method {
             MethodWord::Full => SweepMethod::Full,
             MethodWord::Projected => SweepMethod::Projected { tolerance: self.tolerance },

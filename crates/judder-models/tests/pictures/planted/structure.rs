@@ -78,6 +78,21 @@ pub(super) fn steady_sliding(seed: u64) -> Vec<Planted> {
     alone(dataset(variables, &[]), Vec::new())
 }
 
+/// Points of a boundary, which nothing joins.
+pub(super) fn assembly_map(seed: u64) -> Vec<Planted> {
+    let mut random = Random(seed);
+    let mut places = || -> Vec<f64> { (0..5).map(|_| random.next()).collect() };
+    let (x, y) = (places(), places());
+    let variables = vec![
+        Variable::coordinate("x", vec![0.0, 1.0]),
+        Variable::coordinate("y", vec![0.0, 1.0]),
+        over("stability", &["y", "x"], &[2, 2], vec![0_u8, 1, 2, 7]),
+        along("boundary_x", "boundary_point", x),
+        along("boundary_y", "boundary_point", y),
+    ];
+    alone(dataset(variables, &[]), Vec::new())
+}
+
 pub(super) fn eigen_sweep(seed: u64) -> Vec<Planted> {
     let (friction, values) = (steps(15), eigenvalues(&mut Random(seed), 45));
     let mut runs = Vec::new();

@@ -1,0 +1,123 @@
+//! Complex modes about steady sliding along a key, and what is told of them.
+
+use super::AssemblySweep;
+use super::solved::SolvedSweep;
+use crate::assembly::Subject;
+use crate::assembly::swept::SweptAssembly;
+use crate::axis::Curves;
+use crate::error::ModelError;
+use crate::structure::eigen_sweep::branches::SweptBranches;
+use crate::structure::eigen_sweep::onsets::ToldOnset;
+use judder_store::Results;
+use judder_structure::onset::{Onset, StabilityAt};
+use judder_study::axis::Axis;
+use judder_study::labels::{Quantity, any_key};
+use judder_study::outcome::Outcome;
+use judder_study::{Progress, Silent};
+
+/// What is told of a sweep beside its eigenvalues.
+#[derive(Results)]
+pub(super) struct ToldSweep {
+    /// the swept key
+    key: String,
+    /// its unit
+    unit: String,
+    /// `full` or `projected`
+    method: String,
+    /// contact points that are closed, at each value
+    closed: Vec<Option<usize>>,
+    /// where modes begin or cease to grow if every contact point is held closed; none where all are closed anyway
+    onsets_all_closed: Option<Vec<ToldOnset>>,
+    /// of reduced bodies how far each onset lies from that of the whole ones, by a step of Newton's method; none where it is not known
+    onset_reduction_errors: Option<Vec<Option<f64>>>,
+    /// values without steady sliding
+    failures: Vec<ToldFailure>,
+}
+
+/// A value without eigenvalues.
+#[derive(Results)]
+struct ToldFailure {
+    value: f64,
+    reason: String,
+}
+
+pub(super) fn run(
+    of: &Subject<'_>,
+    settings: &AssemblySweep,
+    progress: &dyn Progress,
+) -> Result<Outcome, ModelError> {
+    let region = settings.sought.region();
+    let sweep = &settings.sweep;
+    let family = SweptAssembly::new(of, vec![sweep], settings.damping);
+    let method = settings.method.method();
+    let solved = SolvedSweep::new(&family, &sweep.values, method, &region, progress)?;
+    let onsets_all_closed = match solved.has_open_points() {
+        true => {
+            let held = SolvedSweep::new(&family.all_closed(), &sweep.values, method, &region, &Silent)?;
+            Some(held.onsets.told())
+        }
+        false => None,
+    };
+    let quantity = Quantity { name: "value".to_owned(), ..any_key(&sweep.path, sweep.dimension) };
+    let axis = Axis { quantity, values: sweep.values.clone(), scale: sweep.scale };
+    let of_reduction = match of.case.is_reduced() {
+        true => Some(reduction_errors(&family.whole()?, &solved.onsets.onsets)?),
+        false => None,
+    };
+    let told = ToldSweep::new(settings, &axis, &solved, onsets_all_closed, of_reduction);
+    let failed =
+        told.failures.iter().map(|own| format!("{} = {}: {}", sweep.path, sweep.text(own.value), own.reason));
+    let mut warnings: Vec<String> = failed.chain(family.doubts(solved.states.iter().flatten())).collect();
+    let branches =
+        SweptBranches::new(&region, axis, Curves::alone(), vec![solved.sweep], vec![solved.onsets]);
+    warnings.extend(branches.warnings());
+    let missing = branches.incomplete() + told.failures.len();
+    let mut scalars = branches.scalars();
+    scalars.extend(told.scalars());
+    Ok(Outcome {
+        scalars,
+        dataset: branches.dataset()?,
+        table: Some(branches.table()?),
+        checks: vec![branches.completeness()],
+        missing,
+        warnings,
+        files: Vec::new(),
+        ..Outcome::default()
+    })
+}
+
+impl ToldSweep {
+    fn new(
+        settings: &AssemblySweep,
+        axis: &Axis,
+        solved: &SolvedSweep,
+        onsets_all_closed: Option<Vec<ToldOnset>>,
+        onset_reduction_errors: Option<Vec<Option<f64>>>,
+    ) -> Self {
+        let failures = axis.values.iter().zip(&solved.states).filter_map(|(value, state)| {
+            Some(ToldFailure { value: *value, reason: state.as_ref().err()?.clone() })
+        });
+        Self {
+            key: settings.sweep.path.clone(),
+            unit: axis.quantity.unit.clone(),
+            method: settings.method.method().to_string(),
+            closed: solved.states.iter().map(|state| Some(state.as_ref().ok()?.closed_points())).collect(),
+            onsets_all_closed,
+            onset_reduction_errors,
+            failures: failures.collect(),
+        }
+    }
+}
+
+/// How far each onset lies from that of the whole bodies.
+fn reduction_errors(whole: &SweptAssembly<'_>, onsets: &[Onset]) -> Result<Vec<Option<f64>>, ModelError> {
+    let each = onsets.iter().map(|onset| {
+        let Some(crossing) = &onset.crossing else { return Ok(None) };
+        let state = whole.state(&[onset.value])?;
+        let eigenvalues =
+            whole.solved_alone(&state, &crossing.within)?.modes.iter().map(|mode| mode.eigenvalue).collect();
+        let shift = crossing.shift(&StabilityAt { eigenvalues, closed: state.closed() });
+        Ok(Some(shift.abs()).filter(|shift| shift.is_finite()))
+    });
+    each.collect()
+}

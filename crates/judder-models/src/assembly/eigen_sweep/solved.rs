@@ -1,0 +1,114 @@
+//! The eigenvalues of a sweep, and where modes begin or cease to grow.
+
+use crate::assembly::swept::{SlidingState, SweptAssembly};
+use crate::error::ModelError;
+use crate::structure::eigen_sweep::onsets::LocatedOnsets;
+use judder_structure::complex_modes::{ComplexModeSettings, Region};
+use judder_structure::eigen_sweep::{PreparedSweep, SolvedPoint, SweepMethod, SweptEigenvalues, followed};
+use judder_structure::onset::StabilityAt;
+use judder_study::{Progress, StudyError};
+use rayon::prelude::*;
+
+/// Eigenvalues at all values, followed, and where modes begin or cease to grow.
+pub(super) struct SolvedSweep {
+    /// Steady sliding at each value, or why there is none.
+    pub(super) states: Vec<Result<SlidingState, String>>,
+    pub(super) sweep: SweptEigenvalues,
+    pub(super) onsets: LocatedOnsets,
+}
+
+impl SolvedSweep {
+    pub(super) fn new(
+        family: &SweptAssembly<'_>,
+        values: &[f64],
+        method: SweepMethod,
+        region: &Region,
+        progress: &dyn Progress,
+    ) -> Result<Self, ModelError> {
+        let states: Vec<Result<SlidingState, String>> = values
+            .par_iter()
+            .map(|value| family.state(&[*value]).map_err(|error| error.to_string()))
+            .collect();
+        let groups = ClosedGroup::of_states(&states);
+        let prepared = groups
+            .iter()
+            .map(|group| {
+                PreparedSweep::new(
+                    family,
+                    group.points(&states),
+                    region,
+                    ComplexModeSettings::default(),
+                    method,
+                )
+            })
+            .collect::<Result<Vec<_>, _>>()?;
+        let sweep = followed(0..values.len(), region, &|number| {
+            if progress.interrupted() {
+                return Err(StudyError::Interrupted.into());
+            }
+            let Ok(state) = &states[number] else { return Ok(SolvedPoint::unsolved()) };
+            let (group, place) = ClosedGroup::place(&groups, number);
+            let solved = prepared[group].point(place)?;
+            progress.advance();
+            if groups.len() == 1 { Ok(solved) } else { family.expanded(state, solved) }
+        })?;
+        let known: Vec<Option<StabilityAt>> = states
+            .iter()
+            .zip(&sweep.points)
+            .map(|(state, point)| {
+                let closed = state.as_ref().ok()?.closed();
+                Some(StabilityAt { closed, ..point.stability() })
+            })
+            .collect();
+        let onsets = LocatedOnsets::new(values, &known, region, &mut |value, within| {
+            let state = family.state(&[value])?;
+            let closed = state.closed();
+            let solved = match groups.iter().position(|group| group.closed == closed) {
+                Some(group) => prepared[group].within(&state, within)?,
+                None => family.solved_alone(&state, within)?,
+            };
+            let eigenvalues = solved.modes.iter().map(|mode| mode.eigenvalue).collect();
+            Ok::<_, ModelError>(StabilityAt { eigenvalues, closed })
+        });
+        drop(prepared);
+        Ok(Self { states, sweep, onsets })
+    }
+
+    /// Whether some point is open at some value.
+    pub(super) fn has_open_points(&self) -> bool {
+        self.states.iter().flatten().any(|state| state.closed_points() < state.steady.points.len())
+    }
+}
+
+/// Values at which the same points are closed.
+struct ClosedGroup {
+    closed: Vec<bool>,
+    numbers: Vec<usize>,
+}
+
+impl ClosedGroup {
+    fn of_states(states: &[Result<SlidingState, String>]) -> Vec<Self> {
+        let mut groups: Vec<Self> = Vec::new();
+        for (number, state) in states.iter().enumerate() {
+            let Ok(state) = state else { continue };
+            let closed = state.closed();
+            match groups.iter_mut().find(|group| group.closed == closed) {
+                Some(group) => group.numbers.push(number),
+                None => groups.push(Self { closed, numbers: vec![number] }),
+            }
+        }
+        groups
+    }
+
+    fn points<'s>(&self, states: &'s [Result<SlidingState, String>]) -> Vec<&'s SlidingState> {
+        self.numbers.iter().filter_map(|number| states[*number].as_ref().ok()).collect()
+    }
+
+    /// The group of a value, and its place in that.
+    fn place(groups: &[Self], number: usize) -> (usize, usize) {
+        let places = groups.iter().enumerate();
+        let mut found =
+            places.filter_map(|(k, group)| Some((k, group.numbers.iter().position(|own| *own == number)?)));
+        found.next().unwrap_or_default()
+    }
+}

@@ -1,0 +1,26 @@
+//! Stability over two keys.
+
+use super::point::PointVerdict;
+use crate::oscillator::stability_map::figure::ascending;
+use judder_report::figure::Class;
+use judder_report::{Layer, Panel, Role};
+use judder_store::Dataset;
+use judder_study::pictures::{axis, codes, reals};
+
+/// Verdicts by colour, the located boundary on top.
+pub(super) fn stability_map(dataset: &Dataset) -> Option<Vec<Panel>> {
+    let codes = codes(dataset, "stability")?;
+    let [x, y] = ["x", "y"].map(|name| dataset.variable(name));
+    let drawn: Vec<PointVerdict> =
+        PointVerdict::ALL.into_iter().filter(|own| codes.contains(&own.code())).collect();
+    let place = |code: &u8| drawn.iter().position(|own| own.code() == *code).unwrap_or_default() as u8;
+    let places: Vec<u8> = codes.iter().map(place).collect();
+    let classes = drawn.iter().map(|own| Class::new(own.words(), own.role())).collect();
+    let map = ascending(reals(dataset, "x")?, reals(dataset, "y")?, &places, classes);
+    let mut layers = vec![Layer::Classes(map)];
+    let (across, up) = (reals(dataset, "boundary_x")?, reals(dataset, "boundary_y")?);
+    if !across.is_empty() {
+        layers.push(Layer::points("boundary", across.to_vec(), up.to_vec(), Role::FullBoundary));
+    }
+    Some(vec![Panel::new(axis(x?), axis(y?), layers)])
+}

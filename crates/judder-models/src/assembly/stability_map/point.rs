@@ -1,0 +1,136 @@
+//! A point of a map: its verdict, and what feeds the fastest growing mode.
+
+use crate::assembly::swept::{SlidingState, SweptAssembly};
+use crate::error::ModelError;
+use judder_assembly::linearised::ContactTerm;
+use judder_assembly::work::{Worker, growth_shares};
+use judder_report::Role;
+use judder_structure::complex_modes::{ComplexMode, EigenvalueVerdict};
+use judder_structure::onset::StabilityAt;
+use judder_structure::quadratic::Region;
+
+/// What a point of a map is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum PointVerdict {
+    Stable,
+    Marginal,
+    Coupling,
+    FallingFriction,
+    SpeedCoupling,
+    OtherGrowth,
+    Divergence,
+    Unresolved,
+}
+
+impl PointVerdict {
+    pub(super) const ALL: [Self; 8] = [
+        Self::Stable,
+        Self::Marginal,
+        Self::Coupling,
+        Self::FallingFriction,
+        Self::SpeedCoupling,
+        Self::OtherGrowth,
+        Self::Divergence,
+        Self::Unresolved,
+    ];
+
+    /// Its code in arrays.
+    pub(super) fn code(self) -> u8 {
+        Self::ALL.iter().position(|own| *own == self).unwrap_or_default() as u8
+    }
+
+    /// Its words in legends.
+    pub(super) fn words(self) -> &'static str {
+        match self {
+            Self::Stable => "stable",
+            Self::Marginal => "marginal",
+            Self::Coupling => "unstable, fed by the coupling of normal and friction forces",
+            Self::FallingFriction => "unstable, fed by falling friction",
+            Self::SpeedCoupling => "unstable, fed by normal forces that follow the speed",
+            Self::OtherGrowth => "unstable, fed by the structures",
+            Self::Divergence => "divergence",
+            Self::Unresolved => "not known",
+        }
+    }
+
+    /// Its colour.
+    pub(super) fn role(self) -> Role {
+        match self {
+            Self::Stable => Role::Stable,
+            Self::Marginal => Role::Reference,
+            Self::Coupling => Role::Flutter,
+            Self::FallingFriction => Role::NegativeDamping,
+            Self::SpeedCoupling => Role::NormalForceCoupling,
+            Self::OtherGrowth => Role::DestabilisedByDamping,
+            Self::Divergence => Role::Both,
+            Self::Unresolved => Role::Unresolved,
+        }
+    }
+
+    /// Whether a mode grows.
+    pub(super) fn is_unstable(self) -> bool {
+        !matches!(self, Self::Stable | Self::Marginal | Self::Unresolved)
+    }
+}
+
+/// What is known at a point.
+#[derive(Debug, Clone)]
+pub(super) struct MapPoint {
+    pub(super) verdict: PointVerdict,
+    /// Of the fastest growing or slowest decaying mode, in 1/s, and its frequency in Hz; NaN where there is none.
+    pub(super) growth: f64,
+    pub(super) frequency: f64,
+    /// For onsets between it and its neighbours; `None` where there is no steady sliding.
+    pub(super) stability: Option<StabilityAt>,
+}
+
+impl MapPoint {
+    /// A point of which nothing is known.
+    pub(super) const UNKNOWN: Self =
+        Self { verdict: PointVerdict::Unresolved, growth: f64::NAN, frequency: f64::NAN, stability: None };
+
+    pub(super) fn new(
+        family: &SweptAssembly<'_>,
+        state: &SlidingState,
+        region: &Region,
+    ) -> Result<Self, ModelError> {
+        let solved = family.solved_alone(state, region)?;
+        let fastest =
+            solved.modes.iter().max_by(|a, b| a.eigenvalue.value.re.total_cmp(&b.eigenvalue.value.re));
+        let grows = fastest.map(|mode| mode.eigenvalue.verdict());
+        let verdict = match (fastest, grows) {
+            (Some(mode), Some(EigenvalueVerdict::Unstable)) => fed_by(family, state, mode)?,
+            // growing modes may be among those that are missing
+            _ if !solved.gaps.is_empty() => PointVerdict::Unresolved,
+            (_, Some(EigenvalueVerdict::Marginal)) => PointVerdict::Marginal,
+            _ => PointVerdict::Stable,
+        };
+        let eigenvalues = solved.modes.iter().map(|mode| mode.eigenvalue).collect();
+        Ok(Self {
+            verdict,
+            growth: fastest.map_or(f64::NAN, |mode| mode.eigenvalue.value.re),
+            frequency: fastest.map_or(f64::NAN, |mode| mode.eigenvalue.frequency_hz()),
+            stability: Some(StabilityAt { eigenvalues, closed: state.closed() }),
+        })
+    }
+}
+
+/// What adds most to the growth rate of a mode.
+fn fed_by(
+    family: &SweptAssembly<'_>,
+    state: &SlidingState,
+    mode: &ComplexMode,
+) -> Result<PointVerdict, ModelError> {
+    if mode.eigenvalue.frequency_hz() == 0.0 {
+        return Ok(PointVerdict::Divergence);
+    }
+    let about = family.about(state)?;
+    let shares = growth_shares(&about, mode.eigenvalue.value, &about.expanded(&mode.right))?;
+    let largest = shares.and_then(|own| own.shares.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)));
+    Ok(match largest {
+        Some((Worker::Contact(_, ContactTerm::NormalTangentialCoupling), _)) => PointVerdict::Coupling,
+        Some((Worker::Contact(_, ContactTerm::FallingFriction), _)) => PointVerdict::FallingFriction,
+        Some((Worker::Contact(_, ContactTerm::SpeedNormalCoupling), _)) => PointVerdict::SpeedCoupling,
+        _ => PointVerdict::OtherGrowth,
+    })
+}

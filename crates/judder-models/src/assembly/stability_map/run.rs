@@ -1,0 +1,190 @@
+//! Verdicts at the points of a map, and the boundary between them.
+
+use super::AssemblyMap;
+use super::point::{MapPoint, PointVerdict};
+use crate::assembly::Subject;
+use crate::assembly::swept::SweptAssembly;
+use crate::error::ModelError;
+use crate::key_sweep::KeySweep;
+use judder_store::{Dataset, Results, Variable};
+use judder_structure::onset::{StabilityAt, onsets};
+use judder_structure::quadratic::Region;
+use judder_study::axis::Axis;
+use judder_study::labels::{Quantity, any_key};
+use judder_study::outcome::Outcome;
+use judder_study::{Progress, StudyError};
+use rayon::prelude::*;
+
+/// What is told of a map.
+#[derive(Results)]
+pub(super) struct ToldMap {
+    /// the key across
+    x: String,
+    /// the key upwards
+    y: String,
+    /// decisions made
+    points: usize,
+    /// share of the points that are unstable
+    unstable_fraction: f64,
+    /// points of which nothing is known
+    unresolved: usize,
+    /// why, at the first of them
+    #[result(optional)]
+    reason: Option<String>,
+    /// wall time of the decisions
+    seconds: f64,
+}
+
+pub(super) fn run(
+    of: &Subject<'_>,
+    settings: &AssemblyMap,
+    progress: &dyn Progress,
+) -> Result<Outcome, ModelError> {
+    let map = SolvedMap {
+        family: SweptAssembly::new(of, vec![&settings.x, &settings.y], settings.damping),
+        region: settings.sought.region(),
+        x: &settings.x,
+        y: &settings.y,
+    };
+    let start = std::time::Instant::now();
+    let (points, reasons) = map.points(progress)?;
+    let seconds = start.elapsed().as_secs_f64();
+    let boundary = if settings.boundaries { map.boundary(&points) } else { Vec::new() };
+    let count = |is: &dyn Fn(PointVerdict) -> bool| points.iter().filter(|point| is(point.verdict)).count();
+    let unresolved = count(&|verdict| verdict == PointVerdict::Unresolved);
+    let told = ToldMap {
+        x: settings.x.path.clone(),
+        y: settings.y.path.clone(),
+        points: points.len(),
+        unstable_fraction: count(&PointVerdict::is_unstable) as f64 / points.len() as f64,
+        unresolved,
+        reason: reasons.first().cloned(),
+        seconds,
+    };
+    let warning = (unresolved > 0).then(|| {
+        let why = reasons.first().map_or("eigenvalues may be missing", String::as_str);
+        format!("{unresolved} of {} points are not known, the first: {why}", points.len())
+    });
+    Ok(Outcome {
+        scalars: told.scalars(),
+        dataset: map.dataset(&points, &boundary)?,
+        missing: unresolved,
+        warnings: warning.into_iter().collect(),
+        ..Outcome::default()
+    })
+}
+
+/// A map as it is solved.
+struct SolvedMap<'a> {
+    family: SweptAssembly<'a>,
+    region: Region,
+    x: &'a KeySweep,
+    y: &'a KeySweep,
+}
+
+impl SolvedMap<'_> {
+    /// All points, row by row, and why some are not known.
+    fn points(&self, progress: &dyn Progress) -> Result<(Vec<MapPoint>, Vec<String>), ModelError> {
+        let columns = self.x.values.len();
+        let solved: Vec<Result<MapPoint, ModelError>> = (0..columns * self.y.values.len())
+            .into_par_iter()
+            .map(|index| {
+                if progress.interrupted() {
+                    return Err(StudyError::Interrupted.into());
+                }
+                let values = [self.x.values[index % columns], self.y.values[index / columns]];
+                let state = self.family.state(&values)?;
+                let point = MapPoint::new(&self.family, &state, &self.region);
+                progress.advance();
+                point
+            })
+            .collect();
+        let (mut points, mut reasons) = (Vec::with_capacity(solved.len()), Vec::new());
+        for point in solved {
+            match point {
+                Err(ModelError::Study(StudyError::Interrupted)) => return Err(StudyError::Interrupted.into()),
+                Err(error) => {
+                    reasons.push(error.to_string());
+                    points.push(MapPoint::UNKNOWN);
+                }
+                Ok(point) => points.push(point),
+            }
+        }
+        Ok((points, reasons))
+    }
+
+    /// Where stability changes between neighbours of a row or of a column.
+    fn boundary(&self, points: &[MapPoint]) -> Vec<[f64; 2]> {
+        let (columns, rows) = (self.x.values.len(), self.y.values.len());
+        let across = (0..rows).flat_map(|row| (1..columns).map(move |k| [[k - 1, row], [k, row]]));
+        let upwards = (0..columns).flat_map(|column| (1..rows).map(move |k| [[column, k - 1], [column, k]]));
+        let pairs: Vec<[[usize; 2]; 2]> = across.chain(upwards).collect();
+        pairs.par_iter().filter_map(|pair| self.between(points, *pair)).collect()
+    }
+
+    /// Where stability changes between two neighbours; `None` where it does not, or is not known.
+    fn between(&self, points: &[MapPoint], [one, other]: [[usize; 2]; 2]) -> Option<[f64; 2]> {
+        let place = |[column, row]: [usize; 2]| [self.x.values[column], self.y.values[row]];
+        let axis = usize::from(one[0] == other[0]);
+        let point = |[column, row]: [usize; 2]| &points[row * self.x.values.len() + column];
+        let mut ends = [one, other];
+        ends.sort_by(|a, b| place(*a)[axis].total_cmp(&place(*b)[axis]));
+        let [low, high] = ends.map(|at| (place(at)[axis], point(at)));
+        if low.1.verdict.is_unstable() == high.1.verdict.is_unstable() {
+            return None;
+        }
+        let known = [(low.0, low.1.stability.clone()?), (high.0, high.1.stability.clone()?)];
+        let at = |value: f64| {
+            let mut values = place(one);
+            values[axis] = value;
+            values
+        };
+        let found = onsets(&known, &self.region, &mut |value, within: &Region| {
+            let state = self.family.state(&at(value))?;
+            let solved = self.family.solved_alone(&state, within)?;
+            let eigenvalues = solved.modes.iter().map(|mode| mode.eigenvalue).collect();
+            Ok::<_, ModelError>(StabilityAt { eigenvalues, closed: state.closed() })
+        });
+        let found = found.ok()?;
+        // beyond the first onset modes grow, or before the last
+        let onset = if high.1.verdict.is_unstable() { found.first() } else { found.last() };
+        onset.map(|onset| at(onset.value))
+    }
+
+    fn dataset(&self, points: &[MapPoint], boundary: &[[f64; 2]]) -> Result<Dataset, ModelError> {
+        let axis = |name: &str, sweep: &KeySweep| Axis {
+            quantity: Quantity { name: name.to_owned(), ..any_key(&sweep.path, sweep.dimension) },
+            values: sweep.values.clone(),
+            scale: sweep.scale,
+        };
+        let (x, y) = (axis("x", self.x), axis("y", self.y));
+        let shape = [y.values.len(), x.values.len()];
+        let over = ["y", "x"];
+        let of = |pick: fn(&MapPoint) -> f64| points.iter().map(pick).collect::<Vec<f64>>();
+        let meanings = PointVerdict::ALL.map(|own| (own.code(), own.words()));
+        let codes = points.iter().map(|point| point.verdict.code()).collect();
+        let along = |name: &str, axis: usize, of: &Axis| {
+            let values: Vec<f64> = boundary.iter().map(|place| place[axis]).collect();
+            Variable::new(name, &["boundary_point"], &[boundary.len()], values)
+                .units(&of.quantity.unit)
+                .long_name(&format!("{} where stability changes", of.quantity.label))
+        };
+        let stability = Variable::classes("stability", &over, &shape, codes, &meanings);
+        Ok(Dataset::new()
+            .with(x.coordinate())?
+            .with(y.coordinate())?
+            .with(stability.long_name("stability, by what feeds the fastest growing mode"))?
+            .with(
+                Variable::new("growth_rate", &over, &shape, of(|point| point.growth))
+                    .units("1/s")
+                    .long_name("growth rate of the fastest growing or slowest decaying mode"),
+            )?
+            .with(
+                Variable::new("frequency", &over, &shape, of(|point| point.frequency))
+                    .units("Hz")
+                    .long_name("frequency of that mode"),
+            )?
+            .with(along("boundary_x", 0, &x))?
+            .with(along("boundary_y", 1, &y))?)
+    }
+}

@@ -1,0 +1,213 @@
+//! Steady sliding and small motions about it at any values of keys.
+
+use super::Subject;
+use super::build::BuiltAssembly;
+use super::case::contact::ContactForces;
+use super::eigen::{BAND, band};
+use crate::error::ModelError;
+use crate::key_sweep::{KeySweep, KeySweepProblem, SweptSections};
+use faer::Mat;
+use judder_assembly::compliance::Compliance;
+use judder_assembly::linearised::{Linearised, LinearisedTerms};
+use judder_assembly::steady::{SteadySliding, steady_sliding};
+use judder_keys::Settings;
+use judder_structure::complex_modes::{ComplexMode, ComplexModeSettings, Region, complex_modes};
+use judder_structure::eigen_sweep::{ProblemFamily, SolvedPoint, projected};
+use judder_structure::quadratic::Quadratic;
+use judder_study::Silent;
+use std::sync::Arc;
+
+/// Where complex modes are sought.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+pub enum SoughtRegion {
+    /// Between two frequencies, those that grow or decay by less than half a radian a radian.
+    #[key(rule = BAND, symbol = "ω", example = "[\"1 kHz\", \"10 kHz\"], or region = { re = […], im = […] }")]
+    Band([f64; 2]),
+    /// The rectangle of λ = re + i im in which eigenvalues are sought, in place of band.
+    #[key(example = "{ re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s")]
+    Region(Region),
+}
+
+impl SoughtRegion {
+    pub(super) fn region(self) -> Region {
+        match self {
+            Self::Region(region) => region,
+            Self::Band([from, to]) => band(from, to),
+        }
+    }
+}
+
+/// What can be swept.
+pub(super) const SWEPT: SweptSections = SweptSections {
+    names: &["parameters", "structure", "contact", "spring", "load", "substrate"],
+    advice: "sweep a number of a structure, a contact, a spring, a load or the parameters: contact.NAME.friction_coefficient, \
+        structure.NAME.material.youngs_modulus, parameters.NAME",
+    example: "contact.NAME.friction_coefficient",
+};
+
+/// An assembly some of whose keys take any value.
+#[derive(Clone)]
+pub(super) struct SweptAssembly<'a> {
+    of: &'a Subject<'a>,
+    keys: Vec<&'a KeySweep>,
+    terms: LinearisedTerms,
+    /// That of the case as it is; `None` where it has none.
+    compliance: Option<Arc<Compliance>>,
+    /// Whether every point is held closed whatever its force.
+    is_held: bool,
+    /// The case with whole bodies, where these are meant.
+    whole: Option<Arc<BuiltAssembly>>,
+}
+
+/// Steady sliding at values of the keys.
+pub(super) struct SlidingState {
+    values: Vec<f64>,
+    /// The assembly, where it shares its bodies with the case; that of other keys would fill the memory.
+    built: Option<BuiltAssembly>,
+    pub(super) steady: SteadySliding,
+}
+
+impl SlidingState {
+    /// Which points are closed.
+    pub(super) fn closed(&self) -> Vec<bool> {
+        self.steady.points.iter().map(|point| point.is_closed).collect()
+    }
+
+    /// How many points are closed.
+    pub(super) fn closed_points(&self) -> usize {
+        self.steady.points.iter().filter(|point| point.is_closed).count()
+    }
+}
+
+impl<'a> SweptAssembly<'a> {
+    /// With the dampings of structures and friction, or without.
+    pub(super) fn new(of: &'a Subject<'a>, keys: Vec<&'a KeySweep>, damping: bool) -> Self {
+        Self {
+            of,
+            keys,
+            terms: LinearisedTerms { damping, friction_damping: damping },
+            compliance: of.compliance().ok().map(Arc::new),
+            is_held: false,
+            whole: None,
+        }
+    }
+
+    /// The same with every point held closed.
+    pub(super) fn all_closed(&self) -> Self {
+        Self { is_held: true, ..self.clone() }
+    }
+
+    /// The same of whole bodies.
+    pub(super) fn whole(&self) -> Result<Self, ModelError> {
+        let built = BuiltAssembly::new(&self.of.case.clone().whole())?;
+        let compliance = Compliance::new(&built.assembly).ok().map(Arc::new);
+        Ok(Self { whole: Some(Arc::new(built)), compliance, ..self.clone() })
+    }
+
+    /// The assembly with the case's own values.
+    fn own(&self) -> &BuiltAssembly {
+        self.whole.as_deref().unwrap_or(self.of.built)
+    }
+
+    fn built(&self, values: &[f64]) -> Result<BuiltAssembly, ModelError> {
+        let refused = |problem: KeySweepProblem| ModelError::Unsupported(problem.to_string());
+        let swept: Vec<(&KeySweep, f64)> = self.keys.iter().copied().zip(values.iter().copied()).collect();
+        let mut case = self.of.case.at(&swept).map_err(refused)?;
+        for contact in &mut case.contacts {
+            if let ContactForces::Coulomb { all_closed, .. } = &mut contact.forces {
+                *all_closed |= self.is_held;
+            }
+        }
+        let case = if self.whole.is_some() { case.whole() } else { case };
+        Ok(self.own().swept(&case, self.keys.iter().map(|key| key.path.as_str()))?)
+    }
+
+    /// Steady sliding at values of the keys.
+    pub(super) fn state(&self, values: &[f64]) -> Result<SlidingState, ModelError> {
+        let built = self.built(values)?;
+        if built.assembly.interfaces.is_empty() {
+            let steady = SteadySliding::untouched(built.assembly.size());
+            return Ok(SlidingState { values: values.to_vec(), built: None, steady });
+        }
+        built.find_laws(&Silent)?;
+        let told = |error| built.told(error);
+        let steady = match &self.compliance {
+            Some(known) if known.is_of(&built.assembly)? => steady_sliding(&built.assembly, known),
+            _ => Compliance::new(&built.assembly).and_then(|own| steady_sliding(&built.assembly, &own)),
+        };
+        let steady = steady.map_err(told)?;
+        let built = self.own().shares_bodies(&built).then_some(built);
+        Ok(SlidingState { values: values.to_vec(), built, steady })
+    }
+
+    /// Small motions about a state.
+    pub(super) fn about(&self, state: &SlidingState) -> Result<Linearised, ModelError> {
+        match &state.built {
+            Some(built) => Ok(Linearised::new(&built.assembly, &state.steady, self.terms)?),
+            None => Ok(Linearised::new(&self.built(&state.values)?.assembly, &state.steady, self.terms)?),
+        }
+    }
+
+    /// The modes of a state in a region.
+    pub(super) fn solved_alone(
+        &self,
+        state: &SlidingState,
+        region: &Region,
+    ) -> Result<SolvedPoint, ModelError> {
+        let found = complex_modes(&self.about(state)?.problem, region, &ComplexModeSettings::default())?;
+        Ok(SolvedPoint { modes: found.modes, gaps: found.gaps, full: true })
+    }
+
+    /// Modes of a state with their vectors on all freedoms, for those of other closed points to be compared with.
+    pub(super) fn expanded(
+        &self,
+        state: &SlidingState,
+        solved: SolvedPoint,
+    ) -> Result<SolvedPoint, ModelError> {
+        let about = self.about(state)?;
+        let on_all = |mode: ComplexMode| ComplexMode {
+            right: about.expanded(&mode.right),
+            left: about.expanded_left(&mode.left),
+            ..mode
+        };
+        Ok(SolvedPoint { modes: solved.modes.into_iter().map(on_all).collect(), ..solved })
+    }
+}
+
+/// States with the same closed points, whose problems are of one size.
+impl ProblemFamily for SweptAssembly<'_> {
+    type Point = SlidingState;
+    type OnBasis = ();
+    type Error = ModelError;
+
+    fn at(&self, state: &SlidingState) -> Result<Quadratic, ModelError> {
+        Ok(self.about(state)?.problem)
+    }
+
+    fn coordinates(&self, state: &SlidingState) -> Vec<f64> {
+        state.values.clone()
+    }
+
+    fn on_basis(&self, _: &[Vec<f64>]) {}
+
+    fn projected(&self, (): &(), basis: &[Vec<f64>], _: &SlidingState, problem: &Quadratic) -> [Mat<f64>; 3] {
+        [problem.mass(), problem.damping(), problem.stiffness()].map(|matrix| projected(matrix, basis))
+    }
+}
+
+impl SweptAssembly<'_> {
+    /// What is to be said of steady sliding at the first few states, and at how many more.
+    pub(super) fn doubts<'s>(&self, states: impl Iterator<Item = &'s SlidingState>) -> Vec<String> {
+        const TOLD: usize = 3;
+        let doubted = |state: &SlidingState| -> Vec<String> {
+            let words = self.keys.iter().zip(&state.values);
+            let words = words.map(|(key, value)| format!("{} = {}", key.path, key.text(*value)));
+            let with = words.collect::<Vec<_>>().join(", ");
+            self.of.doubts(&state.steady).into_iter().map(|doubt| format!("{with}: {doubt}")).collect()
+        };
+        let all: Vec<Vec<String>> = states.map(doubted).filter(|doubts| !doubts.is_empty()).collect();
+        let more = all.len().saturating_sub(TOLD);
+        let rest = (more > 0).then(|| format!("of {more} more values there is something to be said as well"));
+        all.into_iter().take(TOLD).flatten().chain(rest).collect()
+    }
+}

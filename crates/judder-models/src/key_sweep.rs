@@ -1,0 +1,228 @@
+//! Sweeps of any number of a case: each value is a case of its own.
+
+use crate::structure::case::problem::StructureProblem;
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Number, Setting, both, read_settings};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::{Data, Node, STEPS_LIMIT};
+use judder_keys::error::Fault;
+use judder_keys::problem::{Placed, Problem};
+use judder_keys::section::Section;
+use judder_study::case::key_sweep::{AnyNumber, VariedKey, of_one_dimension, shown, written};
+use judder_study::case::scale::{Scale, spaced};
+use serde_json::{Value as Json, json};
+use std::fmt;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// The sections of a case whose numbers can be swept, with keys as examples.
+#[derive(Debug)]
+pub struct SweptSections {
+    /// Their names.
+    pub names: &'static [&'static str],
+    /// What they describe, and dotted paths of a few of their numbers.
+    pub advice: &'static str,
+    /// A key, for who forgets it.
+    pub example: &'static str,
+}
+
+/// The most points of a sweep: each is a case of its own.
+pub const SWEEP_LIMIT: usize = 100_000;
+
+/// Any number of a case with the values that it takes one after the other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KeySweep {
+    /// Its dotted path, such as `structure.oblique.beam.angle`.
+    pub path: String,
+    /// The values, two at least, ascending or descending, in SI units.
+    pub values: Vec<f64>,
+    /// Their dimension.
+    pub dimension: Dimension,
+    /// How they are spaced, for the axis of figures.
+    pub scale: Scale,
+}
+
+impl KeySweep {
+    /// A value with its unit.
+    pub fn text(&self, value: f64) -> String {
+        shown(value, self.dimension)
+    }
+
+    /// A value as a case file would have it.
+    pub fn data(&self, value: f64) -> Data {
+        written(value, self.dimension)
+    }
+}
+
+/// `{ key, from, to, points, scale }` or `{ key, values }`.
+impl Setting for KeySweep {
+    type Rule = SweptSections;
+
+    fn form(_: &SweptSections) -> Allowed {
+        VariedKey::<SWEEP_LIMIT>::form(&())
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, rule: &SweptSections) -> Result<Self, Fault> {
+        let (path, title) = (section.path(key), section.title(key));
+        let varied: VariedKey<SWEEP_LIMIT> = read_settings(node, &path, &title)?;
+        let table = Section::of_table(node, &path, &title)?;
+        let expected = format!("the dotted path of a number of the case, key = \"{}\"", rule.example);
+        let node_of_key = table.required("key", &expected)?;
+        let mut steps = varied.key.split('.');
+        if !steps.next().is_some_and(|first| rule.names.contains(&first)) || steps.count() > STEPS_LIMIT {
+            let (key, advice) = (varied.key, rule.advice);
+            return Err(KeySweepProblem::NotSwept { key, advice }.at(node_of_key.place));
+        }
+        match (table.get("values"), &varied.values) {
+            (Some(node_of_values), Some(values)) => {
+                Section::open(node, "sweep", "`sweep` with `values`", &["key", "values"])?;
+                of_list(&varied.key, node_of_values, values)
+            }
+            _ => of_range(&varied, &table),
+        }
+    }
+
+    fn write(&self, _: &SweptSections) -> Json {
+        let rule = Number::any(self.dimension);
+        let values: Json = self.values.iter().map(|value| value.write(&rule)).collect();
+        json!({ "key": self.path, "values": values, "scale": self.scale.name() })
+    }
+}
+
+impl KeySweep {
+    /// Tries both ends on a case, which has the sweep at `node`; `at` is the case at a value.
+    pub(crate) fn admit<T>(
+        &self,
+        node: &Node,
+        at: impl Fn(f64) -> Result<T, KeySweepProblem>,
+    ) -> Result<(), Fault> {
+        for value in self.values.first().into_iter().chain(self.values.last()) {
+            at(*value).map_err(|problem| {
+                let key = node.entry("key").filter(|_| matches!(problem, KeySweepProblem::SweptKey { .. }));
+                problem.at(key.unwrap_or(node).place)
+            })?;
+        }
+        Ok(())
+    }
+}
+
+/// What a case was read from, to read it anew with other values.
+pub(crate) struct Origin {
+    root: Node,
+    /// What its files are relative to.
+    pub(crate) folder: PathBuf,
+}
+
+impl fmt::Debug for Origin {
+    /// The folder alone: the typed case says what the tree held.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("Origin").field("folder", &self.folder).finish_non_exhaustive()
+    }
+}
+
+impl Origin {
+    pub(crate) fn new(root: &Node, folder: &Path) -> Self {
+        Self { root: root.clone(), folder: folder.to_owned() }
+    }
+
+    /// The case with swept keys at these values, in SI units, as `read` has it.
+    ///
+    /// # Errors
+    /// [`KeySweepProblem::SweptKey`] where the case has no such key, [`KeySweepProblem::SweptValue`] where there is no such case.
+    pub(crate) fn at<T>(
+        &self,
+        swept: &[(&KeySweep, f64)],
+        read: impl Fn(&Node, &Path) -> Result<T, Fault>,
+    ) -> Result<T, KeySweepProblem> {
+        let mut root = self.root.clone();
+        let place = root.place;
+        let set = swept.iter().try_for_each(|(sweep, value)| {
+            root.set(&sweep.path, place, Node { place, data: sweep.data(*value) })
+        });
+        set.and_then(|()| read(&root, &self.folder)).map_err(|fault| {
+            let cause = fault.into_cause();
+            let word = |(sweep, value): &(&KeySweep, f64)| (sweep.path.clone(), sweep.text(*value));
+            let (keys, values): (Vec<String>, Vec<String>) = swept.iter().map(word).unzip();
+            let (key, value) = (keys.join("`, `"), values.join(", "));
+            let advice = cause.help().unwrap_or_else(|| "sweep values that the key can take".to_owned());
+            let reason = cause.to_string();
+            match cause {
+                Cause::UnknownKey { .. } => KeySweepProblem::SweptKey { key, reason, advice },
+                _ => KeySweepProblem::SweptValue { key, value, reason, advice },
+            }
+        })
+    }
+}
+
+fn of_list(path: &str, node: &Node, values: &[AnyNumber]) -> Result<KeySweep, Fault> {
+    let (values, _, dimension) = of_one_dimension("sweep.values", node, values, 2)?;
+    if !values.is_sorted_by(|a, b| a < b) && !values.is_sorted_by(|a, b| a > b) {
+        return Err(StructureProblem::UnsortedValues.at(node.place));
+    }
+    Ok(KeySweep { path: path.to_owned(), values, dimension, scale: Scale::Linear })
+}
+
+fn of_range(varied: &VariedKey<SWEEP_LIMIT>, table: &Section<'_>) -> Result<KeySweep, Fault> {
+    let points = varied
+        .points
+        .ok_or_else(|| table.missing("points", "points = 101, the number of points, both ends included"));
+    let (ends, points) = both(varied.ends(table), points)?;
+    let points = points as u64;
+    let values = (0..points).map(|index| spaced(ends.values, points, ends.scale, index)).collect();
+    Ok(KeySweep { path: varied.key.clone(), values, dimension: ends.dimension, scale: ends.scale })
+}
+
+/// What can be wrong with a sweep of any number of a case.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum KeySweepProblem {
+    /// A swept key of a section whose numbers cannot be swept.
+    #[error("`{key}` cannot be swept")]
+    NotSwept {
+        /// The key as written.
+        key: String,
+        /// What can be.
+        advice: &'static str,
+    },
+    /// A value of a swept key with which the case cannot be.
+    #[error("with `{key}` = {value}: {reason}")]
+    SweptValue {
+        /// The swept key.
+        key: String,
+        /// Its value, with the unit.
+        value: String,
+        /// What is wrong then.
+        reason: String,
+        /// What would be right.
+        advice: String,
+    },
+    /// Something else than a key of the case that a sweep should vary.
+    #[error("`{key}` cannot be swept: {reason}")]
+    SweptKey {
+        /// The key as written.
+        key: String,
+        /// What is wrong with it.
+        reason: String,
+        /// What would be right.
+        advice: String,
+    },
+}
+
+impl Problem for KeySweepProblem {
+    fn kind(&self) -> &'static str {
+        "Sweep"
+    }
+
+    fn label(&self) -> &'static str {
+        match self {
+            Self::NotSwept { .. } | Self::SweptKey { .. } => "not to be swept",
+            Self::SweptValue { .. } => "a value of this sweep",
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        Some(match self {
+            Self::NotSwept { advice, .. } => (*advice).to_owned(),
+            Self::SweptValue { advice, .. } | Self::SweptKey { advice, .. } => advice.clone(),
+        })
+    }
+}

@@ -48,7 +48,7 @@ pub enum QuantityError {
 /// A unit without prefix: symbol, factor and power of ten to SI, dimension, whether prefixes apply.
 struct Unit(&'static str, f64, i32, Dimension, bool);
 
-const UNITS: [Unit; 15] = [
+const UNITS: [Unit; 16] = [
     Unit("m", 1.0, 0, Dimension::LENGTH, true),
     Unit("g", 1.0, -3, Dimension::MASS, true),
     Unit("s", 1.0, 0, Dimension::TIME, true),
@@ -58,6 +58,7 @@ const UNITS: [Unit; 15] = [
     Unit("deg", PI / 180.0, 0, Dimension::ANGLE, false),
     Unit("°", PI / 180.0, 0, Dimension::ANGLE, false),
     Unit("Hz", 2.0 * PI, 0, Dimension::ANGULAR_FREQUENCY, true),
+    Unit("rpm", PI / 30.0, 0, Dimension::ANGULAR_FREQUENCY, false),
     Unit("N", 1.0, 0, Dimension::FORCE, true),
     Unit("Pa", 1.0, 0, Dimension::STRESS, true),
     Unit("J", 1.0, 0, Dimension::new(2, 1, -2, 0), true),
@@ -91,10 +92,10 @@ const PREFIXES: [(char, i32); 10] = [
 
 /// The units and prefixes that [`Quantity::parse`] knows, for help texts.
 pub const UNIT_LIST: &str =
-    "m g s min h N Pa J W K mol degC Hz rad deg, with the prefixes p n µ (or u) m c k M G";
+    "m g s min h N Pa J W K mol degC Hz rpm rad deg, with the prefixes p n µ (or u) m c k M G";
 
 impl Quantity {
-    /// Parses `"3.5 kN/m"` and the like; `Hz` is 2π rad/s.
+    /// Parses `"3.5 kN/m"` and the like; `Hz` is 2π rad/s, `rpm` π/30 rad/s.
     ///
     /// # Errors
     /// The cause and the byte range of `text` that it concerns.

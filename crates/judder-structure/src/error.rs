@@ -31,6 +31,27 @@ pub enum StructureError {
         /// The determinant there.
         determinant: f64,
     },
+    /// A disc cannot be meshed.
+    #[error("there is no disc: {what}")]
+    NoDisc {
+        /// Why.
+        what: &'static str,
+    },
+    /// A body that turns has elements of the plane.
+    #[error("{kind}s cannot turn: gyroscopic and centrifugal terms are those of bricks and tetrahedra")]
+    NoRotation {
+        /// The shape.
+        kind: ElementKind,
+    },
+    /// The centrifugal force of a body moves it as a whole.
+    #[error(
+        "the centrifugal force is not in balance: it moves the body away, by {} of the force; is its centre of mass on the axis, or is it held?",
+        plain(*.share)
+    )]
+    Unbalanced {
+        /// What no stress takes up, over the force.
+        share: f64,
+    },
     /// An element of the plane is given as a solid, or the other way round.
     #[error("{kind}s have {dimension} dimensions, their section has {section}")]
     WrongSection {

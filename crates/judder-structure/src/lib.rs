@@ -2,7 +2,7 @@
 //!
 //! In the order in which the data flows:
 //!
-//! - [`mesh`]: nodes, elements, named sets; [`beam`] makes one of a straight beam, [`grid`] of a box.
+//! - [`mesh`]: nodes, elements, named sets; [`beam`] makes one of a straight beam, [`grid`] of a box, [`disc`] of a ring.
 //! - [`material`]: linear elasticity, plane stress, plane strain.
 //! - [`element`]: shape functions, quadrature, stiffness and consistent mass of one element.
 //! - [`freedom`]: which displacements are free, tied, held.
@@ -31,6 +31,7 @@ pub mod craig_bampton;
 pub mod damping;
 pub mod diagnosis;
 mod direction;
+pub mod disc;
 pub mod eigen_sweep;
 pub mod element;
 mod error;

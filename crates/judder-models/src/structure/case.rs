@@ -100,7 +100,8 @@ impl StructureSource {
             if Geometry::KEYS.iter().any(|key| section.get(key).is_some()) {
                 return Ok(());
             }
-            let expected = "beam = { … }, block = { … }, mesh = \"file.msh\" or matrices = { … }";
+            let expected =
+                "beam = { … }, block = { … }, disc = { … }, mesh = \"file.msh\" or matrices = { … }";
             return Err(section.missing("beam", expected));
         }
         for key in Body::keys().into_iter().chain(["damping"]) {
@@ -132,7 +133,7 @@ impl StructureSource {
         match self {
             Self::Body(body) => match &body.geometry {
                 Geometry::Mesh(file) => vec![file],
-                Geometry::Beam(_) | Geometry::Block(_) => Vec::new(),
+                Geometry::Beam(_) | Geometry::Block(_) | Geometry::Disc(_) => Vec::new(),
             },
             Self::Matrices(Matrices::Files(sums)) => sums.files(),
             Self::Matrices(Matrices::Arrays(_)) => Vec::new(),

@@ -62,7 +62,7 @@ fn a_unit_that_does_not_exist() {
 velocity = "30 mm/fortnight""#),
         "`operation.velocity` is not a speed: unknown unit `fortnight`",
         "fortnight",
-        r#"write a speed, such as "30 mm/s"; known units: m g s min h N Pa J W K mol degC Hz rad deg, with the prefixes p n µ (or u) m c k M G"#,
+        r#"write a speed, such as "30 mm/s"; known units: m g s min h N Pa J W K mol degC Hz rpm rad deg, with the prefixes p n µ (or u) m c k M G"#,
     );
 }
 

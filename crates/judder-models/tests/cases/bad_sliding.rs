@@ -79,7 +79,8 @@ fn keys_of_a_structure_are_named_with_it() {
     );
     let text = with_analyses("").replacen("beam = {", "block = { size = [] }\nbeam = {", 1);
     let error = parse(&text, &[]).unwrap_err();
-    let message = "the structure `oblique` has `beam` and `block`, but takes one of `beam`, `block`, `mesh`";
+    let message =
+        "the structure `oblique` has `beam` and `block`, but takes one of `beam`, `block`, `disc`, `mesh`";
     assert_eq!(error.to_string(), message);
 }
 
@@ -89,7 +90,7 @@ fn a_structure_of_nothing() {
     let line = text.lines().find(|line| line.starts_with("beam = ")).unwrap();
     let error = parse(&text.replacen(line, "", 1), &[]).unwrap_err();
     assert_eq!(error.to_string(), "the structure `oblique` lacks the key `beam`");
-    let help = "give beam = { … }, block = { … }, mesh = \"file.msh\" or matrices = { … }";
+    let help = "give beam = { … }, block = { … }, disc = { … }, mesh = \"file.msh\" or matrices = { … }";
     assert_eq!(help_of(&error), help);
 }
 

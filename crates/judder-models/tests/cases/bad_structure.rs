@@ -24,7 +24,7 @@ fn no_structure() {
         "model = \"structure\"\n",
         "a structure case needs `[structure]` or `[matrices]`",
         "",
-        "give [structure] with beam = { … }, block = { … } or mesh = \"file.msh\", or [matrices] with mass = [{ file = \"…\" }]",
+        "give [structure] with beam = { … }, block = { … }, disc = { … } or mesh = \"file.msh\", or [matrices] with mass = [{ file = \"…\" }]",
     );
 }
 
@@ -41,10 +41,15 @@ fn structure_and_matrices() {
 #[test]
 fn no_geometry_and_two() {
     let help = "as in beam = { length = \"100 mm\", thickness = \"2 mm\", elements = [100, 2] }";
-    refused(&body(""), "[structure] has none, but takes one of `beam`, `block`, `mesh`", "[structure]", help);
+    refused(
+        &body(""),
+        "[structure] has none, but takes one of `beam`, `block`, `disc`, `mesh`",
+        "[structure]",
+        help,
+    );
     refused(
         &body("beam = { length = \"1 m\" }\nblock = { size = [\"1 m\"] }"),
-        "[structure] has `beam` and `block`, but takes one of `beam`, `block`, `mesh`",
+        "[structure] has `beam` and `block`, but takes one of `beam`, `block`, `disc`, `mesh`",
         "{ size = [\"1 m\"] }",
         help,
     );

@@ -2,7 +2,7 @@
 
 use super::assembled::{add_supports, assembled, dimension_of, hold, section};
 use super::{Structure, Unbuilt};
-use crate::structure::case::body::{Beam, Block, Body, EndCondition, Geometry};
+use crate::structure::case::body::{Beam, Block, Body, Disc, EndCondition, Geometry};
 use crate::structure::case::damping::Damping;
 use judder_structure::beam;
 use judder_structure::freedom::Supports;
@@ -16,6 +16,7 @@ pub(super) fn structure(body: &Body, damping: &Damping) -> Result<Structure, Unb
     let (mesh, mut supports) = match &body.geometry {
         Geometry::Beam(beam) => beam_mesh(beam)?,
         Geometry::Block(block) => (block_mesh(block)?, Supports::default()),
+        Geometry::Disc(disc) => (disc_mesh(disc)?, Supports::default()),
         Geometry::Mesh(file) => return super::mesh_file::structure(body, file, damping),
     };
     add_supports(body, &mesh, &mut supports)?;
@@ -53,4 +54,12 @@ fn block_mesh(block: &Block) -> Result<Mesh, Unbuilt> {
     let grid = Grid { kind: block.element(), size, cells };
     grid.mesh(OWN, |place| std::array::from_fn(|axis| moved(axis, place[axis])))
         .map_err(|error| Unbuilt::because("structure.block", &error))
+}
+
+fn disc_mesh(disc: &Disc) -> Result<Mesh, Unbuilt> {
+    let origin = disc.origin.as_deref().unwrap_or_default();
+    let moved = |axis: usize, along: f64| origin.get(axis).map_or(along, |from| from + along);
+    disc.ring()
+        .mesh(OWN, |place| std::array::from_fn(|axis| moved(axis, place[axis])))
+        .map_err(|error| Unbuilt::because("structure.disc", &error))
 }

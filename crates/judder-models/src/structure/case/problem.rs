@@ -6,6 +6,7 @@ use thiserror::Error;
 
 use judder_keys::nearest::did_you_mean;
 use judder_keys::problem::Problem;
+use judder_structure::element::ElementKind;
 
 /// What is wrong, with what a caller needs in order to act.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -14,13 +15,30 @@ pub enum StructureProblem {
     #[error("a structure case needs `[structure]` or `[matrices]`")]
     NoStructure,
     /// None or several of the ways to describe a body.
-    #[error("{section} has {}, but takes one of `beam`, `block`, `mesh`", listed(found))]
+    #[error("{section} has {}, but takes one of `beam`, `block`, `disc`, `mesh`", listed(found))]
     OneGeometry {
         /// The section as an error names it.
         section: String,
         /// The keys that are there.
         found: Vec<&'static str>,
     },
+    /// A disc of elements that make none.
+    #[error("a disc is made of eight-node or twenty-node bricks, not of {kind}s")]
+    DiscElement {
+        /// The shape.
+        kind: ElementKind,
+    },
+    /// A band of a disc that is not within it.
+    #[error("the band is not within the disc, whose radii are {inner} and {outer} m")]
+    BeyondDisc {
+        /// Of the disc, m.
+        inner: f64,
+        /// Of the disc, m.
+        outer: f64,
+    },
+    /// A sector of a turn or more.
+    #[error("the sector is a turn or more, which leaves nothing of the disc beside it")]
+    WholeTurn,
     /// A key that a generated body needs.
     #[error("{what} needs `{key}`")]
     Needs {
@@ -194,7 +212,10 @@ impl Problem for StructureProblem {
     fn label(&self) -> &'static str {
         match self {
             Self::NoStructure | Self::Needs { .. } => "in this section",
-            Self::OneGeometry { .. } => "one of three",
+            Self::OneGeometry { .. } => "one of four",
+            Self::DiscElement { .. } => "no bricks",
+            Self::BeyondDisc { .. } => "beyond the disc",
+            Self::WholeTurn => "too wide",
             Self::Format { .. } => "unknown format",
             Self::EmptySupport { .. } => "without effect",
             Self::Folder { .. } => "no such folder",
@@ -223,12 +244,15 @@ impl StructureProblem {
     fn advice(&self) -> String {
         match self {
             Self::NoStructure => {
-                "give [structure] with beam = { … }, block = { … } or mesh = \"file.msh\", or [matrices] with mass = [{ file = \"…\" }]"
+                "give [structure] with beam = { … }, block = { … }, disc = { … } or mesh = \"file.msh\", or [matrices] with mass = [{ file = \"…\" }]"
                     .to_owned()
             }
             Self::OneGeometry { .. } => {
                 "as in beam = { length = \"100 mm\", thickness = \"2 mm\", elements = [100, 2] }".to_owned()
             }
+            Self::DiscElement { .. } => "give element = \"hexahedron8\" or \"hexahedron20\"".to_owned(),
+            Self::BeyondDisc { .. } => "give radii between those of the disc".to_owned(),
+            Self::WholeTurn => "for even cells all around leave the sector out: `cells` has how many".to_owned(),
             Self::Needs { example, .. } => format!("give {example}"),
             Self::Format { known, .. } => format!("known endings: {known}"),
             Self::EmptySupport { .. } => "give fixed = [\"x\", \"y\"] or tied = [\"y\"]".to_owned(),

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 /// Bodies that touch at any number of contact points.
 ///
-/// M q̈ + C q̇ + K q = f + Σ (N n + T) over the contact points, on the freedoms of all bodies one after the other. Assemblies of the same
+/// M q̈ + (C + Σ G) q̇ + K q = f + Σ (N n + T) over the contact points, on the freedoms of all bodies one after the other. Assemblies of the same
 /// bodies share their matrices.
 #[derive(Debug, Clone)]
 pub struct Assembly {
@@ -17,12 +17,23 @@ pub struct Assembly {
     pub mass: Arc<Sparse>,
     /// C in N s/m, of the structures alone.
     pub damping: Arc<Sparse>,
-    /// K in N/m, of the structures alone; unsymmetric where they bring circulation.
+    /// K in N/m, of the structures alone: of bodies that turn with what turning adds and takes, unsymmetric where they bring circulation.
     pub stiffness: Arc<Sparse>,
+    /// G of each body that turns.
+    pub gyroscopic: Vec<Gyroscopic>,
     /// f in N, with what imposed displacements do.
     pub load: Vec<f64>,
     /// Where the bodies touch.
     pub interfaces: Vec<Interface>,
+}
+
+/// The forces of a body that turns which follow its velocities.
+#[derive(Debug, Clone)]
+pub struct Gyroscopic {
+    /// The name of the body.
+    pub body: String,
+    /// G in N s/m, skew, on the freedoms of all bodies.
+    pub matrix: Arc<Sparse>,
 }
 
 impl Assembly {
@@ -38,11 +49,13 @@ impl Assembly {
     /// [`AssemblyError::UnknownFreedom`], [`AssemblyError::Length`] for matrices of another size than the load, and what is wrong
     /// with an interface.
     pub fn framed(&self) -> Result<Vec<FramedPoint<'_>>, AssemblyError> {
-        for (name, matrix) in [
+        let gyroscopic = self.gyroscopic.iter().map(|own| ("rows of a gyroscopic matrix", &own.matrix));
+        let all = [
             ("rows of the mass", &self.mass),
             ("rows of the damping", &self.damping),
             ("rows of the stiffness", &self.stiffness),
-        ] {
+        ];
+        for (name, matrix) in all.into_iter().chain(gyroscopic) {
             if let Some(found) =
                 [matrix.nrows(), matrix.ncols()].into_iter().find(|found| *found != self.size())
             {
@@ -78,11 +91,20 @@ pub fn stacked(parts: &[&Sparse]) -> Result<Sparse, AssemblyError> {
     from_triplets(first, first, &entries)
 }
 
+/// A matrix of one body among the freedoms of all, which are so many; its own begin at `first`.
+///
+/// # Errors
+/// [`AssemblyError::Structure`] where it does not fit into memory.
+pub fn placed(matrix: &Sparse, first: usize, all: usize) -> Result<Sparse, AssemblyError> {
+    let moved = triplets(matrix).map(|entry| Triplet::new(first + entry.row, first + entry.col, entry.val));
+    from_triplets(all, all, &moved.collect::<Vec<_>>())
+}
+
 /// A matrix and others of its size, added.
-pub(crate) fn sum<'a>(
-    first: &Sparse,
-    others: impl Iterator<Item = &'a Sparse>,
-) -> Result<Sparse, AssemblyError> {
+///
+/// # Errors
+/// [`AssemblyError::Structure`] where it does not fit into memory.
+pub fn sum<'a>(first: &Sparse, others: impl Iterator<Item = &'a Sparse>) -> Result<Sparse, AssemblyError> {
     let entries: Vec<_> = triplets(first).chain(others.flat_map(triplets)).collect();
     from_triplets(first.nrows(), first.ncols(), &entries)
 }
@@ -105,7 +127,10 @@ pub(crate) fn is_symmetric(matrix: &Sparse) -> bool {
 }
 
 /// (A + Aᵀ)/2.
-pub(crate) fn symmetric_part(matrix: &Sparse) -> Result<Sparse, AssemblyError> {
+///
+/// # Errors
+/// [`AssemblyError::Structure`] where it does not fit into memory.
+pub fn symmetric_part(matrix: &Sparse) -> Result<Sparse, AssemblyError> {
     let halves = |entry: Triplet<usize, usize, f64>| {
         let half = 0.5 * entry.val;
         [Triplet::new(entry.row, entry.col, half), Triplet::new(entry.col, entry.row, half)]

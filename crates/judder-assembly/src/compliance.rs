@@ -60,7 +60,7 @@ impl Compliance {
         }
         let spring = spring(&assembly.stiffness, points);
         let held = with_springs(&assembly.stiffness, points, spring)?;
-        check_held(&held, &assembly.mass)?;
+        check_held(&held, assembly)?;
         let factor = Factor::new(&held)?;
         let columns: Vec<[Vec<f64>; 2]> = points
             .par_chunks(TOGETHER)
@@ -220,7 +220,8 @@ pub(crate) fn outer<'a>(
 }
 
 /// Refuses bodies that can move without force although springs hold every contact.
-fn check_held(stiffness: &Sparse, mass: &Sparse) -> Result<(), AssemblyError> {
+fn check_held(stiffness: &Sparse, assembly: &Assembly) -> Result<(), AssemblyError> {
+    let mass = &assembly.mass;
     let largest = |shape: Vec<f64>, motions: usize| {
         let largest = |best: usize, k: usize| if shape[k].abs() > shape[best].abs() { k } else { best };
         AssemblyError::RigidMotion { motions, freedom: (0..shape.len()).fold(0, largest), shape }
@@ -228,7 +229,7 @@ fn check_held(stiffness: &Sparse, mass: &Sparse) -> Result<(), AssemblyError> {
     if !is_symmetric(stiffness) {
         return motion_without_force(stiffness, mass)?.map_or(Ok(()), |shape| Err(largest(shape, 1)));
     }
-    let motions = rigid_motions(stiffness, mass)?;
+    let motions = rigid_motions(stiffness, assembly)?;
     if motions == 0 {
         return Ok(());
     }
@@ -237,12 +238,19 @@ fn check_held(stiffness: &Sparse, mass: &Sparse) -> Result<(), AssemblyError> {
 }
 
 /// How many motions there are without force; of a stiffness that is not symmetric whether there is one.
-pub(crate) fn rigid_motions(stiffness: &Sparse, mass: &Sparse) -> Result<usize, AssemblyError> {
+///
+/// Of bodies that turn some motions may be pushed on by more than their stiffness resists, and gyroscopic forces hold them: these are not without force.
+pub(crate) fn rigid_motions(stiffness: &Sparse, assembly: &Assembly) -> Result<usize, AssemblyError> {
+    let mass = &assembly.mass;
     if !is_symmetric(stiffness) {
         return Ok(usize::from(motion_without_force(stiffness, mass)?.is_some()));
     }
     let limit = rigid_limit(stiffness.nrows(), largest_ratio(stiffness, mass));
-    Ok(below(stiffness, mass, limit)?)
+    let count = below(stiffness, mass, limit)?;
+    if count == 0 || assembly.gyroscopic.is_empty() {
+        return Ok(count);
+    }
+    Ok(count - below(stiffness, mass, -limit)?.min(count))
 }
 
 /// A motion that a stiffness, which need not be symmetric, does not resist: by inverse iteration on K + s M with s the largest

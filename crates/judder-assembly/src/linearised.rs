@@ -5,7 +5,9 @@
 //! - a rigid point holds c δq = 0, and its force changes act along e = c + μ t: the motion has no part that c sees, the equations none
 //!   that e does, Lᵀ (λ² M + λ C + K) R z = 0 with c R = 0 and e L = 0, so even the mass is unsymmetric;
 //! - a point of finite stiffness adds (∂N/∂d cᵀ + ∂T/∂d tᵀ) c to the stiffness and ∂N/∂|v| cᵀ t to the damping;
-//! - the friction of every point follows the slip speed, ∂T/∂|v| tᵀt, and its direction the slip direction, T/|V| sᵀs, both in the damping.
+//! - the friction of every point follows the slip speed, ∂T/∂|v| tᵀt, and its direction the slip direction, T/|V| sᵀs, both in the damping;
+//! - where the track's material passes, the slip velocity follows displacements too, and these are in the stiffness;
+//! - where the normal turns with the deformed track, so do the forces that are there: [`Foot`](crate::contact_point::Foot).
 
 use crate::AssemblyError;
 use crate::assembly::{Assembly, from_triplets, is_symmetric, sum, symmetric_part};
@@ -33,13 +35,28 @@ pub enum ContactTerm {
     FrictionAcrossSlip,
     /// The normal force that follows the slip speed.
     SpeedNormalCoupling,
+    /// The forces that turn with the normal of the deformed track.
+    TurningNormal,
+    /// The friction that follows displacements as the track's material passes.
+    ConvectedSlip,
 }
 
 impl ContactTerm {
     /// Whether it acts on displacements, not on velocities.
     #[must_use]
     pub fn is_stiffness(self) -> bool {
-        matches!(self, Self::NormalStiffness | Self::NormalTangentialCoupling)
+        matches!(
+            self,
+            Self::NormalStiffness
+                | Self::NormalTangentialCoupling
+                | Self::TurningNormal
+                | Self::ConvectedSlip
+        )
+    }
+
+    /// Whether it is there because friction follows the slip velocity.
+    fn follows_slip(self) -> bool {
+        !self.is_stiffness() || self == Self::ConvectedSlip
     }
 }
 
@@ -84,6 +101,8 @@ pub struct Linearised {
     pub problem: Quadratic,
     /// M, C and K of the structures on all freedoms; the damping without entries where it is left out.
     pub structures: [Arc<Sparse>; 3],
+    /// G of each body that turns, on all freedoms.
+    pub gyroscopic: Vec<Arc<Sparse>>,
     /// What the contacts do, by interface and term.
     pub contacts: Vec<ContactMatrix>,
     pub(crate) held: Vec<HeldPoint>,
@@ -116,19 +135,20 @@ impl Linearised {
         let rigid: Vec<&ClosedPoint<'_>> = closed.iter().filter(|point| point.is_rigid()).collect();
         let (trial, test) = bases(assembly, &rigid)?;
         let projected = |matrix: &Sparse| NullBasis::projected(&test, matrix, &trial);
-        let added = |of_structures: &Sparse, is_stiffness: bool| {
-            let own = contacts.iter().filter(|contact| contact.term.is_stiffness() == is_stiffness);
-            sum(of_structures, own.map(|contact| &contact.matrix))
+        let gyroscopic: Vec<_> = assembly.gyroscopic.iter().map(|own| Arc::clone(&own.matrix)).collect();
+        let of_contacts = |is_stiffness: bool| {
+            let own = contacts.iter().filter(move |contact| contact.term.is_stiffness() == is_stiffness);
+            own.map(|contact| &contact.matrix)
         };
         let problem = Quadratic::new(
             projected(&structures[0])?,
-            projected(&added(&structures[1], false)?)?,
-            projected(&added(&structures[2], true)?)?,
+            projected(&sum(&structures[1], of_contacts(false).chain(gyroscopic.iter().map(AsRef::as_ref)))?)?,
+            projected(&sum(&structures[2], of_contacts(true))?)?,
         )?;
         let held = rigid
             .iter()
             .map(|point| HeldPoint { interface: point.framed.interface, equilibrium: point.equilibrium() });
-        Ok(Self { problem, structures, contacts, held: held.collect(), trial, test })
+        Ok(Self { problem, structures, gyroscopic, contacts, held: held.collect(), trial, test })
     }
 
     /// M and K without friction, on the freedoms that are left: symmetric, its modes are the parents of those that lock in. Of a
@@ -214,29 +234,44 @@ impl<'a> ClosedPoint<'a> {
         self.framed.equilibrium(self.friction)
     }
 
-    /// What a term takes of the point: factor f, column a and row b of f aᵀ b.
+    /// What a term takes of the point: sums of f aᵀ b with factors f, columns a and rows b.
     ///
     /// With δd = −c δq and δ|v| = −t δq̇ the forces of the right side are, on the left, stiffness and damping with the same signs.
-    fn term(&self, term: ContactTerm) -> (f64, &Row, &Row) {
+    fn term(&self, term: ContactTerm) -> Vec<Triplet<usize, usize, f64>> {
         let frame = &self.framed.frame;
         let (normal, slip, across) = (&frame.normal, &frame.slip, &frame.across);
         let PointForces { normal: n, friction: t } = self.forces;
+        let [carried, carried_across] = &frame.convected;
+        let turns = t.value / frame.speed;
+        let one = |factor: f64, column: &Row, row: &Row| outer(factor, column, row).collect();
         match term {
-            ContactTerm::NormalStiffness => (n.by_closure, normal, normal),
-            ContactTerm::NormalTangentialCoupling => (t.by_closure, slip, normal),
-            ContactTerm::FallingFriction => (t.by_speed, slip, slip),
-            ContactTerm::FrictionAcrossSlip => (t.value / frame.speed, across, across),
-            ContactTerm::SpeedNormalCoupling => (n.by_speed, normal, slip),
+            ContactTerm::NormalStiffness => one(n.by_closure, normal, normal),
+            ContactTerm::NormalTangentialCoupling => one(t.by_closure, slip, normal),
+            ContactTerm::FallingFriction => one(t.by_speed, slip, slip),
+            ContactTerm::FrictionAcrossSlip => one(turns, across, across),
+            ContactTerm::SpeedNormalCoupling => one(n.by_speed, normal, slip),
+            ContactTerm::ConvectedSlip => outer(-t.by_speed, slip, carried)
+                .chain(outer(-turns, across, carried_across))
+                .chain(outer(-n.by_speed, normal, carried))
+                .collect(),
+            ContactTerm::TurningNormal => {
+                let point = self.framed.point;
+                let terms =
+                    point.foot.iter().flat_map(|foot| foot.stiffness(point, frame, [n.value, t.value]));
+                terms.flat_map(|(column, row)| outer(1.0, &column, &row).collect::<Vec<_>>()).collect()
+            }
         }
     }
 }
 
-const TERMS: [ContactTerm; 5] = [
+const TERMS: [ContactTerm; 7] = [
     ContactTerm::NormalStiffness,
     ContactTerm::NormalTangentialCoupling,
     ContactTerm::FallingFriction,
     ContactTerm::FrictionAcrossSlip,
     ContactTerm::SpeedNormalCoupling,
+    ContactTerm::TurningNormal,
+    ContactTerm::ConvectedSlip,
 ];
 
 /// The matrices of the contacts that are not zero, by interface and term.
@@ -247,13 +282,10 @@ fn contact_matrices(
 ) -> Result<Vec<ContactMatrix>, AssemblyError> {
     let mut made = Vec::new();
     for interface in 0..assembly.interfaces.len() {
-        for term in TERMS.into_iter().filter(|term| term.is_stiffness() || terms.friction_damping) {
-            let of_point = |point: &ClosedPoint<'_>| {
-                let (factor, column, row) = point.term(term);
-                outer(factor, column, row).collect::<Vec<Triplet<usize, usize, f64>>>()
-            };
+        for term in TERMS.into_iter().filter(|term| !term.follows_slip() || terms.friction_damping) {
             let own = closed.iter().filter(|point| point.framed.interface == interface);
-            let entries: Vec<_> = own.flat_map(of_point).filter(|entry| entry.val != 0.0).collect();
+            let entries: Vec<_> =
+                own.flat_map(|point| point.term(term)).filter(|entry| entry.val != 0.0).collect();
             if !entries.is_empty() {
                 let matrix = from_triplets(assembly.size(), assembly.size(), &entries)?;
                 made.push(ContactMatrix { term, interface, matrix });

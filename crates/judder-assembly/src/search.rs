@@ -1,7 +1,7 @@
 //! Contact search: for each node of the slider's surface its partner on the track, whose mesh need not match.
 
 use crate::AssemblyError;
-use crate::contact_point::ContactPoint;
+use crate::contact_point::{ContactPoint, Foot};
 use crate::row::Row;
 use crate::surface::{Face, OnFace, Surface};
 use crate::vector::{Vector, along, cross, dot, length, minus, scaled, unit};
@@ -20,6 +20,17 @@ pub struct TouchingBody<'a> {
     pub freedom: &'a dyn Fn(usize, Direction) -> Option<usize>,
     /// How a node is displaced whatever happens, in m: by supports that loads move.
     pub displaced: &'a dyn Fn(usize) -> [f64; 3],
+    /// What of its faces contact points keep, where it is a track.
+    pub kept: KeptOfFaces,
+}
+
+/// What contact points keep of the faces of their track beside the shape functions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct KeptOfFaces {
+    /// That their normals turn: the mesh is that of the deformed body.
+    pub turns: bool,
+    /// That their material passes: the body is one of revolution and turns within its shape.
+    pub passes: bool,
 }
 
 /// What the slider slides on.
@@ -98,7 +109,13 @@ pub fn contact_points(
                 _ => Default::default(),
             };
             Box::new(move |node| {
-                Some(Partner { normal, gap: height(&node) - foremost, moved: moved.clone(), displaced })
+                Some(Partner {
+                    normal,
+                    gap: height(&node) - foremost,
+                    moved: moved.clone(),
+                    displaced,
+                    foot: None,
+                })
             })
         }
         Track::Body(body, nodes) => {
@@ -109,6 +126,10 @@ pub fn contact_points(
             })
         }
     };
+    let kept = match track {
+        Track::Plane(_) | Track::Carried(..) => KeptOfFaces::default(),
+        Track::Body(body, _) => body.kept,
+    };
     let mut found = FoundPoints { points: Vec::new(), nodes: Vec::new(), without_partner: Vec::new() };
     for node in nodes {
         let Some(partner) = opposite(*node) else {
@@ -117,6 +138,13 @@ pub fn contact_points(
         };
         let place = slider.mesh.nodes[*node];
         let own = slider.displacement(*node);
+        let relative = array::from_fn(|k| Row::sum([(1.0, &own[k]), (-1.0, &partner.moved[k])]));
+        let convected = match (&partner.foot, sliding) {
+            (Some(foot), Sliding::Rotation { angular_velocity, .. }) if kept.passes => {
+                convected(foot, sliding.at(place), angular_velocity, &relative)
+            }
+            _ => None,
+        };
         found.nodes.push(*node);
         found.points.push(ContactPoint {
             place,
@@ -124,7 +152,9 @@ pub fn contact_points(
             velocity: sliding.at(place),
             area: slider.width * areas.get(node).copied().unwrap_or(0.0),
             gap: partner.gap + dot(partner.normal, minus((slider.displaced)(*node), partner.displaced)),
-            relative: array::from_fn(|k| Row::sum([(1.0, &own[k]), (-1.0, &partner.moved[k])])),
+            relative,
+            convected,
+            foot: partner.foot.filter(|_| kept.turns),
         });
     }
     Ok(found)
@@ -147,6 +177,18 @@ struct Partner {
     moved: [Row; 3],
     /// and what of it is imposed.
     displaced: Vector,
+    foot: Option<Foot>,
+}
+
+/// (V·∇) u + ω × (u_slider − u), of the track's displacement u.
+fn convected(foot: &Foot, velocity: Vector, spin: Vector, relative: &[Row; 3]) -> Option<[Row; 3]> {
+    let shares: Vec<f64> = foot.reciprocal()?.iter().map(|own| dot(*own, velocity)).collect();
+    Some(array::from_fn(|k| {
+        let carried = shares.iter().zip(&foot.slopes).map(|(share, slopes)| (*share, &slopes[k]));
+        // ω × u along axis k
+        let (next, last) = ((k + 1) % 3, (k + 2) % 3);
+        Row::sum(carried.chain([(spin[next], &relative[last]), (-spin[last], &relative[next])]))
+    }))
 }
 
 /// A face in its box.
@@ -217,8 +259,24 @@ impl TrackFaces {
         let imposed = face.nodes.iter().zip(&foot.weights);
         let displaced =
             imposed.fold([0.0; 3], |sum, (node, weight)| along(sum, *weight, (body.displaced)(*node)));
-        Some(Partner { normal, gap, moved, displaced })
+        let foot = Some(foot_on(body, face, &foot));
+        Some(Partner { normal, gap, moved, displaced, foot })
     }
+}
+
+/// The face around a place.
+fn foot_on(body: &TouchingBody<'_>, face: &Face, at: &OnFace) -> Foot {
+    let slopes = face.slopes(at.own);
+    let tangents = slopes.iter().map(|weights| face.sum(body.mesh, weights)).collect();
+    let displacements: Vec<[Row; 3]> = face.nodes.iter().map(|node| body.displacement(*node)).collect();
+    let moved = |weights: &Vec<f64>| {
+        array::from_fn(|k| Row::sum(weights.iter().copied().zip(displacements.iter().map(|own| &own[k]))))
+    };
+    let twist = match face.nodes.len() {
+        4 => face.sum(body.mesh, &[0.25, -0.25, 0.25, -0.25]),
+        _ => [0.0; 3],
+    };
+    Foot { tangents, slopes: slopes.iter().map(moved).collect(), twist }
 }
 
 /// A foot on the edge of a face counts where the node lies beside the edge by less than so much of the face,

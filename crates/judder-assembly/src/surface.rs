@@ -28,6 +28,8 @@ pub(crate) struct OnFace {
     pub(crate) place: Vector,
     /// The area vector: outwards, as long as the area of the surface a unit of the face's own coordinates.
     pub(crate) area: Vector,
+    /// Its own coordinates on the face.
+    pub(crate) own: [f64; 2],
 }
 
 impl Surface {
@@ -93,28 +95,48 @@ impl Surface {
 /// Gauss's places of two on [−1, 1].
 const GAUSS: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189_625_8];
 
+/// The corners of a quadrilateral in its own coordinates.
+const CORNERS: [(f64, f64); 4] = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+
+/// (1 ± x)/2.
+fn half(sign: f64, x: f64) -> f64 {
+    0.5 * (1.0 + sign * x)
+}
+
 impl Face {
     /// A place by the face's own coordinates: [−1, 1] on an edge, [−1, 1]² on a quadrilateral.
     pub(crate) fn at(&self, mesh: &Mesh, own: [f64; 2]) -> OnFace {
         let [x, y] = own;
-        let half = |sign: f64, x: f64| 0.5 * (1.0 + sign * x);
-        let (weights, by_x, by_y) = if self.nodes.len() == 2 {
-            (vec![half(-1.0, x), half(1.0, x)], vec![-0.5, 0.5], vec![0.0; 2])
-        } else {
-            let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
-            (
-                corners.iter().map(|(a, b)| half(*a, x) * half(*b, y)).collect(),
-                corners.iter().map(|(a, b)| 0.5 * a * half(*b, y)).collect(),
-                corners.iter().map(|(a, b)| 0.5 * b * half(*a, x)).collect(),
-            )
+        let weights: Vec<f64> = match self.nodes.len() {
+            2 => vec![half(-1.0, x), half(1.0, x)],
+            _ => CORNERS.iter().map(|(a, b)| half(*a, x) * half(*b, y)).collect(),
         };
-        let sum = |weights: &[f64]| {
-            let corners = self.nodes.iter().zip(weights);
-            corners.fold([0.0; 3], |sum, (node, weight)| along(sum, *weight, mesh.nodes[*node]))
-        };
+        let slopes = self.slopes(own);
         // an edge of the plane stands upright on it
-        let second = if self.nodes.len() == 2 { [0.0, 0.0, 1.0] } else { sum(&by_y) };
-        OnFace { place: sum(&weights), area: cross(sum(&by_x), second), weights }
+        let second = slopes.get(1).map_or([0.0, 0.0, 1.0], |by_y| self.sum(mesh, by_y));
+        OnFace {
+            place: self.sum(mesh, &weights),
+            area: cross(self.sum(mesh, &slopes[0]), second),
+            weights,
+            own,
+        }
+    }
+
+    /// The derivatives of the corners' shape functions by the face's own coordinates: one on an edge, two on a quadrilateral.
+    pub(crate) fn slopes(&self, [x, y]: [f64; 2]) -> Vec<Vec<f64>> {
+        match self.nodes.len() {
+            2 => vec![vec![-0.5, 0.5]],
+            _ => vec![
+                CORNERS.iter().map(|(a, b)| 0.5 * a * half(*b, y)).collect(),
+                CORNERS.iter().map(|(a, b)| 0.5 * b * half(*a, x)).collect(),
+            ],
+        }
+    }
+
+    /// Σ w x over the corners.
+    pub(crate) fn sum(&self, mesh: &Mesh, weights: &[f64]) -> Vector {
+        let corners = self.nodes.iter().zip(weights);
+        corners.fold([0.0; 3], |sum, (node, weight)| along(sum, *weight, mesh.nodes[*node]))
     }
 
     /// The area vector that each corner stands for.

@@ -1,7 +1,8 @@
 //! Ties: bodies that are bonded to each other.
 
 use crate::AssemblyError;
-use crate::assembly::Assembly;
+use crate::assembly::{Assembly, Gyroscopic};
+use crate::contact_point::ContactPoint;
 use crate::null_basis::NullBasis;
 use crate::row::Row;
 use faer::c64;
@@ -28,14 +29,25 @@ impl Assembly {
         let stiffness = projected(&self.stiffness)?;
         let load = basis.transposed(&self.load);
         let mut interfaces = self.interfaces;
+        let of_body = |own: Gyroscopic| Ok(Gyroscopic { matrix: projected(&own.matrix)?, ..own });
+        let gyroscopic = self.gyroscopic.into_iter().map(of_body).collect::<Result<_, AssemblyError>>()?;
+        let bond = Bond { basis };
         for point in interfaces.iter_mut().flat_map(|interface| &mut interface.points) {
-            point.relative = point.relative.each_ref().map(|row| basis.form(row));
+            bond.bind(point);
         }
-        Ok((Self { mass, damping, stiffness, load, interfaces }, Bond { basis }))
+        Ok((Self { mass, damping, stiffness, gyroscopic, load, interfaces }, bond))
     }
 }
 
 impl Bond {
+    /// Takes the forms of a contact point, which are on the freedoms of the bodies, on those that are left.
+    pub fn bind(&self, point: &mut ContactPoint) {
+        let convected = point.convected.iter_mut();
+        let slopes = point.foot.iter_mut().flat_map(|foot| &mut foot.slopes);
+        let forms = std::iter::once(&mut point.relative).chain(convected).chain(slopes).flatten();
+        forms.for_each(|row| *row = self.basis.form(row));
+    }
+
     /// q = B z.
     #[must_use]
     pub fn expanded(&self, z: &[c64]) -> Vec<c64> {
@@ -66,6 +78,7 @@ mod tests {
             mass: diagonal([1.0, 2.0]).into(),
             damping: diagonal([0.1, 0.2]).into(),
             stiffness: diagonal([30.0, 70.0]).into(),
+            gyroscopic: Vec::new(),
             load: vec![5.0, 6.0],
             interfaces: Vec::new(),
         };

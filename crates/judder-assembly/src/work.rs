@@ -14,6 +14,8 @@ pub enum Worker {
     MaterialDamping,
     /// The unsymmetric part of the stiffness that the structures bring.
     Circulation,
+    /// The forces that follow the velocities of a body that turns, by its place among those: they do no work, and say so.
+    Gyroscopic(usize),
     /// A term of an interface, by its place in the assembly.
     Contact(usize, ContactTerm),
 }
@@ -34,7 +36,8 @@ const NO_ENERGY: f64 = 1e-9;
 ///
 /// The power balance Re(λ̄ xᴴ(λ² M + λ C + K) x) = Re(λ̄ Σ δN xᴴ eᵀ), where δN are the force changes of rigid points, gives σ = Σ of
 /// −|λ|² Re xᴴ C x/E for every damping, −ω Im xᴴ K x/E for every stiffness, ω Im(Σ δN xᴴ eᵀ)/E for rigid interfaces, with
-/// E = |λ|² xᴴ M x + Re xᴴ K x − Re Σ δN xᴴ eᵀ: symmetric stiffness does no work.
+/// E = |λ|² xᴴ M x + Re xᴴ K x − Re Σ δN xᴴ eᵀ: symmetric stiffness does no work, and skew G none either. Of a body that turns, seen from where it does not, a
+/// wave that turns against it more slowly than the body has a negative E: what takes energy out makes it grow.
 ///
 /// `None` where E is zero but for rounding, as of a divergence without damping: nothing does work on it.
 ///
@@ -54,6 +57,9 @@ pub fn growth_shares(
     let own = form(stiffness);
     energy += own.re;
     *powers.entry(Worker::Circulation).or_default() -= omega * own.im;
+    for (body, gyroscopic) in about.gyroscopic.iter().enumerate() {
+        powers.insert(Worker::Gyroscopic(body), -size * form(gyroscopic).re);
+    }
     for contact in &about.contacts {
         let own = form(&contact.matrix);
         let power = if contact.term.is_stiffness() {
@@ -91,6 +97,7 @@ fn reactions(about: &Linearised, value: c64, shape: &[c64]) -> Result<Vec<c64>, 
     add_product(mass, value * value, shape, &mut unbalanced);
     add_product(damping, value, shape, &mut unbalanced);
     add_product(stiffness, c64::new(1.0, 0.0), shape, &mut unbalanced);
+    about.gyroscopic.iter().for_each(|own| add_product(own, value, shape, &mut unbalanced));
     for contact in &about.contacts {
         let factor = if contact.term.is_stiffness() { c64::new(1.0, 0.0) } else { value };
         add_product(&contact.matrix, factor, shape, &mut unbalanced);

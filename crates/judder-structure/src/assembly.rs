@@ -30,6 +30,18 @@ struct ElementTask<'a> {
     nodes: &'a [usize],
 }
 
+/// An element that is computed.
+pub(crate) struct OneElement<'a> {
+    /// How.
+    pub(crate) elements: &'a BlockElements,
+    /// Its number in the mesh.
+    pub(crate) number: usize,
+    /// Its nodes,
+    pub(crate) nodes: &'a [usize],
+    /// and their places.
+    pub(crate) places: Vec<[f64; 3]>,
+}
+
 /// Stiffness and mass of a mesh whose blocks have the material and section of their name.
 ///
 /// Elements are computed side by side and added in their order, so the sums do not depend on the number of threads.
@@ -41,6 +53,21 @@ pub fn assemble(
     materials: &BTreeMap<String, (Elastic, ElementSection)>,
     numbering: &Numbering,
 ) -> Result<Assembled, StructureError> {
+    let of_element = |one: &OneElement<'_>| {
+        let ElementMatrices { stiffness, mass, .. } = one.elements.matrices(one.number, &one.places)?;
+        Ok([stiffness, mass])
+    };
+    let [stiffness, mass] = assembled_of(mesh, materials, numbering, of_element)?;
+    Ok(Assembled { stiffness, mass })
+}
+
+/// Matrices of a mesh with one pattern from those of its elements, each square and row by row.
+pub(crate) fn assembled_of<const N: usize>(
+    mesh: &Mesh,
+    materials: &BTreeMap<String, (Elastic, ElementSection)>,
+    numbering: &Numbering,
+    of_element: impl Fn(&OneElement<'_>) -> Result<[Vec<f64>; N], StructureError> + Sync,
+) -> Result<[Sparse; N], StructureError> {
     mesh.check()?;
     let kinds = kinds(mesh, materials)?;
     let tasks: Vec<ElementTask<'_>> = mesh
@@ -52,22 +79,22 @@ pub fn assemble(
         })
         .collect();
     let pattern = Pattern::new(&tasks, numbering);
-    let mut stiffness = vec![0.0; pattern.rows.len()];
-    let mut mass = vec![0.0; pattern.rows.len()];
+    let mut values: [Vec<f64>; N] = std::array::from_fn(|_| vec![0.0; pattern.rows.len()]);
     for (batch, tasks) in tasks.chunks(BATCH).enumerate() {
-        let matrices: Vec<ElementMatrices> = tasks
+        let matrices: Vec<[Vec<f64>; N]> = tasks
             .par_iter()
             .enumerate()
             .map(|(k, task)| {
-                let places: Vec<[f64; 3]> = task.nodes.iter().map(|node| mesh.nodes[*node]).collect();
-                kinds[task.elements].matrices(batch * BATCH + k, &places)
+                let places = task.nodes.iter().map(|node| mesh.nodes[*node]).collect();
+                let (elements, number) = (&kinds[task.elements], batch * BATCH + k);
+                of_element(&OneElement { elements, number, nodes: task.nodes, places })
             })
             .collect::<Result<_, _>>()?;
         for (task, matrices) in tasks.iter().zip(&matrices) {
-            pattern.add(&mut stiffness, &mut mass, task, numbering, matrices);
+            pattern.add(&mut values, task, numbering, matrices);
         }
     }
-    Ok(Assembled { stiffness: pattern.matrix(stiffness), mass: pattern.matrix(mass) })
+    Ok(values.map(|values| pattern.matrix(values)))
 }
 
 /// M a of a mesh that moves with one acceleration a in m/s², in N on the free displacements: its inertia load.
@@ -83,22 +110,17 @@ pub fn inertia_load(
     numbering: &Numbering,
     acceleration: [f64; 3],
 ) -> Result<Vec<f64>, StructureError> {
-    mesh.check()?;
-    let kinds = kinds(mesh, materials)?;
     let mut load = vec![0.0; numbering.freedoms().len()];
-    let elements = mesh.blocks.iter().zip(&kinds).flat_map(|(block, elements)| {
-        block.connectivity.chunks(block.kind.nodes()).map(move |nodes| (elements, nodes))
-    });
-    for (number, (elements, nodes)) in elements.enumerate() {
-        let places: Vec<[f64; 3]> = nodes.iter().map(|node| mesh.nodes[*node]).collect();
-        let matrices = elements.matrices(number, &places)?;
-        for (i, freedom) in numbering.of_element(nodes).enumerate() {
+    each_element(mesh, materials, |one| {
+        let matrices = one.elements.matrices(one.number, &one.places)?;
+        for (i, freedom) in numbering.of_element(one.nodes).enumerate() {
             let Some(freedom) = freedom else { continue };
             let row = &matrices.mass[i * matrices.size..(i + 1) * matrices.size];
             let along = |j: usize| acceleration[j % numbering.dimension()];
             load[freedom] += row.iter().enumerate().map(|(j, mass)| mass * along(j)).sum::<f64>();
         }
-    }
+        Ok(())
+    })?;
     Ok(load)
 }
 
@@ -112,29 +134,42 @@ pub fn displacement_load(
     numbering: &Numbering,
     displaced: &BTreeMap<(usize, Direction), f64>,
 ) -> Result<Vec<f64>, StructureError> {
-    mesh.check()?;
-    let kinds = kinds(mesh, materials)?;
     let mut load = vec![0.0; numbering.freedoms().len()];
-    let elements = mesh.blocks.iter().zip(&kinds).flat_map(|(block, elements)| {
-        block.connectivity.chunks(block.kind.nodes()).map(move |nodes| (elements, nodes))
-    });
-    for (number, (elements, nodes)) in elements.enumerate() {
+    each_element(mesh, materials, |one| {
         let directions = &Direction::ALL[..numbering.dimension()];
         let own =
-            nodes.iter().flat_map(|node| directions.iter().map(|along| displaced.get(&(*node, *along))));
+            one.nodes.iter().flat_map(|node| directions.iter().map(|along| displaced.get(&(*node, *along))));
         let moved: Vec<f64> = own.map(|moved| moved.copied().unwrap_or(0.0)).collect();
         if moved.iter().all(|moved| *moved == 0.0) {
-            continue;
+            return Ok(());
         }
-        let places: Vec<[f64; 3]> = nodes.iter().map(|node| mesh.nodes[*node]).collect();
-        let matrices = elements.matrices(number, &places)?;
-        for (i, freedom) in numbering.of_element(nodes).enumerate() {
+        let matrices = one.elements.matrices(one.number, &one.places)?;
+        for (i, freedom) in numbering.of_element(one.nodes).enumerate() {
             let Some(freedom) = freedom else { continue };
             let row = &matrices.stiffness[i * matrices.size..(i + 1) * matrices.size];
             load[freedom] -= row.iter().zip(&moved).map(|(stiffness, moved)| stiffness * moved).sum::<f64>();
         }
-    }
+        Ok(())
+    })?;
     Ok(load)
+}
+
+/// All elements one after the other.
+pub(crate) fn each_element(
+    mesh: &Mesh,
+    materials: &BTreeMap<String, (Elastic, ElementSection)>,
+    mut with: impl FnMut(&OneElement<'_>) -> Result<(), StructureError>,
+) -> Result<(), StructureError> {
+    mesh.check()?;
+    let kinds = kinds(mesh, materials)?;
+    let elements = mesh.blocks.iter().zip(&kinds).flat_map(|(block, elements)| {
+        block.connectivity.chunks(block.kind.nodes()).map(move |nodes| (elements, nodes))
+    });
+    for (number, (elements, nodes)) in elements.enumerate() {
+        let places = nodes.iter().map(|node| mesh.nodes[*node]).collect();
+        with(&OneElement { elements, number, nodes, places })?;
+    }
+    Ok(())
 }
 
 /// What computes each block's elements.
@@ -190,13 +225,12 @@ impl Pattern {
         Self { starts, rows: columns.concat() }
     }
 
-    fn add(
+    fn add<const N: usize>(
         &self,
-        stiffness: &mut [f64],
-        mass: &mut [f64],
+        values: &mut [Vec<f64>; N],
         task: &ElementTask<'_>,
         numbering: &Numbering,
-        matrices: &ElementMatrices,
+        matrices: &[Vec<f64>; N],
     ) {
         let numbers: Vec<Option<usize>> = numbering.of_element(task.nodes).collect();
         for (j, column) in numbers.iter().enumerate() {
@@ -207,8 +241,9 @@ impl Pattern {
                 if let Some(row) = row
                     && let Ok(place) = rows.binary_search(row)
                 {
-                    stiffness[start + place] += matrices.stiffness[i * matrices.size + j];
-                    mass[start + place] += matrices.mass[i * matrices.size + j];
+                    for (values, matrix) in values.iter_mut().zip(matrices) {
+                        values[start + place] += matrix[i * numbers.len() + j];
+                    }
                 }
             }
         }

@@ -7,6 +7,7 @@
 //! - [`element`]: shape functions, quadrature, stiffness and consistent mass of one element.
 //! - [`freedom`]: which displacements are free, tied, held.
 //! - [`assembly`]: sparse stiffness and mass of a mesh.
+//! - [`rotation`]: what turns with a body: gyroscopic and centrifugal matrices, in the frame that turns or in the one that stands still.
 //! - [`factor`]: the factorisation of a symmetric matrix, with the count of its negative eigenvalues.
 //! - [`modes`]: undamped modes, with a count that shows whether one is missing.
 //! - [`rigid`]: which eigenvalues are those of rigid motions.
@@ -48,6 +49,7 @@ pub mod receptance;
 pub mod reduction_error;
 pub mod reduction_report;
 pub mod rigid;
+pub mod rotation;
 pub mod statics;
 
 pub use error::StructureError;

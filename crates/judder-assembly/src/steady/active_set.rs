@@ -134,7 +134,7 @@ impl Solver<'_> {
     /// Whether a contact carries a force, or something else holds the bodies.
     fn is_held(&self, affine: &[AffinePoint]) -> Result<bool, AssemblyError> {
         let carries = |point: &AffinePoint| point.normal.slope != 0.0;
-        Ok(affine.iter().any(carries) || rigid_motions(&self.assembly.stiffness, &self.assembly.mass)? == 0)
+        Ok(affine.iter().any(carries) || rigid_motions(&self.assembly.stiffness, self.assembly)? == 0)
     }
 
     /// Closes the point whose gap is smallest where springs hold the bodies, and says which.

@@ -35,6 +35,8 @@ pub(crate) fn point_on_plane(freedoms: [Option<usize>; 3], velocity: [f64; 3]) -
         area: 1.0,
         gap: 0.0,
         relative: freedoms.map(row),
+        convected: None,
+        foot: None,
     }
 }
 
@@ -57,5 +59,5 @@ pub(crate) fn undamped(
 ) -> Assembly {
     let none = Sparse::try_new_from_triplets(load.len(), load.len(), &[]).unwrap();
     let [mass, damping, stiffness] = [mass, none, stiffness].map(Arc::new);
-    Assembly { mass, damping, stiffness, load, interfaces }
+    Assembly { mass, damping, stiffness, gyroscopic: Vec::new(), load, interfaces }
 }

@@ -51,6 +51,8 @@ fn assembly(numbers: &[f64], friction: f64, share: f64) -> Assembly {
             area: 1.0,
             gap: 0.0,
             relative: [along(0), along(1), row(Vec::new())],
+            convected: None,
+            foot: None,
         }
     };
     let mut load = vec![0.0; SIZE];

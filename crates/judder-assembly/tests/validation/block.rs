@@ -9,7 +9,7 @@ use judder_assembly::friction::Friction;
 use judder_assembly::interface::{Interface, InterfaceLaw};
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::pressure::Pressure;
-use judder_assembly::search::{Sliding, TouchingBody, Track, contact_points};
+use judder_assembly::search::{KeptOfFaces, Sliding, TouchingBody, Track, contact_points};
 use judder_assembly::steady::{SteadySliding, steady_sliding};
 use judder_dense::general::solve;
 use judder_structure::assembly::assemble;
@@ -42,6 +42,7 @@ fn block(law: InterfaceLaw, speed: f64) -> Assembly {
         width: WIDTH,
         freedom: &|node, direction| numbering.number(node, direction),
         displaced: &|_| [0.0; 3],
+        kept: KeptOfFaces::default(),
     };
     let found = contact_points(
         &slider,

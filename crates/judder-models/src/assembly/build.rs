@@ -2,18 +2,22 @@
 //!
 //! - `body`: one body, whole or reduced.
 //! - `load`: what acts on it.
+//! - `turning`: what turning does to it, and what of that is left out.
 //! - `interface`: contact points found, laws as the physics has them. `joint`: springs and ties.
 //! - `sphere`: laws of contacts that are a sphere on a substrate.
+//! - `deformed`: contact points of bodies as they lie in steady sliding.
 //! - `size`: how large a body is.
 //! - `shown`: all bodies as one, for pictures and files.
 
 mod body;
+mod deformed;
 mod interface;
 mod joint;
 mod load;
 mod shown;
 mod size;
 mod sphere;
+mod turning;
 
 pub(crate) use body::BuiltBody;
 pub(crate) use shown::Shown;
@@ -48,6 +52,8 @@ pub(crate) struct BuiltAssembly {
     pub(crate) nodes: Vec<Vec<usize>>,
     /// The sphere of each contact that is one.
     pub(crate) spheres: Vec<Option<Arc<Sphere>>>,
+    /// What of bodies that turn is left out, in words.
+    pub(crate) left_out: Vec<String>,
     /// What the user has to know.
     pub(crate) warnings: Vec<String>,
     /// How the freedoms of the bodies follow from those that ties leave.
@@ -144,12 +150,15 @@ impl BuiltAssembly {
         let mut warnings: Vec<String> =
             bodies.iter().flat_map(|body| body.warnings.iter().cloned()).collect();
         let (interfaces, nodes) = interface::interfaces(case, &bodies, &touching, &mut warnings)?;
+        let left_out = turning::left_out(case);
+        warnings.extend(left_out.iter().map(|what| format!("left out: {what}")));
         let joints = |error: &AssemblyError| Unassembled::because("spring", error);
         let [mass, damping, stiffness] = matrices.each_ref().map(Arc::clone);
         let assembly = Assembly {
             mass,
             damping,
             stiffness,
+            gyroscopic: turning::gyroscopic(&bodies)?,
             load: bodies.iter().flat_map(|body| body.load.iter().copied()).collect(),
             interfaces,
         };
@@ -164,8 +173,9 @@ impl BuiltAssembly {
             Err(error) => Err(Unassembled::because("contact", &error)),
             Ok(()) => Ok(()),
         }?;
+        deformed::deform(case, (&bodies, &touching, bond.as_ref()), &mut assembly, &nodes)?;
         let spheres = sphere::spheres(case, &mut assembly)?;
-        Ok(Self { bodies, touching, matrices, assembly, nodes, spheres, warnings, bond })
+        Ok(Self { bodies, touching, matrices, assembly, nodes, spheres, left_out, warnings, bond })
     }
 
     /// Finds the laws of all spheres, where they are not known yet.

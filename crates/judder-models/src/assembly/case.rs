@@ -4,6 +4,7 @@
 //! - [`contact`]: `[[contact]]`, who slides on what, and what presses and drags between them.
 //! - [`asperity`]: of a contact that is a sphere on `[substrate]`.
 //! - [`joint`]: `[[spring]]` and `[[tie]]`, what else joins bodies.
+//! - [`rotation`]: `rotation` of a structure, a body that turns.
 //! - [`load`]: `[[load]]`, forces, pressures, imposed displacements.
 //! - `named_list`: lists whose items keys call by their names.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
@@ -14,6 +15,7 @@ pub mod joint;
 pub mod load;
 mod named_list;
 pub mod problem;
+pub mod rotation;
 pub mod structure;
 
 use super::{KINDS, MODEL};

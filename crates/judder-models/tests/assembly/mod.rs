@@ -1,8 +1,10 @@
 //! Assemblies end to end.
 
+mod deformed;
 mod joined;
 mod minimal;
 mod printed;
+mod turning;
 
 use crate::{case, number, run_into};
 

@@ -1,6 +1,7 @@
 //! The table of printed numbers in the book is what the cases give.
 
 use super::minimal::{damping_ratio, fastest_growth, results};
+use super::turning::{critical_speed, ring};
 use crate::{case, number};
 use std::path::Path;
 
@@ -11,26 +12,28 @@ struct Printed {
     what: &'static str,
     printed: &'static str,
     found: f64,
+    /// Whether it comes from matrices of thousands of rows, which leave fewer digits.
+    is_of_meshes: bool,
 }
 
 impl Printed {
     fn row(&self) -> String {
-        let Self { case, source, what, printed, found } = self;
+        let Self { case, source, what, printed, found, is_of_meshes } = self;
         let of: f64 = printed.parse().unwrap();
         format!(
             "| `{case}` | {source} | {what} | {printed} | {} | {:+.1e} |\n",
-            eight(*found),
+            digits(*found, if *is_of_meshes { 5 } else { 8 }),
             found / of - 1.0
         )
     }
 }
 
-/// Eight digits.
-fn eight(value: f64) -> String {
+/// So many digits.
+fn digits(value: f64, count: i32) -> String {
     let exponent = value.abs().log10().floor() as i32;
     match exponent {
-        -3..=6 => format!("{value:.*}", (7 - exponent) as usize),
-        _ => format!("{value:.7e}"),
+        -3..=6 => format!("{value:.*}", (count - 1 - exponent).max(0) as usize),
+        _ => format!("{value:.*e}", (count - 1) as usize),
     }
 }
 
@@ -45,7 +48,13 @@ fn table() -> String {
     let strut = results(&case("assembly/sprag-slip.toml", &[]));
     let digs = number(&strut["steady"]["contacts"]["surface"]["normal_force"]) / 10.0;
     let locks = number(&strut["steady"]["friction_limit"]) * 0.4;
-    let row = |case, source, what, printed, found| Printed { case, source, what, printed, found }.row();
+    let row = |case, source, what, printed, found| {
+        Printed { case, source, what, printed, found, is_of_meshes: false }.row()
+    };
+    let of_mesh = |case, source, what, printed, found| {
+        Printed { case, source, what, printed, found, is_of_meshes: true }.row()
+    };
+    let ([two, three, against, along], critical) = (ring(), critical_speed());
     [
         "| case | source | number | printed | judder | difference |\n| --- | --- | --- | --- | --- | --- |\n"
             .to_owned(),
@@ -56,6 +65,11 @@ fn table() -> String {
         row("mode-coupling", "Hoffmann 2002, closed form", "growth rate at μ = 1", "0.2020717688", growth),
         row("sprag-slip", "Spurr 1961, closed form", "normal force over load", "3.2554236981", digs),
         row("sprag-slip", "Spurr 1961, closed form", "friction at which it locks", "0.5773502692", locks),
+        of_mesh("critical-speed", "ANSYS VM301", "critical speed (rpm)", "2650", critical),
+        of_mesh("rotating-ring", "ANSYS VM302", "two waves at rest (Hz)", "75.30", two),
+        of_mesh("rotating-ring", "ANSYS VM302", "three waves at rest (Hz)", "209.93", three),
+        of_mesh("rotating-ring", "ANSYS VM302", "two waves against the turning (Hz)", "91.54", against),
+        of_mesh("rotating-ring", "ANSYS VM302", "two waves along it (Hz)", "411.54", along),
     ]
     .concat()
 }

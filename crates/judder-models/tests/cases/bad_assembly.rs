@@ -5,18 +5,18 @@ use judder_models::parse;
 use judder_study::StudyError;
 
 /// The block on a plane of `cases/assembly`, as a text to be spoilt.
-const BLOCK: &str = include_str!("../../../../cases/assembly/block-on-plane.toml");
+pub(super) const BLOCK: &str = include_str!("../../../../cases/assembly/block-on-plane.toml");
 /// The pad on a strip.
 const PAD: &str = include_str!("../../../../cases/assembly/pad-on-disc-strip.toml");
 
 /// A case in which one text stands for another, which is there.
-fn spoilt(case: &str, from: &str, to: &str) -> String {
+pub(super) fn spoilt(case: &str, from: &str, to: &str) -> String {
     assert!(case.contains(from), "{from}");
     case.replacen(from, to, 1)
 }
 
 /// What a case is refused for when its bodies are brought together.
-fn unassembled(text: &str) -> (String, String) {
+pub(super) fn unassembled(text: &str) -> (String, String) {
     let file = parse("case.toml", text, &[]).expect("it reads");
     let refused = file.case.preflight(&file, &|_| true).map(drop).expect_err("it is refused");
     let place = match &refused {

@@ -16,6 +16,7 @@ mod bad_structure;
 mod bad_study_sweep;
 mod bad_sweep;
 mod bad_swept_keys;
+mod bad_turning;
 mod bad_two_degrees;
 mod compose;
 mod contact;

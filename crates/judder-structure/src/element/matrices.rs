@@ -20,21 +20,27 @@ pub struct ElementMatrices {
 /// Elements of one kind, material and section, ready to be computed.
 #[derive(Debug, Clone)]
 pub struct BlockElements {
-    kind: ElementKind,
-    density: f64,
+    pub(super) kind: ElementKind,
+    pub(super) density: f64,
     thickness: f64,
-    elasticity: [[f64; 6]; 6],
+    pub(super) elasticity: [[f64; 6]; 6],
     stiffness_points: Vec<(ShapeFunctions, IntegrationPoint)>,
-    mass_points: Vec<(ShapeFunctions, IntegrationPoint)>,
+    pub(super) mass_points: Vec<(ShapeFunctions, IntegrationPoint)>,
     centre: ShapeFunctions,
 }
 
 /// Gradients of shape functions by x, y, z at a place.
-struct Gradients {
-    of_nodes: [[f64; 3]; MOST_NODES],
+pub(super) struct Gradients {
+    pub(super) of_nodes: [[f64; 3]; MOST_NODES],
     /// The inverse of the Jacobian matrix, ∂ξ/∂x.
     inverse: [[f64; 3]; 3],
-    determinant: f64,
+    pub(super) determinant: f64,
+}
+
+/// A place of the stiffness: gradients of shape functions and of the element's own modes there, and its volume.
+pub(super) struct StrainPoint {
+    pub(super) gradients: Vec<[f64; 3]>,
+    pub(super) volume: f64,
 }
 
 impl BlockElements {
@@ -91,27 +97,47 @@ impl BlockElements {
     }
 
     fn stiffness(&self, element: usize, nodes: &[[f64; 3]]) -> Result<Vec<f64>, StructureError> {
-        let (count, dimension) = (self.kind.nodes(), self.kind.dimension());
-        let modes = if self.kind.has_incompatible_modes() { dimension } else { 0 };
-        let functions = count + modes;
-        let centre = self.gradients(element, nodes, &self.centre, &[0.0; 3])?;
-        let size = dimension * functions;
-        let mut stiffness = vec![0.0; size * size];
-        for (shape, (place, weight)) in &self.stiffness_points {
-            let here = self.gradients(element, nodes, shape, place)?;
-            let mut gradients = here.of_nodes;
-            for mode in 0..modes {
-                // −2ξ by the Jacobian at the centre, so that its mean over the element is zero
-                let slope = -2.0 * place[mode] * centre.determinant / here.determinant;
-                gradients[count + mode] = std::array::from_fn(|k| slope * centre.inverse[mode][k]);
-            }
-            let volume = self.thickness * weight * here.determinant;
-            self.add_stiffness(&mut stiffness, &gradients[..functions], volume);
-        }
-        Ok(condensed(stiffness, size, dimension * count))
+        let (matrix, size) = self.uncondensed(&self.strain_points(element, nodes)?);
+        let kept = self.kind.dimension() * self.kind.nodes();
+        Ok((0..kept).flat_map(|row| matrix[row * size..row * size + kept].to_vec()).collect())
     }
 
-    fn gradients(
+    /// The stiffness with the freedoms of the element's own modes eliminated: rows of nodes are condensed, below them each mode by what is before it. And its
+    /// size.
+    pub(super) fn uncondensed(&self, points: &[StrainPoint]) -> (Vec<f64>, usize) {
+        let functions = points.first().map_or(0, |point| point.gradients.len());
+        let size = self.kind.dimension() * functions;
+        let mut stiffness = vec![0.0; size * size];
+        for point in points {
+            self.add_stiffness(&mut stiffness, &point.gradients, point.volume);
+        }
+        eliminate(&mut stiffness, size, self.kind.dimension() * self.kind.nodes());
+        (stiffness, size)
+    }
+
+    /// The places of the stiffness.
+    pub(super) fn strain_points(
+        &self,
+        element: usize,
+        nodes: &[[f64; 3]],
+    ) -> Result<Vec<StrainPoint>, StructureError> {
+        let (count, dimension) = (self.kind.nodes(), self.kind.dimension());
+        let modes = if self.kind.has_incompatible_modes() { dimension } else { 0 };
+        let centre = self.gradients(element, nodes, &self.centre, &[0.0; 3])?;
+        let point = |(shape, (place, weight)): &(ShapeFunctions, IntegrationPoint)| {
+            let here = self.gradients(element, nodes, shape, place)?;
+            let of_modes = (0..modes).map(|mode| {
+                // −2ξ by the Jacobian at the centre, so that its mean over the element is zero
+                let slope = -2.0 * place[mode] * centre.determinant / here.determinant;
+                centre.inverse[mode].map(|along| slope * along)
+            });
+            let gradients = here.of_nodes[..count].iter().copied().chain(of_modes).collect();
+            Ok(StrainPoint { gradients, volume: self.thickness * weight * here.determinant })
+        };
+        self.stiffness_points.iter().map(point).collect()
+    }
+
+    pub(super) fn gradients(
         &self,
         element: usize,
         nodes: &[[f64; 3]],
@@ -179,7 +205,7 @@ impl BlockElements {
 }
 
 /// The strain of a unit displacement of a function along `direction`, in the order of [`Elastic::stiffness`].
-fn strain(dimension: usize, gradient: &[f64; 3], direction: usize) -> [f64; 6] {
+pub(super) fn strain(dimension: usize, gradient: &[f64; 3], direction: usize) -> [f64; 6] {
     let [x, y, z] = *gradient;
     match (dimension, direction) {
         (2, 0) => [x, 0.0, y, 0.0, 0.0, 0.0],
@@ -206,8 +232,9 @@ fn inverse(m: &[[f64; 3]; 3]) -> (f64, [[f64; 3]; 3]) {
     (determinant, std::array::from_fn(|i| std::array::from_fn(|j| minor(j, i) / determinant)))
 }
 
-/// The stiffness on the first `kept` freedoms where no force acts on the others: Gaussian elimination from the last one on.
-fn condensed(mut matrix: Vec<f64>, size: usize, kept: usize) -> Vec<f64> {
+/// Gaussian elimination from the last row on, of all but the first `kept`: where no force acts on the others, the rows of these are what is left, and each
+/// row below gives its freedom by those before it.
+fn eliminate(matrix: &mut [f64], size: usize, kept: usize) {
     for pivot in (kept..size).rev() {
         for row in 0..pivot {
             let share = matrix[row * size + pivot] / matrix[pivot * size + pivot];
@@ -216,7 +243,6 @@ fn condensed(mut matrix: Vec<f64>, size: usize, kept: usize) -> Vec<f64> {
             }
         }
     }
-    (0..kept).flat_map(|row| matrix[row * size..row * size + kept].to_vec()).collect()
 }
 
 #[cfg(test)]

@@ -7,3 +7,4 @@ mod diagnosis;
 mod eigen_sweep;
 mod modes;
 mod patch;
+mod rotation;

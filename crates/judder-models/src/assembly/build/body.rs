@@ -3,6 +3,7 @@
 use super::Unassembled;
 use super::load::{Imposed, load};
 use super::size::size_warning;
+use super::turning::Turning;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::structure::{AssemblyStructure, BodyReduction};
 use crate::error::ModelError;
@@ -13,7 +14,7 @@ use crate::structure::case::reduction::FixedModes;
 use faer::Mat;
 use faer::sparse::Triplet;
 use judder_assembly::AssemblyError;
-use judder_assembly::assembly::{from_triplets, triplets};
+use judder_assembly::assembly::{from_triplets, sum, symmetric_part as symmetrised, triplets};
 use judder_structure::assembly::{Sparse, inertia_load};
 use judder_structure::craig_bampton::{CraigBampton, CutOff};
 use judder_structure::freedom::{Direction, Numbering, Supports};
@@ -28,6 +29,8 @@ pub(crate) struct BuiltBody {
     pub(crate) matrices: BodyMatrices,
     /// f in N.
     pub(crate) load: Vec<f64>,
+    /// The centrifugal force, which is part of the load, on its freedoms.
+    centrifugal: Option<Vec<f64>>,
     /// Held displacements that loads impose, in m.
     pub(crate) imposed: Imposed,
     /// Where its coordinates begin among those of the assembly.
@@ -41,11 +44,12 @@ pub(crate) struct BuiltBody {
     pub(crate) warnings: Vec<String>,
 }
 
-/// M, C and K of a body.
+/// M, C and K of a body, and G where it turns.
 pub(crate) struct BodyMatrices {
     pub(crate) mass: Sparse,
     pub(crate) damping: Sparse,
     pub(crate) stiffness: Sparse,
+    pub(crate) gyroscopic: Option<Sparse>,
 }
 
 impl BuiltBody {
@@ -66,22 +70,36 @@ impl BuiltBody {
         let own = &case.structures[index];
         let (load, imposed) = load(case, index, &structure)?;
         let matrices = matrices(case, index, &structure)?;
-        let of_size = size_warning(&own.name, &structure).into_iter();
+        let mut warnings: Vec<String> = size_warning(&own.name, &structure)
+            .into_iter()
+            .chain(structure.warnings.iter().cloned())
+            .collect();
+        let turning = Turning::new(own, &structure, &matrices, &imposed, &mut warnings)?;
         let mut body = Self {
             name: own.name.to_string(),
             coordinates: (0..load.len()).map(Some).collect(),
             matrices,
             load,
+            centrifugal: None,
             imposed,
             first,
             first_freedom,
             basis: None,
-            warnings: of_size.chain(structure.warnings.iter().cloned()).collect(),
+            warnings,
             structure,
         };
+        let path = |key: &str| format!("structure.{}.{key}", own.name);
+        let softening = match turning {
+            Some(turning) => {
+                body.turn(turning).map_err(|error| Unassembled::because(path("rotation"), &error))?
+            }
+            None => None,
+        };
         if let BodyReduction::Modes(modes) = own.reduction {
-            let path = format!("structure.{}.reduction", own.name);
-            body.reduce(modes, touching).map_err(|error| Unassembled::because(path, &error))?;
+            body.reduce(modes, touching).map_err(|error| Unassembled::because(path("reduction"), &error))?;
+        }
+        if let Some(softening) = softening {
+            body.soften(&softening).map_err(|error| Unassembled::because(path("rotation"), &error))?;
         }
         Ok(body)
     }
@@ -135,9 +153,37 @@ impl BuiltBody {
         place.unwrap_or_else(|| format!("in coordinate {coordinate}"))
     }
 
+    /// Adds what turning does, but for what it takes of the stiffness, which is left over: the modes of a reduction are those without it.
+    fn turn(&mut self, turning: Turning) -> Result<Option<Sparse>, AssemblyError> {
+        let Turning { gyroscopic, softening, centrifugal } = turning;
+        self.matrices.gyroscopic = gyroscopic;
+        if let Some((stiffness, load)) = centrifugal {
+            self.matrices.stiffness = sum(&self.matrices.stiffness, std::iter::once(&stiffness))?;
+            self.load.iter_mut().zip(&load).for_each(|(load, own)| *load += own);
+            self.centrifugal = Some(load);
+        }
+        Ok(softening)
+    }
+
+    /// Takes off what turning takes of the stiffness.
+    fn soften(&mut self, softening: &Sparse) -> Result<(), AssemblyError> {
+        let own = match &self.basis {
+            Some(basis) => projected(basis, softening)?,
+            None => softening.clone(),
+        };
+        let taken = triplets(&own).map(|entry| Triplet::new(entry.row, entry.col, -entry.val));
+        let taken = from_triplets(own.nrows(), own.ncols(), &taken.collect::<Vec<_>>())?;
+        // a projection is symmetric but for rounding
+        self.matrices.stiffness = symmetrised(&sum(&self.matrices.stiffness, std::iter::once(&taken))?)?;
+        Ok(())
+    }
+
     /// The body on the freedoms that contacts and loads need, and fixed-interface modes.
     fn reduce(&mut self, modes: FixedModes, touching: &[usize]) -> Result<(), AssemblyError> {
-        let mut needed: Vec<bool> = self.load.iter().map(|force| *force != 0.0).collect();
+        // the centrifugal force acts everywhere, and needs none
+        let of_load =
+            |(k, force): (usize, &f64)| *force != self.centrifugal.as_ref().map_or(0.0, |own| own[k]);
+        let mut needed: Vec<bool> = self.load.iter().enumerate().map(of_load).collect();
         let layout = self.structure.layout.iter();
         let of_points =
             layout.flat_map(|layout| touching.iter().filter_map(|point| layout.freedoms.get(*point)));
@@ -149,13 +195,14 @@ impl BuiltBody {
             FixedModes::Count(count) => CutOff::Count(count),
             FixedModes::CutOff(limit) => CutOff::Frequency(limit / TAU),
         };
-        let BodyMatrices { mass, damping, stiffness } = &self.matrices;
+        let BodyMatrices { mass, damping, stiffness, gyroscopic } = &self.matrices;
         let reduced = CraigBampton::new(stiffness, mass, &kept, cut_off)?;
         let basis = reduced.basis;
         self.matrices = BodyMatrices {
             mass: sparse(&reduced.mass)?,
             damping: projected(&basis, damping)?,
             stiffness: sparse(&reduced.stiffness)?,
+            gyroscopic: gyroscopic.as_ref().map(|own| projected(&basis, own)).transpose()?,
         };
         let along = |k: usize| self.load.iter().enumerate().map(|(i, force)| basis[(i, k)] * force).sum();
         self.load = (0..basis.ncols()).map(along).collect();
@@ -202,7 +249,8 @@ fn matrices(case: &AssemblyCase, index: usize, structure: &Structure) -> Result<
         return Err(Unassembled::because(format!("{path}.reduction"), &reason));
     }
     let stiffness = if is_symmetric { part } else { stiffness };
-    Ok(BodyMatrices { mass: added(&mass, 1.0)?, damping: added(&damping, alpha)?, stiffness })
+    let (mass, damping) = (added(&mass, 1.0)?, added(&damping, alpha)?);
+    Ok(BodyMatrices { mass, damping, stiffness, gyroscopic: None })
 }
 
 /// Departure from symmetry that is rounding.

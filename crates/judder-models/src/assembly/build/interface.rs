@@ -2,18 +2,23 @@
 
 use super::joint::joined;
 use super::size::width;
+use super::turning::sliding_warning;
 use super::{BuiltBody, Unassembled};
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::contact::{
     ContactForces, ContactInterface, NormalLaw, SlidingMotion, SurfaceOf, TrackOf, TrackSettings,
 };
 use crate::assembly::case::problem::AssemblyProblem;
+use crate::assembly::case::rotation::BodyRotation;
 use crate::structure::build::{Structure, points_of};
 use judder_assembly::AssemblyError;
 use judder_assembly::friction::Friction;
 use judder_assembly::interface::{Interface, InterfaceLaw};
-use judder_assembly::search::{FoundPoints, Sliding, TouchingBody, Track, contact_points, usual_reach};
+use judder_assembly::search::{
+    FoundPoints, KeptOfFaces, Sliding, TouchingBody, Track, contact_points, usual_reach,
+};
 use judder_assembly::surface::Surface;
+use judder_sliding::locus::Configuration;
 use judder_structure::freedom::Direction;
 use judder_structure::mesh::Mesh;
 use std::collections::BTreeMap;
@@ -97,7 +102,7 @@ pub(super) fn interfaces(
 ) -> Result<(Vec<Interface>, Vec<Vec<usize>>), Unassembled> {
     let (mut made, mut nodes) = (Vec::new(), Vec::new());
     for (contact, sides) in case.contacts.iter().zip(&touching.contacts) {
-        let found = found(contact, bodies, sides)?;
+        let found = found(case, contact, bodies, sides, None)?;
         let (alone, all) = (found.without_partner.len(), sides.slider.points.len());
         if alone > 0 {
             warnings.push(format!(
@@ -105,12 +110,9 @@ pub(super) fn interfaces(
                 contact.name,
             ));
         }
-        if let (SlidingMotion::Rotation(_), Some(_)) = (&contact.sliding, &sides.track) {
-            warnings.push(format!(
-                "the track of `{}` turns: gyroscopic, convective and centrifugal terms of its body are left out",
-                contact.name,
-            ));
-        }
+        let rotation = |side: &Side| case.structures[side.structure].rotation.as_ref();
+        let turning = [rotation(&sides.slider), sides.track.as_ref().and_then(rotation)];
+        warnings.extend(sliding_warning(&contact.name, turning, &found.points));
         made.push(Interface {
             name: contact.name.to_string(),
             points: found.points,
@@ -128,6 +130,7 @@ struct Sought<'a> {
     width: f64,
     freedom: Box<dyn Fn(usize, Direction) -> Option<usize> + 'a>,
     displaced: Box<dyn Fn(usize) -> [f64; 3] + 'a>,
+    kept: KeptOfFaces,
 }
 
 impl<'a> Sought<'a> {
@@ -137,12 +140,22 @@ impl<'a> Sought<'a> {
             width: width(&body.structure),
             freedom: Box::new(|node, direction| body.coordinate(node, direction)),
             displaced: Box::new(|node| body.displaced(node)),
+            kept: KeptOfFaces::default(),
         }
     }
 
+    /// The same where its nodes are displaced by so much, in m, what loads impose among it.
+    fn moved_by(mut self, displaced: &[[f64; 3]]) -> Self {
+        for (place, by) in self.mesh.nodes.iter_mut().zip(displaced) {
+            *place = std::array::from_fn(|k| place[k] + by[k]);
+        }
+        self.displaced = Box::new(|_| [0.0; 3]);
+        self
+    }
+
     fn touching(&self) -> TouchingBody<'_> {
-        let Self { mesh, width, freedom, displaced } = self;
-        TouchingBody { mesh, width: *width, freedom, displaced }
+        let Self { mesh, width, freedom, displaced, kept } = self;
+        TouchingBody { mesh, width: *width, freedom, displaced, kept: *kept }
     }
 
     /// How far a partner of these nodes is sought.
@@ -175,15 +188,45 @@ pub(super) fn apart(path: String, slider: String, track: String, reach: f64) -> 
     Unassembled::new(path, AssemblyProblem::Apart { slider, track, reach })
 }
 
-/// The contact points of a contact.
+/// The contact points of contacts that see the deformed track, where nodes are displaced by so much, in m; by contact.
+pub(super) fn displaced_points(
+    case: &AssemblyCase,
+    bodies: &[BuiltBody],
+    touching: &Touching,
+    displaced: &[Vec<[f64; 3]>],
+) -> Result<Vec<Option<FoundPoints>>, Unassembled> {
+    let of_contact = |(contact, sides): (&ContactInterface, &Sides)| match contact.configuration {
+        Configuration::Undeformed => Ok(None),
+        Configuration::Deformed => found(case, contact, bodies, sides, Some(displaced)).map(Some),
+    };
+    case.contacts.iter().zip(&touching.contacts).map(of_contact).collect()
+}
+
+/// The contact points of a contact, of bodies as they are meshed or displaced.
 fn found(
+    case: &AssemblyCase,
     contact: &ContactInterface,
     bodies: &[BuiltBody],
     sides: &Sides,
+    displaced: Option<&[Vec<[f64; 3]>]>,
 ) -> Result<FoundPoints, Unassembled> {
     let path = |key: &str| format!("contact.{}.{key}", contact.name);
-    let slider = Sought::new(&bodies[sides.slider.structure]);
-    let other = sides.track.as_ref().map(|side| (side, Sought::new(&bodies[side.structure])));
+    let sought = |side: &Side| {
+        let own = Sought::new(&bodies[side.structure]);
+        match displaced {
+            Some(displaced) => own.moved_by(&displaced[side.structure]),
+            None => own,
+        }
+    };
+    let slider = sought(&sides.slider);
+    let other = sides.track.as_ref().map(|side| {
+        let mut track = sought(side);
+        track.kept = KeptOfFaces {
+            turns: contact.configuration == Configuration::Deformed,
+            passes: case.structures[side.structure].rotation.as_ref().is_some_and(BodyRotation::passes),
+        };
+        (side, track)
+    });
     let (track, reach) = match (&contact.track, &other) {
         (TrackSettings::Surface(TrackOf { normal: Some(normal), surface }), Some((side, body))) => {
             let [node] = side.points[..] else {

@@ -17,6 +17,8 @@ use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, word};
+use judder_sliding::locus::Configuration;
+use judder_structure::rotation::RotatingFrame;
 use serde_json::{Value as Json, json};
 
 /// A contact interface: who slides on what, and what presses and drags between them.
@@ -35,6 +37,10 @@ pub struct ContactInterface {
     /// How the track moves beside the slider.
     #[key(example = "{ velocity = \"1 m/s\", direction = [1, 0] }")]
     pub sliding: SlidingMotion,
+    /// The geometry about which motions are small: that of the bodies as they are meshed, or as they lie in steady sliding, where the normal turns with
+    /// the track.
+    #[key(default = Configuration::Undeformed)]
+    pub configuration: Configuration,
     /// What presses and drags.
     #[key(flatten)]
     pub forces: ContactForces,
@@ -146,7 +152,7 @@ pub enum NormalLaw {
 }
 
 pub(super) const VECTOR: Several<Number> = Several { of: Number::any(Dimension::NUMBER), length: [2, 3] };
-const PLACE: Several<Number> = Several { of: Number::any(Dimension::LENGTH), length: [2, 3] };
+pub(super) const PLACE: Several<Number> = Several { of: Number::any(Dimension::LENGTH), length: [2, 3] };
 
 impl NamedItem for ContactInterface {
     const WHAT: &'static str = "contact";
@@ -200,12 +206,48 @@ impl ContactInterface {
             SlidingMotion::Rotation(own) => check_direction(&own.axis, section, &["sliding", "axis"]),
         };
         both(both(slider, track), sliding)?;
+        let flat = match &self.track {
+            TrackSettings::Plane(_) => Some("track.plane"),
+            TrackSettings::Surface(track) => track.normal.as_ref().map(|_| "track.normal"),
+        };
+        if let (Some(flat), Configuration::Deformed) = (flat, self.configuration) {
+            let place = section.place_of(&["configuration"]);
+            return Err(Cause::Meaningless { key: "configuration", with: section.path(flat) }.at(place));
+        }
+        self.check_frames(section, structures)?;
         match &self.track {
             TrackSettings::Surface(track) if track.surface.structure == self.slider.structure => {
                 let name = track.surface.structure.name.clone();
                 Err(AssemblyProblem::SameStructure { name }.at(section.place_of(&["track"])))
             }
             _ => Ok(()),
+        }
+    }
+}
+
+impl ContactInterface {
+    /// Refuses bodies whose displacements are seen from the frame that turns with them: there the other side of the contact would not stand still.
+    fn check_frames(&self, section: &Section<'_>, structures: &[AssemblyStructure]) -> Result<(), Fault> {
+        let track = match &self.track {
+            TrackSettings::Surface(track) => Some(*track.surface.structure),
+            TrackSettings::Plane(_) => None,
+        };
+        let rotation = |structure: usize| {
+            let rotation = structures.get(structure)?.rotation.as_ref()?;
+            (rotation.frame == RotatingFrame::Rotating).then(|| rotation.motion())
+        };
+        let turning = [("slider", rotation(*self.slider.structure)), ("track", track.and_then(rotation))];
+        // both in one frame stand still beside each other
+        if track.is_some() && turning[0].1 == turning[1].1 {
+            return Ok(());
+        }
+        match turning.into_iter().find(|(_, rotation)| rotation.is_some()) {
+            Some((key, _)) => {
+                let reason = "in the frame that turns with this body the other side of the contact does not stand still; give its rotation \
+                              frame = \"fixed\", for a body of revolution";
+                Err(AssemblyProblem::Refused { reason: reason.to_owned() }.at(section.place_of(&[key])))
+            }
+            None => Ok(()),
         }
     }
 }

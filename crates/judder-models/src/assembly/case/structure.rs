@@ -1,6 +1,7 @@
 //! `[[structure]]`: the bodies of an assembly.
 
 use super::named_list::NamedItem;
+use super::rotation::BodyRotation;
 use crate::entries::Scope;
 use crate::sliding::case::plain_name::PlainName;
 use crate::structure::case::damping::Damping;
@@ -16,7 +17,7 @@ use judder_keys::{Settings, declared};
 use serde_json::{Map, Value as Json, json};
 use std::path::Path;
 
-/// A body of an assembly: a beam, a block, a mesh or matrices.
+/// A body of an assembly: a beam, a block, a disc, a mesh or matrices.
 #[derive(Debug, Clone, Settings)]
 #[settings(check = AssemblyStructure::complete)]
 pub struct AssemblyStructure {
@@ -32,6 +33,9 @@ pub struct AssemblyStructure {
     /// Point masses on sets of nodes.
     #[key(rule = MASSES, default = Vec::new())]
     pub masses: Vec<PointMass>,
+    /// How it turns; a body that does not where left out.
+    #[key(omitted)]
+    pub rotation: Option<BodyRotation>,
     /// Whether it is reduced to the freedoms that contacts and loads need and so many of its modes; `none` keeps the whole body.
     #[key(default = BodyReduction::None)]
     pub reduction: BodyReduction,
@@ -61,8 +65,11 @@ pub enum BodyReduction {
 }
 
 impl AssemblyStructure {
-    /// Fills in the damping of a body, and refuses masses where there are no sets.
+    /// Fills in the damping of a body, and refuses masses where there are no sets, and rotation of what cannot turn.
     fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        if let Some(rotation) = &self.rotation {
+            rotation.admit(section, &self.source)?;
+        }
         match (&self.source, section.get("masses")) {
             (StructureSource::Body(_), _) => {
                 self.damping.get_or_insert_default();

@@ -21,6 +21,8 @@ use num_complex::Complex64;
 pub(super) struct AssemblyModes {
     /// contact points that are closed
     closed: usize,
+    /// what of bodies that turn is left out, in words
+    left_out: Vec<String>,
     /// what makes each unstable mode grow, and of which modes it is made
     growing: Vec<GrowingMode>,
 }
@@ -99,7 +101,8 @@ pub(super) fn run(of: &Subject<'_>, asked: &AssemblyEigen) -> Result<Outcome, Mo
         ));
     }
     let closed = steady.points.iter().filter(|point| point.is_closed).count();
-    outcome.scalars.extend(AssemblyModes { closed, growing }.scalars());
+    let left_out = built.left_out.clone();
+    outcome.scalars.extend(AssemblyModes { closed, left_out, growing }.scalars());
     let (beyond, warnings) = BeyondLaws::of(of, &steady, &found.modes);
     outcome.scalars.extend(beyond.scalars());
     outcome.warnings.extend(warnings);
@@ -172,6 +175,9 @@ fn named(of: &Subject<'_>, shares: GrowthShares) -> ByName<f64> {
     let word = |worker: Worker| match worker {
         Worker::MaterialDamping => "material damping".to_owned(),
         Worker::Circulation => "unsymmetric stiffness".to_owned(),
+        Worker::Gyroscopic(body) => {
+            format!("{}: gyroscopic forces", of.built.assembly.gyroscopic[body].body)
+        }
         Worker::Contact(interface, term) => {
             let name = &of.built.assembly.interfaces[interface].name;
             let what = match term {
@@ -180,11 +186,18 @@ fn named(of: &Subject<'_>, shares: GrowthShares) -> ByName<f64> {
                 ContactTerm::FallingFriction => "falling friction",
                 ContactTerm::FrictionAcrossSlip => "friction across the slip",
                 ContactTerm::SpeedNormalCoupling => "normal force that follows the speed",
+                ContactTerm::TurningNormal => "normal that turns",
+                ContactTerm::ConvectedSlip => "slip of the passing track",
             };
             format!("{name}: {what}")
         }
     };
     let largest = shares.shares.iter().map(|(_, growth)| growth.abs()).fold(0.0, f64::max);
-    let working = shares.shares.into_iter().filter(|(_, growth)| growth.abs() > ROUNDING * largest);
-    working.map(|(worker, growth)| (word(worker), growth)).collect()
+    let told = shares.shares.into_iter().filter_map(|(worker, growth)| {
+        let works = growth.abs() > ROUNDING * largest;
+        // gyroscopic forces do no work: that is told
+        let is_told = works || matches!(worker, Worker::Gyroscopic(_));
+        is_told.then(|| (word(worker), if works { growth } else { 0.0 }))
+    });
+    told.collect()
 }

@@ -28,6 +28,8 @@ pub(super) struct SteadyResults {
     friction_limit: Option<f64>,
     /// whether that was looked for
     friction_limit_known: bool,
+    /// what of bodies that turn is left out, in words
+    left_out: Vec<String>,
     /// each contact
     contacts: ByName<ContactSums>,
     /// each contact point
@@ -198,6 +200,7 @@ fn results(of: &Subject<'_>, steady: &SteadySliding) -> SteadyResults {
             FrictionLimit::None | FrictionLimit::Unknown => None,
         },
         friction_limit_known: steady.friction_limit != FrictionLimit::Unknown,
+        left_out: of.built.left_out.clone(),
         contacts: contacts.into_iter().collect(),
         rows,
     }

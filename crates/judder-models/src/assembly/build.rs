@@ -187,10 +187,10 @@ impl BuiltAssembly {
     pub(crate) fn sliding_spheres<'a>(
         &'a self,
         steady: &'a SteadySliding,
-    ) -> impl Iterator<Item = (usize, &'a Sphere, SphereState)> + 'a {
+    ) -> impl Iterator<Item = (usize, &'a Arc<Sphere>, SphereState)> + 'a {
         let interfaces = self.spheres.iter().enumerate();
         interfaces.filter_map(|(index, sphere)| {
-            let (sphere, point) = (sphere.as_deref()?, self.assembly.interfaces[index].points.first()?);
+            let (sphere, point) = (sphere.as_ref()?, self.assembly.interfaces[index].points.first()?);
             let state = steady.points.iter().find(|point| point.interface == index)?;
             Some((index, sphere, sphere.state(state, point.slip_speed())?))
         })

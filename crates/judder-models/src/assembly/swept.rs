@@ -1,7 +1,7 @@
 //! Steady sliding and small motions about it at any values of keys.
 
 use super::Subject;
-use super::build::BuiltAssembly;
+use super::build::{BuiltAssembly, Sphere, SphereState};
 use super::case::contact::ContactForces;
 use super::eigen::{BAND, band};
 use crate::error::ModelError;
@@ -11,7 +11,7 @@ use judder_assembly::compliance::Compliance;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::{SteadySliding, steady_sliding};
 use judder_keys::Settings;
-use judder_structure::complex_modes::{ComplexMode, ComplexModeSettings, Region, complex_modes};
+use judder_structure::complex_modes::{ComplexMode, ComplexModeSettings, Eigenvalue, Region, complex_modes};
 use judder_structure::eigen_sweep::{ProblemFamily, SolvedPoint, projected};
 use judder_structure::quadratic::Quadratic;
 use judder_study::Silent;
@@ -65,6 +65,10 @@ pub(super) struct SlidingState {
     /// The assembly, where it shares its bodies with the case; that of other keys would fill the memory.
     built: Option<BuiltAssembly>,
     pub(super) steady: SteadySliding,
+    /// What is to be said of it.
+    pub(super) doubts: Vec<String>,
+    /// The spheres that touch.
+    spheres: Vec<(Arc<Sphere>, SphereState)>,
 }
 
 impl SlidingState {
@@ -76,6 +80,13 @@ impl SlidingState {
     /// How many points are closed.
     pub(super) fn closed_points(&self) -> usize {
         self.steady.points.iter().filter(|point| point.is_closed).count()
+    }
+
+    /// Whether a mode is too fast for the law of a sphere.
+    pub(super) fn is_beyond_laws(&self, eigenvalue: &Eigenvalue) -> bool {
+        let frequency = eigenvalue.value.norm();
+        let conditions = self.spheres.iter().filter_map(|(sphere, state)| sphere.condition(state, frequency));
+        conditions.into_iter().any(|condition| condition.is_broken())
     }
 }
 
@@ -119,7 +130,9 @@ impl<'a> SweptAssembly<'a> {
             }
         }
         let case = if self.whole.is_some() { case.whole() } else { case };
-        Ok(self.own().swept(&case, self.keys.iter().map(|key| key.path.as_str()))?)
+        let built = self.own().swept(&case, self.keys.iter().map(|key| key.path.as_str()))?;
+        built.find_laws(&Silent)?;
+        Ok(built)
     }
 
     /// Steady sliding at values of the keys.
@@ -127,17 +140,20 @@ impl<'a> SweptAssembly<'a> {
         let built = self.built(values)?;
         if built.assembly.interfaces.is_empty() {
             let steady = SteadySliding::untouched(built.assembly.size());
-            return Ok(SlidingState { values: values.to_vec(), built: None, steady });
+            let (doubts, spheres) = (Vec::new(), Vec::new());
+            return Ok(SlidingState { values: values.to_vec(), built: None, steady, doubts, spheres });
         }
-        built.find_laws(&Silent)?;
         let told = |error| built.told(error);
         let steady = match &self.compliance {
             Some(known) if known.is_of(&built.assembly)? => steady_sliding(&built.assembly, known),
             _ => Compliance::new(&built.assembly).and_then(|own| steady_sliding(&built.assembly, &own)),
         };
         let steady = steady.map_err(told)?;
+        let doubts = Subject { built: &built, ..*self.of }.doubts(&steady);
+        let spheres = built.sliding_spheres(&steady);
+        let spheres = spheres.map(|(_, sphere, state)| (Arc::clone(sphere), state)).collect();
         let built = self.own().shares_bodies(&built).then_some(built);
-        Ok(SlidingState { values: values.to_vec(), built, steady })
+        Ok(SlidingState { values: values.to_vec(), built, steady, doubts, spheres })
     }
 
     /// Small motions about a state.
@@ -203,11 +219,21 @@ impl SweptAssembly<'_> {
             let words = self.keys.iter().zip(&state.values);
             let words = words.map(|(key, value)| format!("{} = {}", key.path, key.text(*value)));
             let with = words.collect::<Vec<_>>().join(", ");
-            self.of.doubts(&state.steady).into_iter().map(|doubt| format!("{with}: {doubt}")).collect()
+            state.doubts.iter().map(|doubt| format!("{with}: {doubt}")).collect()
         };
         let all: Vec<Vec<String>> = states.map(doubted).filter(|doubts| !doubts.is_empty()).collect();
         let more = all.len().saturating_sub(TOLD);
         let rest = (more > 0).then(|| format!("of {more} more values there is something to be said as well"));
         all.into_iter().take(TOLD).flatten().chain(rest).collect()
     }
+}
+
+/// That modes are too fast for the law of a sphere, so many of all; `None` where none is.
+pub(super) fn beyond_laws(broken: usize, all: usize, what: &str) -> Option<String> {
+    (broken > 0).then(|| {
+        format!(
+            "eq. (3) of the oscillator paper, the condition of steady-sliding laws in motion, is broken at {broken} of {all} {what}: ω τ ≪ 1 is asked, and what \
+             such modes do is that of the law alone; `eigen` tells which they are"
+        )
+    })
 }

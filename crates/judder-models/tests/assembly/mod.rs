@@ -4,6 +4,7 @@ mod deformed;
 mod joined;
 mod minimal;
 mod printed;
+mod sphere;
 mod turning;
 
 use crate::{case, number, run_into};

@@ -8,7 +8,7 @@ use judder_study::{Silent, StudyError};
 /// The sphere on a beam of `cases/assembly`, as a text to be spoilt.
 const SPHERE: &str = include_str!("../../../../cases/assembly/sphere-on-beam.toml");
 /// Its asperity, without the key.
-const ASPERITY: &str = "{ radius = \"10 mm\", law = \"oscillator-paper-corrected\", shear_strength = 0.1, friction_load = \"normal-load\" }";
+const ASPERITY: &str = "{ radius = \"10 mm\", law = \"oscillator-paper-corrected\", shear_strength = 0.12, friction_load = \"normal-load\" }";
 
 /// The case with one text in place of another, which is there.
 fn spoilt(from: &str, to: &str) -> String {
@@ -104,9 +104,9 @@ fn laws_that_the_substrate_does_not_have() {
         "",
     );
     refused(
-        &spoilt("shear_strength = 0.1", "shear_strength = -0.1"),
-        "`contact.tip.asperity.shear_strength` must be zero or positive, but is -0.1",
-        "-0.1",
+        &spoilt("shear_strength = 0.12", "shear_strength = -0.12"),
+        "`contact.tip.asperity.shear_strength` must be zero or positive, but is -0.12",
+        "-0.12",
         "",
     );
 }
@@ -131,7 +131,7 @@ fn a_sphere_that_nothing_presses_or_something_else() {
         "press with a [[load]], or give asperity a normal_load, the F_n of an oscillator case",
     );
     let [message, place, help] =
-        unassembled(&spoilt("shear_strength = 0.1,", "shear_strength = 0.1, normal_load = \"0.3 N\","));
+        unassembled(&spoilt("shear_strength = 0.12,", "shear_strength = 0.12, normal_load = \"0.3 N\","));
     assert_eq!(
         message,
         "the sphere of `tip` has a `normal_load` of 3.000000e-1 N, but the loads of the case press it with 2.000000e-1 N"
@@ -139,7 +139,7 @@ fn a_sphere_that_nothing_presses_or_something_else() {
     assert_eq!(place, "\"0.3 N\"");
     assert!(help.starts_with("leave normal_load out"), "{help}");
     // the same number twice is no contradiction
-    let text = spoilt("shear_strength = 0.1,", "shear_strength = 0.1, normal_load = \"0.2 N\",");
+    let text = spoilt("shear_strength = 0.12,", "shear_strength = 0.12, normal_load = \"0.2 N\",");
     let file = parse_file("case.toml", &text, &[]).unwrap();
     file.case.preflight(&file, &|_| true).unwrap();
     let [message, place, _] = unassembled(&spoilt("\"-0.2 N\"", "\"0.2 N\""));

@@ -3,7 +3,7 @@
 use super::AssemblySweep;
 use super::solved::SolvedSweep;
 use crate::assembly::Subject;
-use crate::assembly::swept::SweptAssembly;
+use crate::assembly::swept::{SweptAssembly, beyond_laws};
 use crate::axis::Curves;
 use crate::error::ModelError;
 use crate::structure::eigen_sweep::branches::SweptBranches;
@@ -68,6 +68,12 @@ pub(super) fn run(
     let failed =
         told.failures.iter().map(|own| format!("{} = {}: {}", sweep.path, sweep.text(own.value), own.reason));
     let mut warnings: Vec<String> = failed.chain(family.doubts(solved.states.iter().flatten())).collect();
+    let has_modes_beyond = solved.states.iter().zip(&solved.sweep.points).filter(|(state, point)| {
+        let mut own = point.eigenvalues.iter().map(|tracked| &tracked.eigenvalue);
+        state.as_ref().is_ok_and(|state| own.any(|eigenvalue| state.is_beyond_laws(eigenvalue)))
+    });
+    let beyond = has_modes_beyond.count();
+    warnings.extend(beyond_laws(beyond, solved.states.len(), "values, for modes of the region"));
     let branches =
         SweptBranches::new(&region, axis, Curves::alone(), vec![solved.sweep], vec![solved.onsets]);
     warnings.extend(branches.warnings());

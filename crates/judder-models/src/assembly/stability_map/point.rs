@@ -80,14 +80,24 @@ pub(super) struct MapPoint {
     /// Of the fastest growing or slowest decaying mode, in 1/s, and its frequency in Hz; NaN where there is none.
     pub(super) growth: f64,
     pub(super) frequency: f64,
+    /// Whether that mode grows and is too fast for the law of a sphere.
+    pub(super) is_beyond_laws: bool,
+    /// The first that is to be said of its steady sliding.
+    pub(super) doubt: Option<String>,
     /// For onsets between it and its neighbours; `None` where there is no steady sliding.
     pub(super) stability: Option<StabilityAt>,
 }
 
 impl MapPoint {
     /// A point of which nothing is known.
-    pub(super) const UNKNOWN: Self =
-        Self { verdict: PointVerdict::Unresolved, growth: f64::NAN, frequency: f64::NAN, stability: None };
+    pub(super) const UNKNOWN: Self = Self {
+        verdict: PointVerdict::Unresolved,
+        growth: f64::NAN,
+        frequency: f64::NAN,
+        is_beyond_laws: false,
+        doubt: None,
+        stability: None,
+    };
 
     pub(super) fn new(
         family: &SweptAssembly<'_>,
@@ -110,6 +120,9 @@ impl MapPoint {
             verdict,
             growth: fastest.map_or(f64::NAN, |mode| mode.eigenvalue.value.re),
             frequency: fastest.map_or(f64::NAN, |mode| mode.eigenvalue.frequency_hz()),
+            is_beyond_laws: verdict.is_unstable()
+                && fastest.is_some_and(|mode| state.is_beyond_laws(&mode.eigenvalue)),
+            doubt: state.doubts.first().cloned(),
             stability: Some(StabilityAt { eigenvalues, closed: state.closed() }),
         })
     }

@@ -3,7 +3,7 @@
 use super::AssemblyMap;
 use super::point::{MapPoint, PointVerdict};
 use crate::assembly::Subject;
-use crate::assembly::swept::SweptAssembly;
+use crate::assembly::swept::{SweptAssembly, beyond_laws};
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
 use judder_store::{Dataset, Results, Variable};
@@ -31,6 +31,9 @@ pub(super) struct ToldMap {
     /// why, at the first of them
     #[result(optional)]
     reason: Option<String>,
+    /// points whose fastest growing mode is too fast for the law of a sphere
+    #[result(optional)]
+    beyond_quasi_steady: Option<usize>,
     /// wall time of the decisions
     seconds: f64,
 }
@@ -52,13 +55,16 @@ pub(super) fn run(
     let boundary = if settings.boundaries { map.boundary(&points) } else { Vec::new() };
     let count = |is: &dyn Fn(PointVerdict) -> bool| points.iter().filter(|point| is(point.verdict)).count();
     let unresolved = count(&|verdict| verdict == PointVerdict::Unresolved);
+    let beyond = points.iter().filter(|point| point.is_beyond_laws).count();
+    let unstable = count(&PointVerdict::is_unstable);
     let told = ToldMap {
         x: settings.x.path.clone(),
         y: settings.y.path.clone(),
         points: points.len(),
-        unstable_fraction: count(&PointVerdict::is_unstable) as f64 / points.len() as f64,
+        unstable_fraction: unstable as f64 / points.len() as f64,
         unresolved,
         reason: reasons.first().cloned(),
+        beyond_quasi_steady: of.built.spheres.iter().any(Option::is_some).then_some(beyond),
         seconds,
     };
     let warning = (unresolved > 0).then(|| {
@@ -69,10 +75,24 @@ pub(super) fn run(
         scalars: told.scalars(),
         dataset: map.dataset(&points, &boundary)?,
         missing: unresolved,
-        warnings: warning.into_iter().collect(),
+        warnings: warning
+            .into_iter()
+            .chain(doubts(&points))
+            .chain(beyond_laws(beyond, unstable, WHAT))
+            .collect(),
         ..Outcome::default()
     })
 }
+
+/// At how many points something is to be said of steady sliding, and the first of it.
+fn doubts(points: &[MapPoint]) -> Option<String> {
+    let mut doubts = points.iter().filter_map(|point| point.doubt.as_ref());
+    let first = doubts.next()?;
+    Some(format!("{} of {} points are in doubt, the first: {first}", 1 + doubts.count(), points.len()))
+}
+
+/// What the law of a sphere may be too slow for.
+const WHAT: &str = "unstable points, for the mode that grows fastest";
 
 /// A map as it is solved.
 struct SolvedMap<'a> {

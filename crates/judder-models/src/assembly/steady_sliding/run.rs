@@ -12,6 +12,7 @@ use judder_exchange::vtu::{FieldValues, VtuField, write_vtu};
 use judder_store::{ByName, Results, Variable};
 use judder_study::outcome::{CheckRecord, Outcome};
 use num_complex::Complex64;
+use std::sync::Arc;
 
 /// What is told of steady sliding.
 #[derive(Results)]
@@ -169,7 +170,7 @@ pub(super) fn run(of: &Subject<'_>) -> Result<Outcome, ModelError> {
 
 /// The spheres of an assembly that has some.
 fn spheres(of: &Subject<'_>, steady: &SteadySliding) -> Option<SphereResults> {
-    let told = |(index, _, state): (usize, &Sphere, SphereState)| {
+    let told = |(index, _, state): (usize, &Arc<Sphere>, SphereState)| {
         let own = SlidingSphere {
             velocity: state.velocity,
             indentation: state.indentation,

@@ -7,6 +7,7 @@ use crate::assembly::case::joint::{Spring, Tie};
 use crate::error::ModelError;
 use crate::estimate::title;
 use crate::structure::build::symmetric_part;
+use judder_structure::StructureError;
 use judder_structure::modes::{WantedModes, modes};
 use judder_study::case::text::CaseText;
 use judder_study::model::Place;
@@ -104,7 +105,12 @@ impl KnownBody {
         // a mass without springs of its own has no frequency, one with circulation no real one
         let has_modes = departure == 0.0 && stiffness.val().iter().any(|entry| *entry != 0.0);
         let found = match has_modes {
-            true => Some(modes(&stiffness, &body.matrices.mass, WantedModes::Lowest(7))?),
+            true => match modes(&stiffness, &body.matrices.mass, WantedModes::Lowest(7)) {
+                Ok(found) => Some(found),
+                // a body that turns has been softened below zero
+                Err(StructureError::MissingModes { .. }) => None,
+                Err(error) => return Err(error.into()),
+            },
             false => None,
         };
         let elastic = found.and_then(|found| {

@@ -360,3 +360,22 @@ fn ties_that_bond_nothing_or_twice() {
     assert!(message.starts_with("no node of `pad.y-max` lies opposite `strip.y-min`"), "{message}");
     assert_eq!(place, "{ structure = \"strip\", set = \"y-min\" }");
 }
+
+#[test]
+fn maps_of_one_key_and_maps_without_end() {
+    let map = |x: &str, points: usize| {
+        let axis = |key: &str| {
+            format!("{{ key = \"contact.sole.{key}\", from = 0.1, to = 0.6, points = {points} }}")
+        };
+        let y = axis("friction_coefficient");
+        let text = format!(
+            "{BLOCK}\n[[analysis]]\nname = \"map\"\nkind = \"stability-map\"\nx = {}\ny = {y}\nband = [\"1 kHz\", \"9 kHz\"]\n",
+            axis(x)
+        );
+        parse("case.toml", &text, &[]).expect_err("it is refused").to_string()
+    };
+    let one = map("friction_coefficient", 3);
+    assert!(one.contains("`x` and `y` both vary `contact.sole.friction_coefficient`"), "{one}");
+    let many = map("normal.stiffness", 100_000);
+    assert!(many.contains("10000000000 points, and 1000000 are allowed"), "{many}");
+}

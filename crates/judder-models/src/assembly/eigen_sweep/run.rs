@@ -61,7 +61,7 @@ pub(super) fn run(
     let quantity = Quantity { name: "value".to_owned(), ..any_key(&sweep.path, sweep.dimension) };
     let axis = Axis { quantity, values: sweep.values.clone(), scale: sweep.scale };
     let of_reduction = match of.case.is_reduced() {
-        true => Some(reduction_errors(&family.whole()?, &solved.onsets.onsets)?),
+        true => Some(reduction_errors(&family.whole()?, &solved.onsets.onsets)),
         false => None,
     };
     let told = ToldSweep::new(settings, &axis, &solved, onsets_all_closed, of_reduction);
@@ -115,15 +115,15 @@ impl ToldSweep {
     }
 }
 
-/// How far each onset lies from that of the whole bodies.
-fn reduction_errors(whole: &SweptAssembly<'_>, onsets: &[Onset]) -> Result<Vec<Option<f64>>, ModelError> {
+/// How far each onset lies from that of the whole bodies; `None` where these have none to compare with.
+fn reduction_errors(whole: &SweptAssembly<'_>, onsets: &[Onset]) -> Vec<Option<f64>> {
     let each = onsets.iter().map(|onset| {
-        let Some(crossing) = &onset.crossing else { return Ok(None) };
-        let state = whole.state(&[onset.value])?;
-        let eigenvalues =
-            whole.solved_alone(&state, &crossing.within)?.modes.iter().map(|mode| mode.eigenvalue).collect();
+        let crossing = onset.crossing.as_ref()?;
+        let state = whole.state(&[onset.value]).ok()?;
+        let solved = whole.solved_alone(&state, &crossing.within).ok()?;
+        let eigenvalues = solved.modes.iter().map(|mode| mode.eigenvalue).collect();
         let shift = crossing.shift(&StabilityAt { eigenvalues, closed: state.closed() });
-        Ok(Some(shift.abs()).filter(|shift| shift.is_finite()))
+        Some(shift.abs()).filter(|shift| shift.is_finite())
     });
     each.collect()
 }

@@ -7,10 +7,12 @@ mod run;
 use super::Subject;
 use super::swept::{SWEPT, SoughtRegion};
 use crate::assembly::case::AssemblyCase;
+use crate::assembly::case::problem::AssemblyProblem;
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
 use judder_keys::Settings;
 use judder_keys::declared::{Settings, both};
+use judder_keys::problem::Placed;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
@@ -39,6 +41,25 @@ pub struct AssemblyMap {
     pub boundaries: bool,
 }
 
+/// The most points of a map: each is a case of its own.
+const MOST_POINTS: usize = 1_000_000;
+
+impl AssemblyMap {
+    /// Refuses one key for both axes, and more points than memory and patience hold.
+    fn check(&self) -> Result<(), String> {
+        if self.x.path == self.y.path {
+            return Err(format!("`x` and `y` both vary `{}`: a map has two keys", self.x.path));
+        }
+        let points = self.x.values.len() * self.y.values.len();
+        if points > MOST_POINTS {
+            return Err(format!(
+                "this map has {points} points, and {MOST_POINTS} are allowed: take fewer a side"
+            ));
+        }
+        Ok(())
+    }
+}
+
 /// The kind.
 pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> = Kind {
     name: "stability-map",
@@ -46,6 +67,7 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
     declared: AssemblyMap::declarations,
     read: |case, section| {
         let own = AssemblyMap::read_table(section)?;
+        own.check().map_err(|reason| AssemblyProblem::Refused { reason }.at(section.place))?;
         if let Some(case) = case {
             let admitted = |key: &str, sweep: &KeySweep| match section.get(key) {
                 Some(node) => sweep.admit(node, |value| case.at(&[(sweep, value)])),

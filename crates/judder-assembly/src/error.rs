@@ -186,6 +186,11 @@ pub enum AssemblyError {
     Structure(#[from] StructureError),
 }
 
+/// Refuses a list of another length than what it belongs to.
+pub(crate) fn check_length(name: &'static str, found: usize, expected: usize) -> Result<(), AssemblyError> {
+    if found == expected { Ok(()) } else { Err(AssemblyError::Length { name, found, expected }) }
+}
+
 fn triple(vector: &[f64; 3]) -> String {
     format!("({}, {}, {})", plain(vector[0]), plain(vector[1]), plain(vector[2]))
 }

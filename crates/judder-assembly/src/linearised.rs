@@ -12,6 +12,7 @@
 use crate::AssemblyError;
 use crate::assembly::{Assembly, from_triplets, is_symmetric, sum, symmetric_part};
 use crate::compliance::outer;
+use crate::error::check_length;
 use crate::interface::{ForceAt, FramedPoint, InterfaceLaw, PointForces};
 use crate::null_basis::NullBasis;
 use crate::row::Row;
@@ -114,14 +115,15 @@ impl Linearised {
     /// Small motions about steady sliding, over the points that are closed there.
     ///
     /// # Errors
-    /// [`AssemblyError::HeldPoint`], [`AssemblyError::RedundantPoint`] for a closed rigid point that cannot be, and what
-    /// [`Assembly::framed`] and [`Quadratic::new`] say.
+    /// [`AssemblyError::Length`] where `steady` is of other points, [`AssemblyError::HeldPoint`], [`AssemblyError::RedundantPoint`] for a
+    /// closed rigid point that cannot be, and what [`Assembly::framed`] and [`Quadratic::new`] say.
     pub fn new(
         assembly: &Assembly,
         steady: &SteadySliding,
         terms: LinearisedTerms,
     ) -> Result<Self, AssemblyError> {
         let all = assembly.framed()?;
+        check_length("the points of steady sliding", steady.points.len(), all.len())?;
         let closed: Vec<ClosedPoint<'_>> = all
             .iter()
             .zip(&steady.points)

@@ -11,6 +11,7 @@ mod friction_limit;
 use crate::AssemblyError;
 use crate::assembly::{Assembly, triplets};
 use crate::compliance::Compliance;
+use crate::error::check_length;
 use crate::interface::FramedPoint;
 use active_set::{Found, Solver};
 use faer::sparse::Triplet;
@@ -70,10 +71,7 @@ impl SteadySliding {
 /// a compliance of another assembly.
 pub fn steady_sliding(assembly: &Assembly, compliance: &Compliance) -> Result<SteadySliding, AssemblyError> {
     let points = assembly.framed()?;
-    if compliance.of_load.len() != points.len() {
-        let (found, expected) = (compliance.of_load.len(), points.len());
-        return Err(AssemblyError::Length { name: "the points of a compliance", found, expected });
-    }
+    check_length("the points of a compliance", compliance.of_load.len(), points.len())?;
     let solver = Solver { assembly, compliance, points: &points };
     let Found { guess, carried, iterations } = solver.solved()?;
     let is_closed: Vec<bool> = (0..points.len()).map(|k| solver.is_closed(k, &guess)).collect();

@@ -1,6 +1,7 @@
 //! Why a mode of an assembly grows: the work of damping and of each interface.
 
 use crate::AssemblyError;
+use crate::error::check_length;
 use crate::linearised::{ContactTerm, Linearised};
 use faer::{Mat, c64};
 use judder_dense::general::solve;
@@ -42,13 +43,14 @@ const NO_ENERGY: f64 = 1e-9;
 /// `None` where E is zero but for rounding, as of a divergence without damping: nothing does work on it.
 ///
 /// # Errors
-/// [`AssemblyError::Undetermined`] where the forces of rigid points do not follow from the motion.
+/// [`AssemblyError::Length`] for a shape on other freedoms, [`AssemblyError::Undetermined`] where the forces of rigid points do not follow from the motion.
 pub fn growth_shares(
     about: &Linearised,
     value: c64,
     shape: &[c64],
 ) -> Result<Option<GrowthShares>, AssemblyError> {
     let [mass, damping, stiffness] = &about.structures;
+    check_length("the freedoms of a shape", shape.len(), mass.ncols())?;
     let (size, omega) = (value.norm_sqr(), value.im);
     let form = |matrix: &Sparse| hermitian(matrix, shape);
     let mut energy = size * form(mass).re;

@@ -6,7 +6,7 @@ use crate::common::{dense, diagonal, point_on_plane, rigid, undamped};
 use judder_assembly::AssemblyError;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::linearised::{ContactTerm, Linearised, LinearisedTerms};
-use judder_assembly::steady::{FrictionLimit, PointState, steady_sliding};
+use judder_assembly::steady::{FrictionLimit, PointState, SteadySliding, steady_sliding};
 use judder_assembly::work::{Worker, growth_shares};
 use judder_structure::complex_modes::{ComplexModeSettings, Region, complex_modes};
 
@@ -24,7 +24,8 @@ fn friction_damps_a_mass_that_swings_across_the_slip() {
     );
     let steady = steady_sliding(&assembly, &Compliance::new(&assembly).unwrap()).unwrap();
     assert!((steady.points[0].normal_force - force).abs() < 1e-14 && steady.residual < 1e-14);
-    let about = Linearised::new(&assembly, &steady, LinearisedTerms::default()).unwrap();
+    let terms = LinearisedTerms::default();
+    let about = Linearised::new(&assembly, &steady, terms).unwrap();
     let region = Region { re: [-1.0, 1.0], im: [1.0, 20.0] };
     let found = complex_modes(&about.problem, &region, &ComplexModeSettings::default()).unwrap();
     assert!(found.complete() && found.modes.len() == 1);
@@ -37,6 +38,11 @@ fn friction_damps_a_mass_that_swings_across_the_slip() {
     let (worker, growth) = shares.shares.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).unwrap();
     assert_eq!(*worker, Worker::Contact(0, ContactTerm::FrictionAcrossSlip));
     assert!((growth - mode.eigenvalue.value.re).abs() < 1e-12);
+    // steady sliding of other points and shapes on other freedoms are no panic
+    let of_others = Linearised::new(&assembly, &SteadySliding::untouched(2), terms).unwrap_err();
+    assert_eq!(of_others.to_string(), "the points of steady sliding: there are 0, but must be 1");
+    let short = growth_shares(&about, mode.eigenvalue.value, &mode.right).unwrap_err();
+    assert_eq!(short, AssemblyError::Length { name: "the freedoms of a shape", found: 1, expected: 2 });
 }
 
 /// ANSYS Verification Manual, VM29: a block that can only move vertically is pushed down an incline of 20° by 100, μ = 0.3: N = 95.942,

@@ -166,14 +166,7 @@ impl SlidingSystem {
 /// One of the structures as a case of its own, without a reduction.
 pub(crate) fn alone(case: &SlidingCase, index: usize) -> StructureCase {
     let own = &case.structures[index];
-    StructureCase {
-        title: case.title.clone(),
-        parameters: case.parameters.clone(),
-        source: own.source.clone(),
-        damping: own.damping(),
-        reduction: None,
-        analyses: Vec::new(),
-    }
+    StructureCase::alone(&case.title, &case.parameters, &own.source, own.damping())
 }
 
 fn built(case: &SlidingCase, index: usize) -> Result<Structure, Uncoupled> {

@@ -82,6 +82,17 @@ pub enum Matrices {
 }
 
 impl StructureCase {
+    /// One structure of a case that has several, without a reduction.
+    pub(crate) fn alone(
+        title: &str,
+        parameters: &[Parameter],
+        source: &StructureSource,
+        damping: Damping,
+    ) -> Self {
+        let (title, parameters, source) = (title.to_owned(), parameters.to_vec(), source.clone());
+        Self { title, parameters, source, damping, reduction: None, analyses: Vec::new() }
+    }
+
     /// The values of all parameters, in their order: what a sweep starts from.
     pub fn values(&self) -> Vec<f64> {
         self.parameters.iter().map(|parameter| parameter.value).collect()

@@ -218,14 +218,7 @@ impl BuiltBody {
 /// A body as a case of its own.
 fn alone(case: &AssemblyCase, index: usize) -> StructureCase {
     let own = &case.structures[index];
-    StructureCase {
-        title: case.title.clone(),
-        parameters: case.parameters.clone(),
-        source: own.source.clone(),
-        damping: own.damping(),
-        reduction: None,
-        analyses: Vec::new(),
-    }
+    StructureCase::alone(&case.title, &case.parameters, &own.source, own.damping())
 }
 
 /// M with its point masses, C and K; what α of Rayleigh's damping stands before is all of M.

@@ -4,7 +4,7 @@ use super::asperity::Asperity;
 use super::named_list::NamedItem;
 use super::problem::AssemblyProblem;
 use super::structure::AssemblyStructure;
-use crate::sliding::case::plain_name::PlainName;
+use crate::sliding::case::plain_name::{PlainName, find_structure};
 use crate::structure::case::reduction::KeptNodes;
 use judder_assembly::AssemblyError;
 use judder_assembly::friction::Friction;
@@ -263,23 +263,9 @@ impl SurfaceOf {
         section: &Section<'_>,
         structures: &[AssemblyStructure],
     ) -> Result<(), Fault> {
-        find_structure(&mut self.structure, structures, section)?;
+        find_structure(&mut self.structure, structures.iter().map(|own| &own.name), section)?;
         KeptNodes::admit(section, &structures[*self.structure].source)
     }
-}
-
-/// Finds the structure that `structure` of a section names.
-pub(super) fn find_structure(
-    named: &mut Named<usize>,
-    structures: &[AssemblyStructure],
-    section: &Section<'_>,
-) -> Result<(), Fault> {
-    let known: Vec<String> = structures.iter().map(|structure| structure.name.to_string()).collect();
-    let node = section.required("structure", &format!("structure = \"…\", one of {}", known.join(", ")))?;
-    let found = known.iter().position(|other| *other == named.name).ok_or_else(|| {
-        Cause::UnknownName { what: "structure", name: named.name.clone(), known }.at(node.place)
-    });
-    found.map(|found| named.found = found)
 }
 
 /// Refuses a vector of another length than two or three, and one of zeros, under these keys of a section.

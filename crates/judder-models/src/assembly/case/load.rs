@@ -1,8 +1,8 @@
 //! `[[load]]`: forces, pressures and imposed displacements on sets of nodes.
 
-use super::contact::find_structure;
 use super::problem::AssemblyProblem;
 use super::structure::AssemblyStructure;
+use crate::sliding::case::plain_name::find_structure;
 use crate::structure::case::reduction::KeptNodes;
 use judder_keys::Settings;
 use judder_keys::declared::{Named, Number};
@@ -75,7 +75,7 @@ impl Load {
         section: &Section<'_>,
         structures: &[AssemblyStructure],
     ) -> Result<(), Fault> {
-        find_structure(&mut self.structure, structures, section)?;
+        find_structure(&mut self.structure, structures.iter().map(|own| &own.name), section)?;
         KeptNodes::admit(section, &structures[*self.structure].source)
     }
 }

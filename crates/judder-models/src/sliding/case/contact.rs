@@ -1,7 +1,8 @@
 //! `[contact]`: who slides on what, and the friction between them.
 
+use super::plain_name::find_structure;
 use super::problem::SlidingProblem;
-use super::structure::{SlidingStructure, find_structure};
+use super::structure::SlidingStructure;
 use crate::structure::case::reduction::KeptNodes;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
@@ -111,7 +112,7 @@ impl NodesOf {
         structures: &[SlidingStructure; 2],
     ) -> Result<(), Fault> {
         let Some(section) = contact.inner(key)? else { return Ok(()) };
-        find_structure(&mut self.structure, structures, &section)?;
+        find_structure(&mut self.structure, structures.iter().map(|own| &own.name), &section)?;
         KeptNodes::admit(&section, &structures[*self.structure].source)
     }
 }

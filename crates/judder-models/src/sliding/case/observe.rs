@@ -2,9 +2,9 @@
 
 use super::contact::check_one_node;
 use super::motion::Axis;
-use super::plain_name::PlainName;
+use super::plain_name::{PlainName, find_structure};
 use super::problem::SlidingProblem;
-use super::structure::{SlidingStructure, find_structure};
+use super::structure::SlidingStructure;
 use crate::structure::case::reduction::KeptNodes;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Named, Number, Pair, Several, all, conflict};
@@ -168,7 +168,7 @@ impl Observed {
 impl ObservedPoint {
     fn admit(&mut self, node: &Node, structures: &[SlidingStructure; 2]) -> Result<(), Fault> {
         let section = Section::of_table(node, "observe.points", "an observed point")?;
-        find_structure(&mut self.structure, structures, &section)?;
+        find_structure(&mut self.structure, structures.iter().map(|own| &own.name), &section)?;
         let PointNode::Kept(nodes) = &self.node else { return Ok(()) };
         KeptNodes::admit(&section, &structures[*self.structure].source)?;
         check_one_node(&section.path("nodes"), nodes).map_err(|problem| problem.at(node.place))

@@ -1,7 +1,8 @@
 //! Names that a case gives to what it has.
 
 use super::problem::SlidingProblem;
-use judder_keys::declared::{Allowed, Setting};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Allowed, Named, Setting};
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
@@ -51,4 +52,18 @@ impl Setting for PlainName {
     fn write(&self, _: &&'static str) -> Json {
         json!(self.0)
     }
+}
+
+/// Finds the structure that `structure` of a section names, of those with these names.
+pub(crate) fn find_structure<'a>(
+    named: &mut Named<usize>,
+    names: impl Iterator<Item = &'a PlainName>,
+    section: &Section<'_>,
+) -> Result<(), Fault> {
+    let known: Vec<String> = names.map(PlainName::to_string).collect();
+    let node = section.required("structure", &format!("structure = \"…\", one of {}", known.join(", ")))?;
+    let found = known.iter().position(|other| *other == named.name).ok_or_else(|| {
+        Cause::UnknownName { what: "structure", name: named.name.clone(), known }.at(node.place)
+    });
+    found.map(|found| named.found = found)
 }

@@ -9,8 +9,7 @@ use crate::structure::case::damping::Damping;
 use crate::structure::case::reduction::Reduction;
 use crate::structure::case::{Matrices, StructureSource};
 use judder_keys::Settings;
-use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Named, Setting, both, read_settings};
+use judder_keys::declared::{Allowed, Setting, both, read_settings};
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
@@ -132,18 +131,4 @@ impl Setting for Structures {
     fn write(&self, (): &()) -> Json {
         self.0.iter().map(SlidingStructure::written).collect()
     }
-}
-
-/// Finds the structure that `structure` of a section names.
-pub(crate) fn find_structure(
-    named: &mut Named<usize>,
-    structures: &[SlidingStructure; 2],
-    section: &Section<'_>,
-) -> Result<(), Fault> {
-    let known: Vec<String> = structures.iter().map(|structure| structure.name.to_string()).collect();
-    let node = section.required("structure", &format!("structure = \"…\", one of {}", known.join(", ")))?;
-    let found = known.iter().position(|other| *other == named.name).ok_or_else(|| {
-        Cause::UnknownName { what: "structure", name: named.name.clone(), known }.at(node.place)
-    });
-    found.map(|found| named.found = found)
 }

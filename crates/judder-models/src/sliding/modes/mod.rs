@@ -5,7 +5,7 @@ use super::{Subject, cost};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost::FIGURE};
 use crate::sliding::case::SlidingCase;
-use crate::sliding::case::structure::find_structure;
+use crate::sliding::case::plain_name::find_structure;
 use crate::structure::modes::{self, Modes, PICTURE, ToldModes};
 use judder_keys::Settings;
 use judder_keys::declared::{Named, Settings};
@@ -35,7 +35,7 @@ pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>>
     read: |case, section| {
         let mut own = PartModes::read_table(section)?;
         if let Some(case) = case {
-            find_structure(&mut own.structure, &case.structures, section)?;
+            find_structure(&mut own.structure, case.structures.iter().map(|own| &own.name), section)?;
         }
         Ok(Arc::new(own))
     },

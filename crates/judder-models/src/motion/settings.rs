@@ -25,7 +25,7 @@ pub enum MotionStart {
         /// Normal displacement, in units of x0; in the air where it is not above zero.
         #[key(rule = ANY, omitted)]
         y: Option<f64>,
-        /// Velocity along x, in these units and those of ω_nx.
+        /// Velocity along x, in units of x0 ω_nx for the oscillator.
         #[key(rule = ANY, omitted)]
         velocity_x: Option<f64>,
         /// Velocity along y.

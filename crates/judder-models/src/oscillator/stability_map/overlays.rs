@@ -153,6 +153,8 @@ pub(crate) struct Overlay {
     curves: Vec<Boundary>,
     /// The growth rates along a Hopf boundary; `None` for the conservative one.
     growth: Option<VanishingGrowth>,
+    /// Whether its points have one: those of an oscillator.
+    has_indentation: bool,
 }
 
 /// Follows all boundaries that make sense for these settings.
@@ -170,7 +172,13 @@ pub(super) fn trace(
         let at = coefficients(kind, case, settings);
         let curves = followed(kind, contact, settings, &at);
         let growth = (kind.condition() == Condition::Full).then(|| growth_along(contact, &curves, &at));
-        overlays.push(Overlay { name: kind.array_name(), what: kind.what(), curves, growth });
+        overlays.push(Overlay {
+            name: kind.array_name(),
+            what: kind.what(),
+            curves,
+            growth,
+            has_indentation: true,
+        });
     }
     Ok(overlays)
 }
@@ -249,7 +257,13 @@ pub(super) struct ToldBoundary {
 impl Overlay {
     /// The stability boundary of a system that is no oscillator.
     pub(crate) fn of_system(curves: Vec<Boundary>) -> Self {
-        Self { name: "full_boundary", what: "stability boundary", curves, growth: None }
+        Self {
+            name: "full_boundary",
+            what: "stability boundary",
+            curves,
+            growth: None,
+            has_indentation: false,
+        }
     }
 
     /// Pieces, how they end, folds, range of frequencies.
@@ -284,12 +298,14 @@ impl Overlay {
         let folds = self.fold_codes();
         let length = folds.len();
         let dimension = format!("{}_point", self.name);
-        let names = [
+        let mut names = vec![
             (x.name(), along_x, x.quantity.unit.as_str(), "first swept quantity"),
             (y.name(), along_y, y.quantity.unit.as_str(), "second swept quantity"),
             ("frequency", frequency, "1", of_frequency),
-            ("indentation", indentation, "1", "indentation ŷ_e"),
         ];
+        if self.has_indentation {
+            names.push(("indentation", indentation, "1", "indentation ŷ_e"));
+        }
         let mut dataset = dataset;
         for (name, values, unit, meaning) in names {
             let variable = Variable::new(&format!("{}_{name}", self.name), &[&dimension], &[length], values)

@@ -23,10 +23,14 @@ pub struct Parameter {
 pub(crate) struct Parameters(pub(crate) Vec<Parameter>);
 
 impl Parameters {
-    /// Those of the root of a case.
-    pub(crate) fn of(root: &Section<'_>) -> Result<Self, Fault> {
-        let read = |node| Self::read(root, "parameters", node, &());
-        root.get("parameters").map_or(Ok(Self::default()), read)
+    /// The names in the root of a case, whatever is wrong with them and their values: analyses are read with these.
+    pub(crate) fn given(root: &Section<'_>) -> Vec<String> {
+        match root.get("parameters") {
+            Some(Node { data: Data::Table(table), .. }) => {
+                table.entries.iter().map(|entry| entry.key.clone()).collect()
+            }
+            _ => Vec::new(),
+        }
     }
 
     /// Their names.

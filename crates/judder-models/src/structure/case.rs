@@ -293,18 +293,12 @@ fn file_of_format(
 /// Reads a structure case from the root of its tree; files are relative to `folder`.
 pub(crate) fn read(node: &Node, folder: &Path) -> Result<StructureCase, Fault> {
     let (root, sections) = read_root::<StructureSections>(node)?;
-    let (parameters, sections) = match (Parameters::of(&root), sections) {
-        (Ok(parameters), sections) => (parameters, sections),
-        // faults of sections have those of the parameters among them
-        (Err(_), Err(all)) => return Err(all),
-        (Err(fault), Ok(_)) => return Err(fault),
-    };
     let case = sections.and_then(|(title, sections)| StructureCase::of(title, sections, &root, folder));
     let admitted = case.as_ref().map_or(Ok(()), |case| case.admit_reduction(&root));
     let scope = StructureScope {
-        keys: ParameterKeys(parameters.names()),
+        keys: ParameterKeys(Parameters::given(&root)),
         source: case.as_ref().ok().map(|case| case.source.clone()),
-        values: parameters.values(),
+        values: case.as_ref().map(StructureCase::values).unwrap_or_default(),
         has_reduction: root.get("reduction").is_some(),
     };
     let analyses = read_analyses(&root, &scope, &super::KINDS, REGISTRY);

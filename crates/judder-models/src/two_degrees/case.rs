@@ -136,22 +136,18 @@ impl MatrixKeys {
 /// Reads a two-degrees case from the root of its tree.
 pub(crate) fn read(node: &Node) -> Result<TwoDegreesCase, Fault> {
     let (root, sections) = read_root::<TwoDegreesSections>(node)?;
-    let (parameters, sections) = match (Parameters::of(&root), sections) {
-        (Ok(parameters), sections) => (parameters, sections),
-        (Err(_), Err(all)) => return Err(all),
-        (Err(fault), Ok(_)) => return Err(fault),
-    };
-    let keys = ParameterKeys(parameters.names());
-    let values: Vec<_> = parameters.0.iter().map(|parameter| parameter.value).collect();
+    let keys = ParameterKeys(Parameters::given(&root));
     let analyses = read_analyses(&root, &keys, &KINDS, REGISTRY);
     // an entry that an analysis varies is judged by the run, each where that is not known
     let swept = match &analyses {
         Ok(analyses) => analyses.iter().flat_map(|analysis| analysis.kind.swept()).collect(),
-        Err(_) => (0..values.len()).collect::<Vec<_>>(),
+        Err(_) => (0..keys.0.len()).collect::<Vec<_>>(),
     };
-    let scope = Scope { names: &keys.0, values: &values, swept: &swept };
-    let case =
-        sections.and_then(|(title, own)| own.matrices.compiled(&scope).map(|matrices| (title, matrices)));
-    let ((title, matrices), analyses) = both(case, analyses)?;
-    Ok(TwoDegreesCase { title, parameters: parameters.0, analyses, matrices })
+    let case = sections.and_then(|(title, TwoDegreesSections { parameters, matrices })| {
+        let (names, values) = (parameters.names(), parameters.values());
+        let matrices = matrices.compiled(&Scope { names: &names, values: &values, swept: &swept })?;
+        Ok((title, parameters.0, matrices))
+    });
+    let ((title, parameters, matrices), analyses) = both(case, analyses)?;
+    Ok(TwoDegreesCase { title, parameters, analyses, matrices })
 }

@@ -75,8 +75,15 @@ fn sections_do_not_hide_analyses_and_sweeps() {
     let modes = "kind = \"modes\"\ncount = 0\ncuont = 1";
     let sliding = "model = \"sliding\"\n[motion]\nvelocity = \"x\"";
     let march = "kind = \"march\"\nmethod = \"none\"\nstepp = 1";
+    let two_degrees =
+        "model = \"two-degrees\"\n[parameters]\nmu = \"1 N\"\n[matrices]\nstiffness = [[2, \"mu\"], [1, 2]]";
+    let spectrum = "kind = \"spectrum\"\nsweep = { key = \"parameters.mu\", from = 0, to = 0.5, points = 1 }";
+    let matrices = "model = \"structure\"\n[parameters]\nsin = 1\n[matrices]\nmass = [[1]]\nstiffness = [[1]]\n\
+        freedoms = [[\"mass\", \"x\"]]";
     for (sections, analysis, expected) in [
-        (contact, transient, &["-1", "-0.01", "stepss", "\"a/b\"", "1"][..]),
+        (two_degrees, spectrum, &["\"1 N\"", "1", "\"a/b\"", "1"][..]),
+        (matrices, modes, &["sin", "0", "cuont", "\"a/b\"", "1"]),
+        (contact, transient, &["-1", "-0.01", "stepss", "\"a/b\"", "1"]),
         (structure, modes, &["0", "cuont", "\"a/b\"", "1"]),
         (sliding, march, &["x", "none", "stepp", "\"a/b\"", "1"]),
     ] {

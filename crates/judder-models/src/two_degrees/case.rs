@@ -31,17 +31,6 @@ pub struct TwoDegreesCase {
     matrices: Box<[EntryMatrix; 3]>,
 }
 
-/// The matrices at one point, row-major, every entry finite.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TwoDegreesMatrices {
-    /// M; the identity where the case gives none.
-    pub mass: [[f64; 2]; 2],
-    /// C; zero where the case gives none.
-    pub damping: [[f64; 2]; 2],
-    /// K.
-    pub stiffness: [[f64; 2]; 2],
-}
-
 impl TwoDegreesCase {
     /// The canonical form.
     pub(super) fn resolved(&self) -> Json {
@@ -61,9 +50,9 @@ impl TwoDegreesCase {
     ///
     /// # Errors
     /// [`Cause::NotFiniteEntry`] names the first entry that is NaN or infinite, as it is where `values` is too short.
-    pub fn matrices(&self, values: &[f64]) -> Result<TwoDegreesMatrices, Cause> {
+    pub fn matrices(&self, values: &[f64]) -> Result<LinearSystem, Cause> {
         let [mass, damping, stiffness] = &*self.matrices;
-        Ok(TwoDegreesMatrices {
+        Ok(LinearSystem {
             mass: evaluated(mass, values)?,
             damping: evaluated(damping, values)?,
             stiffness: evaluated(stiffness, values)?,
@@ -76,8 +65,7 @@ impl TwoDegreesCase {
         for (sweep, value) in set {
             sweep.set(&mut values, *value);
         }
-        let matrices = self.matrices(&values).ok()?;
-        Some(LinearSystem { mass: matrices.mass, damping: matrices.damping, stiffness: matrices.stiffness })
+        self.matrices(&values).ok()
     }
 
     /// The texts of the entries of M, C and K as the case file has them, with the names of the matrices.

@@ -38,12 +38,7 @@ pub(super) fn resolve(case: &TwoDegreesCase, resolved: Value) -> Result<Resolved
 /// Eigenvalues and verdict at the case's own parameters, as a document and as text.
 fn analysed(case: &TwoDegreesCase) -> Result<(Value, String), String> {
     use judder_oscillator::mechanism::StabilityClass;
-    let matrices = case.matrices(&case.values()).map_err(|cause| cause.to_string())?;
-    let system = judder_oscillator::LinearSystem {
-        mass: matrices.mass,
-        damping: matrices.damping,
-        stiffness: matrices.stiffness,
-    };
+    let system = case.matrices(&case.values()).map_err(|cause| cause.to_string())?;
     let reduced = system.reduced().map_err(|error| error.to_string())?;
     let values = judder_oscillator::spectrum::eigenvalues(&reduced).map_err(|error| error.to_string())?;
     let class = StabilityClass::of_system(&system).map_err(|error| error.to_string())?;

@@ -1,5 +1,9 @@
 //! Any M, C, K of two degrees of freedom, as expressions of parameters.
 //!
+//! Decided by the closed forms that the oscillator has anyway: at a point of a map they cost next to nothing beside a search of eigenvalues,
+//! and tell the mechanism by what remains when a part is removed. Assemblies of one body have the same eigenvalues, critical values and
+//! verdicts, as their tests hold.
+//!
 //! - `check`: what `judder check` shows.
 //! - A folder each: `spectrum`, `stability_map`, `critical`.
 
@@ -15,7 +19,6 @@ use crate::oscillator::operating_points::{LINEAR_QUANTITIES, linear_values};
 use crate::swept_keys::ParameterKeys;
 use crate::two_degrees::case::{TwoDegreesCase, TwoDegreesSections};
 use judder_keys::declared::Settings;
-use judder_oscillator::LinearSystem;
 use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::analysis::{Kinds, Planned};
@@ -80,9 +83,7 @@ impl Model for TwoDegreesCase {
         wanted: &[OperatingQuantity],
         _: &dyn Progress,
     ) -> Result<(Vec<f64>, Vec<String>), StudyError> {
-        let matrices = self.matrices(&self.values()).map_err(ModelError::from)?;
-        let (mass, damping, stiffness) = (matrices.mass, matrices.damping, matrices.stiffness);
-        let system = LinearSystem { mass, damping, stiffness };
+        let system = self.matrices(&self.values()).map_err(ModelError::from)?;
         let values = linear_values(&system, wanted).map_err(ModelError::from)?;
         Ok((values, Vec::new()))
     }

@@ -5,7 +5,8 @@ use judder_models::parse;
 use judder_models::two_degrees::case::TwoDegreesCase;
 use judder_oscillator::motion::SlidingSystem;
 use judder_oscillator::motion::belt::{BeltOscillator, FallingFriction};
-use judder_oscillator::{LinearSystem, spectrum};
+use judder_oscillator::spectrum;
+use judder_store::{Data, StudyFolder};
 use judder_study::case::file::CaseFile;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -94,23 +95,31 @@ fn a_leaning_strut_digs_in() {
 }
 
 /// An assembly of one body whose matrices stand in the case, and which touches nothing.
-fn alone(parameters: &str, matrices: &str) -> CaseFile {
+fn asked(parameters: &str, matrices: &str, analyses: &str) -> CaseFile {
     let text = format!(
         "model = \"assembly\"\n[parameters]\n{parameters}\n[[structure]]\nname = \"body\"\n[structure.matrices]\n{matrices}\n\
-         freedoms = [[\"mass\", \"x\"], [\"mass\", \"y\"]]\n\
-         [[analysis]]\nname = \"modes\"\nkind = \"eigen\"\nregion = {{ re = [-3.0, 3.0], im = [0.1, 3.0] }}\n"
+         freedoms = [[\"mass\", \"x\"], [\"mass\", \"y\"]]\n{analyses}"
     );
     parse("case.toml", &text, &[]).unwrap()
 }
+
+/// The same with its modes.
+fn alone(parameters: &str, matrices: &str) -> CaseFile {
+    let modes =
+        "[[analysis]]\nname = \"modes\"\nkind = \"eigen\"\nregion = { re = [-3.0, 3.0], im = [0.1, 3.0] }\n";
+    asked(parameters, matrices, modes)
+}
+
+const MINIMAL: &str = "mass = [[1.0, 0.0], [0.0, 1.0]]\nstiffness = [[2.0, \"1 - 4*mu/3\"], [1.0, 2.0]]";
+const HOPF: &str = "mass = [[1.0, 0.0], [0.0, 1.0]]\ndamping = [[\"c1\", 0.0], [0.0, \"c2\"]]\n\
+    stiffness = [[2.0, \"1 - 4/3*mu\"], [1.0, 2.4]]";
 
 /// The eigenvalues of a two-degrees case at a friction coefficient.
 fn of_two_degrees(file: &CaseFile, friction: f64) -> Vec<[f64; 2]> {
     let case = file.case.of::<TwoDegreesCase>().unwrap();
     let mut values = case.values();
     values[0] = friction;
-    let matrices = case.matrices(&values).unwrap();
-    let (mass, damping, stiffness) = (matrices.mass, matrices.damping, matrices.stiffness);
-    let reduced = LinearSystem { mass, damping, stiffness }.reduced().unwrap();
+    let reduced = case.matrices(&values).unwrap().reduced().unwrap();
     let all = spectrum::eigenvalues(&reduced).unwrap();
     all.iter().filter(|value| value.im > 0.1).map(|value| [value.re, value.im]).collect()
 }
@@ -118,11 +127,8 @@ fn of_two_degrees(file: &CaseFile, friction: f64) -> Vec<[f64; 2]> {
 /// The benchmarks of two-degrees cases, with the same expressions in an assembly: the same eigenvalues.
 #[test]
 fn benchmarks_of_two_degrees_are_assemblies() {
-    let minimal = "mass = [[1.0, 0.0], [0.0, 1.0]]\nstiffness = [[2.0, \"1 - 4*mu/3\"], [1.0, 2.0]]";
-    let hopf = "mass = [[1.0, 0.0], [0.0, 1.0]]\ndamping = [[\"c1\", 0.0], [0.0, \"c2\"]]\n\
-        stiffness = [[2.0, \"1 - 4/3*mu\"], [1.0, 2.4]]";
     for (name, rest, matrices) in
-        [("minimal-mode-coupling", "", minimal), ("damped-hopf", "c1 = 0.02\nc2 = 0.002", hopf)]
+        [("minimal-mode-coupling", "", MINIMAL), ("damped-hopf", "c1 = 0.02\nc2 = 0.002", HOPF)]
     {
         let other = case(&format!("benchmarks/{name}.toml"), &[]);
         for friction in [0.0, 0.3, 0.7, 0.85, 1.0, 1.5] {
@@ -135,6 +141,52 @@ fn benchmarks_of_two_degrees_are_assemblies() {
             }
         }
     }
+}
+
+/// Critical values of two-degrees cases, which Hurwitz' determinants tell, are onsets of assemblies, which eigenvalues tell.
+#[test]
+fn critical_values_of_two_degrees_are_onsets_of_assemblies() {
+    let sweep = "[[analysis]]\nname = \"sweep\"\nkind = \"eigen-sweep\"\nregion = { re = [-3.0, 3.0], im = [0.1, 3.0] }\n\
+        sweep = { key = \"parameters.mu\", from = 0.0, to = 1.5, points = 16 }\n";
+    for (name, parameters, matrices) in [
+        ("minimal-mode-coupling", "mu = 1.0", MINIMAL),
+        ("damped-hopf", "mu = 0.7\nc1 = 0.02\nc2 = 0.002", HOPF),
+    ] {
+        let other = case(&format!("benchmarks/{name}.toml"), &[]);
+        let expected =
+            &run_into(tempfile::tempdir().unwrap().path(), &other, &["critical"]).summary.results["critical"];
+        let found = &results(&asked(parameters, matrices, sweep))["sweep"];
+        let [onset] = &found["onsets"].as_array().unwrap()[..] else { panic!("{found:?}") };
+        assert_eq!(expected["critical"].as_array().unwrap().len(), 1);
+        let [value, frequency] = ["critical", "frequency"].map(|key| number(&expected[key][0]));
+        assert!((number(&onset["value"]) - value).abs() < 1e-10, "{name}: {onset} {value}");
+        let angular = std::f64::consts::TAU * number(&onset["frequency_hz"]);
+        // where undamped modes merge frequencies part as the root of the distance
+        let off = if name == "damped-hopf" { 1e-10 } else { 1e-5 };
+        assert!((angular - frequency).abs() < off, "{name}: {onset} {frequency}");
+    }
+}
+
+/// Their maps say of the same points that they are unstable.
+#[test]
+fn maps_of_two_degrees_are_maps_of_assemblies() {
+    let axes = "x = { key = \"parameters.mu\", from = 0.5, to = 1.0, points = 11 }\n\
+        y = { key = \"parameters.c2\", from = 1e-4, to = 1.0, points = 9, scale = \"log\" }\n";
+    let map = format!(
+        "[[analysis]]\nname = \"map\"\nkind = \"stability-map\"\nregion = {{ re = [-3.0, 3.0], im = [0.1, 3.0] }}\n{axes}"
+    );
+    let other = case("benchmarks/damped-hopf.toml", &["analysis.map.x.points=11", "analysis.map.y.points=9"]);
+    let unstable = |file: &CaseFile, stable: &[u8]| -> Vec<bool> {
+        let folder = tempfile::tempdir().unwrap();
+        run_into(folder.path(), file, &["map"]);
+        let dataset = StudyFolder::open(folder.path()).unwrap().read_dataset("map").unwrap();
+        let Data::U8(codes) = &dataset.variable("stability").unwrap().data else { panic!("codes") };
+        codes.iter().map(|code| !stable.contains(code)).collect()
+    };
+    // stable and marginal; nothing is unresolved
+    let expected = unstable(&other, &[0, 5]);
+    assert!(expected.len() == 99 && expected.contains(&true) && expected.contains(&false));
+    assert_eq!(unstable(&asked("mu = 0.7\nc1 = 0.02\nc2 = 0.002", HOPF, &map), &[0, 1]), expected);
 }
 
 /// Structure cases take the same arrays, and vary their parameters.
@@ -161,15 +213,13 @@ fn a_structure_case_takes_arrays_too() {
 /// The damped Hopf point in closed form: the growth rate of an assembly passes zero there.
 #[test]
 fn the_damped_hopf_point_is_that_of_an_assembly() {
-    let matrices = "mass = [[1.0, 0.0], [0.0, 1.0]]\ndamping = [[\"c1\", 0.0], [0.0, \"c2\"]]\n\
-        stiffness = [[2.0, \"1 - 4/3*mu\"], [1.0, 2.4]]";
     let (c1, c2) = (0.02_f64, 0.002_f64);
     let r = (c1 * 2.4 + c2 * 2.0) / (c1 + c2);
     let threshold = 0.75 * (1.0 + c1 * c2 * 0.16 / (c1 + c2).powi(2) + r * c1 * c2);
     assert!((threshold - 0.759_988_264_5).abs() < 1e-10);
     let growth = |friction: f64| {
         let parameters = format!("mu = {friction:?}\nc1 = {c1:?}\nc2 = {c2:?}");
-        let found = eigenvalues(&alone(&parameters, matrices));
+        let found = eigenvalues(&alone(&parameters, HOPF));
         found.iter().map(|own| own[0]).fold(f64::NEG_INFINITY, f64::max)
     };
     assert!(growth(threshold).abs() < 1e-10);

@@ -24,7 +24,7 @@ const TETRAHEDRA: [&[usize]; 6] =
 impl Grid {
     /// The mesh, with its corners moved by `place`; edges stay straight.
     ///
-    /// Node sets: `x-min`, `x-max`, `y-min`, …: the sides of the box.
+    /// Node sets: `x-min`, `x-max`, `y-min`, …: the sides of the box; `x-min-y-min`, …: where two of them meet.
     ///
     /// # Errors
     /// [`StructureError::InvalidNumber`] for a size or a number of cells that is not positive.
@@ -120,7 +120,7 @@ impl Grid {
                 sets.insert(format!("{name}-{suffix}"), set);
             }
         }
-        sets
+        with_edges(sets)
     }
 
     fn cells_with_layers(&self) -> [usize; 3] {
@@ -132,6 +132,21 @@ impl Grid {
         let (columns, rows) = (self.cells[0] + 1, self.cells[1] + 1);
         [corner % columns, corner / columns % rows, corner / (columns * rows)]
     }
+}
+
+/// The sides of a box, and the nodes that two of them share.
+fn with_edges(sides: BTreeMap<String, Vec<usize>>) -> BTreeMap<String, Vec<usize>> {
+    let mut sets = sides.clone();
+    for (first, own) in &sides {
+        for (second, other) in sides.range(first.clone()..).skip(1) {
+            let both: Vec<usize> =
+                own.iter().filter(|node| other.binary_search(node).is_ok()).copied().collect();
+            if !both.is_empty() {
+                sets.insert(format!("{first}-{second}"), both);
+            }
+        }
+    }
+    sets
 }
 
 /// The corners between which a kind has nodes, in their order.
@@ -185,6 +200,10 @@ mod tests {
             assert_eq!((mesh.nodes.len(), mesh.elements()), (nodes, elements), "{kind}");
             assert_eq!(mesh.node_sets["x-max"].len(), on_the_right, "{kind}");
             assert!(mesh.node_sets["x-max"].iter().all(|node| mesh.nodes[*node][0] == 3.0));
+            let is_on_edge = |node: &usize| mesh.nodes[*node][0] == 3.0 && mesh.nodes[*node][1] == 0.0;
+            let on_edge: Vec<usize> = (0..nodes).filter(is_on_edge).collect();
+            assert_eq!(mesh.node_sets["x-max-y-min"], on_edge);
+            assert!(!mesh.node_sets.contains_key("x-max-x-min"));
         }
     }
 

@@ -12,6 +12,7 @@ pub mod body;
 pub mod damping;
 pub(crate) mod lists;
 pub mod matrices;
+pub mod orientation;
 pub mod problem;
 pub mod reduction;
 pub(crate) mod scope;

@@ -33,9 +33,14 @@ pub(super) fn damping_ratio(file: &CaseFile) -> f64 {
     -re / re.hypot(im)
 }
 
+/// Re and Im of the mode that grows fastest.
+pub(super) fn fastest(file: &CaseFile) -> [f64; 2] {
+    eigenvalues(file).into_iter().max_by(|a, b| a[0].total_cmp(&b[0])).unwrap()
+}
+
 /// The largest growth rate, zero where none grows.
 pub(super) fn fastest_growth(file: &CaseFile) -> f64 {
-    eigenvalues(file).iter().map(|[re, _]| *re).fold(0.0, f64::max)
+    fastest(file)[0].max(0.0)
 }
 
 /// VM274: ζ = μN/(2 v √(km)), printed as 4.98012e-4.

@@ -1,8 +1,9 @@
 //! The table of printed numbers in the book is what the cases give.
 
-use super::minimal::{damping_ratio, fastest_growth, results};
+use super::minimal::{damping_ratio, fastest, fastest_growth, results};
 use super::turning::{critical_speed, ring};
-use crate::{case, number};
+use crate::{case, number, run_into};
+use std::f64::consts::TAU;
 use std::path::Path;
 
 /// A number that somebody printed.
@@ -44,7 +45,9 @@ fn table() -> String {
     let [x, y] = [0, 1].map(|axis| number(&incline["tangential_force"][axis]));
     let normal = number(&incline["normal_force"]);
     let held = normal * 20_f64.to_radians().sin() + x;
-    let growth = fastest_growth(&case("assembly/mode-coupling.toml", &[]));
+    let coupling = case("assembly/mode-coupling.toml", &[]);
+    let (growth, merging) = (fastest_growth(&coupling), results(&coupling)["friction"]["onsets"][0].clone());
+    let [merges, frequency] = ["value", "frequency_hz"].map(|key| number(&merging[key]));
     let strut = results(&case("assembly/sprag-slip.toml", &[]));
     let digs = number(&strut["steady"]["contacts"]["surface"]["normal_force"]) / 10.0;
     let locks = number(&strut["steady"]["friction_limit"]) * 0.4;
@@ -55,6 +58,9 @@ fn table() -> String {
         Printed { case, source, what, printed, found, is_of_meshes: true }.row()
     };
     let ([two, three, against, along], critical) = (ring(), critical_speed());
+    let [width, pressure] = cylinders();
+    let near = "analysis.modes.band=[\"2 kHz\", \"2.5 kHz\"]";
+    let [_, locked] = fastest(&case("assembly/pin-on-disc.toml", &[near]));
     [
         "| case | source | number | printed | judder | difference |\n| --- | --- | --- | --- | --- | --- |\n"
             .to_owned(),
@@ -63,8 +69,25 @@ fn table() -> String {
         row("block-on-incline", "ANSYS VM29", "friction force", "28.783", x.hypot(y)),
         row("block-on-incline", "ANSYS VM29", "force that holds it", "5.76728", held),
         row("mode-coupling", "Hoffmann 2002, closed form", "growth rate at μ = 1", "0.2020717688", growth),
+        row(
+            "mode-coupling",
+            "Hoffmann 2002, closed form",
+            "friction at which the modes merge",
+            "0.75",
+            merges,
+        ),
+        row("mode-coupling", "Hoffmann 2002, closed form", "its frequency (Hz)", "0.2250790790", frequency),
         row("sprag-slip", "Spurr 1961, closed form", "normal force over load", "3.2554236981", digs),
         row("sprag-slip", "Spurr 1961, closed form", "friction at which it locks", "0.5773502692", locks),
+        of_mesh("cattaneo-mindlin", "ANSYS VM272, pressed", "half-width (mm)", "0.68078", width * 1e3),
+        of_mesh(
+            "cattaneo-mindlin",
+            "ANSYS VM272, pressed",
+            "largest pressure (MPa)",
+            "9.3514",
+            pressure / 1e6,
+        ),
+        of_mesh("pin-on-disc", "ANSYS VM275", "unstable mode (Hz)", "2215", locked / TAU),
         of_mesh("critical-speed", "ANSYS VM301", "critical speed (rpm)", "2650", critical),
         of_mesh("rotating-ring", "ANSYS VM302", "two waves at rest (Hz)", "75.30", two),
         of_mesh("rotating-ring", "ANSYS VM302", "three waves at rest (Hz)", "209.93", three),
@@ -72,6 +95,19 @@ fn table() -> String {
         of_mesh("rotating-ring", "ANSYS VM302", "two waves along it (Hz)", "411.54", along),
     ]
     .concat()
+}
+
+/// Half the width of what is closed between two cylinders in m, by the areas that its nodes stand for, and the largest pressure in Pa.
+fn cylinders() -> [f64; 2] {
+    const THICKNESS: f64 = 1e-3;
+    let folder = tempfile::tempdir().unwrap();
+    let file = case("assembly/cattaneo-mindlin.toml", &[]);
+    let results = run_into(folder.path(), &file, &["steady"]).summary.results;
+    let table = std::fs::read_to_string(folder.path().join("steady.csv")).unwrap();
+    let closed = table.lines().filter(|line| line.ends_with(",closed"));
+    let column = |line: &str, place: usize| line.split(',').nth(place).unwrap().parse::<f64>().unwrap();
+    let area: f64 = closed.map(|line| column(line, 5) / column(line, 7)).sum();
+    [0.5 * area / THICKNESS, number(&results["steady"]["contacts"]["line"]["pressure_max"])]
 }
 
 #[test]

@@ -53,6 +53,25 @@ fn discs_that_are_none() {
 }
 
 #[test]
+fn blocks_that_cannot_lie_so() {
+    const PIN: &str = include_str!("../../../../cases/assembly/pin-on-disc.toml");
+    refused(
+        &spoilt(PIN, "axis = [0, 1, 0], angle", "axis = [0, 0, 0], angle"),
+        "`structure.pin.block.orientation.axis` is an axis without a direction",
+        "[0, 0, 0]",
+        "give a number other than zero, as in axis = [0, 1, 0]",
+    );
+    let cells = "cells = [20, 10]";
+    let leaning = "cells = [20, 10], orientation = { angle = \"4 deg\", axis = [1, 0, 0] }";
+    refused(
+        &spoilt(BLOCK, cells, leaning),
+        "`structure.block.block.orientation.axis` would turn a block of the plane out of its plane",
+        "[1, 0, 0]",
+        "leave axis out: in the plane it is [0, 0, 1]",
+    );
+}
+
+#[test]
 fn bodies_that_cannot_turn() {
     refused(
         &spoilt(RING, "frame = ", "axis = [0, 0, 0], frame = "),

@@ -51,9 +51,13 @@ fn block_mesh(block: &Block) -> Result<Mesh, Unbuilt> {
     let cells = std::array::from_fn(|axis| block.cells.get(axis).copied().unwrap_or(0));
     let origin = block.origin.as_deref().unwrap_or_default();
     let moved = |axis: usize, along: f64| origin.get(axis).map_or(along, |from| from + along);
+    let turned = |place| block.orientation.as_ref().map_or(place, |own| own.turned(place));
     let grid = Grid { kind: block.element(), size, cells };
-    grid.mesh(OWN, |place| std::array::from_fn(|axis| moved(axis, place[axis])))
-        .map_err(|error| Unbuilt::because("structure.block", &error))
+    grid.mesh(OWN, |place| {
+        let turned = turned(place);
+        std::array::from_fn(|axis| moved(axis, turned[axis]))
+    })
+    .map_err(|error| Unbuilt::because("structure.block", &error))
 }
 
 fn disc_mesh(disc: &Disc) -> Result<Mesh, Unbuilt> {

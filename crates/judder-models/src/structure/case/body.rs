@@ -4,6 +4,7 @@ use super::file_of_format;
 use std::path::Path;
 
 use super::lists::length;
+use super::orientation::Orientation;
 use super::problem::StructureProblem;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Fixed, Number, Pair, Setting, Several, Whole, all};
@@ -136,6 +137,9 @@ pub struct Block {
     /// Where the corner of a block with the smallest coordinates lies; at zero where left out.
     #[key(rule = CORNER, symbol = "x, y, z", omitted)]
     pub origin: Option<Vec<f64>>,
+    /// How a block is turned about that corner; its sets keep their names.
+    #[key(omitted)]
+    pub orientation: Option<Orientation>,
 }
 
 impl Block {
@@ -156,7 +160,8 @@ impl Block {
                 return Err(length(section, key, expected, node));
             }
         }
-        Ok(())
+        let orientation = self.orientation.as_ref();
+        orientation.map_or(Ok(()), |own| own.fits(element.dimension() == 2, section))
     }
 }
 

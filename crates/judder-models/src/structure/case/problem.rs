@@ -39,6 +39,18 @@ pub enum StructureProblem {
     /// A sector of a turn or more.
     #[error("the sector is a turn or more, which leaves nothing of the disc beside it")]
     WholeTurn,
+    /// An axis of turning without a direction.
+    #[error("`{key}` is an axis without a direction")]
+    NoAxis {
+        /// The key.
+        key: String,
+    },
+    /// An axis of turning that leads a body of the plane out of it.
+    #[error("`{key}` would turn a block of the plane out of its plane")]
+    OutOfPlane {
+        /// The key.
+        key: String,
+    },
     /// A key that a generated body needs.
     #[error("{what} needs `{key}`")]
     Needs {
@@ -216,6 +228,8 @@ impl Problem for StructureProblem {
             Self::DiscElement { .. } => "no bricks",
             Self::BeyondDisc { .. } => "beyond the disc",
             Self::WholeTurn => "too wide",
+            Self::NoAxis { .. } => "no direction",
+            Self::OutOfPlane { .. } => "out of the plane",
             Self::Format { .. } => "unknown format",
             Self::EmptySupport { .. } => "without effect",
             Self::Folder { .. } => "no such folder",
@@ -253,6 +267,8 @@ impl StructureProblem {
             Self::DiscElement { .. } => "give element = \"hexahedron8\" or \"hexahedron20\"".to_owned(),
             Self::BeyondDisc { .. } => "give radii between those of the disc".to_owned(),
             Self::WholeTurn => "for even cells all around leave the sector out: `cells` has how many".to_owned(),
+            Self::NoAxis { .. } => "give a number other than zero, as in axis = [0, 1, 0]".to_owned(),
+            Self::OutOfPlane { .. } => "leave axis out: in the plane it is [0, 0, 1]".to_owned(),
             Self::Needs { example, .. } => format!("give {example}"),
             Self::Format { known, .. } => format!("known endings: {known}"),
             Self::EmptySupport { .. } => "give fixed = [\"x\", \"y\"] or tied = [\"y\"]".to_owned(),

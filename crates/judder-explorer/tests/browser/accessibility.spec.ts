@@ -27,11 +27,11 @@ async function isForEverybody(explorer: Explorer, view: string): Promise<void> {
 
 for (const view of PAGES) test(`${view} is for everybody`, async ({ explorer }) => isForEverybody(explorer, view));
 
-const STUDIES = { sliding: ["locus", "film"], edge: ["spectrogram"], block: ["modes"] } as const;
+const STUDIES = { sliding: ["locus", "film"], edge: ["spectrogram"], block: ["modes"], disc: ["steady", "modes"] } as const;
 
-for (const name of ["sliding", "edge", "block"] as const) {
+for (const name of ["sliding", "edge", "block", "disc"] as const) {
   studies.describe(name, () => {
-    studies.use({ subject: async ({ sliding, edge, block }, use) => use([{ sliding, edge, block }[name].folder]) });
+    studies.use({ subject: async ({ sliding, edge, block, disc }, use) => use([{ sliding, edge, block, disc }[name].folder]) });
     for (const analysis of STUDIES[name]) {
       studies(`/structures?analysis=${analysis} is for everybody`, async ({ explorer }) => {
         await isForEverybody(explorer, `/structures?analysis=${analysis}`);

@@ -69,11 +69,12 @@ function run(name: string): Study {
   return { folder, results: (JSON.parse(readFileSync(join(folder, "summary.json"), "utf8")) as { results: unknown }).results };
 }
 
-/** Tests of studies: two sliding cases, of which one has a spectrogram, and a structure; each is run once a worker. */
-export const studies = test.extend<object, { sliding: Study; edge: Study; block: Study }>({
+/** Tests of studies: two sliding cases, of which one has a spectrogram, a structure and an assembly; each is run once a worker. */
+export const studies = test.extend<object, { sliding: Study; edge: Study; block: Study; disc: Study }>({
   sliding: [async ({}, use) => use(run("sliding/falling-friction")), { scope: "worker", timeout: 240_000 }],
   edge: [async ({}, use) => use(run("sliding/curved-edge")), { scope: "worker", timeout: 240_000 }],
   block: [async ({}, use) => use(run("benchmarks/block")), { scope: "worker", timeout: 240_000 }],
+  disc: [async ({}, use) => use(run("assembly/pad-on-turning-disc")), { scope: "worker", timeout: 240_000 }],
 });
 
 /** The browser notes refused requests, which the page shows to its user, and what its software renderer does slowly. */

@@ -1,4 +1,4 @@
-/** The structures page: what a study folder holds, for a sliding case and for a structure. */
+/** The structures page: what a study folder holds, for a sliding case, a structure and an assembly. */
 
 import { copyFileSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -63,6 +63,49 @@ test.describe("a structure", () => {
     await expect(around).toHaveValue("15");
     await page.getByRole("button", { name: "Undo" }).click();
     await expect(around).toHaveValue("0");
+  });
+});
+
+test.describe("an assembly", () => {
+  test.use({ subject: async ({ disc }, use) => use([disc.folder]) });
+
+  test("shows its contact map: what is closed and open, the pressure, the bodies by name", async ({ explorer, disc }) => {
+    const { page } = explorer;
+    await explorer.open("/structures");
+    await expect(page.getByRole("heading", { name: /^steady steady-sliding/ })).toBeVisible();
+    const sums = at(disc.results, "steady.contacts.pad") as Record<string, number>;
+    for (const name of ["closed", "open", "normal_force", "pressure_max"]) {
+      await expect(page.locator(`[data-key='steady.contacts.pad.${name}']`).first()).toHaveAttribute("data-value", String(sums[name]));
+    }
+    await expect(page.locator("canvas").first()).toBeVisible();
+    await expect(page.locator("[data-key='contacts.largest']")).toHaveAttribute("data-value", String(sums["pressure_max"]));
+    await expect(page.getByRole("list", { name: "What is shown" })).toContainText(/disc.*pad.*closed contact point.*open contact point/);
+    await expect(page.locator("main")).toContainText(/Displacements are drawn \d+ times as large as they are; the largest is .* µm\./);
+    await expect(page.locator("[data-key='steady.converged']")).toHaveAttribute("data-value", "true");
+    // nothing swings
+    await expect(page.getByRole("button", { name: "Play" })).toHaveCount(0);
+    await expect(page.getByRole("slider", { name: "Phase" })).toHaveCount(0);
+    await page.getByRole("slider", { name: "Scale" }).press("ArrowRight");
+    await expect(page).toHaveURL(/scale=1\.05/);
+  });
+
+  test("shows complex modes, and what makes one grow", async ({ explorer, disc }) => {
+    const { page } = explorer;
+    const growing = at(disc.results, "modes.growing") as { mode: number; growth: Record<string, number>; parents: { frequency_hz: number }[] }[];
+    const first = growing[0] as (typeof growing)[number];
+    await explorer.open(`/structures?analysis=modes&mode=${first.mode}`);
+    const eigenvalue = at(disc.results, `modes.eigenvalues.${first.mode - 1}`) as { damping_ratio: number };
+    await expect(page.locator(`[data-key='modes.damping_ratio.${first.mode - 1}']`)).toHaveAttribute("data-value", String(eigenvalue.damping_ratio));
+    for (const [name, growth] of Object.entries(first.growth)) {
+      await expect(page.locator(`[data-key='modes.growing.0.growth.${name}']`)).toHaveAttribute("data-value", String(growth));
+    }
+    await expect(page.locator("[data-key='modes.growing.0.parents.0.frequency_hz']")).toHaveAttribute("data-value", String(first.parents[0]?.frequency_hz));
+    await expect(page.locator("[data-key='modes.complete']")).toHaveAttribute("data-value", String(at(disc.results, "modes.complete")));
+    await expect(page.locator("canvas").first()).toBeVisible();
+    // a mode that decays has no such shares
+    const stable = [1, 2, 3, 4, 5].find((mode) => growing.every((one) => one.mode !== mode)) as number;
+    await page.getByRole("button", { name: String(stable), exact: true }).click();
+    await expect(page.getByRole("region", { name: /^Why mode/ })).toHaveCount(0);
   });
 });
 

@@ -209,7 +209,7 @@ describe("bodies", () => {
 
   it("are exported as what they are: every point at rest and its complex displacement", () => {
     const places = Float64Array.of(0, 0.5, 1, 2, 3, 4);
-    const body = bodyOf(places, [0, 1], Float64Array.of(11, 42));
+    const body = bodyOf(places, [0, 1], { nodes: Float64Array.of(11, 42) });
     const shape = Float64Array.of(1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 0.1, 0);
     const lines = bodyCsv(body, swingOf(body, shape, true), "1/√kg").trim().split("\n");
     expect(lines[0]).toBe("node,x (m),y (m),z (m),Re u_x (1/√kg),Im u_x (1/√kg),Re u_y (1/√kg),Im u_y (1/√kg),Re u_z (1/√kg),Im u_z (1/√kg)");

@@ -16,7 +16,7 @@ mod sums;
 
 use assembled::nodes_of;
 pub(crate) use kept::{freedoms_of, points_of};
-pub(crate) use layout::Layout;
+pub(crate) use layout::{Layout, mesh_lines};
 
 use crate::error::ModelError;
 use crate::structure::case::problem::StructureProblem;

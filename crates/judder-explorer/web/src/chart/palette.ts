@@ -35,7 +35,8 @@ export type LineRole =
   | "reference"
   | { readonly series: number }
   | { readonly mode: number }
-  | { readonly graded: number; readonly of: number };
+  | { readonly graded: number; readonly of: number }
+  | { readonly body: number; readonly of: number };
 
 /** Handed out in this order; the black one is white in the dark. */
 const QUALITATIVE: Record<Theme, readonly string[]> = {
@@ -69,6 +70,9 @@ export function lineStyle(role: LineRole, theme: Theme): LineStyle {
   if ("graded" in role) {
     const share = role.graded / Math.max(role.of - 1, 1);
     return { colour: hex(shade(share, theme)), dash: "solid", marker: cycle(series.markers, role.graded), width: PIXELS_PER_POINT * graded.width };
+  }
+  if ("body" in role) {
+    return { colour: hex(bodyGrey(role.body, role.of, theme)), dash: "solid", marker: "circle", width: PIXELS_PER_POINT * graded.width };
   }
   const index = "series" in role ? role.series : role.mode;
   const colour = cycle(QUALITATIVE[theme], index);
@@ -147,6 +151,19 @@ export function colourAt(map: ColourMap, fraction: number): Rgb {
 /** The colour at a share of what is graded: the end of viridis that is too close to the ground is left out. */
 export function shade(share: number, theme: Theme): Rgb {
   return colourAt("sequential", theme === "light" ? MEANINGS.graded.end * share : 0.3 + 0.7 * share);
+}
+
+/** How much of the ground is in the greys of bodies, from the first to the last. */
+const GREYS = [0.05, 0.5] as const;
+
+/** The grey of one of several bodies, colours being what is told of them; of a single one that of quiet words. */
+export function bodyGrey(index: number, of: number, theme: Theme): Rgb {
+  const { ink, ground, quiet } = INK[theme];
+  if (of < 2) return rgb(quiet);
+  const share = GREYS[0] + ((GREYS[1] - GREYS[0]) * index) / (of - 1);
+  const [a, b] = [rgb(ink), rgb(ground)];
+  const mix = (i: 0 | 1 | 2) => Math.round(a[i] + (b[i] - a[i]) * share);
+  return [mix(0), mix(1), mix(2)];
 }
 
 export function hex(colour: Rgb): string {

@@ -71,6 +71,7 @@ pub(super) fn run(of: &Subject<'_>, asked: &AssemblyEigen) -> Result<Outcome, Mo
         expanded: &|shape| built.expanded(&about.expanded(shape)),
     };
     let mut outcome = modes.outcome(of.name, None)?;
+    outcome.dataset = shown.with_bodies(outcome.dataset)?;
     outcome.warnings.extend(of.doubts(&steady));
     outcome.missing += usize::from(steady.residual > IMBALANCE);
     if let SoughtModes::Count(count) = asked.sought

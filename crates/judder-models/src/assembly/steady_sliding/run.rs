@@ -151,6 +151,8 @@ pub(super) fn run(of: &Subject<'_>) -> Result<Outcome, ModelError> {
             .units("m")
             .long_name("displacement in steady sliding"),
     )?;
+    let files = vec![(format!("fields/{}.vtu", of.name), field(of, &shown, &steady, &moved)?)];
+    let dataset = shown.with_bodies(dataset)?;
     Ok(Outcome {
         scalars,
         dataset,
@@ -163,7 +165,7 @@ pub(super) fn run(of: &Subject<'_>) -> Result<Outcome, ModelError> {
         )],
         missing: usize::from(steady.residual > IMBALANCE),
         warnings: of.doubts(&steady),
-        files: vec![(format!("fields/{}.vtu", of.name), field(of, &shown, &steady, &moved)?)],
+        files,
         ..Outcome::default()
     })
 }

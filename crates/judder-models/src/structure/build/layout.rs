@@ -72,12 +72,42 @@ struct Edge {
 /// meet.
 fn outline(mesh: &Mesh) -> Vec<[usize; 2]> {
     let free = free_sides(mesh);
-    let is_plane = mesh.blocks.iter().all(|block| block.kind.dimension() == 2);
-    if is_plane {
-        return free.iter().flat_map(|side| along(side[0], side.get(2).copied(), side[1])).collect();
+    if is_plane(mesh) {
+        return free.iter().flat_map(|side| side_in_plane(side)).collect();
     }
+    let dot = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let is_edge = |normals: &[[f64; 3]]| match normals {
+        [a, b] => dot(a, b) < EDGE,
+        _ => true,
+    };
+    surface_edges(mesh, &free)
+        .iter()
+        .filter(|(_, edge)| is_edge(&edge.normals))
+        .flat_map(|([a, b], edge)| along(*a, edge.middle, *b))
+        .collect()
+}
+
+/// The sides of all elements in the plane, in space the edges of all free faces: how a body is meshed.
+pub(crate) fn mesh_lines(mesh: &Mesh) -> Vec<[usize; 2]> {
+    if is_plane(mesh) {
+        return sides(mesh).iter().flat_map(|(_, side)| side_in_plane(side)).collect();
+    }
+    let edges = surface_edges(mesh, &free_sides(mesh));
+    edges.iter().flat_map(|([a, b], edge)| along(*a, edge.middle, *b)).collect()
+}
+
+fn is_plane(mesh: &Mesh) -> bool {
+    mesh.blocks.iter().all(|block| block.kind.dimension() == 2)
+}
+
+fn side_in_plane(side: &[usize]) -> Vec<[usize; 2]> {
+    along(side[0], side.get(2).copied(), side[1])
+}
+
+/// The edges of free faces, by their corners.
+fn surface_edges(mesh: &Mesh, free: &[Vec<usize>]) -> BTreeMap<[usize; 2], Edge> {
     let mut edges: BTreeMap<[usize; 2], Edge> = BTreeMap::new();
-    for side in &free {
+    for side in free {
         let corners = corners_of_face(side.len());
         let normal = normal(mesh, &side[..corners]);
         for k in 0..corners {
@@ -87,16 +117,7 @@ fn outline(mesh: &Mesh) -> Vec<[usize; 2]> {
             edge.normals.push(normal);
         }
     }
-    let dot = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let is_edge = |normals: &[[f64; 3]]| match normals {
-        [a, b] => dot(a, b) < EDGE,
-        _ => true,
-    };
     edges
-        .iter()
-        .filter(|(_, edge)| is_edge(&edge.normals))
-        .flat_map(|([a, b], edge)| along(*a, edge.middle, *b))
-        .collect()
 }
 
 /// A line from one corner to the next, by the middle where there is one.
@@ -109,6 +130,11 @@ fn along(a: usize, middle: Option<usize>, b: usize) -> Vec<[usize; 2]> {
 
 /// The nodes of the sides that belong to one element alone.
 fn free_sides(mesh: &Mesh) -> Vec<Vec<usize>> {
+    sides(mesh).into_iter().filter(|(count, _)| *count == 1).map(|(_, nodes)| nodes).collect()
+}
+
+/// The nodes of all sides, each once, and how many elements have it.
+fn sides(mesh: &Mesh) -> Vec<(usize, Vec<usize>)> {
     let mut sides: BTreeMap<Vec<usize>, (usize, Vec<usize>)> = BTreeMap::new();
     for block in &mesh.blocks {
         for nodes in block.connectivity.chunks_exact(block.kind.nodes()) {
@@ -120,7 +146,7 @@ fn free_sides(mesh: &Mesh) -> Vec<Vec<usize>> {
             }
         }
     }
-    sides.into_values().filter(|(count, _)| *count == 1).map(|(_, nodes)| nodes).collect()
+    sides.into_values().collect()
 }
 
 fn corners_of_side(kind: ElementKind, nodes: usize) -> usize {
@@ -179,5 +205,14 @@ mod tests {
     fn a_plate_is_shown_by_its_rim() {
         let grid = Grid { kind: ElementKind::Quad8, size: [2.0, 1.0, 0.0], cells: [2, 1, 0] };
         assert_eq!(outline(&grid.mesh("any", |p| p).unwrap()).len(), 2 * 6);
+    }
+
+    /// Two quadratic cells share a side of two pieces; two cubes have the edges of their box and four where they meet.
+    #[test]
+    fn a_mesh_is_shown_by_its_sides() {
+        let plate = Grid { kind: ElementKind::Quad8, size: [2.0, 1.0, 0.0], cells: [2, 1, 0] };
+        assert_eq!(mesh_lines(&plate.mesh("any", |p| p).unwrap()).len(), 2 * 7);
+        let cubes = Grid { kind: ElementKind::Hexahedron8, size: [2.0, 1.0, 1.0], cells: [2, 1, 1] };
+        assert_eq!(mesh_lines(&cubes.mesh("any", |p| p).unwrap()).len(), 4 * 2 + 8 + 4);
     }
 }

@@ -129,7 +129,7 @@ function ModesHere({ analysis, locus, at }: DrawnProps) {
         )}
         {shapes && swing && (
           <div class={here ? "" : "stale"}>
-            <ShapeView title={`Mode ${mode + 1} of ${analysis.name}`} body={shapes.body} swing={swing} frequency={modes[mode]?.frequency ?? null} growth={modes[mode]?.growth ?? null} unit="" />
+            <ShapeView title={`Mode ${mode + 1} of ${analysis.name}`} body={shapes.body} swing={swing} motion={{ frequency: modes[mode]?.frequency ?? null, growth: modes[mode]?.growth ?? null }} unit="" />
           </div>
         )}
       </div>

@@ -8,6 +8,8 @@ interface ModeRow {
   readonly frequency: number;
   /** 1/s; null where there is no damping. */
   readonly growth: number | null;
+  /** −Re λ/|λ|; left out where it is not stored. */
+  readonly dampingRatio?: number | undefined;
   /** What the study says of it. */
   readonly verdict?: string | undefined;
 }
@@ -23,6 +25,7 @@ interface ModeTableProps {
 
 export function ModeTable({ title, modes, picked, onPick, dataKey }: ModeTableProps) {
   const grows = modes.some((mode) => mode.growth !== null);
+  const hasRatios = modes.some((mode) => mode.dampingRatio !== undefined);
   return (
     <div class={grows ? "mode-table mode-table-wide" : "mode-table"}>
       <table class="study-table">
@@ -32,6 +35,7 @@ export function ModeTable({ title, modes, picked, onPick, dataKey }: ModeTablePr
             <th scope="col">Mode</th>
             <th scope="col">Frequency (Hz)</th>
             {grows && <th scope="col">Growth rate (1/s)</th>}
+            {hasRatios && <th scope="col">Damping ratio</th>}
             {grows && <th scope="col">Verdict</th>}
           </tr>
         </thead>
@@ -52,6 +56,11 @@ export function ModeTable({ title, modes, picked, onPick, dataKey }: ModeTablePr
                 {grows && (
                   <td>
                     <Digits dataKey={`${dataKey}.growth.${index}`} value={mode.growth} />
+                  </td>
+                )}
+                {hasRatios && (
+                  <td>
+                    <Digits dataKey={`${dataKey}.damping_ratio.${index}`} value={mode.dampingRatio} />
                   </td>
                 )}
                 {grows && <td>{unstable ? "unstable ▲" : verdict}</td>}

@@ -1,4 +1,4 @@
-/** Modes at rest, and eigenvalues of a region: a table, the complex plane, and shapes in space where they are stored. */
+/** Modes at rest, and eigenvalues of a region: a table, the complex plane, shapes in space where they are stored, and what makes them grow. */
 
 import { useMemo } from "preact/hooks";
 import type { ChartSpec } from "../../chart/spec";
@@ -7,38 +7,42 @@ import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
 import { ErrorNote } from "../../ui/ErrorNote";
 import { Busy } from "./Busy";
-import { bodyOf, swingOf } from "./body";
+import { swingOf } from "./body";
+import { Completeness } from "./Completeness";
 import { GenericCharts } from "./GenericView";
+import { GrowthPanel } from "./GrowthPanel";
 import { ModeTable } from "./ModeTable";
 import { ShapeView } from "./ShapeView";
 import { StudyChart } from "./StudyChart";
 import { pickedMode } from "./state";
-import { type StudyAnalysis, hasVariables, variable } from "./study";
+import { type StudyAnalysis, variable } from "./study";
 import { type Arrays, numbers, useArrays } from "./useArrays";
+import { BODY, SHAPE, hasShapes, useBody } from "./useBody";
 import { verdictOf, verdictsOf } from "./verdicts";
 
 interface ModeNumbers {
   readonly frequency: number;
   readonly growth: number | null;
+  readonly dampingRatio?: number | undefined;
   readonly verdict?: string | undefined;
 }
 
 /** The modes of an analysis: of eigenvalues, or of natural frequencies alone. */
 function readModes(arrays: Arrays): readonly ModeNumbers[] {
   const pairs = numbers(arrays, "eigenvalue");
-  const verdicts = verdictsOf(arrays);
+  const [verdicts, dampingRatios] = [verdictsOf(arrays), numbers(arrays, "damping_ratio")];
   if (pairs.length > 0) {
     return Array.from({ length: pairs.length / 2 }, (_, k) => ({
       growth: pairs[2 * k] as number,
       frequency: (pairs[2 * k + 1] as number) / (2 * Math.PI),
+      dampingRatio: dampingRatios[k],
       verdict: verdicts[k],
     }));
   }
   return Array.from(numbers(arrays, "frequency"), (frequency) => ({ frequency, growth: null }));
 }
 
-const TABLE = ["eigenvalue", "frequency", "verdict"];
-const SHAPE = ["place", "line", "shape"];
+const TABLE = ["eigenvalue", "frequency", "verdict", "damping_ratio"];
 
 export function ModesView({ analysis }: { readonly analysis: StudyAnalysis }) {
   const { store } = useApp();
@@ -49,27 +53,29 @@ export function ModesView({ analysis }: { readonly analysis: StudyAnalysis }) {
   const plane = useMemo(() => planeOf(analysis.name, modes), [analysis.name, modes]);
   if (!live.arrays) return <Busy live={live} words="Reading the modes…" />;
   const mode = pickedMode(view, modes.length);
-  const hasShapes = hasVariables(analysis, ...SHAPE);
+  const rates = { frequency: modes[mode]?.frequency ?? null, growth: modes[mode]?.growth ?? null };
   return (
     <>
+      <Completeness analysis={analysis} />
       <div class="shape-columns">
         <ModeTable
-          title={`${modes.length} modes`}
+          title={modes.length === 1 ? "One mode" : `${modes.length} modes`}
           modes={modes}
           picked={mode}
           onPick={(index) => store.update((view) => withFields(view, { mode: String(index + 1) }))}
           dataKey={analysis.name}
         />
         <div class="shape-side">
-          {hasShapes ? (
-            <StoredShape analysis={analysis} mode={mode} frequency={modes[mode]?.frequency ?? null} growth={modes[mode]?.growth ?? null} />
+          {hasShapes(analysis) ? (
+            <StoredShape analysis={analysis} mode={mode} motion={rates} />
           ) : (
             <p>No shapes are stored: the study does not say where its freedoms lie.</p>
           )}
+          <GrowthPanel analysis={analysis} mode={mode + 1} />
           {plane && <StudyChart spec={plane} names={{ x: "growth", y: "frequency" }} height={360} />}
         </div>
       </div>
-      <GenericCharts analysis={analysis} without={[...TABLE, ...SHAPE, "mode"]} />
+      <GenericCharts analysis={analysis} without={[...TABLE, ...BODY, SHAPE, "mode"]} />
     </>
   );
 }
@@ -92,24 +98,28 @@ function planeOf(name: string, modes: readonly ModeNumbers[]): ChartSpec | null 
   };
 }
 
+interface StoredShapeProps {
+  readonly analysis: StudyAnalysis;
+  readonly mode: number;
+  readonly motion: { readonly frequency: number | null; readonly growth: number | null };
+}
+
 /** One mode of those that are stored: the others stay where they are. */
-function StoredShape({ analysis, mode, ...rates }: { readonly analysis: StudyAnalysis; readonly mode: number; readonly frequency: number | null; readonly growth: number | null }) {
-  const nodes = variable(analysis, "point") ? ["point"] : [];
-  const places = useArrays(analysis.name, ["place", "line", ...nodes], {}, "places");
-  const stored = variable(analysis, "shape");
+function StoredShape({ analysis, mode, motion }: StoredShapeProps) {
+  const { body, error } = useBody(analysis);
+  const stored = variable(analysis, SHAPE);
   const kept = stored?.shape[0] ?? 0;
-  const shape = useArrays(analysis.name, mode < kept ? ["shape"] : [], { from: mode, to: mode + 1 }, "shape");
-  const body = useMemo(() => (places.arrays ? bodyOf(numbers(places.arrays, "place"), numbers(places.arrays, "line"), numbers(places.arrays, "point")) : null), [places.arrays]);
+  const shape = useArrays(analysis.name, mode < kept ? [SHAPE] : [], { from: mode, to: mode + 1 }, SHAPE);
   const swing = useMemo(() => {
-    const array = shape.arrays?.get("shape");
-    return body && array ? swingOf(body, numbers(shape.arrays, "shape"), array.type === "complex") : null;
+    const array = shape.arrays?.get(SHAPE);
+    return body && array ? swingOf(body, numbers(shape.arrays, SHAPE), array.type === "complex") : null;
   }, [body, shape.arrays]);
   if (mode >= kept) return <p>The shape of this mode is not stored: there would be too many.</p>;
   return (
     <>
-      <ErrorNote error={places.error ?? shape.error} />
+      <ErrorNote error={error ?? shape.error} />
       {body && swing ? (
-        <ShapeView title={`Mode ${mode + 1} of ${analysis.name}`} body={body} swing={swing} {...rates} unit={stored?.units ?? ""} />
+        <ShapeView title={`Mode ${mode + 1} of ${analysis.name}`} body={body} swing={swing} motion={motion} unit={stored?.units ?? ""} />
       ) : (
         <p role="status">Reading the shape…</p>
       )}

@@ -7,9 +7,8 @@ import { LARGEST_SCALE, type Look } from "./state";
 interface ScaleAndPhaseProps {
   readonly scale: number;
   readonly onScale: (scale: number, keep: Keep) => void;
-  readonly phase: number;
-  readonly onPhase: (phase: number) => void;
-  readonly playing: boolean;
+  /** Null where nothing swings. */
+  readonly phase: { readonly at: number; readonly playing: boolean; readonly onMove: (phase: number) => void } | null;
   readonly look: Look;
   readonly onLook: (look: Look, keep: Keep) => void;
 }
@@ -19,19 +18,21 @@ const ANGLES = [
   ["elevation", "Above", 90],
 ] as const;
 
-export function ScaleAndPhase({ scale, onScale, phase, onPhase, playing, look, onLook }: ScaleAndPhaseProps) {
-  const degrees = Math.round((phase * 180) / Math.PI) % 360;
+export function ScaleAndPhase({ scale, onScale, phase, look, onLook }: ScaleAndPhaseProps) {
+  const degrees = phase ? Math.round((phase.at * 180) / Math.PI) % 360 : 0;
   return (
     <div class="shape-sliders">
       <Named name="Scale" range={[0, LARGEST_SCALE, 0.05]} value={scale} shown={`× ${scale}`} onMove={onScale} />
-      <Named
-        name="Phase"
-        spoken={playing ? "Phase (stops the motion)" : "Phase"}
-        range={[0, 359, 1]}
-        value={degrees}
-        shown={`${degrees}°`}
-        onMove={(degrees) => onPhase((degrees * Math.PI) / 180)}
-      />
+      {phase && (
+        <Named
+          name="Phase"
+          spoken={phase.playing ? "Phase (stops the motion)" : "Phase"}
+          range={[0, 359, 1]}
+          value={degrees}
+          shown={`${degrees}°`}
+          onMove={(degrees) => phase.onMove((degrees * Math.PI) / 180)}
+        />
+      )}
       {ANGLES.map(([angle, name, most]) => (
         <Named key={angle} name={name} range={[-most, most, 5]} value={look[angle]} shown={`${look[angle]}°`} onMove={(value, keep) => onLook({ ...look, [angle]: value }, keep)} />
       ))}

@@ -1,4 +1,4 @@
-/** A mode that moves, in space: orbit, views, scale, phase, colours by displacement. */
+/** A mode that moves, or steady sliding, in space: orbit, views, scale, phase, colours by displacement or by what contact points carry. */
 
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { Chart } from "../../chart/Chart";
@@ -10,26 +10,37 @@ import { withFields } from "../../state/view";
 import { useApp } from "../../ui/app";
 import { download, fileName } from "../../ui/files";
 import { useTheme } from "../../ui/theme";
-import { type Body, DISPLACEMENT, type Swing, bodyCsv, bodySpec, drawnFactor } from "./body";
-import { DisplacementBar } from "./DisplacementBar";
+import { BodyNames } from "./BodyNames";
+import { type Body, DISPLACEMENT, type Swing, bodyCsv, bodySpec, drawnFactor, projected } from "./body";
+import { ColourBar } from "./ColourBar";
 import { short } from "./locus";
+import { type Marks, markLayers } from "./marks";
 import { ScaleAndPhase } from "./ScaleAndPhase";
 import { FREE, type Look, readLook, readScale, withLook } from "./state";
+import { sized } from "./words";
 import { PERIOD, useBodyScene } from "./useBodyScene";
 import { useOrbit } from "./useOrbit";
 import { usePlayback } from "./usePlayback";
+
+/** How a mode swings. */
+interface Motion {
+  /** Hz; null where it is not known. */
+  readonly frequency: number | null;
+  /** 1/s; null where there is no damping. */
+  readonly growth: number | null;
+}
 
 interface ShapeViewProps {
   /** What is shown: the name of exported files. */
   readonly title: string;
   readonly body: Body;
   readonly swing: Swing;
-  /** Hz; null where it is not known. */
-  readonly frequency: number | null;
-  /** 1/s; null where there is no damping. */
-  readonly growth: number | null;
+  /** Null where it rests. */
+  readonly motion: Motion | null;
   /** The unit of the shape's numbers. */
   readonly unit: string;
+  /** Contact points, of which the colours tell. */
+  readonly marks?: Marks | null;
 }
 
 const VIEWS: readonly (readonly [string, Look])[] = [
@@ -41,18 +52,25 @@ const VIEWS: readonly (readonly [string, Look])[] = [
 const SIZE = { width: 760, height: 480 };
 const [NEAREST, FURTHEST] = [20, 0.2];
 
-export function ShapeView({ title, body, swing, frequency, growth, unit }: ShapeViewProps) {
+export function ShapeView(props: ShapeViewProps) {
+  return props.body.diagonal > 0 ? <Picture {...props} /> : <p>All freedoms lie at one place: there is no picture of them.</p>;
+}
+
+function Picture({ title, body, swing, motion, unit, marks = null }: ShapeViewProps) {
   const { store } = useApp();
   const view = useView(store);
   const theme = useTheme();
-  const look = readLook(view, body.planar);
-  const scale = readScale(view);
+  const [look, scale] = [readLook(view, body.planar), readScale(view)];
   const [zoom, setZoom] = useState(1);
-  const { phase, onPhase, playing, play, hold } = usePlayback(store, view);
+  const playback = usePlayback(store, view);
+  const [phase, playing] = motion ? [playback.phase, playback.playing] : [0, false];
   const factor = drawnFactor(body, swing, scale);
-  const { canvas, state, picture } = useBodyScene({ body, swing, theme, still: { look, zoom, phase, factor }, playing, onPhase });
+  const { canvas, state, picture } = useBodyScene({ body, swing, marks, theme, still: { look, zoom, phase, factor }, playing, onPhase: playback.onPhase });
 
-  const spec = useMemo(() => bodySpec(title, body, swing, look, phase, factor), [title, body, swing, look.azimuth, look.elevation, phase, factor]);
+  const spec = useMemo(() => {
+    const over = marks ? markLayers(marks, projected(marks.placesAt(swing, phase, factor), look, body.centre)) : [];
+    return bodySpec(title, body, swing, look, phase, factor, over);
+  }, [title, body, swing, marks, look.azimuth, look.elevation, phase, factor]);
   const dataOf = () => bodyCsv(body, swing, unit);
   useExported(title, () => chartFigure(spec, homeWindow(spec), SIZE, dataOf), state !== "missing");
 
@@ -65,7 +83,7 @@ export function ShapeView({ title, body, swing, frequency, growth, unit }: Shape
 
   return (
     <section class="shape" aria-label={`Shape: ${title}`}>
-      <ShapeTools playing={playing} onPlay={play} look={look} onLook={(one) => turn(one, "push")} {...(state === "drawn" ? { onPng: savePng } : {})} />
+      <ShapeTools playing={playing} onPlay={motion ? playback.play : null} look={look} onLook={(one) => turn(one, "push")} {...(state === "drawn" ? { onPng: savePng } : {})} />
       {state === "missing" && <p role="status">This browser has no WebGL: the projected lines are shown instead.</p>}
       <div class="shape-picture" data-state={state}>
         {state === "missing" ? (
@@ -82,23 +100,20 @@ export function ShapeView({ title, body, swing, frequency, growth, unit }: Shape
             {...orbit}
           />
         )}
-        <DisplacementBar theme={theme} largest={swing.largest} unit={unit} />
+        <ColourBar theme={theme} {...(marks?.told ?? { name: "Displacement", unit, range: [0, swing.largest] })} dataKey={marks ? "contacts.largest" : "shape.largest"} />
       </div>
+      <BodyNames body={body} marks={marks} theme={theme} />
       <p id="shape-keys" class="shape-hint">
         {state === "missing" ? "The views and the two sliders turn it." : "Drag or press the arrow keys to turn it, + and − or the wheel with Ctrl to zoom, 0 for its first size."}
       </p>
       <ScaleAndPhase
         scale={scale}
         onScale={(scale, keep) => store.update((view) => withFields(view, { scale: scale === 1 ? undefined : String(scale) }), keep)}
-        phase={phase}
-        onPhase={hold}
-        playing={playing}
+        phase={motion ? { at: phase, playing, onMove: playback.hold } : null}
         look={look}
         onLook={turn}
       />
-      <p class="shape-words">
-        {slowness(frequency)} The largest displacement is drawn as {short(100 * DISPLACEMENT * scale)} % of the body&apos;s diagonal. {leftOut(growth)}
-      </p>
+      <p class="shape-words">{motion ? swinging(motion, scale) : enlarged(factor, swing.largest, unit)}</p>
     </section>
   );
 }
@@ -112,7 +127,8 @@ function useExported(title: string, now: () => Figure, isOwn: boolean): void {
 
 interface ToolsProps {
   readonly playing: boolean;
-  readonly onPlay: (on: boolean) => void;
+  /** Null where nothing moves. */
+  readonly onPlay: ((on: boolean) => void) | null;
   readonly look: Look;
   readonly onLook: (look: Look) => void;
   /** Left out while there is no picture. */
@@ -122,9 +138,11 @@ interface ToolsProps {
 function ShapeTools({ playing, onPlay, look, onLook, onPng }: ToolsProps) {
   return (
     <div class="shape-tools">
-      <button type="button" onClick={() => onPlay(!playing)} aria-pressed={playing}>
-        {playing ? "Pause" : "Play"}
-      </button>
+      {onPlay && (
+        <button type="button" onClick={() => onPlay(!playing)} aria-pressed={playing}>
+          {playing ? "Pause" : "Play"}
+        </button>
+      )}
       <div role="group" aria-label="Views">
         {VIEWS.map(([name, one]) => (
           <button type="button" key={name} aria-pressed={same(look, one)} onClick={() => onLook(one)}>
@@ -147,6 +165,18 @@ function pngOf(address: string): Blob {
 
 function same(a: Look, b: Look): boolean {
   return a.azimuth === b.azimuth && a.elevation === b.elevation;
+}
+
+/** How a swing is drawn. */
+function swinging({ frequency, growth }: Motion, scale: number): string {
+  return `${slowness(frequency)} The largest displacement is drawn as ${short(100 * DISPLACEMENT * scale)} % of the body's diagonal. ${leftOut(growth)}`;
+}
+
+/** By how much displacements at rest are drawn larger than they are. */
+export function enlarged(factor: number, largest: number, unit: string): string {
+  if (largest === 0) return "Nothing is displaced.";
+  const told = sized(unit, [0, largest]);
+  return `Displacements are drawn ${short(factor)} times as large as they are; the largest is ${told.text(largest)} ${told.unit}.`;
 }
 
 /** By how much the motion on the page is slower than that of the mode. */

@@ -16,6 +16,8 @@ import { MarchView } from "./MarchView";
 import { ModesView } from "./ModesView";
 import { Scalars } from "./Scalars";
 import { SpectrogramView } from "./SpectrogramView";
+import { SteadyView } from "./SteadyView";
+import { CONTACT_POINTS } from "./contacts";
 import { signalsOf } from "./march";
 import { SPECTROGRAM } from "./spectrogram";
 import { pickedAnalysis } from "./state";
@@ -98,6 +100,7 @@ function Analysis({ study, analysis }: AnalysisProps) {
 
 /** What an analysis has decides how it is shown, not the word for its kind. */
 function Shown({ study, analysis }: AnalysisProps) {
+  if (hasVariables(analysis, ...CONTACT_POINTS)) return <Seen analysis={analysis} view={<SteadyView analysis={analysis} />} />;
   const eigenvalue = variable(analysis, "eigenvalue");
   if (eigenvalue?.shape.length === 2) return <Seen analysis={analysis} view={<LocusView analysis={analysis} />} />;
   if (hasVariables(analysis, ...SPECTROGRAM)) return <Seen analysis={analysis} view={<SpectrogramView analysis={analysis} />} />;

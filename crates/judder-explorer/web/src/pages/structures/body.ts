@@ -12,11 +12,17 @@ export interface Body {
   readonly nodes: Float64Array | null;
   /** Pairs of points. */
   readonly lines: Uint32Array;
+  /** Pairs of points that show how it is meshed, where that is known. */
+  readonly mesh: Uint32Array;
   /** Whether all points lie in one plane, which is looked at from the front. */
   readonly planar: boolean;
   /** The diagonal of the box about it, m. */
   readonly diagonal: number;
   readonly centre: readonly [number, number, number];
+  /** The names of the bodies that it is made of; empty where it is one. */
+  readonly parts: readonly string[];
+  /** To which of them each point belongs. */
+  readonly part: Uint16Array;
 }
 
 /** A displacement of every point, in the axes of the body: real and imaginary parts. */
@@ -32,8 +38,17 @@ export interface Swing {
 /** The largest displacement that is drawn at first, over the diagonal of the body. */
 export const DISPLACEMENT = 0.08;
 
-/** A body of the study's axes: in a plane y is upwards, in space z. */
-export function bodyOf(places: Float64Array, lines: ArrayLike<number>, nodes: Float64Array | null = null): Body {
+interface Known {
+  /** The numbers of the nodes. */
+  readonly nodes?: Float64Array;
+  /** The body of each point. */
+  readonly names?: readonly string[];
+  /** Pairs of points. */
+  readonly mesh?: ArrayLike<number>;
+}
+
+/** A body of the study's axes, and what else is known of it: in a plane y is upwards, in space z. */
+export function bodyOf(places: Float64Array, lines: ArrayLike<number>, { nodes, names = [], mesh = [] }: Known = {}): Body {
   const count = places.length / 3;
   let planar = true;
   for (let i = 0; i < count && planar; i += 1) planar = places[3 * i + 2] === places[2];
@@ -42,12 +57,15 @@ export function bodyOf(places: Float64Array, lines: ArrayLike<number>, nodes: Fl
   const high = [0, 1, 2].map((axis) => extreme(points, axis, Math.max)) as [number, number, number];
   const centre = [0, 1, 2].map((axis) => ((low[axis] as number) + (high[axis] as number)) / 2) as [number, number, number];
   const diagonal = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-  const inside = Array.from(lines).every((end) => end >= 0 && end < count);
-  return { points, nodes: nodes?.length === count ? nodes : null, lines: inside ? Uint32Array.from(lines) : new Uint32Array(0), planar, diagonal, centre };
+  const inside = (ends: ArrayLike<number>) => (Array.from(ends).every((end) => end >= 0 && end < count) ? Uint32Array.from(ends) : new Uint32Array(0));
+  const parts = names.length === count ? [...new Set(names)] : [];
+  const index = new Map(parts.map((name, k) => [name, k]));
+  const part = Uint16Array.from({ length: count }, (_, i) => index.get(names[i] ?? "") ?? 0);
+  return { points, nodes: nodes?.length === count ? nodes : null, lines: inside(lines), mesh: inside(mesh), planar, diagonal, centre, parts, part };
 }
 
 /** Vectors of the study's axes in those of the body. */
-function turned(vectors: Float64Array, planar: boolean): Float64Array {
+export function turned(vectors: Float64Array, planar: boolean): Float64Array {
   if (planar) return Float64Array.from(vectors);
   const out = new Float64Array(vectors.length);
   for (let i = 0; i < vectors.length; i += 3) {
@@ -70,9 +88,10 @@ export function bodyCsv(body: Body, { real, imaginary }: Swing, unit: string): s
   const vectorAt = (values: Float64Array, i: number) => turnedBack([values[3 * i] as number, values[3 * i + 1] as number, values[3 * i + 2] as number], body.planar);
   const rows = Array.from({ length: body.points.length / 3 }, (_, i) => {
     const [re, im] = [vectorAt(real, i), vectorAt(imaginary, i)];
-    return [body.nodes?.[i] ?? i + 1, ...vectorAt(body.points, i), re[0], im[0], re[1], im[1], re[2], im[2]];
+    const name = body.parts[body.part[i] as number];
+    return [...(name === undefined ? [] : [name]), body.nodes?.[i] ?? i + 1, ...vectorAt(body.points, i), re[0], im[0], re[1], im[1], re[2], im[2]];
   });
-  return table([body.nodes ? "node" : "point", "x (m)", "y (m)", "z (m)", ...displacements], rows);
+  return table([...(body.parts.length > 0 ? ["body"] : []), body.nodes ? "node" : "point", "x (m)", "y (m)", "z (m)", ...displacements], rows);
 }
 
 function extreme(points: Float64Array, axis: number, pick: (a: number, b: number) => number): number {
@@ -147,8 +166,8 @@ export function projected(points: Float32Array | Float64Array, look: Look, centr
 /** Classes of displacement among the lines of the projected picture. */
 const CLASSES = 5;
 
-/** The projected lines as a chart: what is exported, and what is shown where there is no WebGL. */
-export function bodySpec(title: string, body: Body, swing: Swing, look: Look, phase: number, factor: number): ChartSpec {
+/** The projected lines as a chart: what is exported, and what is shown where there is no WebGL. Under layers that lie over it the body is grey. */
+export function bodySpec(title: string, body: Body, swing: Swing, look: Look, phase: number, factor: number, over: readonly Layer[] = []): ChartSpec {
   const moved = new Float64Array(body.points.length);
   placesAt(body, swing, phase, factor, moved);
   const rest = projected(body.points, look, body.centre);
@@ -159,12 +178,14 @@ export function bodySpec(title: string, body: Body, swing: Swing, look: Look, ph
     layers.push({ kind: "points", label: "shape", ...now, role: { series: 0 }, size: 3 });
   } else {
     layers.push({ kind: "line", label: "at rest", ...segments(body.lines, rest, () => true), role: "reference", dash: "solid" });
-    for (let k = 0; k < CLASSES; k += 1) {
+    if (over.length > 0) layers.push(...partLayers(body, now));
+    for (let k = 0; k < (over.length > 0 ? 0 : CLASSES); k += 1) {
       const within = (a: number, b: number) => classOf(swing, a, b) === k;
       const label = `${(k / CLASSES).toFixed(1)} … ${((k + 1) / CLASSES).toFixed(1)} of the largest`;
       layers.push({ kind: "line", label, ...segments(body.lines, now, within), role: { graded: k, of: CLASSES } });
     }
   }
+  layers.push(...over);
   const half = 0.5 * body.diagonal * 1.04 + Math.abs(factor) * swing.largest;
   const extent = (values: Float64Array) => {
     const reach = values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
@@ -178,6 +199,12 @@ export function bodySpec(title: string, body: Body, swing: Swing, look: Look, ph
     layers,
     equal: true,
   };
+}
+
+/** The moved lines of each body in its grey. */
+function partLayers(body: Body, now: { x: Float64Array; y: Float64Array }): Layer[] {
+  const names = body.parts.length > 0 ? body.parts : ["moved"];
+  return names.map((label, k) => ({ kind: "line", label, ...segments(body.lines, now, (a) => body.part[a] === k), role: { body: k, of: names.length } }));
 }
 
 function classOf(swing: Swing, a: number, b: number): number {

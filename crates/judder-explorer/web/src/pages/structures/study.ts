@@ -99,7 +99,7 @@ export function byKind(analyses: readonly StudyAnalysis[]): readonly { readonly 
   return kinds.map((kind) => ({ kind, analyses: analyses.filter((analysis) => analysis.kind === kind) }));
 }
 
-const ORDER: readonly string[] = ["locus", "modes", "eigen", "eigen-sweep", "march", "spectrogram", "growth"];
+const ORDER: readonly string[] = ["steady-sliding", "locus", "modes", "eigen", "eigen-sweep", "march", "spectrogram", "growth"];
 
 /** Whether the first dimension of an analysis is the position of the contact, so that places of one mean the same in another. */
 export function isOverPosition(analysis: StudyAnalysis | undefined): boolean {

@@ -3,6 +3,7 @@
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import type { Theme } from "../../chart/palette";
 import type { Body, Swing } from "./body";
+import type { Marks } from "./marks";
 import type { BodyScene, Still } from "./scene3d";
 
 /** Seconds of one swing on the page. */
@@ -15,6 +16,7 @@ const TOLD = 100;
 interface Asked {
   readonly body: Body;
   readonly swing: Swing;
+  readonly marks: Marks | null;
   readonly theme: Theme;
   readonly still: Still;
   readonly playing: boolean;
@@ -43,9 +45,9 @@ export function useBodyScene(asked: Asked): LiveScene {
   });
 
   useEffect(() => {
-    scene.current?.show(asked.body, asked.swing, asked.theme);
+    scene.current?.show(asked.body, asked.swing, asked.theme, asked.marks);
     draw();
-  }, [state, asked.body, asked.swing, asked.theme]);
+  }, [state, asked.body, asked.swing, asked.marks, asked.theme]);
 
   const { look, zoom, factor } = asked.still;
   useEffect(() => {

@@ -1,1 +1,0 @@
-import{T as e}from"./Value-CoML96G4.js";import{V as t}from"./index-BbVKNu_-.js";function n({dataKey:n,value:r}){let i=r!=null;return t(`span`,{"data-key":n,"data-value":i?r:``,title:i?String(r):void 0,children:i?e(r):`—`})}export{n as t};

@@ -13,7 +13,7 @@ use crate::assembly::{Assembly, triplets};
 use crate::compliance::Compliance;
 use crate::error::check_length;
 use crate::interface::FramedPoint;
-use active_set::{Found, Solver};
+use active_set::{FoundContacts, Solver};
 use faer::sparse::Triplet;
 use friction_limit::friction_limit;
 
@@ -73,7 +73,7 @@ pub fn steady_sliding(assembly: &Assembly, compliance: &Compliance) -> Result<St
     let points = assembly.framed()?;
     check_length("the points of a compliance", compliance.of_load.len(), points.len())?;
     let solver = Solver { assembly, compliance, points: &points };
-    let Found { guess, carried, iterations } = solver.solved()?;
+    let FoundContacts { guess, carried, iterations } = solver.solved()?;
     let is_closed: Vec<bool> = (0..points.len()).map(|k| solver.is_closed(k, &guess)).collect();
     if !is_closed.contains(&true) {
         return Err(AssemblyError::NothingCloses);

@@ -1,17 +1,17 @@
 //! What every contact law answers: its values, their errors, and where it should not be trusted.
 
-use crate::response::{ContactPoint, ContactResponse};
+use crate::response::{ContactResponse, LawPoint};
 use judder_numerics::words::plain;
 use std::fmt;
 
 /// Normal force, contact area and viscoelastic friction as functions of speed and depth, with exact first derivatives.
 pub trait ContactLaw: Sync {
     /// F̃_k, Ã, μ_visc and their derivatives at a point; finite for every finite point, limits at v̂ → 0 and ŷ → 0.
-    fn evaluate(&self, at: &ContactPoint) -> ContactResponse;
+    fn evaluate(&self, at: &LawPoint) -> ContactResponse;
 
     /// How far each number of [`evaluate`](Self::evaluate) may be from the contact that the law stands for, absolute: an estimate. Nothing for a formula,
     /// which is its own law; `None` where it is not known.
-    fn doubt(&self, at: &ContactPoint) -> Option<ContactResponse>;
+    fn doubt(&self, at: &LawPoint) -> Option<ContactResponse>;
 
     /// What makes the law doubtful at v̂, ŷ; `None` inside its range of validity.
     fn concern(&self, velocity: f64, indentation: f64) -> Option<ValidityConcern>;

@@ -1,7 +1,7 @@
 //! The fitted contact law of the oscillator paper (section 2.1 and appendix B).
 
 use crate::contact_law::{ContactLaw, ValidityConcern};
-use crate::response::{ContactPoint, ContactResponse, WithDerivatives};
+use crate::response::{ContactResponse, LawPoint, WithDerivatives};
 use judder_numerics::elementary::{erf_with_derivative, exp};
 use std::f64::consts::LOG10_E;
 
@@ -51,12 +51,7 @@ impl FittedLaw {
 
     /// (34), the normal force.
     #[inline(always)]
-    fn normal_force(
-        &self,
-        at: &ContactPoint,
-        log10_velocity: f64,
-        log10_indentation: f64,
-    ) -> WithDerivatives {
+    fn normal_force(&self, at: &LawPoint, log10_velocity: f64, log10_indentation: f64) -> WithDerivatives {
         let [a1, a2, a3, a4, a5] = self.force;
         let (error_function, slope) =
             erf_with_derivative(a3 * log10_velocity + (a4 * log10_indentation + a5));
@@ -72,12 +67,7 @@ impl FittedLaw {
 
     /// (36), the contact area.
     #[inline(always)]
-    fn contact_area(
-        &self,
-        at: &ContactPoint,
-        log10_velocity: f64,
-        log10_indentation: f64,
-    ) -> WithDerivatives {
+    fn contact_area(&self, at: &LawPoint, log10_velocity: f64, log10_indentation: f64) -> WithDerivatives {
         let [b1, b2, b3, b4, b5] = self.area;
         let distance = log10_velocity - (b3 * log10_indentation + b4);
         let bell = exp((distance * distance) * (-0.5 / (b5 * b5)));
@@ -94,7 +84,7 @@ impl FittedLaw {
     #[inline(always)]
     fn friction_coefficient(
         &self,
-        at: &ContactPoint,
+        at: &LawPoint,
         log10_velocity: f64,
         log10_indentation: f64,
     ) -> WithDerivatives {
@@ -112,7 +102,7 @@ impl FittedLaw {
 
 impl ContactLaw for FittedLaw {
     #[inline(always)]
-    fn evaluate(&self, at: &ContactPoint) -> ContactResponse {
+    fn evaluate(&self, at: &LawPoint) -> ContactResponse {
         let log10_velocity = at.ln_velocity * LOG10_E + self.log10_velocity_scale;
         let log10_indentation = at.ln_indentation * LOG10_E;
         ContactResponse {
@@ -122,7 +112,7 @@ impl ContactLaw for FittedLaw {
         }
     }
 
-    fn doubt(&self, _at: &ContactPoint) -> Option<ContactResponse> {
+    fn doubt(&self, _at: &LawPoint) -> Option<ContactResponse> {
         Some(ContactResponse::default())
     }
 
@@ -136,7 +126,7 @@ impl ContactLaw for FittedLaw {
             return Some(ValidityConcern::TooDeep { indentation, limit: DEEPEST });
         }
         let [_, c2, c3, c4] = self.friction;
-        let at = ContactPoint::new(velocity, indentation);
+        let at = LawPoint::new(velocity, indentation);
         let log10_velocity = at.ln_velocity * LOG10_E + self.log10_velocity_scale;
         let distance = log10_velocity - (c2 * at.ln_indentation * LOG10_E + c3);
         let widths = distance.abs() / c4;
@@ -168,8 +158,8 @@ mod tests {
     fn hertz_like_limits_of_the_printed_fits() {
         // PAPER-independent arithmetic: a₁(a₂ ∓ 1)/2 and b₁b₂
         let law = FittedLaw::oscillator_paper();
-        let slow = law.evaluate(&ContactPoint::new(1e-30, 1e-2));
-        let fast = law.evaluate(&ContactPoint::new(1e30, 1e-2));
+        let slow = law.evaluate(&LawPoint::new(1e-30, 1e-2));
+        let fast = law.evaluate(&LawPoint::new(1e30, 1e-2));
         assert!((slow.force.value / 1e-3 - 1.183_055).abs() < 1e-6, "{}", slow.force.value / 1e-3);
         assert!((fast.force.value / 1e-3 - 13.073_055).abs() < 1e-6);
         assert!((slow.area.value / 1e-2 - 3.049_92).abs() < 1e-6);
@@ -181,22 +171,22 @@ mod tests {
         for (v, y) in
             [(0.0, 0.0), (0.0, 1e-3), (1e-3, 0.0), (1e300, 1e-3), (1e-3, 1e2), (0.0, 1e100), (1e300, 0.0)]
         {
-            for q in quantities(&law.evaluate(&ContactPoint::new(v, y))) {
+            for q in quantities(&law.evaluate(&LawPoint::new(v, y))) {
                 assert!(
                     q.value.is_finite() && q.by_velocity.is_finite() && q.by_indentation.is_finite(),
                     "{v} {y} {q:?}"
                 );
             }
         }
-        let rest = law.evaluate(&ContactPoint::new(0.0, 1e-3));
+        let rest = law.evaluate(&LawPoint::new(0.0, 1e-3));
         assert_eq!(rest.friction, WithDerivatives::default());
         assert_eq!((rest.force.by_velocity, rest.area.by_velocity), (0.0, 0.0));
     }
 
     #[test]
     fn the_corrected_law_is_the_printed_one_at_a_hundredth_of_the_speed() {
-        let printed = FittedLaw::oscillator_paper().evaluate(&ContactPoint::new(1e-4, 1e-3));
-        let corrected = FittedLaw::oscillator_paper_corrected().evaluate(&ContactPoint::new(1e-2, 1e-3));
+        let printed = FittedLaw::oscillator_paper().evaluate(&LawPoint::new(1e-4, 1e-3));
+        let corrected = FittedLaw::oscillator_paper_corrected().evaluate(&LawPoint::new(1e-2, 1e-3));
         for (p, c) in quantities(&printed).iter().zip(quantities(&corrected)) {
             assert!((p.value - c.value).abs() <= 1e-13 * p.value);
             assert!((p.by_velocity - 100.0 * c.by_velocity).abs() <= 1e-11 * p.by_velocity.abs());
@@ -215,7 +205,7 @@ mod tests {
         #[test]
         fn values_are_those_of_the_page(lv in -9.0..3.0_f64, ly in -10.0..0.0_f64) {
             let (v, y) = (10_f64.powf(lv), 10_f64.powf(ly));
-            let response = FittedLaw::oscillator_paper().evaluate(&ContactPoint::new(v, y));
+            let response = FittedLaw::oscillator_paper().evaluate(&LawPoint::new(v, y));
             for (q, expected) in quantities(&response).iter().zip(from_the_page(v, y)) {
                 prop_assert!((q.value - expected).abs() <= 2e-13 * expected, "{} against {expected}", q.value);
             }
@@ -226,7 +216,7 @@ mod tests {
             let (v, y) = (10_f64.powf(lv), 10_f64.powf(ly));
             let step = 1e-5;
             let slope = |a: [f64; 3], b: [f64; 3], k: usize, h: f64| (a[k] - b[k]) / (2.0 * h);
-            let response = FittedLaw::oscillator_paper().evaluate(&ContactPoint::new(v, y));
+            let response = FittedLaw::oscillator_paper().evaluate(&LawPoint::new(v, y));
             let by_v = [from_the_page(v * (1.0 + step), y), from_the_page(v * (1.0 - step), y)];
             let by_y = [from_the_page(v, y * (1.0 + step)), from_the_page(v, y * (1.0 - step))];
             for (k, q) in quantities(&response).iter().enumerate() {

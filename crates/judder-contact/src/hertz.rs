@@ -1,7 +1,7 @@
 //! The elastic contact of a paraboloid with a half-space, in closed form.
 
 use crate::contact_law::{ContactLaw, ValidityConcern};
-use crate::response::{ContactPoint, ContactResponse, WithDerivatives};
+use crate::response::{ContactResponse, LawPoint, WithDerivatives};
 use std::f64::consts::PI;
 
 /// Hertz: F̃_k = 4/3 (E/E0) ŷ^{3/2}, Ã = π ŷ, μ_visc = 0 at every speed.
@@ -22,7 +22,7 @@ impl Default for HertzLaw {
 
 impl ContactLaw for HertzLaw {
     #[inline(always)]
-    fn evaluate(&self, at: &ContactPoint) -> ContactResponse {
+    fn evaluate(&self, at: &LawPoint) -> ContactResponse {
         let stiffness = 2.0 * self.modulus_ratio * at.indentation.sqrt();
         ContactResponse {
             force: WithDerivatives {
@@ -35,7 +35,7 @@ impl ContactLaw for HertzLaw {
         }
     }
 
-    fn doubt(&self, _at: &ContactPoint) -> Option<ContactResponse> {
+    fn doubt(&self, _at: &LawPoint) -> Option<ContactResponse> {
         Some(ContactResponse::default())
     }
 
@@ -52,7 +52,7 @@ mod tests {
 
     #[test]
     fn the_textbook_numbers() {
-        let r = HertzLaw::default().evaluate(&ContactPoint::new(0.3, 0.04));
+        let r = HertzLaw::default().evaluate(&LawPoint::new(0.3, 0.04));
         assert!((r.force.value - 4.0 / 3.0 * 0.008).abs() < 1e-17);
         assert!((r.force.by_indentation - 2.0 * 0.2).abs() < 1e-15);
         assert!((r.area.value - PI * 0.04).abs() < 1e-17);

@@ -43,7 +43,7 @@ pub use table::TabulatedLaw;
 use crate::contact_law::{ContactLaw, ValidityConcern};
 use crate::fitted::FittedLaw;
 use crate::hertz::HertzLaw;
-use crate::response::{ContactPoint, ContactResponse};
+use crate::response::{ContactResponse, LawPoint};
 use std::sync::Arc;
 
 /// A contact law that a case can name.
@@ -92,7 +92,7 @@ impl Law {
 
 impl ContactLaw for Law {
     #[inline(always)]
-    fn evaluate(&self, at: &ContactPoint) -> ContactResponse {
+    fn evaluate(&self, at: &LawPoint) -> ContactResponse {
         match self {
             Self::Fitted(law) => law.evaluate(at),
             Self::Hertz(law) => law.evaluate(at),
@@ -102,7 +102,7 @@ impl ContactLaw for Law {
         }
     }
 
-    fn doubt(&self, at: &ContactPoint) -> Option<ContactResponse> {
+    fn doubt(&self, at: &LawPoint) -> Option<ContactResponse> {
         match self {
             Self::Fitted(law) => law.doubt(at),
             Self::Hertz(law) => law.doubt(at),

@@ -38,7 +38,7 @@ pub use contact_law::{ContactLaw, ValidityConcern};
 pub use fitted::FittedLaw;
 pub use hertz::HertzLaw;
 pub use law::{CollapsedLaw, Law, LawError, SampledLaw, TabulatedLaw};
-pub use response::{ContactPoint, ContactResponse, WithDerivatives};
+pub use response::{ContactResponse, LawPoint, WithDerivatives};
 
 /// The examples of the book's chapters on contact, which are tests like any other.
 #[cfg(doctest)]

@@ -7,7 +7,7 @@ const SMALLEST: f64 = 1e-300;
 
 /// A speed and a depth, with the logarithms in which the laws are written.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ContactPoint {
+pub struct LawPoint {
     /// v̂ = |v| τ/R, sliding speed (≥ 0, floored at 1e-300).
     pub velocity: f64,
     /// ln v̂.
@@ -18,7 +18,7 @@ pub struct ContactPoint {
     pub ln_indentation: f64,
 }
 
-impl ContactPoint {
+impl LawPoint {
     /// The point at speed v̂ and indentation ŷ; zeros stand for the limits v̂ → 0, ŷ → 0.
     #[inline(always)]
     #[must_use]

@@ -12,7 +12,7 @@ const MAGIC: &[u8] = b"\x93NUMPY";
 
 /// An array of numbers or of bytes.
 #[derive(Debug)]
-pub(crate) struct Array {
+pub(crate) struct NpyArray {
     /// The type of its numbers, as NumPy writes it.
     pub(crate) descr: String,
     /// Of its numbers; `None` for texts.
@@ -24,7 +24,7 @@ pub(crate) struct Array {
     pub(crate) data: Vec<u8>,
 }
 
-impl Array {
+impl NpyArray {
     /// All its numbers, in the order of the file.
     pub(crate) fn floats(&self) -> Result<Vec<f64>, NpyError> {
         let stored = self.stored.ok_or(NpyError::Texts)?;
@@ -41,7 +41,7 @@ impl Array {
 
 /// Reads an array. No more is taken than the header says, and one byte to see that no more is there: what unpacks on the way
 /// cannot fill the memory with what the array does not have.
-pub(crate) fn read_npy(from: &mut impl Read) -> Result<Array, NpyError> {
+pub(crate) fn read_npy(from: &mut impl Read) -> Result<NpyArray, NpyError> {
     let header = read_header(from)?;
     let descr = entry(&header, "descr")?.trim_matches(['\'', '"']);
     let (stored, big_endian, size) =
@@ -59,7 +59,7 @@ pub(crate) fn read_npy(from: &mut impl Read) -> Result<Array, NpyError> {
         let found = Some(data.len()).filter(|found| *found < said);
         return Err(NpyError::WrongSize { found, shape });
     }
-    Ok(Array { descr: descr.to_owned(), stored, big_endian, fortran_order, shape, data })
+    Ok(NpyArray { descr: descr.to_owned(), stored, big_endian, fortran_order, shape, data })
 }
 
 /// The next bytes, so many at most.
@@ -139,7 +139,7 @@ fn shape(text: &str) -> Result<Vec<usize>, NpyError> {
 mod tests {
     use super::*;
 
-    fn read(descr: &str, shape: &str, data: &[u8]) -> Result<Array, NpyError> {
+    fn read(descr: &str, shape: &str, data: &[u8]) -> Result<NpyArray, NpyError> {
         let header = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': {shape}}}\n");
         let length = (header.len() as u16).to_le_bytes();
         let file = [MAGIC, &[1, 0], &length, header.as_bytes(), data].concat();

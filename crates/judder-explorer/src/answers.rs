@@ -10,7 +10,7 @@ pub(crate) mod point;
 pub(crate) mod session;
 pub(crate) mod study;
 
-use crate::refusal::Refusal;
+use crate::refusal::RequestRefusal;
 use judder_models::bridge;
 use judder_models::contact::case::ContactCase;
 use judder_models::oscillator::case::OscillatorCase;
@@ -19,7 +19,7 @@ use judder_study::case::file::CaseFile;
 use judder_study::model::Case;
 
 /// The numeric keys of a case that has them, with what its material says: an oscillator, or a contact's substrate and indenter.
-pub(crate) fn inputs(file: &CaseFile) -> Result<OscillatorInputs, Refusal> {
+pub(crate) fn inputs(file: &CaseFile) -> Result<OscillatorInputs, RequestRefusal> {
     let with_material = match file.case.of::<ContactCase>() {
         Some(case) => {
             let substrate = case.substrate.clone();
@@ -46,9 +46,9 @@ pub(crate) fn sections(case: &Case) -> &'static [&'static str] {
 }
 
 /// The oscillator of a case.
-pub(crate) fn oscillator(file: &CaseFile) -> Result<&OscillatorCase, Refusal> {
+pub(crate) fn oscillator(file: &CaseFile) -> Result<&OscillatorCase, RequestRefusal> {
     file.case.of().ok_or_else(|| {
-        Refusal::wrong(format!(
+        RequestRefusal::wrong(format!(
             "this needs an oscillator case, the one explored is of model `{}`; `judder explore` without a case takes the paper's oscillator",
             file.case.model()
         ))

@@ -1,6 +1,6 @@
 //! The bodies of requests: JSON, within limits.
 
-use crate::refusal::Refusal;
+use crate::refusal::RequestRefusal;
 use axum::body::to_bytes;
 use axum::extract::{FromRequest, Request};
 use axum::http::StatusCode;
@@ -15,17 +15,17 @@ const BODY_BYTES: usize = 64 << 10;
 const BODY_TIME: Duration = Duration::from_secs(10);
 
 /// The body of a request, read as JSON within limits.
-pub(crate) struct Asked<T>(pub(crate) T);
+pub(crate) struct JsonBody<T>(pub(crate) T);
 
-impl<T: DeserializeOwned, S: Send + Sync> FromRequest<S> for Asked<T> {
-    type Rejection = Refusal;
+impl<T: DeserializeOwned, S: Send + Sync> FromRequest<S> for JsonBody<T> {
+    type Rejection = RequestRefusal;
 
-    async fn from_request(request: Request, _state: &S) -> Result<Self, Refusal> {
+    async fn from_request(request: Request, _state: &S) -> Result<Self, RequestRefusal> {
         // other sites' forms cannot send this kind without asking first
         let is_json = request.headers().get(CONTENT_TYPE).is_some_and(|kind| kind == "application/json");
         if !is_json {
             let sentence = "the body is of another kind; it is `application/json`";
-            return Err(Refusal::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, sentence));
+            return Err(RequestRefusal::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, sentence));
         }
         let claimed = request
             .headers()
@@ -36,15 +36,15 @@ impl<T: DeserializeOwned, S: Send + Sync> FromRequest<S> for Asked<T> {
         }
         let body = timeout(BODY_TIME, to_bytes(request.into_body(), BODY_BYTES)).await.map_err(|_| {
             let sentence = format!("the body did not come within {} s; send it whole", BODY_TIME.as_secs());
-            Refusal::new(StatusCode::REQUEST_TIMEOUT, sentence)
+            RequestRefusal::new(StatusCode::REQUEST_TIMEOUT, sentence)
         })?;
         let bytes = body.map_err(|_| too_long())?;
         serde_json::from_slice(&bytes)
             .map(Self)
-            .map_err(|error| Refusal::wrong(format!("the body is not what is asked for: {error}")))
+            .map_err(|error| RequestRefusal::wrong(format!("the body is not what is asked for: {error}")))
     }
 }
 
-fn too_long() -> Refusal {
-    Refusal::too_large(format!("the body is broken or too long; at most {BODY_BYTES} bytes are read"))
+fn too_long() -> RequestRefusal {
+    RequestRefusal::too_large(format!("the body is broken or too long; at most {BODY_BYTES} bytes are read"))
 }

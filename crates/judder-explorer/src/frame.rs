@@ -4,7 +4,7 @@
 //! payload. Header and payload end on multiples of eight bytes, as every array in the payload begins, so that a reader in a browser can lay
 //! typed arrays over the bytes.
 
-use judder_store::{Data, Variable};
+use judder_store::{Variable, VariableValues};
 use serde_json::{Map, Value, json};
 
 /// What every part is filled up to.
@@ -12,13 +12,13 @@ const ALIGNMENT: usize = 8;
 
 /// A frame in the making.
 #[derive(Debug, Default)]
-pub(crate) struct Frame {
+pub(crate) struct FrameInTheMaking {
     header: Map<String, Value>,
     arrays: Vec<Value>,
     payload: Vec<u8>,
 }
 
-impl Frame {
+impl FrameInTheMaking {
     /// A frame of this kind, without arrays yet.
     pub(crate) fn new(kind: &str) -> Self {
         Self { header: Map::from_iter([("kind".to_owned(), json!(kind))]), ..Self::default() }
@@ -48,24 +48,24 @@ impl Frame {
     }
 
     /// Appends the values to the payload, and says what they are; texts stand in the header.
-    fn lay(&mut self, data: &Data) -> (&'static str, Option<Value>) {
+    fn lay(&mut self, data: &VariableValues) -> (&'static str, Option<Value>) {
         let payload = &mut self.payload;
         let mut reals = |values: &mut dyn Iterator<Item = f64>| {
             values.for_each(|value| payload.extend_from_slice(&value.to_le_bytes()));
         };
         match data {
-            Data::F64(values) => reals(&mut values.iter().copied()),
+            VariableValues::F64(values) => reals(&mut values.iter().copied()),
             // a browser's numbers are of this kind; what is counted here stays below 2⁵³
-            Data::I64(values) => reals(&mut values.iter().map(|value| *value as f64)),
-            Data::Complex(values) => {
+            VariableValues::I64(values) => reals(&mut values.iter().map(|value| *value as f64)),
+            VariableValues::Complex(values) => {
                 reals(&mut values.iter().flat_map(|value| [value.re, value.im]));
                 return ("complex", None);
             }
-            Data::U8(values) => {
+            VariableValues::U8(values) => {
                 payload.extend_from_slice(values);
                 return ("u8", None);
             }
-            Data::Text(values) => return ("text", Some(json!(values))),
+            VariableValues::Text(values) => return ("text", Some(json!(values))),
         }
         ("f64", None)
     }
@@ -96,7 +96,7 @@ mod tests {
 
     #[test]
     fn a_frame_is_laid_out_as_its_header_says() {
-        let bytes = Frame::new("map")
+        let bytes = FrameInTheMaking::new("map")
             .with("seconds", 0.5)
             .array(&Variable::new("code", &["k"], &[3], vec![1_u8, 2, 3]))
             .array(&Variable::coordinate("ŷ", vec![1.5, f64::NAN]).units("1"))

@@ -37,4 +37,4 @@ mod view;
 
 pub use error::ExplorerError;
 pub use server::Explorer;
-pub use subject::Subject;
+pub use subject::ViewedCase;

@@ -1,6 +1,6 @@
 //! Short computations, a few at a time, and whether their readers are still there: answers in one piece, while the scheduler gives streams.
 
-use crate::refusal::{ENDING, Refusal};
+use crate::refusal::{ENDING, RequestRefusal};
 use axum::http::StatusCode;
 use judder_study::Progress;
 use std::sync::Arc;
@@ -16,29 +16,29 @@ const WAITING: usize = 64;
 
 /// Whether somebody waits for the answer, and has not waited too long.
 #[derive(Debug)]
-pub(crate) struct Watch {
+pub(crate) struct RequestWatch {
     left: Arc<AtomicBool>,
     closing: Arc<AtomicBool>,
     start: Instant,
 }
 
-impl Watch {
+impl RequestWatch {
     /// The error of a computation: of an interrupted one, the reason.
-    pub(crate) fn refusal(&self, error: impl Into<Refusal>) -> Refusal {
+    pub(crate) fn refusal(&self, error: impl Into<RequestRefusal>) -> RequestRefusal {
         if !self.interrupted() {
             return error.into();
         }
         if self.closing.load(Ordering::Relaxed) {
-            return Refusal::interrupted(ENDING.to_owned());
+            return RequestRefusal::interrupted(ENDING.to_owned());
         }
         let seconds = LONGEST.as_secs();
-        Refusal::interrupted(format!(
+        RequestRefusal::interrupted(format!(
             "this takes longer than {seconds} s; export the case, for `judder point` waits as long as it takes"
         ))
     }
 }
 
-impl Progress for Watch {
+impl Progress for RequestWatch {
     fn begin(&self, _name: &str, _steps: usize) {}
     fn expect(&self, _steps: usize) {}
     fn advance(&self) {}
@@ -74,8 +74,9 @@ impl Limiter {
         Self { running: Arc::new(Semaphore::new(most)), admitted: Arc::new(Semaphore::new(most + WAITING)) }
     }
 
-    async fn take(&self) -> Result<(OwnedSemaphorePermit, Option<OwnedSemaphorePermit>), Refusal> {
-        let place = Arc::clone(&self.admitted).try_acquire_owned().map_err(|_| Refusal::busy(WAITING))?;
+    async fn take(&self) -> Result<(OwnedSemaphorePermit, Option<OwnedSemaphorePermit>), RequestRefusal> {
+        let place =
+            Arc::clone(&self.admitted).try_acquire_owned().map_err(|_| RequestRefusal::busy(WAITING))?;
         // never closed: the permit comes
         Ok((place, Arc::clone(&self.running).acquire_owned().await.ok()))
     }
@@ -84,17 +85,17 @@ impl Limiter {
     pub(crate) async fn run<T: Send + 'static>(
         &self,
         closing: Arc<AtomicBool>,
-        work: impl FnOnce(&Watch) -> Result<T, Refusal> + Send + 'static,
-    ) -> Result<T, Refusal> {
+        work: impl FnOnce(&RequestWatch) -> Result<T, RequestRefusal> + Send + 'static,
+    ) -> Result<T, RequestRefusal> {
         let leaving = Leaving(Arc::default());
         let left = Arc::clone(&leaving.0);
         let room = self.take().await?;
         let working = tokio::task::spawn_blocking(move || {
             let _held = room;
-            work(&Watch { left, closing, start: Instant::now() })
+            work(&RequestWatch { left, closing, start: Instant::now() })
         });
         let broken = "the computation broke off; this is a fault of judder, please report it with the address of the page";
-        working.await.map_err(|_| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, broken))?
+        working.await.map_err(|_| RequestRefusal::new(StatusCode::INTERNAL_SERVER_ERROR, broken))?
     }
 }
 
@@ -103,7 +104,7 @@ mod tests {
     use super::*;
 
     fn reason(closing: bool, start: Instant) -> String {
-        let watch = Watch { left: Arc::default(), closing: Arc::new(AtomicBool::new(closing)), start };
+        let watch = RequestWatch { left: Arc::default(), closing: Arc::new(AtomicBool::new(closing)), start };
         watch.refusal(judder_study::StudyError::Interrupted).document()["message"].to_string()
     }
 

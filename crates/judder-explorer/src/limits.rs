@@ -1,7 +1,7 @@
 //! How much a page may ask for, and be sent.
 
-use crate::refusal::Refusal;
-use judder_store::{Data, Variable};
+use crate::refusal::RequestRefusal;
+use judder_store::{Variable, VariableValues};
 use serde_json::{Map, Value};
 
 /// Grid points of a map, at most.
@@ -26,24 +26,24 @@ pub(crate) fn is_settable(key: &str) -> bool {
 ///
 /// # Errors
 /// What is too large, and what would not be.
-pub(crate) fn check_analysis(analysis: &Map<String, Value>) -> Result<(), Refusal> {
+pub(crate) fn check_analysis(analysis: &Map<String, Value>) -> Result<(), RequestRefusal> {
     let side = |axis: &str| analysis.get(axis)?.get("points")?.as_u64();
     if let (Some(columns), Some(rows)) = (side("x"), side("y"))
         && columns.checked_mul(rows).is_none_or(|points| points > MAP_POINTS)
     {
-        return Err(Refusal::too_large(format!(
+        return Err(RequestRefusal::too_large(format!(
             "a map of {columns} × {rows} points is more than a page shows; ask for {MAP_POINTS} points at most, or export the case for `judder run`"
         )));
     }
     if let Some(key) = analysis.keys().find(|key| !is_settable(key)) {
-        return Err(Refusal::wrong(format!(
+        return Err(RequestRefusal::wrong(format!(
             "`{key}` cannot be set from the page; export the case and set it there"
         )));
     }
     check_counts(analysis)
 }
 
-fn check_counts(table: &Map<String, Value>) -> Result<(), Refusal> {
+fn check_counts(table: &Map<String, Value>) -> Result<(), RequestRefusal> {
     for (key, value) in table {
         let most = match key.as_str() {
             "steps" => STEPS,
@@ -54,7 +54,7 @@ fn check_counts(table: &Map<String, Value>) -> Result<(), Refusal> {
             Value::Number(number)
                 if COUNTED.contains(&key.as_str()) && number.as_f64().is_none_or(|n| n > most as f64) =>
             {
-                return Err(Refusal::too_large(format!(
+                return Err(RequestRefusal::too_large(format!(
                     "`{key} = {number}` is more than a page asks for; give {most} at most"
                 )));
             }
@@ -69,12 +69,12 @@ fn check_counts(table: &Map<String, Value>) -> Result<(), Refusal> {
 ///
 /// # Errors
 /// Their size.
-pub(crate) fn check_answer(variables: &[Variable]) -> Result<(), Refusal> {
+pub(crate) fn check_answer(variables: &[Variable]) -> Result<(), RequestRefusal> {
     let bytes: usize = variables.iter().map(|variable| width(&variable.data) * variable.data.len()).sum();
     if bytes <= ANSWER_BYTES {
         return Ok(());
     }
-    Err(Refusal::too_large(format!(
+    Err(RequestRefusal::too_large(format!(
         "the answer has {} MiB; a page is sent {} MiB at most: export the case, `judder run` stores it",
         bytes >> 20,
         ANSWER_BYTES >> 20
@@ -82,11 +82,11 @@ pub(crate) fn check_answer(variables: &[Variable]) -> Result<(), Refusal> {
 }
 
 /// Bytes of a value; of a text, a guess.
-fn width(data: &Data) -> usize {
+fn width(data: &VariableValues) -> usize {
     match data {
-        Data::U8(_) => 1,
-        Data::F64(_) | Data::I64(_) => 8,
-        Data::Complex(_) | Data::Text(_) => 16,
+        VariableValues::U8(_) => 1,
+        VariableValues::F64(_) | VariableValues::I64(_) => 8,
+        VariableValues::Complex(_) | VariableValues::Text(_) => 16,
     }
 }
 
@@ -95,7 +95,7 @@ mod tests {
     use super::*;
     use serde_json::json;
 
-    fn check(analysis: Value) -> Result<(), Refusal> {
+    fn check(analysis: Value) -> Result<(), RequestRefusal> {
         check_analysis(analysis.as_object().unwrap())
     }
 

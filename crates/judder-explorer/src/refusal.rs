@@ -13,7 +13,7 @@ pub(crate) const ENDING: &str = "`judder explore` is ending; start it again";
 
 /// A request without an answer.
 #[derive(Debug)]
-pub(crate) struct Refusal {
+pub(crate) struct RequestRefusal {
     status: StatusCode,
     message: String,
     help: Option<String>,
@@ -22,7 +22,7 @@ pub(crate) struct Refusal {
     others: Vec<Value>,
 }
 
-impl Refusal {
+impl RequestRefusal {
     /// What is wrong; what stands behind the last semicolon is what would be right, as errors of judder have it.
     pub(crate) fn new(status: StatusCode, sentence: impl Into<String>) -> Self {
         let sentence = sentence.into();
@@ -65,7 +65,7 @@ impl Refusal {
     }
 }
 
-impl From<CaseError> for Refusal {
+impl From<CaseError> for RequestRefusal {
     fn from(error: CaseError) -> Self {
         let place = error.line_and_column().map(|(line, column)| {
             Box::new(json!({
@@ -78,7 +78,7 @@ impl From<CaseError> for Refusal {
     }
 }
 
-impl From<StudyError> for Refusal {
+impl From<StudyError> for RequestRefusal {
     fn from(error: StudyError) -> Self {
         match error {
             StudyError::Case(error) => error.into(),
@@ -87,13 +87,13 @@ impl From<StudyError> for Refusal {
     }
 }
 
-impl From<ModelError> for Refusal {
+impl From<ModelError> for RequestRefusal {
     fn from(error: ModelError) -> Self {
         StudyError::from(error).into()
     }
 }
 
-impl IntoResponse for Refusal {
+impl IntoResponse for RequestRefusal {
     fn into_response(self) -> Response {
         (self.status, Json(json!({ "error": self.document() }))).into_response()
     }

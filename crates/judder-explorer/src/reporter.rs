@@ -1,7 +1,7 @@
 //! A request at work: its frames, its progress, its end.
 
-use crate::frame::Frame;
-use crate::refusal::{ENDING, Refusal};
+use crate::frame::FrameInTheMaking;
+use crate::refusal::{ENDING, RequestRefusal};
 use axum::body::Bytes;
 use judder_study::Progress;
 use std::convert::Infallible;
@@ -20,7 +20,7 @@ const PROGRESS_EVERY: Duration = Duration::from_millis(100);
 
 /// Why a request has no use any more.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Ended {
+pub(crate) enum EndedRequest {
     /// A newer one came to its slot.
     Superseded,
     /// Nobody listens any more.
@@ -31,7 +31,7 @@ pub(crate) enum Ended {
     Closing,
 }
 
-impl Ended {
+impl EndedRequest {
     fn reason(self) -> String {
         match self {
             Self::Superseded => "a newer request has taken its place".to_owned(),
@@ -92,7 +92,7 @@ impl Reporter {
     }
 
     /// Sends a frame, as soon as the one that reads has room for it; what nobody wants any more is dropped.
-    pub(crate) fn send(&self, frame: Frame) {
+    pub(crate) fn send(&self, frame: FrameInTheMaking) {
         let mut message = Ok(Bytes::from(frame.bytes()));
         while let Err(TrySendError::Full(unsent)) = self.sender.try_send(message) {
             if self.ended().is_some() {
@@ -109,25 +109,25 @@ impl Reporter {
     }
 
     /// Why the answer has no use any more; `None` while it has.
-    pub(crate) fn ended(&self) -> Option<Ended> {
+    pub(crate) fn ended(&self) -> Option<EndedRequest> {
         match () {
-            () if *self.superseded.borrow() => Some(Ended::Superseded),
-            () if self.sender.is_closed() => Some(Ended::Deserted),
-            () if self.closing.load(Ordering::Relaxed) => Some(Ended::Closing),
-            () if self.start.elapsed() > LONGEST => Some(Ended::TooLong),
+            () if *self.superseded.borrow() => Some(EndedRequest::Superseded),
+            () if self.sender.is_closed() => Some(EndedRequest::Deserted),
+            () if self.closing.load(Ordering::Relaxed) => Some(EndedRequest::Closing),
+            () if self.start.elapsed() > LONGEST => Some(EndedRequest::TooLong),
             () => None,
         }
     }
 
     /// What ends a stream that is whole.
-    pub(crate) fn last_frame(&self) -> Frame {
-        Frame::new("end").with("seconds", self.seconds())
+    pub(crate) fn last_frame(&self) -> FrameInTheMaking {
+        FrameInTheMaking::new("end").with("seconds", self.seconds())
     }
 
     /// The error of a computation; of one that was given up, the reason: a solver may have its own words for it.
-    pub(crate) fn refusal(&self, error: impl Into<Refusal>) -> Refusal {
+    pub(crate) fn refusal(&self, error: impl Into<RequestRefusal>) -> RequestRefusal {
         match self.ended() {
-            Some(ended) => Refusal::interrupted(ended.reason()),
+            Some(ended) => RequestRefusal::interrupted(ended.reason()),
             None => error.into(),
         }
     }
@@ -156,8 +156,9 @@ impl Progress for Reporter {
     fn advance(&self) {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         if self.is_time() {
-            let frame =
-                Frame::new("progress").with("done", done).with("of", self.expected.load(Ordering::Relaxed));
+            let frame = FrameInTheMaking::new("progress")
+                .with("done", done)
+                .with("of", self.expected.load(Ordering::Relaxed));
             // what does not fit now is sent later: no work waits for it
             let _ = self.sender.try_send(Ok(Bytes::from(frame.bytes())));
         }
@@ -184,7 +185,7 @@ mod tests {
         let (mut reporter, _receiver, _newer) = reporter();
         assert_eq!((reporter.ended(), reporter.interrupted()), (None, false));
         reporter.start = Instant::now().checked_sub(LONGEST + Duration::from_secs(1)).unwrap();
-        assert_eq!((reporter.ended(), reporter.interrupted()), (Some(Ended::TooLong), true));
+        assert_eq!((reporter.ended(), reporter.interrupted()), (Some(EndedRequest::TooLong), true));
         let words = reporter.refusal(judder_study::StudyError::Interrupted).document();
         assert!(words["help"].as_str().unwrap().contains("judder run"), "{words}");
     }
@@ -193,13 +194,13 @@ mod tests {
     fn work_ends_when_nobody_wants_it() {
         let (deserted, receiver, _newer) = reporter();
         drop(receiver);
-        assert_eq!(deserted.ended(), Some(Ended::Deserted));
+        assert_eq!(deserted.ended(), Some(EndedRequest::Deserted));
         let (superseded, _receiver, newer) = reporter();
         newer.send_replace(true);
-        assert_eq!(superseded.ended(), Some(Ended::Superseded));
+        assert_eq!(superseded.ended(), Some(EndedRequest::Superseded));
         let (closing, _receiver, _newer) = reporter();
         closing.closing.store(true, Ordering::Relaxed);
-        assert_eq!(closing.ended(), Some(Ended::Closing));
+        assert_eq!(closing.ended(), Some(EndedRequest::Closing));
     }
 
     #[test]

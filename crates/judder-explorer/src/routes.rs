@@ -3,7 +3,7 @@
 use crate::admission::Decision;
 use crate::answers;
 use crate::page;
-use crate::refusal::Refusal;
+use crate::refusal::RequestRefusal;
 use crate::site::{SharedSite, Site};
 use axum::Router;
 use axum::extract::{Request, State};
@@ -49,7 +49,7 @@ async fn pass(State(site): SharedSite, request: Request, next: Next) -> Response
 
 /// A stranger gets one answer a connection.
 fn turned_away(status: StatusCode, reason: &'static str) -> Response {
-    let mut response = Refusal::new(status, reason).into_response();
+    let mut response = RequestRefusal::new(status, reason).into_response();
     response.headers_mut().insert(CONNECTION, HeaderValue::from_static("close"));
     response
 }
@@ -70,7 +70,7 @@ fn welcome(cookie: &str) -> Response {
 
 async fn index() -> Response {
     page::file("index.html").unwrap_or_else(|| {
-        Refusal::missing(
+        RequestRefusal::missing(
             "the page was not built into this program; run `npm run build` and build judder again",
         )
         .into_response()
@@ -88,6 +88,6 @@ async fn asset(method: Method, uri: Uri, headers: HeaderMap) -> Response {
     }
     let found = (method == Method::GET).then(|| page::file(uri.path().trim_start_matches('/'))).flatten();
     found.unwrap_or_else(|| {
-        Refusal::missing("there is nothing at this address; `/` is the page").into_response()
+        RequestRefusal::missing("there is nothing at this address; `/` is the page").into_response()
     })
 }

@@ -5,8 +5,8 @@
 //! slot, such as the map of one tab: there is one at a time in a slot, the newest.
 
 use crate::error::ExplorerError;
-use crate::frame::Frame;
-use crate::refusal::Refusal;
+use crate::frame::FrameInTheMaking;
+use crate::refusal::RequestRefusal;
 use crate::reporter::Reporter;
 use axum::body::{Body, Bytes};
 use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE};
@@ -32,7 +32,7 @@ const FRAMES: usize = 4;
 const STREAM: &str = "application/x-judder-frames";
 
 /// What a request computes: it gives its frames to the reporter.
-pub(crate) type Work = Box<dyn FnOnce(&Reporter) -> Result<(), Refusal> + Send>;
+pub(crate) type Work = Box<dyn FnOnce(&Reporter) -> Result<(), RequestRefusal> + Send>;
 
 /// How long a request may be expected to take.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,7 +61,7 @@ impl Lane {
 }
 
 /// A request in its slot.
-struct Claim {
+struct SlotClaim {
     /// Whether a newer one has come.
     superseded: watch::Receiver<bool>,
     /// What gives the slot back.
@@ -109,14 +109,14 @@ impl Scheduler {
     /// A stream of the frames that `work` will send; what worked in this slot before is cancelled at once, and leaves its place.
     ///
     /// # Errors
-    /// [`Refusal::busy`] where the waiting room is full.
+    /// [`RequestRefusal::busy`] where the waiting room is full.
     pub(crate) async fn stream(
         self: &Arc<Self>,
         pace: Pace,
         slot: Option<String>,
         work: Work,
-    ) -> Result<Response, Refusal> {
-        let Claim { superseded, ticket, has_cancelled } = self.enter(slot);
+    ) -> Result<Response, RequestRefusal> {
+        let SlotClaim { superseded, ticket, has_cancelled } = self.enter(slot);
         let admitted = Arc::clone(&self.lane(pace).admitted);
         let place = match admitted.clone().try_acquire_owned() {
             Err(_) if has_cancelled => {
@@ -126,7 +126,7 @@ impl Scheduler {
         };
         let Some(place) = place else {
             self.leave(ticket);
-            return Err(Refusal::busy(WAITING));
+            return Err(RequestRefusal::busy(WAITING));
         };
         let (sender, receiver) = mpsc::channel::<Result<Bytes, std::convert::Infallible>>(FRAMES);
         let reporter = Reporter::new(sender, superseded, Arc::clone(&self.closing));
@@ -164,7 +164,7 @@ impl Scheduler {
             };
             let ending = match done {
                 Ok(()) => reporter.last_frame(),
-                Err(refusal) => Frame::new("error").with("error", refusal.document()),
+                Err(refusal) => FrameInTheMaking::new("error").with("error", refusal.document()),
             };
             reporter.send(ending);
         });
@@ -173,16 +173,16 @@ impl Scheduler {
     }
 
     /// Takes a slot from whoever has it.
-    fn enter(&self, slot: Option<String>) -> Claim {
+    fn enter(&self, slot: Option<String>) -> SlotClaim {
         let (sender, superseded) = watch::channel(false);
         let Some(slot) = slot else {
             // nobody cancels it: the sender may go, the value stays
-            return Claim { superseded, ticket: None, has_cancelled: false };
+            return SlotClaim { superseded, ticket: None, has_cancelled: false };
         };
         let number = self.next.fetch_add(1, Ordering::Relaxed);
         let before = self.slots().insert(slot.clone(), (number, sender));
         let has_cancelled = before.is_some_and(|(_, before)| !before.send_replace(true));
-        Claim { superseded, ticket: Some((slot, number)), has_cancelled }
+        SlotClaim { superseded, ticket: Some((slot, number)), has_cancelled }
     }
 
     /// Gives a slot back, unless a newer request has it.

@@ -6,7 +6,7 @@ use crate::limiter::Limiter;
 use crate::routes::router;
 use crate::scheduler::Scheduler;
 use crate::site::Site;
-use crate::subject::Subject;
+use crate::subject::ViewedCase;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
 use std::io;
@@ -47,7 +47,7 @@ impl Explorer {
     ///
     /// # Errors
     /// [`ExplorerError::Bind`], [`ExplorerError::NoRandomness`].
-    pub fn new(subject: Subject, port: Option<u16>) -> Result<Self, ExplorerError> {
+    pub fn new(subject: ViewedCase, port: Option<u16>) -> Result<Self, ExplorerError> {
         let address = SocketAddr::from((Ipv4Addr::LOCALHOST, port.unwrap_or(0)));
         let failed = |source| ExplorerError::Bind { address, source };
         let listener = std::net::TcpListener::bind(address).map_err(failed)?;

@@ -1,7 +1,7 @@
 //! What is explored: the base case with the laws of its views, and the study folder with the pair that slides in it.
 
 use crate::error::ExplorerError;
-use crate::refusal::Refusal;
+use crate::refusal::RequestRefusal;
 use judder_keys::file_reference::FileReference;
 use judder_models::law_cache::LawCache;
 use judder_models::sliding::case::SlidingCase;
@@ -16,7 +16,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// The base case, which views change, and what was run before.
 #[derive(Debug)]
-pub struct Subject {
+pub struct ViewedCase {
     /// The case; a study whose case cannot be read any more is looked at without one.
     base: Option<CaseFile>,
     /// The laws of the views that were looked at last.
@@ -38,7 +38,7 @@ impl fmt::Debug for Studied {
     }
 }
 
-impl Subject {
+impl ViewedCase {
     /// Reads the case and looks into the study folder. Without a case, that of the study is explored; without either, the template of an
     /// oscillator.
     ///
@@ -64,7 +64,7 @@ impl Subject {
     ///
     /// # Errors
     /// What is wrong with them, or no case to set them on.
-    pub(crate) fn with(&self, options: &[String]) -> Result<CaseFile, Refusal> {
+    pub(crate) fn with(&self, options: &[String]) -> Result<CaseFile, RequestRefusal> {
         let base = self.needed()?;
         Ok(judder_models::parse(&base.origin, &base.text, &[&base.overrides, options].concat())?)
     }
@@ -73,9 +73,9 @@ impl Subject {
     ///
     /// # Errors
     /// There is none.
-    pub(crate) fn needed(&self) -> Result<&CaseFile, Refusal> {
+    pub(crate) fn needed(&self) -> Result<&CaseFile, RequestRefusal> {
         let none = "the study that is looked at has no case that can be read; give its case file to `judder explore`, with `--study`";
-        self.base().ok_or_else(|| Refusal::missing(none))
+        self.base().ok_or_else(|| RequestRefusal::missing(none))
     }
 }
 
@@ -94,9 +94,9 @@ impl Studied {
     ///
     /// # Errors
     /// It keeps none that can be read so.
-    pub(crate) fn case(&self) -> Result<&CaseFile, Refusal> {
+    pub(crate) fn case(&self) -> Result<&CaseFile, RequestRefusal> {
         self.case.as_ref().ok_or_else(|| {
-            Refusal::missing("the study keeps no case that can be read; give the case file that it was run from to `judder explore`, with `--study`")
+            RequestRefusal::missing("the study keeps no case that can be read; give the case file that it was run from to `judder explore`, with `--study`")
         })
     }
 
@@ -109,11 +109,11 @@ impl Studied {
         analysis: &str,
         position: f64,
         count: usize,
-    ) -> Result<SlidingShapes, Refusal> {
+    ) -> Result<SlidingShapes, RequestRefusal> {
         let case = self.case()?;
         if case.case.of::<SlidingCase>().is_none() {
             let model = case.case.model();
-            return Err(Refusal::wrong(format!(
+            return Err(RequestRefusal::wrong(format!(
                 "coupled shapes are those of a sliding case; the case of this study is of model `{model}`"
             )));
         }

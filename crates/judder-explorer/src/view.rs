@@ -1,8 +1,8 @@
 //! A request as a case file, and what a request may set.
 
 use crate::limits::check_analysis;
-use crate::refusal::Refusal;
-use crate::subject::Subject;
+use crate::refusal::RequestRefusal;
+use crate::subject::ViewedCase;
 use judder_models::oscillator::contact_case::contact_case_of;
 use judder_models::{REGISTRY, compose, is_number, worded};
 use judder_study::case::file::CaseFile;
@@ -40,15 +40,17 @@ impl View {
     ///
     /// # Errors
     /// The first option that is not let in.
-    pub(crate) fn check(&self) -> Result<(), Refusal> {
+    pub(crate) fn check(&self) -> Result<(), RequestRefusal> {
         if self.set.len() > MOST_OPTIONS {
             let given = self.set.len();
-            return Err(Refusal::too_large(format!(
+            return Err(RequestRefusal::too_large(format!(
                 "{given} options are set; at most {MOST_OPTIONS} may be"
             )));
         }
         if self.slot.as_ref().is_some_and(|slot| slot.len() > LONGEST_SLOT) {
-            return Err(Refusal::wrong(format!("the name of the slot is longer than {LONGEST_SLOT} bytes")));
+            return Err(RequestRefusal::wrong(format!(
+                "the name of the slot is longer than {LONGEST_SLOT} bytes"
+            )));
         }
         self.set.iter().try_for_each(|option| check_option(option))?;
         self.analysis.as_ref().map_or(Ok(()), check_analysis)
@@ -58,7 +60,7 @@ impl View {
     ///
     /// # Errors
     /// What [`View::check`] refuses, and what `judder check` would.
-    pub(crate) fn case(&self, subject: &Subject) -> Result<CaseFile, Refusal> {
+    pub(crate) fn case(&self, subject: &ViewedCase) -> Result<CaseFile, RequestRefusal> {
         self.check()?;
         let base = subject.needed()?;
         let set = [&base.overrides[..], &self.set].concat();
@@ -66,7 +68,7 @@ impl View {
         let file = match self.model.as_deref() {
             Some(model) if model != base.case.model() => {
                 if model != "contact" {
-                    return Err(Refusal::wrong(format!(
+                    return Err(RequestRefusal::wrong(format!(
                         "a view of model `{model}` is not made from this case; leave `model` out"
                     )));
                 }
@@ -78,7 +80,7 @@ impl View {
         let known = base.case.files();
         match file.case.files().iter().find(|file| known.iter().all(|known| known.path != file.path)) {
             None => Ok(file),
-            Some(foreign) => Err(Refusal::wrong(format!(
+            Some(foreign) => Err(RequestRefusal::wrong(format!(
                 "the case does not name the file `{}`; a page reads no other",
                 foreign.given
             ))),
@@ -86,16 +88,16 @@ impl View {
     }
 }
 
-fn check_option(option: &str) -> Result<(), Refusal> {
+fn check_option(option: &str) -> Result<(), RequestRefusal> {
     if option.len() > LONGEST_OPTION {
         let shown = &option[..option.floor_char_boundary(40)];
-        return Err(Refusal::too_large(format!(
+        return Err(RequestRefusal::too_large(format!(
             "the option `{shown}…` has {} bytes; at most {LONGEST_OPTION} may be",
             option.len()
         )));
     }
     let Some((key, value)) = option.split_once('=') else {
-        return Err(Refusal::wrong(format!("`{option}` sets nothing; an option is `key=value`")));
+        return Err(RequestRefusal::wrong(format!("`{option}` sets nothing; an option is `key=value`")));
     };
     let (key, value) = (key.trim(), value.trim().trim_matches(['"', '\'']));
     let is_number = is_number(key) || key.strip_prefix("parameters.").is_some_and(|name| !name.contains('.'));
@@ -103,16 +105,18 @@ fn check_option(option: &str) -> Result<(), Refusal> {
         return Ok(());
     }
     if is_number {
-        return Err(Refusal::wrong(format!("`{key}` takes a number or a quantity here")));
+        return Err(RequestRefusal::wrong(format!("`{key}` takes a number or a quantity here")));
     }
     let of_any = REGISTRY.models().iter().flat_map(|model| worded(model.name));
     let words: Vec<&str> = of_any.filter(|own| own.path == key).flat_map(|own| own.words()).collect();
     if words.is_empty() {
-        return Err(Refusal::wrong(format!("`{key}` cannot be set from the page; set it in the case file")));
+        return Err(RequestRefusal::wrong(format!(
+            "`{key}` cannot be set from the page; set it in the case file"
+        )));
     }
     match words.contains(&value) {
         true => Ok(()),
-        false => Err(Refusal::wrong(format!("`{key}` takes one of these here; {}", words.join(", ")))),
+        false => Err(RequestRefusal::wrong(format!("`{key}` takes one of these here; {}", words.join(", ")))),
     }
 }
 

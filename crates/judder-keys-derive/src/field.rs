@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 use syn::{Attribute, Error, Expr, ExprLit, Ident, Lit, LitStr, Meta, Result, Type};
 
 /// A key as its field declares it.
-pub(crate) struct Key {
+pub(crate) struct KeyField {
     pub(crate) field: Ident,
     /// The variable into which it is read, which no parameter is called.
     pub(crate) read: Ident,
@@ -37,7 +37,7 @@ enum Absent {
     Later,
 }
 
-impl Key {
+impl KeyField {
     pub(crate) fn new(field: Ident, ty: &Type, attributes: &[Attribute]) -> Result<Self> {
         let mut key = Self {
             name: field.to_string(),
@@ -165,8 +165,8 @@ impl Key {
 }
 
 /// The names of keys that stand together, as a list.
-pub(crate) fn names(keys: &[Key]) -> TokenStream {
-    let lists = keys.iter().map(|Key { name, ty, rule, is_flat, .. }| match is_flat {
+pub(crate) fn names(keys: &[KeyField]) -> TokenStream {
+    let lists = keys.iter().map(|KeyField { name, ty, rule, is_flat, .. }| match is_flat {
         true => quote!(<#ty as ::judder_keys::declared::Flat>::keys(#rule)),
         false => quote!(::std::vec![#name]),
     });
@@ -174,10 +174,10 @@ pub(crate) fn names(keys: &[Key]) -> TokenStream {
 }
 
 /// Reads keys that stand together, each into its variable.
-pub(crate) fn reading(keys: &[Key]) -> TokenStream {
-    let readings = keys.iter().map(Key::reading);
+pub(crate) fn reading(keys: &[KeyField]) -> TokenStream {
+    let readings = keys.iter().map(KeyField::reading);
     let nothing = (quote!(::std::result::Result::Ok(())), quote!(()));
-    let (all, pattern) = keys.iter().rev().fold(nothing, |(all, pattern), Key { read, .. }| {
+    let (all, pattern) = keys.iter().rev().fold(nothing, |(all, pattern), KeyField { read, .. }| {
         (quote!(::judder_keys::declared::both(#read, #all)), quote!((#read, #pattern)))
     });
     quote!(#(#readings)* let #pattern = #all?;)

@@ -1,6 +1,6 @@
 //! A struct of settings, an enum of alternatives.
 
-use crate::field::{Key, doc, names, option, reading};
+use crate::field::{KeyField, doc, names, option, reading};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{Data, DeriveInput, Error, Field, Fields, LitStr, Path, Result, Variant};
@@ -64,16 +64,16 @@ struct Parts {
     write: TokenStream,
 }
 
-fn fields(fields: &Fields) -> Result<Vec<Key>> {
+fn fields(fields: &Fields) -> Result<Vec<KeyField>> {
     let key = |field: &Field| match &field.ident {
-        Some(name) => Key::new(name.clone(), &field.ty, &field.attrs),
+        Some(name) => KeyField::new(name.clone(), &field.ty, &field.attrs),
         None => Err(Error::new_spanned(field, "settings have named fields")),
     };
     fields.iter().map(key).collect()
 }
 
-fn of_struct(keys: &[Key], check: Option<&Path>) -> Parts {
-    let declarations = keys.iter().map(Key::declarations);
+fn of_struct(keys: &[KeyField], check: Option<&Path>) -> Parts {
+    let declarations = keys.iter().map(KeyField::declarations);
     let writes = keys.iter().map(|key| {
         let field = &key.field;
         key.writing(&quote!(&self.#field))
@@ -97,7 +97,7 @@ fn of_struct(keys: &[Key], check: Option<&Path>) -> Parts {
 
 /// A variant: one key, some keys, or none.
 struct Alternative {
-    keys: Vec<Key>,
+    keys: Vec<KeyField>,
     /// The variant with its fields in the variables of the same names: as a pattern, and of what was read.
     pattern: TokenStream,
     read: TokenStream,
@@ -109,7 +109,7 @@ impl Alternative {
         let keys = match &variant.fields {
             Fields::Unnamed(own) if own.unnamed.len() == 1 => {
                 let key = format_ident!("{}", crate::choice::word(name, '_'));
-                vec![Key::new(key, &own.unnamed[0].ty, &variant.attrs)?]
+                vec![KeyField::new(key, &own.unnamed[0].ty, &variant.attrs)?]
             }
             own => fields(own)?,
         };
@@ -131,7 +131,7 @@ fn of_alternatives(alternatives: &[Alternative], check: Option<&Path>) -> Parts 
     let (mut lists, mut declared, mut reads, mut writes) = (vec![], vec![], vec![], vec![]);
     for (index, Alternative { keys, pattern, read }) in alternatives.iter().enumerate() {
         lists.push(names(keys));
-        let declarations = keys.iter().map(Key::declarations);
+        let declarations = keys.iter().map(KeyField::declarations);
         declared.push(quote!(::judder_keys::declared::joined(::std::vec![#(#declarations),*])));
         let which = if index + 1 < alternatives.len() { quote!(#index) } else { quote!(_) };
         let reading = reading(keys);

@@ -20,7 +20,7 @@ pub use crate::numeric_key::Scaled;
 pub use allowed::{Allowed, Declaration, alternatives, declared_table, with_declared};
 pub use listed::{Listed, listed};
 pub use named::Named;
-pub use rules::{Fixed, Number, Pair, Several, UNLIMITED, Whole};
+pub use rules::{Fixed, Number, NumberPair, Several, UNLIMITED, Whole};
 pub use scaled::Ladder;
 pub use values::conflict;
 

@@ -34,12 +34,12 @@ pub enum Data {
     /// A list.
     List(Vec<Node>),
     /// A table.
-    Table(Table),
+    Table(DocumentTable),
 }
 
 /// A table, its entries in the order of the text.
 #[derive(Debug, Clone, Default)]
-pub struct Table {
+pub struct DocumentTable {
     /// Its keys with their values.
     pub entries: Vec<Entry>,
 }
@@ -55,7 +55,7 @@ pub struct Entry {
     pub node: Node,
 }
 
-impl Table {
+impl DocumentTable {
     /// The entry of a key.
     pub fn get(&self, key: &str) -> Option<&Entry> {
         self.entries.iter().find(|entry| entry.key == key)
@@ -243,7 +243,7 @@ fn graft(node: &mut Node, name: &str, steps: &[(&str, Place)], leaf: Node) -> Re
     let index = match table.entries.iter().position(|entry| entry.key == *step) {
         Some(index) => index,
         None => {
-            let node = Node { place: *place, data: Data::Table(Table::default()) };
+            let node = Node { place: *place, data: Data::Table(DocumentTable::default()) };
             table.entries.push(Entry { key: (*step).to_owned(), place: *place, node });
             table.entries.len() - 1
         }
@@ -262,7 +262,7 @@ impl Converter {
         Place { source: self.source, start: self.offset + span.start, end: self.offset + span.end }
     }
 
-    fn table(&self, table: DeTable<'_>) -> Table {
+    fn table(&self, table: DeTable<'_>) -> DocumentTable {
         let mut entries: Vec<_> = table
             .into_iter()
             .map(|(key, value)| Entry {
@@ -272,7 +272,7 @@ impl Converter {
             })
             .collect();
         entries.sort_by_key(|entry| entry.place.start);
-        Table { entries }
+        DocumentTable { entries }
     }
 
     fn value(&self, value: Spanned<DeValue<'_>>) -> Node {

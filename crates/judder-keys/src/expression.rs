@@ -90,7 +90,7 @@ fn is_name_character(character: char) -> bool {
 
 /// One step of a compiled expression, in postfix order.
 #[derive(Debug, Clone, Copy)]
-enum Step {
+enum ExpressionStep {
     Number(f64),
     Parameter(usize),
     Apply(Function),
@@ -103,13 +103,13 @@ const DEPTH: usize = 32;
 /// A compiled expression of some parameters.
 #[derive(Debug, Clone)]
 pub struct Expression {
-    steps: Vec<Step>,
+    steps: Vec<ExpressionStep>,
 }
 
 impl Expression {
     /// A number.
     pub fn constant(value: f64) -> Self {
-        Self { steps: vec![Step::Number(value)] }
+        Self { steps: vec![ExpressionStep::Number(value)] }
     }
 
     /// Compiles `text`, whose free names are `parameters`.
@@ -122,9 +122,9 @@ impl Expression {
         let mut waiting = 0_usize;
         for step in &compiler.steps {
             match step {
-                Step::Number(_) | Step::Parameter(_) => waiting += 1,
-                Step::Apply(_) => (),
-                Step::Combine(_) => waiting -= 1,
+                ExpressionStep::Number(_) | ExpressionStep::Parameter(_) => waiting += 1,
+                ExpressionStep::Apply(_) => (),
+                ExpressionStep::Combine(_) => waiting -= 1,
             }
             if waiting > DEPTH {
                 return Err((ExpressionError::TooDeep, 0..text.len()));
@@ -135,7 +135,7 @@ impl Expression {
 
     /// Whether the expression contains the parameter at `index`.
     pub fn depends_on(&self, index: usize) -> bool {
-        self.steps.iter().any(|step| matches!(step, Step::Parameter(used) if *used == index))
+        self.steps.iter().any(|step| matches!(step, ExpressionStep::Parameter(used) if *used == index))
     }
 
     /// The value where the parameters are `values`, in the order given to [`Expression::compile`].
@@ -144,13 +144,13 @@ impl Expression {
         let mut top = 0;
         for step in &self.steps {
             let pushed = match *step {
-                Step::Number(number) => number,
-                Step::Parameter(index) => values.get(index).copied().unwrap_or(f64::NAN),
-                Step::Apply(function) => {
+                ExpressionStep::Number(number) => number,
+                ExpressionStep::Parameter(index) => values.get(index).copied().unwrap_or(f64::NAN),
+                ExpressionStep::Apply(function) => {
                     top -= 1;
                     function(stack[top])
                 }
-                Step::Combine(operator) => {
+                ExpressionStep::Combine(operator) => {
                     top -= 2;
                     operator(stack[top], stack[top + 1])
                 }
@@ -169,7 +169,7 @@ struct Compiler<'a> {
     text: &'a str,
     at: usize,
     parameters: &'a [String],
-    steps: Vec<Step>,
+    steps: Vec<ExpressionStep>,
     nesting: usize,
 }
 
@@ -191,8 +191,8 @@ impl Compiler<'_> {
         self.product()?;
         loop {
             let step = match self.peek() {
-                Some('+') => Step::Combine(std::ops::Add::add),
-                Some('-') => Step::Combine(std::ops::Sub::sub),
+                Some('+') => ExpressionStep::Combine(std::ops::Add::add),
+                Some('-') => ExpressionStep::Combine(std::ops::Sub::sub),
                 _ => return Ok(()),
             };
             self.at += 1;
@@ -205,8 +205,8 @@ impl Compiler<'_> {
         self.signed()?;
         loop {
             let step = match self.peek() {
-                Some('*') => Step::Combine(std::ops::Mul::mul),
-                Some('/') => Step::Combine(std::ops::Div::div),
+                Some('*') => ExpressionStep::Combine(std::ops::Mul::mul),
+                Some('/') => ExpressionStep::Combine(std::ops::Div::div),
                 _ => return Ok(()),
             };
             self.at += 1;
@@ -223,14 +223,14 @@ impl Compiler<'_> {
         }
         if self.take('-') {
             self.signed()?;
-            self.steps.push(Step::Apply(std::ops::Neg::neg));
+            self.steps.push(ExpressionStep::Apply(std::ops::Neg::neg));
         } else if self.take('+') {
             self.signed()?;
         } else {
             self.atom()?;
             if self.take('^') {
                 self.signed()?;
-                self.steps.push(Step::Combine(f64::powf));
+                self.steps.push(ExpressionStep::Combine(f64::powf));
             }
         }
         self.nesting -= 1;
@@ -249,7 +249,7 @@ impl Compiler<'_> {
         let rest = &self.text[self.at..];
         match leading_number(rest) {
             Some((number, length)) if number.is_finite() => {
-                self.steps.push(Step::Number(number));
+                self.steps.push(ExpressionStep::Number(number));
                 self.at += length;
                 Ok(())
             }
@@ -274,15 +274,15 @@ impl Compiler<'_> {
         let (name, here) = (&rest[..length], self.at..self.at + length);
         self.at = here.end;
         if let Some(index) = self.parameters.iter().position(|parameter| parameter == name) {
-            self.steps.push(Step::Parameter(index));
+            self.steps.push(ExpressionStep::Parameter(index));
         } else if name == "pi" || name == "π" {
-            self.steps.push(Step::Number(PI));
+            self.steps.push(ExpressionStep::Number(PI));
         } else if let Some((name, function)) = FUNCTIONS.iter().find(|(function, _)| *function == name) {
             if self.peek() != Some('(') {
                 return Err((ExpressionError::NoArgument { name }, here));
             }
             self.parenthesis()?;
-            self.steps.push(Step::Apply(*function));
+            self.steps.push(ExpressionStep::Apply(*function));
         } else {
             return Err((ExpressionError::UnknownSymbol { name: name.to_owned() }, here));
         }

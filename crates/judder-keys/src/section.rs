@@ -1,7 +1,7 @@
 //! Typed reading of one section: unknown keys are refused first, then each key is read as what it must be.
 
 use crate::cause::Cause;
-use crate::document::{Data, Node, Table};
+use crate::document::{Data, DocumentTable, Node};
 use crate::error::{Fault, Place};
 
 /// A table of the case with the words that errors need.
@@ -12,7 +12,7 @@ pub struct Section<'a> {
     name: String,
     /// Whether it is the case itself, whose tables go by their headers.
     is_case: bool,
-    table: &'a Table,
+    table: &'a DocumentTable,
     /// Where the table stands.
     pub place: Place,
 }
@@ -22,7 +22,7 @@ pub static NOTHING: Section<'static> = Section {
     prefix: String::new(),
     name: String::new(),
     is_case: false,
-    table: &Table { entries: Vec::new() },
+    table: &DocumentTable { entries: Vec::new() },
     place: Place { source: 0, start: 0, end: 0 },
 };
 

@@ -8,19 +8,19 @@ use crate::sweep::{Family, ParameterKey, Sweep};
 use judder_keys::keys::Keys;
 use judder_oscillator::critical;
 use judder_store::{Declared, Results, Told, ValueKind, Variable};
-use judder_study::axis::{Axis, coordinate};
-use judder_study::case::scale::Scale;
-use judder_study::labels::Quantity;
+use judder_study::axis::{SweptAxis, coordinate};
+use judder_study::case::scale::Spacing;
+use judder_study::labels::SweptQuantity;
 use serde_json::{Map, Value, json};
 
 /// A swept key of a case as an axis.
-pub(crate) fn of_key<K: Keys>(sweep: &Sweep<K>) -> Axis {
-    Axis { quantity: key(sweep.key, sweep.form), values: sweep.values(), scale: sweep.scale }
+pub(crate) fn of_key<K: Keys>(sweep: &Sweep<K>) -> SweptAxis {
+    SweptAxis { quantity: key(sweep.key, sweep.form), values: sweep.values(), scale: sweep.scale }
 }
 
 /// A swept parameter of a two-degrees case as an axis.
-pub(crate) fn of_parameter(sweep: &Sweep<ParameterKey>) -> Axis {
-    Axis { quantity: parameter(name_of(&sweep.path)), values: sweep.values(), scale: sweep.scale }
+pub(crate) fn of_parameter(sweep: &Sweep<ParameterKey>) -> SweptAxis {
+    SweptAxis { quantity: parameter(name_of(&sweep.path)), values: sweep.values(), scale: sweep.scale }
 }
 
 /// The name of a parameter in its dotted path.
@@ -31,8 +31,8 @@ pub(crate) fn name_of(path: &str) -> &str {
 /// The range of a sweep, for searches and continuation.
 pub(crate) fn range<K>(sweep: &Sweep<K>) -> critical::ParameterRange {
     let scale = match sweep.scale {
-        Scale::Linear => critical::RangeScale::Linear,
-        Scale::Log => critical::RangeScale::Logarithmic,
+        Spacing::Linear => critical::RangeScale::Linear,
+        Spacing::Log => critical::RangeScale::Logarithmic,
     };
     critical::ParameterRange { from: sweep.from, to: sweep.to, scale }
 }
@@ -57,7 +57,7 @@ pub(crate) fn keys_of_curves(has_family: bool, curve: Vec<Declared>) -> Vec<Decl
 
 /// The curves of an analysis: one operating point to start from for each value of the family, or one alone.
 pub(crate) struct Curves<I = OscillatorInputs> {
-    family: Option<(Quantity, Vec<f64>, String)>,
+    family: Option<(SweptQuantity, Vec<f64>, String)>,
     pub(crate) inputs: Vec<I>,
 }
 
@@ -93,7 +93,7 @@ impl Curves<Vec<f64>> {
             }
             inputs
         });
-        let quantity = Quantity { name: "family".to_owned(), ..parameter(name_of(&family.path)) };
+        let quantity = SweptQuantity { name: "family".to_owned(), ..parameter(name_of(&family.path)) };
         Self {
             inputs: inputs.collect(),
             family: Some((quantity, family.values.clone(), family.path.clone())),
@@ -111,7 +111,7 @@ impl<I> Curves<I> {
     /// Dimension names and shape of an array over family, axis and further dimensions.
     pub(crate) fn dimensions<'a>(
         &'a self,
-        axis: &'a Axis,
+        axis: &'a SweptAxis,
         further: &[(&'a str, usize)],
     ) -> (Vec<&'a str>, Vec<usize>) {
         let family = self.family.as_ref().map(|(quantity, values, _)| (quantity.name.as_str(), values.len()));

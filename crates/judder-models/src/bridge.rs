@@ -1,6 +1,6 @@
 //! From the keys of a case to the oscillator and its contact.
 
-use crate::computed_law::{self, NO_POINTS, Points};
+use crate::computed_law::{self, KnownPoints, NO_POINTS};
 use crate::error::ModelError;
 use crate::material::Material;
 use crate::oscillator::case::OscillatorCase;
@@ -53,7 +53,7 @@ pub fn contact_of(case: &OscillatorCase, progress: &dyn Progress) -> Result<Case
 /// A law that cannot be computed or read, [`ModelError::Interrupted`].
 pub(crate) fn contact(
     case: &OscillatorCase,
-    points: Points<'_>,
+    points: KnownPoints<'_>,
     progress: &dyn Progress,
 ) -> Result<CaseContact, ModelError> {
     let mut missed = None;

@@ -5,7 +5,7 @@ use crate::error::ModelError;
 use crate::material::Material;
 use judder_contact::law::boundary_elements::{sample, sweep_accuracy};
 use judder_contact::law::sweep::{
-    CollapseRequest, SolvedPoint, SweepEnd, SweepLevel, SweepObserver, SweepRange, SweepRequest,
+    CollapseRequest, SolvedLawPoint, SweepEnd, SweepLevel, SweepObserver, SweepRange, SweepRequest,
     collapse_sweep, sweep,
 };
 use judder_contact::law::{LawErrors, LawIndenter, LawOrigin};
@@ -51,21 +51,21 @@ pub struct ComputedLaw {
     /// What each refinement of the plane left.
     pub levels: Vec<SweepLevel>,
     /// The contacts that were solved.
-    pub points: Vec<SolvedPoint>,
+    pub points: Vec<SolvedLawPoint>,
 }
 
 /// Tells a sweep's progress, and where solved points are kept.
-struct Watch<'a> {
+struct SweepWatch<'a> {
     progress: &'a dyn Progress,
-    kept: &'a (dyn Fn(&SolvedPoint) + Sync),
+    kept: &'a (dyn Fn(&SolvedLawPoint) + Sync),
 }
 
-impl SweepObserver for Watch<'_> {
+impl SweepObserver for SweepWatch<'_> {
     fn begins(&self, points: usize) {
         self.progress.expect(points);
     }
 
-    fn finished(&self, point: &SolvedPoint, _done: usize, _planned: usize) {
+    fn finished(&self, point: &SolvedLawPoint, _done: usize, _planned: usize) {
         (self.kept)(point);
         self.progress.advance();
     }
@@ -76,14 +76,14 @@ impl SweepObserver for Watch<'_> {
 }
 
 /// Nothing is known, and nothing is kept.
-pub const NO_POINTS: Points<'static> = Points { known: &[], kept: &|_| () };
+pub const NO_POINTS: KnownPoints<'static> = KnownPoints { known: &[], kept: &|_| () };
 
 /// The points that are known already, and who is handed each new one.
-pub struct Points<'a> {
+pub struct KnownPoints<'a> {
     /// They are not solved again.
-    pub(crate) known: &'a [SolvedPoint],
+    pub(crate) known: &'a [SolvedLawPoint],
     /// Is handed each new one.
-    pub(crate) kept: &'a (dyn Fn(&SolvedPoint) + Sync),
+    pub(crate) kept: &'a (dyn Fn(&SolvedLawPoint) + Sync),
 }
 
 /// The laws that are remembered while the program runs: more than a case has, fewer than a slider passes in an hour.
@@ -98,7 +98,7 @@ const PAUSE: Duration = Duration::from_millis(5);
 /// [`ModelError::Interrupted`], [`ModelError::Law`].
 pub fn compute(
     task: &LawTask<'_>,
-    points: Points<'_>,
+    points: KnownPoints<'_>,
     progress: &dyn Progress,
 ) -> Result<ComputedLaw, ModelError> {
     static KNOWN: Mutex<Vec<(String, ComputedLaw)>> = Mutex::new(Vec::new());
@@ -133,7 +133,7 @@ fn taken<'a, T>(mutex: &'a Mutex<T>, progress: &dyn Progress) -> Result<MutexGua
 
 fn compute_anew(
     task: &LawTask<'_>,
-    points: Points<'_>,
+    points: KnownPoints<'_>,
     progress: &dyn Progress,
 ) -> Result<ComputedLaw, ModelError> {
     let material = task.material.of_law();
@@ -142,8 +142,8 @@ fn compute_anew(
     let solve = |velocity: f64, indentation: f64| {
         sample(&substrate, task.indenter, velocity, indentation, shares.contacts, task.memory)
     };
-    let Points { known, kept } = points;
-    let watch = Watch { progress, kept };
+    let KnownPoints { known, kept } = points;
+    let watch = SweepWatch { progress, kept };
     let source = format!("judder {}, boundary elements, steady sliding", env!("CARGO_PKG_VERSION"));
     let accuracy = shares.interpolation;
     let (law, end, levels, points) = match task.method {
@@ -228,7 +228,7 @@ impl From<LawError> for ModelError {
 pub fn of_paraboloid(
     material: &Material,
     accuracy: f64,
-    points: Points<'_>,
+    points: KnownPoints<'_>,
     progress: &dyn Progress,
 ) -> Result<ComputedLaw, ModelError> {
     let task = LawTask {

@@ -15,12 +15,12 @@ use thiserror::Error;
 #[derive(Debug, Clone)]
 pub struct EntryMatrix {
     pub(crate) name: &'static str,
-    rows: Vec<Vec<Entry>>,
+    rows: Vec<Vec<MatrixEntry>>,
 }
 
 /// An entry: a number, or an expression of parameters.
 #[derive(Debug, Clone)]
-pub(crate) struct Entry {
+pub(crate) struct MatrixEntry {
     matrix: &'static str,
     row: usize,
     column: usize,
@@ -42,7 +42,7 @@ impl EntryMatrix {
     /// A multiple of the identity.
     pub(crate) fn diagonal(name: &'static str, order: usize, value: f64) -> Self {
         let entry =
-            |row, column| Entry::constant(name, [row, column], if row == column { value } else { 0.0 });
+            |row, column| MatrixEntry::constant(name, [row, column], if row == column { value } else { 0.0 });
         Self {
             name,
             rows: (0..order).map(|row| (0..order).map(|column| entry(row, column)).collect()).collect(),
@@ -55,7 +55,7 @@ impl EntryMatrix {
     }
 
     /// The entries, row by row.
-    pub(crate) fn entries(&self) -> impl Iterator<Item = &Entry> {
+    pub(crate) fn entries(&self) -> impl Iterator<Item = &MatrixEntry> {
         self.rows.iter().flatten()
     }
 
@@ -79,7 +79,7 @@ impl EntryMatrix {
     }
 }
 
-impl Entry {
+impl MatrixEntry {
     fn constant(matrix: &'static str, [row, column]: [usize; 2], value: f64) -> Self {
         let (text, expression) = (value.to_string(), Expression::constant(value));
         Self { matrix, row, column, text, expression, parameters: Vec::new() }
@@ -221,7 +221,7 @@ impl Entries {
     pub(crate) fn mass(&self, scope: &Scope<'_>) -> Result<EntryMatrix, Fault> {
         let matrix = self.matrix("mass", scope)?;
         if !matrix.is_swept(scope) {
-            let row = |row: &Vec<Entry>| -> Result<Vec<f64>, Cause> {
+            let row = |row: &Vec<MatrixEntry>| -> Result<Vec<f64>, Cause> {
                 row.iter().map(|entry| entry.evaluate(scope.values)).collect()
             };
             let mass: Result<Vec<_>, _> = matrix.rows.iter().map(row).collect();
@@ -246,11 +246,12 @@ impl Entries {
         position: [usize; 2],
         node: &Node,
         scope: &Scope<'_>,
-    ) -> Result<Entry, Fault> {
+    ) -> Result<MatrixEntry, Fault> {
         let text = match &node.data {
             Data::Text(text) => text,
             Data::Number { .. } => {
-                return finite_number(&self.key, node).map(|value| Entry::constant(matrix, position, value));
+                return finite_number(&self.key, node)
+                    .map(|value| MatrixEntry::constant(matrix, position, value));
             }
             _ => return Err(wrong_type(&self.key, "a number or an expression in quotes", node)),
         };
@@ -260,7 +261,7 @@ impl Entries {
         let used = scope.names.iter().enumerate().filter(|(index, _)| expression.depends_on(*index));
         let parameters = used.map(|(index, name)| (index, name.clone())).collect();
         let [row, column] = position;
-        let entry = Entry { matrix, row, column, text: text.clone(), expression, parameters };
+        let entry = MatrixEntry { matrix, row, column, text: text.clone(), expression, parameters };
         if !entry.is_swept(scope) {
             entry.evaluate(scope.values).map_err(|cause| cause.at(node.part(0..text.len())))?;
         }

@@ -1,6 +1,6 @@
 //! From `[indenter]` to the surface that presses on the substrate.
 
-use crate::contact::shape::{GeneratedSurface, HeightFile, Shape};
+use crate::contact::shape::{GeneratedSurface, HeightFile, ShapeSettings};
 use crate::error::ModelError;
 use judder_contact::indenter::{HeightMap, IndenterShape as Surface, RoughSurface, Roughness};
 use judder_contact::law::LawIndenter;
@@ -12,12 +12,12 @@ use judder_study::input_file::{bytes, unusable};
 ///
 /// # Errors
 /// A height file that cannot be read, a rough surface that cannot be.
-pub(crate) fn profile(shape: &Shape, radius: f64) -> Result<Box<dyn Profile>, ModelError> {
+pub(crate) fn profile(shape: &ShapeSettings, radius: f64) -> Result<Box<dyn Profile>, ModelError> {
     Ok(Box::new(match shape {
-        Shape::Paraboloid => Surface::Paraboloid { radius: 1.0 },
-        Shape::Sphere => Surface::Sphere { radius: 1.0 },
-        Shape::Cylinder => Surface::Cylinder { radius: 1.0 },
-        Shape::Heights(_) | Shape::Rough(_) => Surface::HeightMap(height_map(shape, radius)?),
+        ShapeSettings::Paraboloid => Surface::Paraboloid { radius: 1.0 },
+        ShapeSettings::Sphere => Surface::Sphere { radius: 1.0 },
+        ShapeSettings::Cylinder => Surface::Cylinder { radius: 1.0 },
+        ShapeSettings::Heights(_) | ShapeSettings::Rough(_) => Surface::HeightMap(height_map(shape, radius)?),
     }))
 }
 
@@ -25,10 +25,10 @@ pub(crate) fn profile(shape: &Shape, radius: f64) -> Result<Box<dyn Profile>, Mo
 ///
 /// # Errors
 /// As [`profile`]; a shape without heights of its own.
-pub(crate) fn height_map(shape: &Shape, radius: f64) -> Result<HeightMap, ModelError> {
+pub(crate) fn height_map(shape: &ShapeSettings, radius: f64) -> Result<HeightMap, ModelError> {
     match shape {
-        Shape::Heights(heights) => from_file(heights, radius),
-        Shape::Rough(rough) => Ok(generated(rough, radius).generate()?),
+        ShapeSettings::Heights(heights) => from_file(heights, radius),
+        ShapeSettings::Rough(rough) => Ok(generated(rough, radius).generate()?),
         other => Err(ModelError::Unsupported(format!("the shape `{}` has no height map", other.name()))),
     }
 }
@@ -64,10 +64,10 @@ fn generated(rough: &GeneratedSurface, radius: f64) -> RoughSurface {
 ///
 /// # Errors
 /// A shape without a law.
-pub(crate) fn of_law(shape: &Shape) -> Result<LawIndenter, ModelError> {
+pub(crate) fn of_law(shape: &ShapeSettings) -> Result<LawIndenter, ModelError> {
     match shape {
-        Shape::Paraboloid => Ok(LawIndenter::Paraboloid),
-        Shape::Sphere => Ok(LawIndenter::Sphere),
+        ShapeSettings::Paraboloid => Ok(LawIndenter::Paraboloid),
+        ShapeSettings::Sphere => Ok(LawIndenter::Sphere),
         other => Err(ModelError::Unsupported(format!("there is no law for the shape `{}`", other.name()))),
     }
 }

@@ -9,7 +9,7 @@ use judder_keys::error::Fault;
 use judder_keys::problem::{Placed, Problem};
 use judder_keys::section::Section;
 use judder_study::case::key_sweep::{AnyNumber, VariedKey, of_one_dimension, shown, written};
-use judder_study::case::scale::{Scale, spaced};
+use judder_study::case::scale::{Spacing, spaced};
 use serde_json::{Value as Json, json};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -39,7 +39,7 @@ pub struct KeySweep {
     /// Their dimension.
     pub dimension: Dimension,
     /// How they are spaced, for the axis of figures.
-    pub scale: Scale,
+    pub scale: Spacing,
 }
 
 impl KeySweep {
@@ -159,7 +159,7 @@ fn of_list(path: &str, node: &Node, values: &[AnyNumber]) -> Result<KeySweep, Fa
     if !values.is_sorted_by(|a, b| a < b) && !values.is_sorted_by(|a, b| a > b) {
         return Err(StructureProblem::UnsortedValues.at(node.place));
     }
-    Ok(KeySweep { path: path.to_owned(), values, dimension, scale: Scale::Linear })
+    Ok(KeySweep { path: path.to_owned(), values, dimension, scale: Spacing::Linear })
 }
 
 fn of_range(varied: &VariedKey<SWEEP_LIMIT>, table: &Section<'_>) -> Result<KeySweep, Fault> {

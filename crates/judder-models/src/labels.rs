@@ -2,17 +2,17 @@
 
 use judder_keys::keys::Keys;
 use judder_keys::numeric_key::Form;
-use judder_study::labels::Quantity;
+use judder_study::labels::SweptQuantity;
 
 /// How a number that analyses vary is called when its values are of this form.
-pub(crate) fn key<K: Keys>(key: K, form: Form) -> Quantity {
+pub(crate) fn key<K: Keys>(key: K, form: Form) -> SweptQuantity {
     let entry = key.entry();
     let unit = match form {
         Form::Si if !entry.rule.dimension.is_number() => entry.rule.dimension.unit(),
         _ => "1".to_owned(),
     };
     let (words, symbol, shown) = (entry.label, entry.markup(form), if unit == "1" { "−" } else { &unit });
-    Quantity {
+    SweptQuantity {
         name: entry.name().to_owned(),
         label: format!("{words} ${symbol}$ ({shown})"),
         symbol: format!("${symbol}$"),
@@ -21,8 +21,8 @@ pub(crate) fn key<K: Keys>(key: K, form: Form) -> Quantity {
 }
 
 /// How a parameter of a two-degrees case is called.
-pub(crate) fn parameter(name: &str) -> Quantity {
-    Quantity {
+pub(crate) fn parameter(name: &str) -> SweptQuantity {
+    SweptQuantity {
         name: name.to_owned(),
         label: format!("Parameter {name}"),
         symbol: name.to_owned(),

@@ -6,8 +6,8 @@ use crate::known_substrate::KnownSubstrate;
 use crate::material::Material;
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::keys::OscillatorKey;
-use crate::oscillator::point::{self, Point};
-use judder_contact::{ContactLaw, ContactPoint};
+use crate::oscillator::point::{self, AnalysedPoint};
+use judder_contact::{ContactLaw, LawPoint};
 use judder_oscillator::Contact;
 use judder_study::Progress;
 use judder_study::input_file::KnownFile;
@@ -33,7 +33,7 @@ impl ReadyCase {
     ///
     /// # Errors
     /// A group out of range, no (or more than one) equilibrium.
-    pub fn point(&self) -> Result<Point, ModelError> {
+    pub fn point(&self) -> Result<AnalysedPoint, ModelError> {
         let point = point::analyse(&self.contact.contact, bridge::groups(&self.case.inputs))?;
         Ok(point.in_contact(&self.case.inputs, &self.contact, &self.substrate))
     }
@@ -41,10 +41,10 @@ impl ReadyCase {
 
 /// Materials and laws of the cases that were asked for last; for many threads.
 #[derive(Debug, Default)]
-pub struct LawCache(Mutex<Vec<Entry>>);
+pub struct LawCache(Mutex<Vec<CachedLaw>>);
 
 #[derive(Debug, Clone)]
-struct Entry {
+struct CachedLaw {
     key: String,
     /// The files that were read, as they were then.
     files: Vec<KnownFile>,
@@ -72,7 +72,7 @@ impl LawCache {
         let entry = match found {
             Some(entry) => entry,
             None => {
-                let entry = Entry::new(key, case, progress)?;
+                let entry = CachedLaw::new(key, case, progress)?;
                 self.keep(entry.clone());
                 entry
             }
@@ -86,7 +86,7 @@ impl LawCache {
         self.find(&key(case)).is_some()
     }
 
-    fn find(&self, key: &str) -> Option<Entry> {
+    fn find(&self, key: &str) -> Option<CachedLaw> {
         let mut entries = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let place = entries.iter().position(|entry| entry.key == key)?;
         // the last is the one that was asked for last
@@ -94,7 +94,7 @@ impl LawCache {
         entries.last().cloned()
     }
 
-    fn keep(&self, entry: Entry) {
+    fn keep(&self, entry: CachedLaw) {
         let mut entries = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         entries.retain(|other| other.key != entry.key);
         if entries.len() == ENTRIES {
@@ -104,7 +104,7 @@ impl LawCache {
     }
 }
 
-impl Entry {
+impl CachedLaw {
     fn new(key: String, case: &OscillatorCase, progress: &dyn Progress) -> Result<Self, ModelError> {
         // looked at before they are read: a change in between is seen next time
         let files =
@@ -158,7 +158,7 @@ pub fn law_surface(contact: &Contact, velocities: &[f64], indentations: &[f64]) 
         if !(can_be(velocity) && can_be(indentation)) {
             return [f64::NAN; 3];
         }
-        let response = contact.law.evaluate(&ContactPoint::new(velocity, indentation));
+        let response = contact.law.evaluate(&LawPoint::new(velocity, indentation));
         [response.force.value, response.area.value, response.friction.value]
     };
     let row = |y: &f64| velocities.iter().map(|v| at(*y, *v)).collect::<Vec<_>>();

@@ -1,6 +1,8 @@
 //! Reading of sweeps, families, root ranges and maps from the tables of an analysis.
 
-use crate::sweep::{Family, MAP_BYTES_LIMIT, MAP_BYTES_PER_POINT, MapOptions, StabilityMap, Sweep, Within};
+use crate::sweep::{
+    Family, MAP_BYTES_LIMIT, MAP_BYTES_PER_POINT, MapOptions, StabilityMapAnalysis, Sweep, Within,
+};
 use crate::swept_keys::SweptKeys;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Declaration, Scaled, Setting, Settings, Whole, all, both};
@@ -9,12 +11,12 @@ use judder_keys::error::{Fault, Place};
 use judder_keys::keys::Key;
 use judder_keys::numeric_key::{Form, Range, Value};
 use judder_keys::section::{Section, list, text, wrong_type};
-use judder_study::case::scale::Scale;
+use judder_study::case::scale::Spacing;
 use serde_json::{Map, Value as Json, json};
 
 /// A key of an analysis under which a key of the case goes over a range.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Axis {
+pub(crate) struct AxisKey {
     pub(crate) name: &'static str,
     doc: &'static str,
     /// The points where it does not say.
@@ -24,11 +26,12 @@ pub(crate) struct Axis {
 }
 
 /// What most analyses vary.
-pub(crate) const SWEEP: Axis = Axis { name: "sweep", doc: "one key over a range", usual: None, instead: &[] };
+pub(crate) const SWEEP: AxisKey =
+    AxisKey { name: "sweep", doc: "one key over a range", usual: None, instead: &[] };
 /// The abscissa of a map.
-const X: Axis = Axis { name: "x", doc: "the key along the abscissa, over a range", ..SWEEP };
+const X: AxisKey = AxisKey { name: "x", doc: "the key along the abscissa, over a range", ..SWEEP };
 /// The ordinate of a map.
-const Y: Axis = Axis { name: "y", doc: "the key along the ordinate, over a range", ..SWEEP };
+const Y: AxisKey = AxisKey { name: "y", doc: "the key along the ordinate, over a range", ..SWEEP };
 
 /// A key that must be given.
 pub(crate) fn required(name: &'static str, doc: &'static str, form: Allowed) -> Declaration {
@@ -40,7 +43,7 @@ fn names(keys: &[Declaration]) -> Vec<&'static str> {
     keys.iter().map(|key| key.name).collect()
 }
 
-impl Axis {
+impl AxisKey {
     /// This one, of so many points where it does not say.
     pub(crate) const fn of_points(self, usual: usize) -> Self {
         Self { usual: Some(usual), ..self }
@@ -65,9 +68,9 @@ impl Axis {
                 ..required("points", "number of points, both ends included", points)
             },
             Declaration {
-                default: Some(json!(Scale::Linear.name())),
+                default: Some(json!(Spacing::Linear.name())),
                 is_required: false,
-                ..required("scale", "spacing of the points", <Scale as Setting>::form(&()))
+                ..required("scale", "spacing of the points", <Spacing as Setting>::form(&()))
             },
         ]
     }
@@ -134,7 +137,7 @@ pub(crate) struct PlacedFamily<K> {
     pub(crate) whole: Place,
 }
 
-impl Axis {
+impl AxisKey {
     /// Reads it where the analysis varies nothing else, and checks its ends.
     pub(crate) fn read_alone<S: SweptKeys>(
         &self,
@@ -156,8 +159,8 @@ impl Axis {
         let expected = || format!("{name} = {{ key = …, from = …, to = …, points = … }}");
         let section = analysis.inner(name)?.ok_or_else(|| analysis.missing(name, &expected()))?;
         let strangers = section.refuse_others(&[names(&self.keys::<S>()), self.instead.to_vec()].concat());
-        let scale = section.choice("scale", "scale", &Scale::ALL);
-        let scale = scale.map(|scale| scale.unwrap_or(Scale::Linear));
+        let scale = section.choice("scale", "scale", &Spacing::ALL);
+        let scale = scale.map(|scale| scale.unwrap_or(Spacing::Linear));
         let varied = read_varied(keys, &section);
         let given = both(varied, both(scale, self.read_points(&section)));
         let ((), ((varied, [from, to]), (scale, points))) = both(strangers, given)?;
@@ -166,7 +169,7 @@ impl Axis {
         if from == to {
             return Err(Cause::EmptyRange { from }.at(section.place));
         }
-        if scale == Scale::Log && (from == 0.0 || to == 0.0 || (from < 0.0) != (to < 0.0)) {
+        if scale == Spacing::Log && (from == 0.0 || to == 0.0 || (from < 0.0) != (to < 0.0)) {
             return Err(Cause::LogThroughZero { from, to }.at(section.place));
         }
         let (key, key_place) = varied;
@@ -308,7 +311,7 @@ pub(crate) fn map_declarations<S: SweptKeys>() -> Vec<Declaration> {
 }
 
 /// Puts a stability map into a canonical form.
-pub(crate) fn write_map<S: SweptKeys>(map: &StabilityMap<S::Key>, json: &mut Map<String, Json>) {
+pub(crate) fn write_map<S: SweptKeys>(map: &StabilityMapAnalysis<S::Key>, json: &mut Map<String, Json>) {
     X.write::<S>(&map.x, json);
     Y.write::<S>(&map.y, json);
     map.options.write_table(json);
@@ -318,7 +321,7 @@ pub(crate) fn write_map<S: SweptKeys>(map: &StabilityMap<S::Key>, json: &mut Map
 pub(crate) fn read_map<S: SweptKeys>(
     keys: &S,
     analysis: &Section<'_>,
-) -> Result<StabilityMap<S::Key>, Fault> {
+) -> Result<StabilityMapAnalysis<S::Key>, Fault> {
     let axes = both(X.read(keys, analysis), Y.read(keys, analysis));
     let ((x, y), options) = both(axes, MapOptions::read_table(analysis))?;
     if keys.same(x.sweep.key, y.sweep.key) {
@@ -330,7 +333,7 @@ pub(crate) fn read_map<S: SweptKeys>(
             keys.check(&[(x.sweep.key, x_end), (y.sweep.key, y_end)]).map_err(|cause| cause.at(y.whole))?;
         }
     }
-    Ok(StabilityMap { x: x.sweep, y: y.sweep, options, global_margin: false })
+    Ok(StabilityMapAnalysis { x: x.sweep, y: y.sweep, options, global_margin: false })
 }
 
 fn read_key<S: SweptKeys>(keys: &S, section: &Section<'_>) -> Result<(S::Key, Place), Fault> {

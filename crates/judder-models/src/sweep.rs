@@ -5,7 +5,7 @@ use crate::oscillator::keys::OscillatorKey;
 use judder_keys::Settings;
 use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::map::DecisionMethod;
-use judder_study::case::scale::{Scale, spaced};
+use judder_study::case::scale::{Spacing, spaced};
 
 /// What the book's reference says of them.
 pub(crate) const REFERENCE: &str = include_str!("sweep/reference.md");
@@ -24,7 +24,7 @@ pub struct Sweep<K> {
     /// The number of points, at least 2.
     pub points: usize,
     /// The spacing; with [`Scale::Log`] both ends have one sign.
-    pub scale: Scale,
+    pub scale: Spacing,
     /// Whether the values are groups or in SI units.
     pub form: Form,
 }
@@ -101,7 +101,7 @@ pub struct Within {
 
 /// A stability map over two keys.
 #[derive(Debug, Clone, PartialEq)]
-pub struct StabilityMap<K> {
+pub struct StabilityMapAnalysis<K> {
     /// The key along the abscissa.
     pub x: Sweep<K>,
     /// The key along the ordinate; another one than that of `x`.
@@ -134,23 +134,23 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn sweep(from: f64, to: f64, points: usize, scale: Scale) -> Sweep<ParameterKey> {
+    fn sweep(from: f64, to: f64, points: usize, scale: Spacing) -> Sweep<ParameterKey> {
         Sweep { key: ParameterKey(0), path: "p".to_owned(), from, to, points, scale, form: Form::Group }
     }
 
     #[test]
     fn decades_come_out_as_written() {
-        let values = sweep(1e-8, 1e2, 11, Scale::Log).values();
+        let values = sweep(1e-8, 1e2, 11, Spacing::Log).values();
         assert_eq!(values, [1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0, 10.0, 100.0]);
-        assert_eq!(sweep(-1.0, -100.0, 3, Scale::Log).values(), [-1.0, -10.0, -100.0]);
-        assert_eq!(sweep(-f64::MAX, f64::MAX, 3, Scale::Linear).values()[1], 0.0);
-        assert_eq!(sweep(1.0, 0.0, 5, Scale::Linear).values(), [1.0, 0.75, 0.5, 0.25, 0.0]);
+        assert_eq!(sweep(-1.0, -100.0, 3, Spacing::Log).values(), [-1.0, -10.0, -100.0]);
+        assert_eq!(sweep(-f64::MAX, f64::MAX, 3, Spacing::Linear).values()[1], 0.0);
+        assert_eq!(sweep(1.0, 0.0, 5, Spacing::Linear).values(), [1.0, 0.75, 0.5, 0.25, 0.0]);
     }
 
     proptest! {
         #[test]
         fn points_lie_between_the_ends_in_order(from in 1e-9..1e9_f64, ratio in 1.001..1e9_f64, points in 2..60_usize, log: bool) {
-            let scale = if log { Scale::Log } else { Scale::Linear };
+            let scale = if log { Spacing::Log } else { Spacing::Linear };
             let values = sweep(from, from * ratio, points, scale).values();
             prop_assert_eq!((values[0], values[points - 1], values.len()), (from, from * ratio, points));
             prop_assert!(values.windows(2).all(|pair| pair[0] <= pair[1]));

@@ -127,7 +127,7 @@ pub fn sobol_indices(
     if rows.len() < LEAST_ROWS {
         return Err(SensitivityError::TooFewRows { rows: rows.len(), left_out });
     }
-    let rows = Rows::new(&rows);
+    let rows = ScaledRows::new(&rows);
     let estimate = rows.estimate(0..rows.count);
     let mean = rows.middle + rows.scale * estimate.mean;
     let deviation = rows.scale * estimate.variance.sqrt();
@@ -140,7 +140,7 @@ pub fn sobol_indices(
 }
 
 /// Values of finite rows, moved and scaled to magnitude 1, so that squares neither overflow nor vanish.
-struct Rows {
+struct ScaledRows {
     values: Vec<f64>,
     inputs: usize,
     count: usize,
@@ -156,7 +156,7 @@ struct SelectionEstimate {
     variance: f64,
 }
 
-impl Rows {
+impl ScaledRows {
     fn new(rows: &[&[f64]]) -> Self {
         let values = || rows.iter().flat_map(|row| row.iter().copied());
         let (low, high) = values()

@@ -12,7 +12,7 @@ use crate::linear_system::ReducedSystem;
 use crate::linearisation::Linearisation;
 use crate::mechanism::StabilityClass;
 use crate::{Contact, FrictionLoad};
-use judder_contact::{ContactLaw, ContactPoint, Law};
+use judder_contact::{ContactLaw, Law, LawPoint};
 use multiversion::multiversion;
 
 /// Points in a block: enough for every vector width, few enough to stay in the nearest cache.
@@ -125,7 +125,7 @@ impl Default for PointBlock {
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2", "aarch64+neon"))]
 fn take_logarithms(block: &mut PointBlock) {
     for lane in 0..LANES {
-        let at = ContactPoint::new(block.coefficients.velocity[lane], 1.0);
+        let at = LawPoint::new(block.coefficients.velocity[lane], 1.0);
         block.coefficients.velocity[lane] = at.velocity;
         block.ln_velocity[lane] = at.ln_velocity;
     }
@@ -136,8 +136,7 @@ fn take_logarithms(block: &mut PointBlock) {
 fn iterate<L: ContactLaw>(law: &L, load: FrictionLoad, block: &mut PointBlock) {
     for lane in 0..LANES {
         let c = block.coefficients.get(lane);
-        let at =
-            ContactPoint::at_ln_indentation(c.velocity, block.ln_velocity[lane], block.ln_indentation[lane]);
+        let at = LawPoint::at_ln_indentation(c.velocity, block.ln_velocity[lane], block.ln_indentation[lane]);
         let response = law.evaluate(&at);
         let step = ForceBalance::new(load, &c, &at, &response).newton_step();
         block.step[lane] = step;
@@ -174,7 +173,7 @@ fn linearise<L: ContactLaw>(
     lane: usize,
 ) -> (ForceBalance, ReducedSystem) {
     let c = block.coefficients.get(lane);
-    let at = ContactPoint::at_ln_indentation(c.velocity, block.ln_velocity[lane], block.ln_indentation[lane]);
+    let at = LawPoint::at_ln_indentation(c.velocity, block.ln_velocity[lane], block.ln_indentation[lane]);
     let response = law.evaluate(&at);
     let linearisation = Linearisation::new(load, &c, &response);
     let system = ReducedSystem { damping: linearisation.damping(), stiffness: linearisation.stiffness() };

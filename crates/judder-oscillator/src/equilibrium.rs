@@ -11,7 +11,7 @@ use crate::error::OscillatorError;
 use crate::friction::friction_force;
 use crate::groups::Coefficients;
 use crate::{Contact, FrictionLoad};
-use judder_contact::{ContactLaw, ContactPoint, ContactResponse};
+use judder_contact::{ContactLaw, ContactResponse, LawPoint};
 use judder_numerics::elementary::ln;
 use judder_numerics::root::all_roots;
 
@@ -46,7 +46,7 @@ impl ForceBalance {
     pub(crate) fn new(
         load: FrictionLoad,
         c: &Coefficients,
-        at: &ContactPoint,
+        at: &LawPoint,
         response: &ContactResponse,
     ) -> Self {
         let friction = friction_force(load, c, response);
@@ -83,8 +83,8 @@ pub fn equilibrium(contact: &Contact, c: &Coefficients) -> Result<Equilibrium, O
 /// Everything about the equilibrium whose ln ŷ is known.
 #[must_use]
 pub fn equilibrium_at(contact: &Contact, c: &Coefficients, ln_indentation: f64) -> Equilibrium {
-    let start = ContactPoint::new(c.velocity, 1.0);
-    let at = ContactPoint::at_ln_indentation(start.velocity, start.ln_velocity, ln_indentation);
+    let start = LawPoint::new(c.velocity, 1.0);
+    let at = LawPoint::at_ln_indentation(start.velocity, start.ln_velocity, ln_indentation);
     let response = contact.law.evaluate(&at);
     let friction = friction_force(contact.friction_load, c, &response).value / c.normal_load;
     let y = c.radius() * at.indentation;
@@ -101,12 +101,12 @@ pub fn equilibrium_at(contact: &Contact, c: &Coefficients, ln_indentation: f64) 
 struct Imbalance<'a> {
     contact: &'a Contact,
     coefficients: &'a Coefficients,
-    start: ContactPoint,
+    start: LawPoint,
 }
 
 impl Imbalance<'_> {
     fn at(&self, ln_indentation: f64) -> ForceBalance {
-        let at = ContactPoint::at_ln_indentation(self.start.velocity, self.start.ln_velocity, ln_indentation);
+        let at = LawPoint::at_ln_indentation(self.start.velocity, self.start.ln_velocity, ln_indentation);
         let response = self.contact.law.evaluate(&at);
         ForceBalance::new(self.contact.friction_load, self.coefficients, &at, &response)
     }
@@ -114,7 +114,7 @@ impl Imbalance<'_> {
 
 /// ln ŷ_e, from a bracket and Newton steps kept inside it.
 pub(crate) fn ln_indentation(contact: &Contact, c: &Coefficients) -> Result<f64, OscillatorError> {
-    let imbalance = Imbalance { contact, coefficients: c, start: ContactPoint::new(c.velocity, 1.0) };
+    let imbalance = Imbalance { contact, coefficients: c, start: LawPoint::new(c.velocity, 1.0) };
     let (lower, upper) = if c.k12 < 0.0 { only_sign_change(&imbalance)? } else { bracket(&imbalance)? };
     root_in_bracket(&imbalance, lower, upper)
 }

@@ -14,14 +14,14 @@ use num_complex::Complex64;
 
 /// What each matrix entry adds to the growth rate of a mode; all entries together sum to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GrowthShares {
+pub struct EntryShares {
     /// By the entries of C.
     pub damping: [[f64; 2]; 2],
     /// By the entries of K.
     pub stiffness: [[f64; 2]; 2],
 }
 
-impl GrowthShares {
+impl EntryShares {
     /// The sum of all shares: the growth rate σ of the mode.
     #[must_use]
     pub fn sum(&self) -> f64 {
@@ -50,19 +50,19 @@ fn form(a: &[[f64; 2]; 2], u: &[Complex64; 2], v: &[Complex64; 2]) -> Complex64 
 
 /// The shares of the growth rate (see the module's text for the equation).
 #[must_use]
-pub fn growth_shares(system: &LinearSystem, mode: &EigenMode) -> GrowthShares {
+pub fn growth_shares(system: &LinearSystem, mode: &EigenMode) -> EntryShares {
     let EigenMode { eigenvalue, right: x, .. } = mode;
     let conjugate = [x[0].conj(), x[1].conj()];
     let mass = form(&system.mass, &conjugate, x).re;
     let weight = |i: usize, j: usize| conjugate[i] * x[j];
     if eigenvalue.im == 0.0 {
-        return GrowthShares {
+        return EntryShares {
             damping: entries(|i, j| -system.damping[i][j] * weight(i, j).re / mass),
             stiffness: entries(|i, j| -system.stiffness[i][j] * weight(i, j).re / (mass * eigenvalue.re)),
         };
     }
     let scale = -1.0 / (2.0 * eigenvalue.im * mass);
-    GrowthShares {
+    EntryShares {
         damping: entries(|i, j| scale * system.damping[i][j] * (eigenvalue * weight(i, j)).im),
         stiffness: entries(|i, j| scale * system.stiffness[i][j] * weight(i, j).im),
     }

@@ -3,7 +3,7 @@
 use crate::Contact;
 use crate::friction::friction_force;
 use crate::groups::Coefficients;
-use judder_contact::{ContactLaw, ContactPoint, ContactResponse, WithDerivatives};
+use judder_contact::{ContactLaw, ContactResponse, LawPoint, WithDerivatives};
 
 /// A sphere that slides on a substrate.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,7 +52,7 @@ impl SlidingSphere {
     /// What the law gives at a depth in m and a sliding speed in m/s.
     #[must_use]
     pub fn response(&self, depth: f64, speed: f64) -> ContactResponse {
-        self.contact.law.evaluate(&ContactPoint::new(self.velocity(speed), depth / self.radius))
+        self.contact.law.evaluate(&LawPoint::new(self.velocity(speed), depth / self.radius))
     }
 
     /// F_k = E0* R² F̃_k and |F_μ| = E0* R² |F̃_μ| at a depth in m and a sliding speed in m/s, with all four slopes; nothing in the air.

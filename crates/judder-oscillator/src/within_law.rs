@@ -15,7 +15,7 @@ use crate::groups::Coefficients;
 use crate::linear_system::ReducedSystem;
 use crate::linearisation::Linearisation;
 use crate::spectrum::{eigenvalues, growth_rate};
-use judder_contact::{ContactLaw, ContactPoint, ContactResponse, WithDerivatives};
+use judder_contact::{ContactLaw, ContactResponse, LawPoint, WithDerivatives};
 
 /// The largest error of ln ŷ_e for which first order is enough.
 const FARTHEST: f64 = 0.5;
@@ -44,7 +44,7 @@ impl WithinLaw {
     /// About an equilibrium; `None` where the errors of the law are not known, or move the depth too far for first order.
     #[must_use]
     pub fn new(contact: &Contact, c: &Coefficients, state: &Equilibrium) -> Option<Self> {
-        let at = ContactPoint::new(c.velocity, state.indentation);
+        let at = LawPoint::new(c.velocity, state.indentation);
         let doubt = contact.law.doubt(&at)?;
         let linearisation = Linearisation::new(contact.friction_load, c, &state.response);
         let off = |response: &ContactResponse| {
@@ -70,7 +70,7 @@ impl WithinLaw {
                 return None;
             }
             let [up, down] = [deeper, -deeper].map(|by| {
-                let at = ContactPoint::at_ln_indentation(at.velocity, at.ln_velocity, at.ln_indentation + by);
+                let at = LawPoint::at_ln_indentation(at.velocity, at.ln_velocity, at.ln_indentation + by);
                 off(&contact.law.evaluate(&at))
             });
             errors = errors.plus(&up.larger(&down));

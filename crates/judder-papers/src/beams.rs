@@ -9,7 +9,7 @@ mod passage;
 
 use crate::Reproduction;
 use crate::summary::KEY;
-use found::Found;
+use found::StoredResults;
 use judder_models::template::template;
 use judder_study::Progress;
 use judder_study::StudyError;
@@ -37,7 +37,7 @@ pub fn beams_paper(folder: &Path, quick: bool, progress: &dyn Progress) -> Resul
     let file = case(quick, &growth(quick, folder, progress)?)?;
     let Computed { store, mut summary, complete, .. } =
         run::compute(&file, folder, &RunOptions::default(), progress)?;
-    let scoreboard = claims::lines(&Found::stored(&store, &summary)?);
+    let scoreboard = claims::lines(&StoredResults::stored(&store, &summary)?);
     summary.extra.insert(KEY.to_owned(), json!({ "paper": PAPER, "quick": quick, "scoreboard": scoreboard }));
     store.write_summary(&summary)?;
     let report = page::write(&store, &summary)?;
@@ -51,7 +51,7 @@ fn growth(quick: bool, folder: &Path, progress: &dyn Progress) -> Result<String,
     let loci =
         run::compute(&case(quick, "")?, folder, &RunOptions { only, ..RunOptions::default() }, progress)?;
     let of = |(locus, method): &(&str, &str)| {
-        held::analyses(method, Found::zones_of(&loci.summary.results, locus, "unstable"))
+        held::analyses(method, StoredResults::zones_of(&loci.summary.results, locus, "unstable"))
     };
     Ok(LOCI.iter().map(of).collect())
 }
@@ -73,7 +73,7 @@ mod tests {
 
     #[test]
     fn the_case_of_the_reproduction_is_sound() {
-        let zone = passage::Zone {
+        let zone = passage::PassedZone {
             from: 0.09,
             to: 0.0916,
             peak: 0.090_974_268_032_561_92,
@@ -104,7 +104,7 @@ mod tests {
             run::compute(&file, folder.path(), &RunOptions { only, ..RunOptions::default() }, &Silent)
                 .unwrap();
         assert!(computed.complete && computed.skipped == ["locus", "locus-deformed"]);
-        let found = Found::stored(&computed.store, &computed.summary).unwrap();
+        let found = StoredResults::stored(&computed.store, &computed.summary).unwrap();
         for (_, method) in LOCI {
             let growths = found.growths(method);
             assert_eq!(growths.len(), 4, "{method}");

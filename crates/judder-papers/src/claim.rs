@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// What kind of line a claim is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum ClaimKind {
     /// It agrees where we find what the paper says.
     Statement,
     /// The print is wrong and the right value known; the measurement shows the right value.
@@ -13,10 +13,10 @@ pub(crate) enum Kind {
 }
 
 /// A claim of the paper, and what it is measured on.
-pub(crate) struct Claim<T> {
+pub(crate) struct MeasuredClaim<T> {
     pub(crate) place: &'static str,
     pub(crate) says: &'static str,
-    pub(crate) kind: Kind,
+    pub(crate) kind: ClaimKind,
     pub(crate) measure: fn(&T) -> Measured,
     pub(crate) why: &'static str,
 }
@@ -55,8 +55,8 @@ pub(crate) const fn statement<T>(
     says: &'static str,
     measure: fn(&T) -> Measured,
     why: &'static str,
-) -> Claim<T> {
-    Claim { place, says, kind: Kind::Statement, measure, why }
+) -> MeasuredClaim<T> {
+    MeasuredClaim { place, says, kind: ClaimKind::Statement, measure, why }
 }
 
 pub(crate) const fn misprint<T>(
@@ -64,8 +64,8 @@ pub(crate) const fn misprint<T>(
     says: &'static str,
     measure: fn(&T) -> Measured,
     why: &'static str,
-) -> Claim<T> {
-    Claim { place, says, kind: Kind::Misprint, measure, why }
+) -> MeasuredClaim<T> {
+    MeasuredClaim { place, says, kind: ClaimKind::Misprint, measure, why }
 }
 
 pub(crate) fn measured(ours: impl Into<String>, holds: bool) -> Measured {

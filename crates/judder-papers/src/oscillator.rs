@@ -17,7 +17,7 @@ use crate::Reproduction;
 use crate::summary::KEY;
 use claims::motion::Motions;
 use evidence::Evidence;
-use exhibits::{CONTACT_CASES, EXHIBITS, LAW_FILE, Source};
+use exhibits::{CONTACT_CASES, EXHIBITS, LAW_FILE, PanelSource};
 use judder_keys::file_reference::FileReference;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::law_name::LawName;
@@ -26,7 +26,7 @@ use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::analyses;
 use judder_study::case::file::CaseFile;
-use judder_study::kept::Kept;
+use judder_study::kept::KeptLines;
 use judder_study::ledger::Study;
 use judder_study::model::{Case, Prepared, Task};
 use judder_study::outcome::Outcome;
@@ -103,7 +103,7 @@ fn run_all(
         let began = Instant::now();
         let known = points().clone();
         let keep = |line: &str| points().push(line.to_owned());
-        let kept = Kept { lines: &known, keep: &keep, place: None };
+        let kept = KeptLines { lines: &known, keep: &keep, place: None };
         let outcome = file
             .case
             .run(*analysis, Task { shared: kept, own: kept, ..Task::alone(&Prepared::NOTHING, progress) })
@@ -148,7 +148,7 @@ fn run_side_by_side(
 }
 
 /// The name of a panel's analysis with a reading.
-fn analysis_name(source: &Source, reading: &Reading) -> String {
+fn analysis_name(source: &PanelSource, reading: &Reading) -> String {
     format!("{}-{}", source.name, reading.slug)
 }
 
@@ -202,7 +202,7 @@ fn motions(store: &StudyFolder, summary: &Summary) -> Result<Vec<Option<Motions>
     WAYS.iter().map(|way| Motions::stored(store, summary, way)).collect()
 }
 
-fn oscillator_case(source: &Source, reading: &Reading) -> Result<CaseFile, StudyError> {
+fn oscillator_case(source: &PanelSource, reading: &Reading) -> Result<CaseFile, StudyError> {
     let mut overrides = vec![
         format!("contact.law={}", reading.law.key()),
         format!("contact.friction_load={}", reading.friction_load),

@@ -1,6 +1,6 @@
 //! The models, and one more analysis of a case.
 
-use crate::cases::Source;
+use crate::cases::CaseSource;
 use crate::errors;
 use crate::signatures::{Callable, classes};
 use crate::watched::{Manner, watched};
@@ -22,10 +22,10 @@ pub(crate) fn declared_models() -> String {
 }
 
 /// A case, the model that it must be of, and what is changed in it.
-type Given = (Source, String, Vec<String>);
+type GivenCase = (CaseSource, String, Vec<String>);
 
 /// The case, where it is of the model.
-fn read(given: &Given) -> Result<CaseFile, StudyError> {
+fn read(given: &GivenCase) -> Result<CaseFile, StudyError> {
     let (case, model, overrides) = given;
     let file = case.parse(overrides)?;
     if file.case.model() == model {
@@ -37,7 +37,7 @@ fn read(given: &Given) -> Result<CaseFile, StudyError> {
 
 /// The text of a case that runs wherever it lies.
 #[pyfunction]
-pub(crate) fn text_of_case(py: Python<'_>, case: Given) -> PyResult<String> {
+pub(crate) fn text_of_case(py: Python<'_>, case: GivenCase) -> PyResult<String> {
     let done = watched(py, &Manner::default(), |_| Ok(anywhere(&read(&case)?)?.source.text))?;
     done.settled(|error| errors::study(&error))
 }
@@ -49,7 +49,7 @@ pub(crate) fn text_of_case(py: Python<'_>, case: Given) -> PyResult<String> {
 #[pyo3(signature = (case, kind, keys, *, folder, threads, progress))]
 pub(crate) fn computed_analysis(
     py: Python<'_>,
-    case: Given,
+    case: GivenCase,
     kind: &str,
     keys: &str,
     folder: PathBuf,

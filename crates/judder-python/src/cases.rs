@@ -23,12 +23,12 @@ const STAND_IN: &str = "contact.law=hertz";
 
 /// A case: its text with a name, or the path of its file.
 #[derive(FromPyObject)]
-pub(crate) enum Source {
+pub(crate) enum CaseSource {
     Text(String, String),
     File(PathBuf),
 }
 
-impl Source {
+impl CaseSource {
     pub(crate) fn parse(&self, overrides: &[String]) -> Result<CaseFile, CaseError> {
         match self {
             Self::Text(name, text) => judder_models::parse(name, text, overrides),
@@ -44,7 +44,7 @@ impl Source {
 
 /// What `judder check --json` prints, as a text.
 #[pyfunction]
-pub(crate) fn checked_case(py: Python<'_>, case: Source, overrides: Vec<String>) -> PyResult<String> {
+pub(crate) fn checked_case(py: Python<'_>, case: CaseSource, overrides: Vec<String>) -> PyResult<String> {
     let file = case.read(&overrides)?;
     let done = watched(py, &Manner::default(), |_| resolve(&file))?;
     Ok(done.settled(|error| errors::study(&error))?.json().to_string())
@@ -56,7 +56,7 @@ pub(crate) fn checked_case(py: Python<'_>, case: Source, overrides: Vec<String>)
 #[allow(clippy::too_many_arguments, reason = "the arguments of `judder.run`")]
 pub(crate) fn run_case<'py>(
     py: Python<'py>,
-    case: Source,
+    case: CaseSource,
     output: Option<PathBuf>,
     only: Vec<String>,
     overrides: Vec<String>,
@@ -103,7 +103,7 @@ pub(crate) fn folder_of(
 /// A case with a law in the place of its own, as a file of a folder that is no study; gives back the content of the file, too.
 pub(crate) fn with_law_in(
     folder: &Path,
-    case: &Source,
+    case: &CaseSource,
     overrides: Vec<String>,
     law: &PyLaw,
 ) -> PyResult<(CaseFile, String)> {
@@ -114,7 +114,7 @@ pub(crate) fn with_law_in(
 }
 
 /// The file of a law that a case can take.
-fn lawful(case: &Source, overrides: &[String], law: &PyLaw) -> PyResult<String> {
+fn lawful(case: &CaseSource, overrides: &[String], law: &PyLaw) -> PyResult<String> {
     match case.parse(overrides) {
         Ok(CaseFile { case, .. }) if case.of::<OscillatorCase>().is_some() => {}
         Ok(CaseFile { case, .. }) => {
@@ -133,7 +133,7 @@ fn lawful(case: &Source, overrides: &[String], law: &PyLaw) -> PyResult<String> 
 }
 
 /// A case with the law in a file; wherever that lies, the case calls it by the same name.
-fn with_law_file(case: &Source, mut overrides: Vec<String>, path: &Path) -> PyResult<CaseFile> {
+fn with_law_file(case: &CaseSource, mut overrides: Vec<String>, path: &Path) -> PyResult<CaseFile> {
     let of_file = |path: &str| format!("contact.law={{ file = {} }}", serde_json::Value::from(path));
     let path = std::path::absolute(path).map_err(errors::system)?;
     overrides.push(of_file(&path.to_string_lossy()));

@@ -2,7 +2,7 @@
 
 mod fields;
 
-use fields::Fields;
+use fields::ErrorFields;
 use judder_contact::LawError;
 use judder_contact::steady::SteadyError;
 use judder_keys::cause::Cause;
@@ -52,7 +52,7 @@ fn exception(
 }
 
 /// An exception of this class with the fields that its error tells.
-fn told<E: Display + Debug + Fields>(class: &str, error: &E) -> PyErr {
+fn told<E: Display + Debug + ErrorFields>(class: &str, error: &E) -> PyErr {
     exception(class, error.to_string(), &variant(error), |dict| error.put(dict))
 }
 

@@ -2,7 +2,7 @@
 
 mod work;
 
-use crate::cases::{Source, folder_of, with_law_in};
+use crate::cases::{CaseSource, folder_of, with_law_in};
 use crate::contact::PyLaw;
 use crate::errors;
 use crate::pool;
@@ -41,7 +41,7 @@ impl PySweep {
     #[pyo3(signature = (case, overrides, *, threads = None, law = None))]
     fn all(
         py: Python<'_>,
-        case: Source,
+        case: CaseSource,
         overrides: Vec<String>,
         threads: Option<usize>,
         law: Option<(Py<PyLaw>, PathBuf)>,

@@ -24,14 +24,14 @@ struct Stretch {
 
 /// What the work tells and what it is told.
 #[derive(Debug, Default)]
-pub(crate) struct Watch {
+pub(crate) struct WorkWatch {
     stop: AtomicBool,
     stretches: Mutex<Vec<Stretch>>,
     finished: Mutex<bool>,
     bell: Condvar,
 }
 
-impl Watch {
+impl WorkWatch {
     fn stretches(&self) -> MutexGuard<'_, Vec<Stretch>> {
         self.stretches.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -63,7 +63,7 @@ impl Watch {
     }
 }
 
-impl Progress for Watch {
+impl Progress for WorkWatch {
     fn begin(&self, name: &str, steps: usize) {
         self.stretches().push(Stretch { name: name.to_owned(), done: 0, total: steps });
     }
@@ -151,7 +151,7 @@ impl<T, E> Watched<Result<T, E>> {
 pub(crate) fn watched<T: Send>(
     py: Python<'_>,
     manner: &Manner,
-    work: impl FnOnce(&Watch) -> T + Send,
+    work: impl FnOnce(&WorkWatch) -> T + Send,
 ) -> PyResult<Watched<T>> {
     let pool = match (&manner.pool, manner.threads) {
         (Some(pool), _) => Ok(Arc::clone(pool)),
@@ -159,7 +159,7 @@ pub(crate) fn watched<T: Send>(
         (None, Some(threads)) => pool::of(threads).map(Arc::new),
     };
     let pool = pool.map_err(errors::system)?;
-    let watch = Watch::default();
+    let watch = WorkWatch::default();
     thread::scope(|scope| {
         let beside = || {
             let result =
@@ -205,7 +205,7 @@ fn asked_to_stop(py: Python<'_>, manner: &Manner) -> PyResult<bool> {
 }
 
 /// Tells the callback what has changed.
-fn tell(py: Python<'_>, manner: &Manner, watch: &Watch, last: &mut Option<Stretch>) -> PyResult<()> {
+fn tell(py: Python<'_>, manner: &Manner, watch: &WorkWatch, last: &mut Option<Stretch>) -> PyResult<()> {
     let Some(callback) = &manner.progress else { return Ok(()) };
     for stretch in watch.told() {
         if last.as_ref() != Some(&stretch) {

@@ -1,7 +1,7 @@
 //! A structure in modal form, as the contact sees it.
 
 use crate::SlidingError;
-use crate::plane::Vector;
+use crate::plane::PlaneVector;
 
 /// A structure in its own modes: q̈ + (α + β λ) q̇ + λ q = Φᵀ f.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Body {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModalPoint {
     /// Where it lies undeformed, m.
-    pub place: Vector,
+    pub place: PlaneVector,
     /// Rows of Φ along x and y.
     pub rows: [Vec<f64>; 2],
 }
@@ -69,7 +69,7 @@ impl ModalPoint {
 
     /// Its displacement where the modal coordinates are `q`, m.
     #[must_use]
-    pub fn displacement(&self, q: &[f64]) -> Vector {
+    pub fn displacement(&self, q: &[f64]) -> PlaneVector {
         [0, 1].map(|k| self.rows[k].iter().zip(q).map(|(row, q)| row * q).sum())
     }
 }

@@ -6,9 +6,9 @@
 use crate::SlidingError;
 use crate::body::ModalPoint;
 use crate::edge::{Touch, Weights};
-use crate::friction::Friction;
+use crate::friction::SlidingFriction;
 use crate::pair::Pair;
-use crate::plane::{Vector, plus};
+use crate::plane::{PlaneVector, plus};
 
 /// The coupling of two structures at one place of contact, linear.
 ///
@@ -36,7 +36,7 @@ pub struct Feedback {
 
 /// Friction in steady sliding.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sliding {
+pub struct SteadyFriction {
     /// μ.
     pub friction: f64,
     /// dμ/dv, s/m.
@@ -45,16 +45,16 @@ pub struct Sliding {
     pub direction: f64,
 }
 
-impl Sliding {
+impl SteadyFriction {
     /// That of a speed in m/s, negative against the track.
     #[must_use]
-    pub fn at(friction: &Friction, velocity: f64) -> Self {
+    pub fn at(friction: &SlidingFriction, velocity: f64) -> Self {
         let direction = if velocity < 0.0 { -1.0 } else { 1.0 };
         Self { friction: friction.at(velocity), slope: friction.slope(velocity), direction }
     }
 
     /// n − σ μ t: the direction in which the contact pushes the slider.
-    pub(crate) fn push(&self, touch: &Touch) -> Vector {
+    pub(crate) fn push(&self, touch: &Touch) -> PlaneVector {
         plus(touch.normal, -self.direction * self.friction, touch.tangent)
     }
 }
@@ -62,7 +62,7 @@ impl Sliding {
 impl Coupling {
     /// The coupling at a touch whose geometry and friction coefficient stay: that of prescribed motion.
     #[must_use]
-    pub fn new(pair: &Pair, touch: &Touch, sliding: Sliding) -> Self {
+    pub fn new(pair: &Pair, touch: &Touch, sliding: SteadyFriction) -> Self {
         let push = sliding.push(touch);
         let Weights { value, .. } = &touch.weights;
         Self {
@@ -76,7 +76,13 @@ impl Coupling {
     ///
     /// With v = t·(u̇_C − Σ w u̇_k) beside the steady speed, the friction gains −N σ (dμ/d|v|) σ v along t.
     #[must_use]
-    pub fn with_falling_friction(mut self, pair: &Pair, touch: &Touch, sliding: Sliding, force: f64) -> Self {
+    pub fn with_falling_friction(
+        mut self,
+        pair: &Pair,
+        touch: &Touch,
+        sliding: SteadyFriction,
+        force: f64,
+    ) -> Self {
         if sliding.slope != 0.0 {
             let Weights { value, .. } = &touch.weights;
             let row = spread(pair, touch, touch.tangent, touch.tangent, value);
@@ -91,10 +97,10 @@ impl Coupling {
     /// A disturbance δq turns the edge by δθ and moves the contact along it by δξ; e, which depends on both, then pushes with
     /// N (∂e/∂θ δθ + ∂e/∂ξ δξ).
     #[must_use]
-    pub fn with_wandering(mut self, pair: &Pair, touch: &Touch, sliding: Sliding, force: f64) -> Self {
+    pub fn with_wandering(mut self, pair: &Pair, touch: &Touch, sliding: SteadyFriction, force: f64) -> Self {
         let Touch { normal, tangent, stretch, weights, turn, .. } = touch;
         let (side, none) = (pair.edge().side, [0.0; 2]);
-        let sized = |vector: &Vector, factor: f64| [vector[0] * factor, vector[1] * factor];
+        let sized = |vector: &PlaneVector, factor: f64| [vector[0] * factor, vector[1] * factor];
         // the left of the edge is side·n: with θ, t turns towards it and n towards −side·t
         let left = sized(normal, side / stretch);
         let along = sized(tangent, 1.0 / stretch);
@@ -128,8 +134,14 @@ impl Coupling {
 }
 
 /// Φ_Cᵀ a on the slider, −Σ w_k Φ_kᵀ b on the track.
-fn spread(pair: &Pair, touch: &Touch, on_slider: Vector, on_track: Vector, weights: &[f64]) -> Vec<f64> {
-    let along = |point: &ModalPoint, direction: Vector, mode: usize| {
+fn spread(
+    pair: &Pair,
+    touch: &Touch,
+    on_slider: PlaneVector,
+    on_track: PlaneVector,
+    weights: &[f64],
+) -> Vec<f64> {
+    let along = |point: &ModalPoint, direction: PlaneVector, mode: usize| {
         direction[0] * point.rows[0][mode] + direction[1] * point.rows[1][mode]
     };
     let of_slider =

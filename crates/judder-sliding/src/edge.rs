@@ -1,6 +1,6 @@
 //! The contact edge of a track: its interpolation between nodes, and the place where the slider touches it.
 
-use crate::plane::{Vector, dot, length, minus, plus, turned};
+use crate::plane::{PlaneVector, dot, length, minus, plus, turned};
 use std::cmp::Ordering;
 use std::fmt;
 
@@ -71,9 +71,9 @@ pub struct Touch {
     /// Weights of the stencil's nodes there.
     pub weights: Weights,
     /// Unit tangent, from node to node.
-    pub tangent: Vector,
+    pub tangent: PlaneVector,
     /// Unit normal, towards the slider.
-    pub normal: Vector,
+    pub normal: PlaneVector,
     /// |dP/dξ|, m.
     pub stretch: f64,
     /// dθ/dξ: how fast the tangent turns to the left.
@@ -191,9 +191,9 @@ impl Edge {
     #[inline]
     pub fn touch(
         &self,
-        point: Vector,
+        point: PlaneVector,
         from: EdgePoint,
-        mut nodes: impl FnMut(usize) -> [Vector; STENCIL],
+        mut nodes: impl FnMut(usize) -> [PlaneVector; STENCIL],
     ) -> Result<Touch, RunOff> {
         let last = self.nodes - 2;
         let mut at = EdgePoint { segment: from.segment.min(last), ..from };
@@ -226,7 +226,7 @@ impl Edge {
     /// How a point touches the edge at a given place of it.
     #[inline]
     #[must_use]
-    pub fn touch_at(&self, point: Vector, at: EdgePoint, places: &[Vector; STENCIL]) -> Touch {
+    pub fn touch_at(&self, point: PlaneVector, at: EdgePoint, places: &[PlaneVector; STENCIL]) -> Touch {
         let weights = self.weights(at);
         let along = combined(&weights.slope, places);
         let stretch = length(along);
@@ -240,7 +240,12 @@ impl Edge {
 
     /// ξ of the place of a segment, continued beyond its ends, that is nearest to `point`.
     #[inline]
-    pub(crate) fn nearest(&self, point: Vector, from: EdgePoint, places: &[Vector; STENCIL]) -> f64 {
+    pub(crate) fn nearest(
+        &self,
+        point: PlaneVector,
+        from: EdgePoint,
+        places: &[PlaneVector; STENCIL],
+    ) -> f64 {
         match self.interpolation {
             Interpolation::Linear => {
                 let along = minus(places[1], places[0]);
@@ -267,7 +272,7 @@ impl Edge {
 
 /// Σ w_k x_k.
 #[inline(always)]
-pub(crate) fn combined(weights: &[f64; STENCIL], places: &[Vector; STENCIL]) -> Vector {
+pub(crate) fn combined(weights: &[f64; STENCIL], places: &[PlaneVector; STENCIL]) -> PlaneVector {
     (0..STENCIL).fold([0.0; 2], |sum, k| plus(sum, weights[k], places[k]))
 }
 
@@ -276,7 +281,7 @@ mod tests {
     use super::*;
 
     /// Nodes on a circle of radius 10.
-    fn arc(nodes: usize) -> Vec<Vector> {
+    fn arc(nodes: usize) -> Vec<PlaneVector> {
         (0..nodes)
             .map(|k| 0.1 * k as f64)
             .map(|angle| [10.0 * f64::sin(angle), 10.0 * f64::cos(angle)])
@@ -287,7 +292,7 @@ mod tests {
         Edge { interpolation, nodes, side: 1.0 }
     }
 
-    fn places(edge: Edge, nodes: &[Vector]) -> impl Fn(usize) -> [Vector; STENCIL] {
+    fn places(edge: Edge, nodes: &[PlaneVector]) -> impl Fn(usize) -> [PlaneVector; STENCIL] {
         move |segment| {
             let first = edge.first_node(segment);
             std::array::from_fn(|k| nodes.get(first + k).copied().unwrap_or_default())

@@ -4,12 +4,12 @@ use crate::SlidingError;
 
 /// μ against sliding speed.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Friction {
+pub struct SlidingFriction {
     speeds: Vec<f64>,
     coefficients: Vec<f64>,
 }
 
-impl Friction {
+impl SlidingFriction {
     /// One coefficient for all speeds.
     ///
     /// # Errors
@@ -90,7 +90,7 @@ mod tests {
 
     #[test]
     fn a_table_is_straight_between_its_speeds_and_constant_outside() {
-        let friction = Friction::table(vec![0.01, 0.03], vec![0.4, 0.2]).unwrap();
+        let friction = SlidingFriction::table(vec![0.01, 0.03], vec![0.4, 0.2]).unwrap();
         for (speed, expected) in [(0.0, 0.4), (0.01, 0.4), (0.02, 0.3), (-0.02, 0.3), (0.03, 0.2), (1.0, 0.2)]
         {
             assert!((friction.at(speed) - expected).abs() < 1e-15, "{speed}");
@@ -101,10 +101,10 @@ mod tests {
 
     #[test]
     fn tables_that_make_no_sense_are_refused() {
-        assert!(Friction::constant(-0.1).is_err());
-        assert!(Friction::constant(f64::NAN).is_err());
-        assert!(Friction::table(vec![0.0, 0.0], vec![0.1, 0.1]).is_err());
-        assert!(Friction::table(vec![0.0, 1.0], vec![0.1]).is_err());
-        assert!(Friction::table(vec![], vec![]).is_err());
+        assert!(SlidingFriction::constant(-0.1).is_err());
+        assert!(SlidingFriction::constant(f64::NAN).is_err());
+        assert!(SlidingFriction::table(vec![0.0, 0.0], vec![0.1, 0.1]).is_err());
+        assert!(SlidingFriction::table(vec![0.0, 1.0], vec![0.1]).is_err());
+        assert!(SlidingFriction::table(vec![], vec![]).is_err());
     }
 }

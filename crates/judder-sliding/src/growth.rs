@@ -1,7 +1,7 @@
 //! Growth with the contact held at one place: what a march measures, against the eigenvalue there.
 
 use crate::SlidingError;
-use crate::coupling::{Coupling, Sliding};
+use crate::coupling::{Coupling, SteadyFriction};
 use crate::march::{ContactMethod, March, MarchSample, MarchSettings, MarchStart, Predictor, Reached};
 use crate::motion::{Motion, Noise, Ramps};
 use crate::pair::Pair;
@@ -56,7 +56,7 @@ impl Held {
     /// # Errors
     /// As of [`PairEquilibrium::new`].
     pub fn new(pair: &Pair, settings: &GrowthSettings) -> Result<Self, SlidingError> {
-        let sliding = Sliding::at(pair.friction(), settings.velocity);
+        let sliding = SteadyFriction::at(pair.friction(), settings.velocity);
         let (equilibrium, coupling) =
             if matches!(settings.method, ContactMethod::Subs { static_slope: false }) {
                 let rest = PairEquilibrium::undeformed(pair, settings.position, settings.load, sliding)?;
@@ -229,7 +229,8 @@ impl Held {
             let swing = size * (eigenvalue * time).exp();
             self.state.iter().zip(&shape).map(|(rest, mode)| rest + (swing * mode).re).collect()
         };
-        let rest = self.force_at_rest(pair, settings, Sliding::at(pair.friction(), settings.velocity))?;
+        let rest =
+            self.force_at_rest(pair, settings, SteadyFriction::at(pair.friction(), settings.velocity))?;
         let force = |time: f64| rest.map(|along| along * (1.0 + AMPLITUDE * (eigenvalue * time).exp().re));
         let before = -settings.step;
         Ok(MarchStart { now: at(0.0), before: at(before), forces: [force(0.0), force(before)] })
@@ -240,7 +241,7 @@ impl Held {
         &self,
         pair: &Pair,
         settings: &GrowthSettings,
-        sliding: Sliding,
+        sliding: SteadyFriction,
     ) -> Result<[f64; 2], SlidingError> {
         let touch = match settings.method {
             ContactMethod::Subs { static_slope: false } => pair.undeformed(settings.position)?,

@@ -7,7 +7,7 @@ mod branches;
 
 use crate::SlidingError;
 use crate::characteristic::PairCharacteristic;
-use crate::coupling::{Coupling, Sliding};
+use crate::coupling::{Coupling, SteadyFriction};
 use crate::edge::EdgePoint;
 use crate::pair::Pair;
 use crate::spectrum::{Spectrum, WantedEigenvalues};
@@ -159,7 +159,7 @@ pub fn characteristic(
 /// Those of [`locus`], but for the search of eigenvalues.
 pub fn contact(pair: &Pair, conditions: &Conditions, position: f64) -> Result<(Coupling, f64), SlidingError> {
     let Conditions { configuration, is_damped, velocity, load } = *conditions;
-    let sliding = Sliding::at(pair.friction(), velocity);
+    let sliding = SteadyFriction::at(pair.friction(), velocity);
     let rest = match configuration {
         Configuration::Undeformed => PairEquilibrium::undeformed(pair, position, load, sliding)?,
         Configuration::Deformed => PairEquilibrium::new(pair, position, load, sliding)?,
@@ -240,7 +240,7 @@ fn touched(pair: &Pair, conditions: &Conditions, position: f64) -> Result<f64, S
     let EdgePoint { segment, fraction } = match conditions.configuration {
         Configuration::Undeformed => return Ok(position),
         Configuration::Deformed => {
-            let sliding = Sliding::at(pair.friction(), conditions.velocity);
+            let sliding = SteadyFriction::at(pair.friction(), conditions.velocity);
             PairEquilibrium::new(pair, position, conditions.load, sliding)?.touch.at
         }
     };

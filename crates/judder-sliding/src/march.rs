@@ -18,13 +18,13 @@ mod widths;
 
 use crate::SlidingError;
 use crate::body::Body;
-use crate::coupling::Sliding;
+use crate::coupling::SteadyFriction;
 use crate::edge::{EdgePoint, Interpolation, RunOff, STENCIL};
 use crate::motion::{Drive, Motion};
 use crate::pair::{Observed, Pair, PairSide};
-use crate::plane::Vector;
+use crate::plane::PlaneVector;
 pub use checkpoint::Checkpoint;
-use compliance::Compliance;
+use compliance::ModalCompliance;
 pub use judder_numerics::contact_state::ContactState;
 use oscillators::{ModalRecurrence, Oscillators, ROWS};
 use scheme::Scheme;
@@ -152,22 +152,22 @@ pub struct March<'a> {
     direction: f64,
     slider: Oscillators,
     track: Oscillators,
-    compliance: Compliance,
+    compliance: ModalCompliance,
     static_path: Option<StaticPath>,
     view: MarchView,
     steps: u64,
     at: EdgePoint,
     drive: Drive,
     /// Displacements of C now and without contact in the next step.
-    contact: [Vector; 2],
+    contact: [PlaneVector; 2],
     /// Observed displacements: before, now, predicted.
     observed: Vec<[f64; 3]>,
     accelerations: Vec<f64>,
     velocity: f64,
     /// Sliding velocity along the tangent that a held contact has beside its motion, m/s.
     steady: f64,
-    force: Vector,
-    force_before: Vector,
+    force: PlaneVector,
+    force_before: PlaneVector,
     /// Share of the initial damping that the recurrences have.
     tuned: f64,
     /// How far C yields in the modes that do not move, per unit of load and of acceleration of the slider's frame.
@@ -186,7 +186,7 @@ pub struct MarchStart {
     /// Those one step before.
     pub before: Vec<f64>,
     /// The contact's force on the slider now and one step before, N.
-    pub forces: [Vector; 2],
+    pub forces: [PlaneVector; 2],
 }
 
 impl<'a> March<'a> {
@@ -267,9 +267,9 @@ impl<'a> March<'a> {
             (0..slider.modes()).map(|mode| slider.recurrence(mode).on_steady_force()).collect();
         let modes = pair.eigenvalues().into_iter().zip(pair.damping());
         let factors: Vec<f64> = modes.map(|(v, own)| scheme.at_once(step, v, own)).collect();
-        let compliance = Compliance::new(pair, &factors);
+        let compliance = ModalCompliance::new(pair, &factors);
         let static_path = if method == (ContactMethod::Subs { static_slope: true }) {
-            let sliding = Sliding::at(pair.friction(), motion.velocity);
+            let sliding = SteadyFriction::at(pair.friction(), motion.velocity);
             Some(StaticPath::new(pair, [motion.start, motion.end], motion.load, sliding)?)
         } else {
             None

@@ -3,8 +3,8 @@
 use crate::SlidingError;
 use crate::body::{Body, ModalPoint, finite};
 use crate::edge::{Edge, EdgePoint, Interpolation, STENCIL, Touch};
-use crate::friction::Friction;
-use crate::plane::{Vector, dot, length, minus, plus, turned};
+use crate::friction::SlidingFriction;
+use crate::plane::{PlaneVector, dot, length, minus, plus, turned};
 
 /// The structure that carries the contact point C.
 ///
@@ -23,7 +23,7 @@ pub struct Slider {
 
 /// The structure along which the slider moves.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Track {
+pub struct TrackBody {
     /// Its modes.
     pub body: Body,
     /// The nodes of its contact edge, in order.
@@ -56,11 +56,11 @@ pub struct Observed {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pair {
     slider: Slider,
-    track: Track,
+    track: TrackBody,
     edge: Edge,
-    friction: Friction,
+    friction: SlidingFriction,
     observed: Vec<Observed>,
-    direction: Vector,
+    direction: PlaneVector,
     arc: Vec<f64>,
 }
 
@@ -74,10 +74,10 @@ impl Pair {
     /// length; [`SlidingError::ShortTrack`] and [`SlidingError::Unordered`] for an edge that is none.
     pub fn new(
         slider: Slider,
-        track: Track,
+        track: TrackBody,
         interpolation: Interpolation,
         is_left: bool,
-        friction: Friction,
+        friction: SlidingFriction,
         observed: Vec<Observed>,
     ) -> Result<Self, SlidingError> {
         slider.body.check("slider")?;
@@ -109,7 +109,7 @@ impl Pair {
 
     /// The structure on which it slides.
     #[must_use]
-    pub fn track(&self) -> &Track {
+    pub fn track(&self) -> &TrackBody {
         &self.track
     }
 
@@ -121,7 +121,7 @@ impl Pair {
 
     /// The friction between them.
     #[must_use]
-    pub fn friction(&self) -> &Friction {
+    pub fn friction(&self) -> &SlidingFriction {
         &self.friction
     }
 
@@ -133,7 +133,7 @@ impl Pair {
 
     /// Unit vector from the track's first node to its last: along it the slider's frame moves.
     #[must_use]
-    pub fn direction(&self) -> Vector {
+    pub fn direction(&self) -> PlaneVector {
         self.direction
     }
 
@@ -174,7 +174,7 @@ impl Pair {
     /// Where C is, undeformed, when it has been moved so far from the track's first node.
     #[inline]
     #[must_use]
-    pub fn rigid_place(&self, position: f64) -> Vector {
+    pub fn rigid_place(&self, position: f64) -> PlaneVector {
         plus(self.track.nodes[0].place, position, self.direction)
     }
 
@@ -197,8 +197,8 @@ impl Pair {
     pub(crate) fn stencil(
         &self,
         segment: usize,
-        displacement: impl Fn(usize) -> Vector,
-    ) -> [Vector; STENCIL] {
+        displacement: impl Fn(usize) -> PlaneVector,
+    ) -> [PlaneVector; STENCIL] {
         let first = self.edge.first_node(segment);
         let count = self.edge.stencil_nodes();
         std::array::from_fn(|k| {
@@ -231,8 +231,8 @@ impl Pair {
         &self,
         position: f64,
         from: EdgePoint,
-        displaced: Vector,
-        of_node: impl Fn(usize) -> Vector,
+        displaced: PlaneVector,
+        of_node: impl Fn(usize) -> PlaneVector,
     ) -> Result<Touch, SlidingError> {
         let point = plus(self.rigid_place(position), 1.0, displaced);
         let found = self.edge.touch(point, from, |segment| self.stencil(segment, &of_node));
@@ -252,7 +252,7 @@ fn expect_length(name: &str, found: usize, expected: usize) -> Result<(), Slidin
 }
 
 /// Distances of the nodes from the first along the line to the last, and that line's direction.
-fn ordered(nodes: &[ModalPoint]) -> Result<(Vec<f64>, Vector), SlidingError> {
+fn ordered(nodes: &[ModalPoint]) -> Result<(Vec<f64>, PlaneVector), SlidingError> {
     let [first, .., last] = nodes else {
         return Err(SlidingError::ShortTrack { found: nodes.len() });
     };

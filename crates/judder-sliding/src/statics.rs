@@ -3,7 +3,7 @@
 mod corner;
 
 use crate::SlidingError;
-use crate::coupling::{Coupling, Sliding, product};
+use crate::coupling::{Coupling, SteadyFriction, product};
 use crate::edge::Touch;
 use crate::pair::Pair;
 use crate::plane::{length, minus};
@@ -27,7 +27,7 @@ const ITERATIONS: usize = 100;
 impl PairEquilibrium {
     /// The linear coupling there, with all that follows the motion: the geometry, and a friction coefficient that falls.
     #[must_use]
-    pub fn coupling(&self, pair: &Pair, sliding: Sliding) -> Coupling {
+    pub fn coupling(&self, pair: &Pair, sliding: SteadyFriction) -> Coupling {
         Coupling::new(pair, &self.touch, sliding)
             .with_falling_friction(pair, &self.touch, sliding, self.normal_force)
             .with_wandering(pair, &self.touch, sliding, self.normal_force)
@@ -43,7 +43,7 @@ impl PairEquilibrium {
     /// # Errors
     /// [`SlidingError::OffTrack`]; [`SlidingError::NoEquilibrium`] where a rigid motion is not held, or the load lifts the slider off;
     /// [`SlidingError::NoConvergence`] where after a hundred iterations the contact still moves by more than 1e-14 of the track's length.
-    pub fn new(pair: &Pair, position: f64, load: f64, sliding: Sliding) -> Result<Self, SlidingError> {
+    pub fn new(pair: &Pair, position: f64, load: f64, sliding: SteadyFriction) -> Result<Self, SlidingError> {
         let loaded = Loaded { pair, position, load, sliding };
         let tolerance = loaded.tolerance();
         let mut touch = pair.undeformed(position)?;
@@ -69,7 +69,12 @@ impl PairEquilibrium {
     ///
     /// # Errors
     /// As of [`PairEquilibrium::new`], but that nothing iterates.
-    pub fn undeformed(pair: &Pair, position: f64, load: f64, sliding: Sliding) -> Result<Self, SlidingError> {
+    pub fn undeformed(
+        pair: &Pair,
+        position: f64,
+        load: f64,
+        sliding: SteadyFriction,
+    ) -> Result<Self, SlidingError> {
         let touch = pair.undeformed(position)?;
         let (state, normal_force) = Loaded { pair, position, load, sliding }.at(&touch)?;
         Ok(Self { state, normal_force, touch })
@@ -82,7 +87,7 @@ struct Loaded<'a> {
     pair: &'a Pair,
     position: f64,
     load: f64,
-    sliding: Sliding,
+    sliding: SteadyFriction,
 }
 
 impl Loaded<'_> {

@@ -5,7 +5,7 @@ use quote::quote;
 use syn::{Error, Expr, ExprLit, Field, Ident, Lit, LitStr, Meta, Result, Type};
 
 /// A result as its field declares it.
-pub(crate) struct Entry {
+pub(crate) struct ResultField {
     pub(crate) field: Ident,
     ty: Type,
     doc: String,
@@ -22,7 +22,7 @@ pub(crate) struct Entry {
     is_flat: bool,
 }
 
-impl Entry {
+impl ResultField {
     pub(crate) fn new(field: &Field) -> Result<Self> {
         let Some(name) = field.ident.clone() else {
             return Err(Error::new_spanned(field, "results have named fields"));

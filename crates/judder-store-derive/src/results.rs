@@ -1,6 +1,6 @@
 //! A struct of results.
 
-use crate::field::Entry;
+use crate::field::ResultField;
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::meta::ParseNestedMeta;
@@ -49,13 +49,13 @@ pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
         return Err(Error::new(input.ident.span(), "results are a struct"));
     };
     let said = Said::new(input)?;
-    let entries = data.fields.iter().map(Entry::new).collect::<Result<Vec<_>>>()?;
+    let entries = data.fields.iter().map(ResultField::new).collect::<Result<Vec<_>>>()?;
     let find = |name: &Ident| {
         let found = entries.iter().find(|entry| entry.field == *name);
         found.ok_or_else(|| Error::new(name.span(), "no field of this name"))
     };
     let along = said.rows.as_ref().or(said.along.as_ref());
-    let own = |entry: &Entry| {
+    let own = |entry: &ResultField| {
         let field = &entry.field;
         match said.rows {
             Some(_) => quote!(rows.iter().map(|row| row.#field.clone()).collect::<::std::vec::Vec<_>>()),
@@ -69,9 +69,9 @@ pub(crate) fn derive(input: &DeriveInput) -> Result<TokenStream> {
     let arrays = arrays.collect::<Result<Vec<_>>>()?;
     let columns = said.columns.iter().map(|name| find(name).map(|entry| entry.column(&own(entry))));
     let columns = columns.collect::<Result<Vec<_>>>()?;
-    let declared = entries.iter().filter_map(Entry::declared);
-    let scalars = entries.iter().filter_map(Entry::scalar);
-    let attributes: Vec<_> = entries.iter().filter_map(Entry::attribute).collect();
+    let declared = entries.iter().filter_map(ResultField::declared);
+    let scalars = entries.iter().filter_map(ResultField::scalar);
+    let attributes: Vec<_> = entries.iter().filter_map(ResultField::attribute).collect();
     let name = &input.ident;
     let (generics, arguments, bounds) = input.generics.split_for_impl();
     let laid = |rest: &[TokenStream],

@@ -5,7 +5,7 @@ use std::error::Error;
 use zarrs::array::{Array, ArrayError, ArraySubset, ElementOwned, data_type};
 use zarrs::filesystem::FilesystemStore;
 
-use crate::{Data, Variable, metadata};
+use crate::{Variable, VariableValues, metadata};
 
 pub(crate) type ReadFailure = Box<dyn Error + Send + Sync>;
 
@@ -13,7 +13,7 @@ pub(crate) type ReadFailure = Box<dyn Error + Send + Sync>;
 pub(crate) fn with_data(
     name: &str,
     array: &Array<FilesystemStore>,
-    data: Data,
+    data: VariableValues,
 ) -> Result<Variable, ReadFailure> {
     let shape = array.shape().iter().map(|&length| usize::try_from(length)).collect::<Result<Vec<_>, _>>()?;
     let dimensions = array.dimension_names().clone().ok_or("its dimensions have no names")?;
@@ -31,13 +31,13 @@ pub(crate) fn with_data(
 pub(crate) fn read_data(
     array: &Array<FilesystemStore>,
     part: Option<&ArraySubset>,
-) -> Result<Data, ReadFailure> {
+) -> Result<VariableValues, ReadFailure> {
     Ok(match array.data_type() {
-        kind if *kind == data_type::float64() => Data::F64(values(array, part)?),
-        kind if *kind == data_type::complex128() => Data::Complex(values(array, part)?),
-        kind if *kind == data_type::int64() => Data::I64(values(array, part)?),
-        kind if *kind == data_type::uint8() => Data::U8(values(array, part)?),
-        kind if *kind == data_type::string() => Data::Text(values(array, part)?),
+        kind if *kind == data_type::float64() => VariableValues::F64(values(array, part)?),
+        kind if *kind == data_type::complex128() => VariableValues::Complex(values(array, part)?),
+        kind if *kind == data_type::int64() => VariableValues::I64(values(array, part)?),
+        kind if *kind == data_type::uint8() => VariableValues::U8(values(array, part)?),
+        kind if *kind == data_type::string() => VariableValues::Text(values(array, part)?),
         other => return Err(format!("values of type {other:?} are none that judder writes").into()),
     })
 }

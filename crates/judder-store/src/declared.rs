@@ -4,7 +4,7 @@ mod laid;
 mod told;
 
 pub use judder_store_derive::Results;
-pub use laid::{Array, Cell, Column, Element, Grid};
+pub use laid::{Array, Cell, Column, Element, GridValues};
 pub use told::{ByName, Told};
 
 use crate::{Dataset, StoreError, Table};

@@ -3,7 +3,7 @@
 //!
 //! In the order in which the data flows:
 //!
-//! - [`Variable`], [`Data`] (`variable.rs`) and [`Dataset`] (`dataset.rs`): named arrays with dimension names, units and
+//! - [`Variable`], [`VariableValues`] (`variable.rs`) and [`Dataset`] (`dataset.rs`): named arrays with dimension names, units and
 //!   long names, checked as they are put together so that `xarray` can open what is stored.
 //! - [`Table`], [`Cells`] (`table.rs`): columns with units, for a spreadsheet.
 //! - [`Results`], [`Rows`] (`declared.rs`): what an analysis leaves, a struct from which summary, arrays and table follow, and what keys a summary has.
@@ -43,7 +43,9 @@ mod variable;
 mod zarr;
 
 pub use dataset::Dataset;
-pub use declared::{Array, ByName, Cell, Column, Declared, Element, Grid, Results, Rows, Told, ValueKind};
+pub use declared::{
+    Array, ByName, Cell, Column, Declared, Element, GridValues, Results, Rows, Told, ValueKind,
+};
 pub use error::StoreError;
 pub use folder::StudyFolder;
 pub use hash::content_hash;
@@ -58,4 +60,4 @@ pub use sweep::{
     SweepDimension, SweepFailure, SweepLayout, SweepQuantity, SweepStore,
 };
 pub use table::{Cells, Table};
-pub use variable::{Data, Variable};
+pub use variable::{Variable, VariableValues};

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::name::check_name;
 use crate::zarr::Elsewhere;
-use crate::{Data, Dataset, StoreError, StudyFolder, Variable, content_hash, staging};
+use crate::{Dataset, StoreError, StudyFolder, Variable, VariableValues, content_hash, staging};
 
 /// The file that says how much counts. No variable is called so, since theirs end in `.f64`.
 const CHECKPOINT: &str = "checkpoint";
@@ -200,7 +200,7 @@ fn grown(variables: &[Variable], len: usize) -> Result<Dataset, StoreError> {
     let mut dataset = Dataset::new();
     let dimension = variables.first().and_then(|first| first.dimensions.first());
     for variable in variables {
-        let is_real = matches!(&variable.data, Data::F64(values) if values.is_empty());
+        let is_real = matches!(&variable.data, VariableValues::F64(values) if values.is_empty());
         if !is_real || variable.shape != [0] || variable.dimensions.first() != dimension {
             let dimension = dimension.map_or("time", String::as_str).to_owned();
             return Err(StoreError::CannotGrow { variable: variable.name.clone(), dimension });

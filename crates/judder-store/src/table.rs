@@ -97,20 +97,21 @@ impl Table {
         let mut writer = Writer::from_writer(Vec::new());
         writer.write_record(self.columns.iter().map(|(head, _)| head))?;
         for row in 0..self.rows() {
-            writer
-                .serialize(self.columns.iter().map(|(_, cells)| Cell { cells, row }).collect::<Vec<_>>())?;
+            writer.serialize(
+                self.columns.iter().map(|(_, cells)| WrittenCell { cells, row }).collect::<Vec<_>>(),
+            )?;
         }
         writer.into_inner().map_err(csv::IntoInnerError::into_error)
     }
 }
 
 /// One cell of a column.
-struct Cell<'a> {
+struct WrittenCell<'a> {
     cells: &'a Cells,
     row: usize,
 }
 
-impl Serialize for Cell<'_> {
+impl Serialize for WrittenCell<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self.cells {
             Cells::F64(cells) => cells.get(self.row).filter(|value| !value.is_nan()).serialize(serializer),

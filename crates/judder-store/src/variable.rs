@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 
 /// The values of a [`Variable`], row-major (the last dimension varies fastest).
 #[derive(Debug, Clone, PartialEq)]
-pub enum Data {
+pub enum VariableValues {
     /// Real numbers; NaN where there is none.
     F64(Vec<f64>),
     /// Complex numbers, stored as such: `complex128` in NumPy, so `dataset.eigenvalues.real` works.
@@ -18,7 +18,7 @@ pub enum Data {
     Text(Vec<String>),
 }
 
-impl Data {
+impl VariableValues {
     /// How many values there are.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -50,7 +50,7 @@ impl Data {
 /// `From` for each kind of values, so that a plain vector is taken wherever data are.
 macro_rules! data_from {
     ($($kind:ident: $value:ty),*) => {$(
-        impl From<Vec<$value>> for Data {
+        impl From<Vec<$value>> for VariableValues {
             fn from(values: Vec<$value>) -> Self {
                 Self::$kind(values)
             }
@@ -77,7 +77,7 @@ pub struct Variable {
     /// Length of each axis. A length may be 0; no axes at all make a scalar.
     pub shape: Vec<usize>,
     /// The values, row-major.
-    pub data: Data,
+    pub data: VariableValues,
     /// Unit symbol, `1` where dimensionless, empty where a unit makes no sense (classes, labels).
     pub units: String,
     /// What it is, with its symbol, as it should stand at an axis.
@@ -91,7 +91,7 @@ pub struct Variable {
 impl Variable {
     /// An array over the named dimensions.
     #[must_use]
-    pub fn new(name: &str, dimensions: &[&str], shape: &[usize], data: impl Into<Data>) -> Self {
+    pub fn new(name: &str, dimensions: &[&str], shape: &[usize], data: impl Into<VariableValues>) -> Self {
         Self {
             name: name.to_owned(),
             dimensions: dimensions.iter().map(|&dimension| dimension.to_owned()).collect(),
@@ -106,7 +106,7 @@ impl Variable {
 
     /// The coordinate of the dimension `name`: the values along it.
     #[must_use]
-    pub fn coordinate(name: &str, values: impl Into<Data>) -> Self {
+    pub fn coordinate(name: &str, values: impl Into<VariableValues>) -> Self {
         let data = values.into();
         Self::new(name, &[name], &[data.len()], data)
     }
@@ -155,7 +155,7 @@ impl Variable {
     /// Size of its values, in bytes, wherever they lie.
     pub(crate) fn byte_count(&self) -> usize {
         match &self.data {
-            Data::Text(values) => values.iter().map(String::len).sum(),
+            VariableValues::Text(values) => values.iter().map(String::len).sum(),
             data => self.shape.iter().product::<usize>() * data.value_size(),
         }
     }

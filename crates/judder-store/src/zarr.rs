@@ -20,7 +20,7 @@ use zarrs::storage::StorageError;
 
 use crate::array::{self, ReadFailure};
 use crate::metadata::{self, HASH_ATTRIBUTE};
-use crate::{Data, Dataset, StoreError, Variable};
+use crate::{Dataset, StoreError, Variable, VariableValues};
 
 /// A chunk is one file: large enough that a map of 1000 × 1000 is one, small enough to be read alone from a large one.
 const CHUNK_BYTES: u64 = 8 << 20;
@@ -122,11 +122,11 @@ pub(crate) fn write_variable(
     variable: &Variable,
 ) -> Result<Value, WriteFailure> {
     match &variable.data {
-        Data::F64(values) => write_array(store, variable, values),
-        Data::Complex(values) => write_array(store, variable, values),
-        Data::I64(values) => write_array(store, variable, values),
-        Data::U8(values) => write_array(store, variable, values),
-        Data::Text(values) => write_array(store, variable, values),
+        VariableValues::F64(values) => write_array(store, variable, values),
+        VariableValues::Complex(values) => write_array(store, variable, values),
+        VariableValues::I64(values) => write_array(store, variable, values),
+        VariableValues::U8(values) => write_array(store, variable, values),
+        VariableValues::Text(values) => write_array(store, variable, values),
     }
 }
 
@@ -225,13 +225,13 @@ fn build_array(
 }
 
 /// Type and fill value of an array.
-fn kind(data: &Data) -> (DataType, FillValue) {
+fn kind(data: &VariableValues) -> (DataType, FillValue) {
     match data {
-        Data::F64(_) => (data_type::float64(), f64::NAN.into()),
-        Data::Complex(_) => (data_type::complex128(), Complex64::new(f64::NAN, f64::NAN).into()),
-        Data::I64(_) => (data_type::int64(), i64::MIN.into()),
-        Data::U8(_) => (data_type::uint8(), u8::MAX.into()),
-        Data::Text(_) => (data_type::string(), "".into()),
+        VariableValues::F64(_) => (data_type::float64(), f64::NAN.into()),
+        VariableValues::Complex(_) => (data_type::complex128(), Complex64::new(f64::NAN, f64::NAN).into()),
+        VariableValues::I64(_) => (data_type::int64(), i64::MIN.into()),
+        VariableValues::U8(_) => (data_type::uint8(), u8::MAX.into()),
+        VariableValues::Text(_) => (data_type::string(), "".into()),
     }
 }
 

@@ -15,7 +15,7 @@ use faer::Side;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::perm::PermRef;
 use faer::sparse::utils::{permute_self_adjoint_scratch, permute_self_adjoint_to_unsorted};
-use front::{Assembly, Front};
+use front::{Front, FrontAssembly};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -205,7 +205,7 @@ fn eliminate(
         true => Some(row - begin),
         false => rows.binary_search(&row).ok().map(|k| width + k),
     };
-    let mut assembly = Assembly::new(width, rows.len(), size)?;
+    let mut assembly = FrontAssembly::new(width, rows.len(), size)?;
     for column in columns.clone() {
         for (row, value) in matrix.column(column) {
             assembly.add(place(row).ok_or_else(wrong)?, column - begin, value);

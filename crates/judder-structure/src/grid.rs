@@ -31,7 +31,7 @@ impl Grid {
     pub fn mesh(&self, material: &str, place: impl Fn([f64; 3]) -> [f64; 3]) -> Result<Mesh, StructureError> {
         self.check()?;
         let dimension = self.kind.dimension();
-        let mut nodes = Nodes { places: self.corners(&place), middles: BTreeMap::new() };
+        let mut nodes = GridNodes { places: self.corners(&place), middles: BTreeMap::new() };
         let mut connectivity = Vec::new();
         for cell in self.each_cell() {
             let corners = self.corners_of(cell);
@@ -106,7 +106,7 @@ impl Grid {
     }
 
     /// The nodes on each side: corners by their place in the grid, middles whose corners are both there.
-    fn node_sets(&self, dimension: usize, nodes: &Nodes) -> BTreeMap<String, Vec<usize>> {
+    fn node_sets(&self, dimension: usize, nodes: &GridNodes) -> BTreeMap<String, Vec<usize>> {
         let mut sets = BTreeMap::new();
         for (axis, name) in ["x", "y", "z"].into_iter().enumerate().take(dimension) {
             for (end, suffix) in [(0, "min"), (self.cells[axis], "max")] {
@@ -163,12 +163,12 @@ fn middles(kind: ElementKind) -> &'static [[usize; 2]] {
 }
 
 /// Corners first, then the middles of edges as they come up.
-struct Nodes {
+struct GridNodes {
     places: Vec<[f64; 3]>,
     middles: BTreeMap<(usize, usize), usize>,
 }
 
-impl Nodes {
+impl GridNodes {
     fn middle(&mut self, a: usize, b: usize) -> usize {
         let (first, second) = (a.min(b), a.max(b));
         *self.middles.entry((first, second)).or_insert_with(|| {

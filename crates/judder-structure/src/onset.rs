@@ -114,30 +114,30 @@ pub fn onsets<E>(
         (Some((from, _)), Some((to, _))) => (to - from).abs(),
         _ => return Ok(Vec::new()),
     };
-    let mut search = Search { at, range, region, found: Vec::new() };
+    let mut search = OnsetSearch { at, range, region, found: Vec::new() };
     for pair in known.windows(2) {
-        let [low, high] = [0, 1].map(|k| Sample { value: pair[k].0, stability: pair[k].1.clone() });
+        let [low, high] = [0, 1].map(|k| StabilitySample { value: pair[k].0, stability: pair[k].1.clone() });
         search.between(&low, &high, region)?;
     }
     Ok(search.found)
 }
 
 /// A value and what is known of stability there.
-struct Sample {
+struct StabilitySample {
     value: f64,
     stability: StabilityAt,
 }
 
 /// A mode that grows at one end of an interval alone.
 #[derive(Clone, Copy)]
-struct Change {
+struct ModeChange {
     /// Its frequency there, in Hz.
     frequency: f64,
     /// Whether that is the lower end.
     gains: bool,
 }
 
-impl Sample {
+impl StabilitySample {
     /// The frequencies of the modes that grow, in Hz.
     fn growing(&self) -> Vec<f64> {
         let grows = |own: &&Eigenvalue| own.verdict() == EigenvalueVerdict::Unstable;
@@ -153,7 +153,7 @@ impl Sample {
     }
 
     /// The modes that grow here or at a higher value alone: of all pairs of frequencies the nearest are those of one mode.
-    fn changes(&self, high: &Self) -> Vec<Change> {
+    fn changes(&self, high: &Self) -> Vec<ModeChange> {
         let (here, there) = (self.growing(), high.growing());
         let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
         for (i, own) in here.iter().enumerate() {
@@ -172,7 +172,7 @@ impl Sample {
         }
         let alone = |frequencies: &[f64], paired: &[bool], gains: bool| {
             let own = frequencies.iter().zip(paired).filter(|(_, paired)| !**paired);
-            own.map(|(frequency, _)| Change { frequency: *frequency, gains }).collect::<Vec<_>>()
+            own.map(|(frequency, _)| ModeChange { frequency: *frequency, gains }).collect::<Vec<_>>()
         };
         [alone(&here, &paired[0], true), alone(&there, &paired[1], false)].concat()
     }
@@ -191,20 +191,20 @@ impl Sample {
     }
 }
 
-struct Search<'a, 'b, E> {
+struct OnsetSearch<'a, 'b, E> {
     at: &'a mut StabilityOf<'b, E>,
     range: f64,
     region: &'a Region,
     found: Vec<Onset>,
 }
 
-impl<E> Search<'_, '_, E> {
-    fn sample(&mut self, value: f64, within: &Region) -> Result<Sample, E> {
-        (self.at)(value, within).map(|stability| Sample { value, stability })
+impl<E> OnsetSearch<'_, '_, E> {
+    fn sample(&mut self, value: f64, within: &Region) -> Result<StabilitySample, E> {
+        (self.at)(value, within).map(|stability| StabilitySample { value, stability })
     }
 
     /// Finds the onsets between two values in a part of the region.
-    fn between(&mut self, low: &Sample, high: &Sample, within: &Region) -> Result<(), E> {
+    fn between(&mut self, low: &StabilitySample, high: &StabilitySample, within: &Region) -> Result<(), E> {
         let changes = low.changes(high);
         if changes.is_empty() {
             return Ok(());
@@ -236,7 +236,7 @@ impl<E> Search<'_, '_, E> {
     }
 
     /// The part of the region around changes.
-    fn around(&self, changes: &[Change]) -> Region {
+    fn around(&self, changes: &[ModeChange]) -> Region {
         let Region { re, im: [from, to] } = *self.region;
         let frequencies = changes.iter().map(|change| TAU * change.frequency);
         let [low, high] =
@@ -247,7 +247,7 @@ impl<E> Search<'_, '_, E> {
     }
 
     /// Keeps what lies between two values that cannot be told apart, if it is no mode that comes or goes over the edge of the region.
-    fn keep(&mut self, low: &Sample, high: &Sample, change: Change) {
+    fn keep(&mut self, low: &StabilitySample, high: &StabilitySample, change: ModeChange) {
         let growing = if change.gains { low } else { high };
         if growing.leaves(self.region, change.frequency) {
             return;
@@ -263,14 +263,14 @@ impl<E> Search<'_, '_, E> {
     /// The root of the function that vanishes at an onset; `None` where it does not vanish, or the closed points change.
     fn root(
         &mut self,
-        low: &Sample,
-        high: &Sample,
-        change: Change,
+        low: &StabilitySample,
+        high: &StabilitySample,
+        change: ModeChange,
         within: &Region,
     ) -> Result<Option<Onset>, E> {
         let (stable, unstable) = if change.gains { (high, low) } else { (low, high) };
         let vanishing = Vanishing::of(&stable.stability, unstable.growing().len(), change.frequency);
-        let value_of = |sample: &Sample| match sample.stability.closed == low.stability.closed {
+        let value_of = |sample: &StabilitySample| match sample.stability.closed == low.stability.closed {
             true => vanishing.value(&sample.stability, change.frequency),
             false => f64::NAN,
         };
@@ -300,11 +300,11 @@ impl<E> Search<'_, '_, E> {
         let frequency = near.first().map_or(change.frequency, |own| own.frequency_hz());
         let error = if unknown.is_finite() { unknown.max(0.5 * precision) } else { high.value - low.value };
         let crossing = Some(Crossing { vanishing, frequency, slope, within: *within });
-        Ok(Some(Onset { value, error, crossing, ..Change { frequency, ..change }.onset() }))
+        Ok(Some(Onset { value, error, crossing, ..ModeChange { frequency, ..change }.onset() }))
     }
 }
 
-impl Change {
+impl ModeChange {
     /// What it is, wherever it lies.
     fn onset(self) -> Onset {
         let Self { frequency, gains } = self;

@@ -25,7 +25,7 @@ pub(crate) enum MatrixSide {
 
 /// Two plain numbers.
 #[cfg(feature = "keys")]
-const RANGE: judder_keys::declared::Pair = judder_keys::declared::Pair {
+const RANGE: judder_keys::declared::NumberPair = judder_keys::declared::NumberPair {
     of: judder_keys::declared::Number::any(judder_keys::dimension::Dimension::NUMBER),
     what: "two numbers, from and to",
     is_ascending: true,

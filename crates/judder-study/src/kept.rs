@@ -6,18 +6,18 @@ use serde::de::DeserializeOwned;
 
 /// The lines of an earlier run, and who keeps each new one.
 #[derive(Clone, Copy)]
-pub struct Kept<'a> {
+pub struct KeptLines<'a> {
     /// Lines of JSON.
     pub lines: &'a [String],
     /// Keeps a line; it may come from any thread.
     pub keep: &'a (dyn Fn(&str) + Sync),
     /// Where the study is; none where there is none.
-    pub place: Option<Place<'a>>,
+    pub place: Option<StudyPlace<'a>>,
 }
 
 /// An analysis in its study folder: for those that store arrays while they run, and those that read what others have left.
 #[derive(Clone, Copy)]
-pub struct Place<'a> {
+pub struct StudyPlace<'a> {
     /// The folder.
     pub study: &'a StudyFolder,
     /// The analysis's name.
@@ -28,9 +28,9 @@ pub struct Place<'a> {
     pub all: &'a [(String, String)],
 }
 
-impl Kept<'_> {
+impl KeptLines<'_> {
     /// Nothing is known and nothing is kept.
-    pub const NOTHING: Kept<'static> = Kept { lines: &[], keep: &|_| (), place: None };
+    pub const NOTHING: KeptLines<'static> = KeptLines { lines: &[], keep: &|_| (), place: None };
 
     /// What is known of one type; a line that is none of it comes from elsewhere and is passed over.
     pub fn known<T: DeserializeOwned>(&self) -> Vec<T> {

@@ -4,7 +4,7 @@ use judder_keys::dimension::Dimension;
 
 /// A swept quantity: its name, its symbol and its unit.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Quantity {
+pub struct SweptQuantity {
     /// Name as it stands in arrays and tables, such as `velocity`.
     pub name: String,
     /// Quantity, symbol and unit for an axis.
@@ -16,10 +16,10 @@ pub struct Quantity {
 }
 
 /// How any number of a case is called, by its dotted path.
-pub fn any_key(path: &str, dimension: Dimension) -> Quantity {
+pub fn any_key(path: &str, dimension: Dimension) -> SweptQuantity {
     let unit = if dimension.is_number() { "1".to_owned() } else { dimension.unit() };
     let shown = if unit == "1" { "−" } else { &unit };
-    Quantity {
+    SweptQuantity {
         name: path.to_owned(),
         label: format!("{path} ({shown})"),
         symbol: path.rsplit('.').next().unwrap_or(path).to_owned(),

@@ -11,8 +11,8 @@ pub use operating_quantity::OperatingQuantity;
 use crate::case::study_sweep::{StudySweep, SweptKey};
 use crate::case::text::CaseText;
 use crate::error::StudyError;
-use crate::kept::Kept;
-use crate::labels::{self, Quantity};
+use crate::kept::KeptLines;
+use crate::labels::{self, SweptQuantity};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::resolve::Resolved;
@@ -54,7 +54,7 @@ pub trait Model: Analyses + Any + DynClone + fmt::Debug + Send + Sync {
     }
 
     /// How a swept key is called that [`Model::is_set_by`] holds for.
-    fn swept_label(&self, key: &SweptKey) -> Quantity {
+    fn swept_label(&self, key: &SweptKey) -> SweptQuantity {
         labels::any_key(&key.path, key.dimension)
     }
 
@@ -186,9 +186,9 @@ pub struct Task<'a> {
     /// What the analyses of the case share.
     pub prepared: &'a Prepared,
     /// What an interrupted run has left of what the analyses of the case share.
-    pub shared: Kept<'a>,
+    pub shared: KeptLines<'a>,
     /// What it has left of this analysis.
-    pub own: Kept<'a>,
+    pub own: KeptLines<'a>,
     /// Who is told how far it is, and may stop it.
     pub progress: &'a dyn Progress,
     /// Who sees samples while they are computed.
@@ -198,7 +198,7 @@ pub struct Task<'a> {
 impl<'a> Task<'a> {
     /// Of nothing that is known before and nothing that is kept.
     pub fn alone(prepared: &'a Prepared, progress: &'a dyn Progress) -> Self {
-        Self { prepared, shared: Kept::NOTHING, own: Kept::NOTHING, progress, watch: None }
+        Self { prepared, shared: KeptLines::NOTHING, own: KeptLines::NOTHING, progress, watch: None }
     }
 }
 
@@ -223,7 +223,7 @@ impl Prepared {
 
 /// An analysis in its case file.
 #[derive(Clone, Copy)]
-pub struct Place<'a> {
+pub struct AnalysisPlace<'a> {
     /// The text of the case file.
     pub file: &'a CaseText,
     /// The position of the analysis.
@@ -259,7 +259,7 @@ impl Refusal {
     }
 
     /// As an error at its place in the case file.
-    pub fn placed(self, Place { file, index, name }: Place<'_>) -> CaseError {
+    pub fn placed(self, AnalysisPlace { file, index, name }: AnalysisPlace<'_>) -> CaseError {
         match self {
             Self::Keys(keys, cause) => file.analysis_error(index, keys, *cause),
             Self::Key("", cause) => file.error(&format!("analysis.{name}"), *cause),
@@ -278,5 +278,5 @@ pub fn placed(
 ) -> StudyError {
     let names = case.analysis_names();
     let Some(name) = names.get(index) else { return error };
-    case.blamed(&error, Place { file, index, name }).map_or(error, StudyError::from)
+    case.blamed(&error, AnalysisPlace { file, index, name }).map_or(error, StudyError::from)
 }

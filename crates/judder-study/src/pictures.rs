@@ -5,7 +5,7 @@ pub(crate) mod sweep;
 use crate::case::analysis::Picture;
 use crate::registry::ModelKind;
 use judder_report::{Axis, Figure, Panel, Role};
-use judder_store::{Data, Dataset, Variable};
+use judder_store::{Dataset, Variable, VariableValues};
 use num_complex::Complex64;
 
 /// Width over height of the frame of a panel: lengths along x and y shall look alike.
@@ -51,7 +51,7 @@ pub fn ascending_order(values: &[f64]) -> Vec<usize> {
 /// The real numbers of this array; none where there is no such array of them.
 pub fn reals<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [f64]> {
     match &dataset.variable(name)?.data {
-        Data::F64(values) => Some(values),
+        VariableValues::F64(values) => Some(values),
         _ => None,
     }
 }
@@ -59,7 +59,7 @@ pub fn reals<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [f64]> {
 /// The complex numbers of this array; none where there is no such array of them.
 pub fn complexes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [Complex64]> {
     match &dataset.variable(name)?.data {
-        Data::Complex(values) => Some(values),
+        VariableValues::Complex(values) => Some(values),
         _ => None,
     }
 }
@@ -67,7 +67,7 @@ pub fn complexes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [Complex64]
 /// The codes of this array of classes; none where there is no such array of them.
 pub fn codes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [u8]> {
     match &dataset.variable(name)?.data {
-        Data::U8(values) => Some(values),
+        VariableValues::U8(values) => Some(values),
         _ => None,
     }
 }
@@ -75,7 +75,7 @@ pub fn codes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [u8]> {
 /// The words of this array; none where there is no such array of them.
 pub fn words<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [String]> {
     match &dataset.variable(name)?.data {
-        Data::Text(values) => Some(values),
+        VariableValues::Text(values) => Some(values),
         _ => None,
     }
 }
@@ -92,7 +92,7 @@ pub fn axis(coordinate: &Variable) -> Axis {
 }
 
 /// The coordinate along the last named dimension that has one, and that of the family before it.
-pub struct Swept<'a> {
+pub struct SweptCoordinates<'a> {
     /// The coordinate.
     pub axis: &'a Variable,
     /// Its values.
@@ -101,7 +101,7 @@ pub struct Swept<'a> {
     pub family: Option<(&'a Variable, &'a [f64])>,
 }
 
-impl<'a> Swept<'a> {
+impl<'a> SweptCoordinates<'a> {
     /// The swept quantities of an array: its dimensions that have coordinates.
     pub fn of(dataset: &'a Dataset, array: &str) -> Option<Self> {
         let mut coordinates = dataset

@@ -21,7 +21,7 @@ use crate::report;
 use crate::sweep::{Shard, SweepEstimate, SweepPlan};
 use crate::terminal_tables;
 use analyses::{AnalysisRunner, shared};
-use asked::Asked;
+use asked::AskedCase;
 use judder_store::{Status, StudyFolder, Summary};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -96,7 +96,7 @@ pub fn run(
     options: &RunOptions,
     progress: &dyn Progress,
 ) -> Result<RunReport, StudyError> {
-    let asked = Asked::new(file, options)?;
+    let asked = AskedCase::new(file, options)?;
     let prepared = file.case.preflight(file, &|name| asked.is_wanted(name))?;
     let plans = asked.plans()?;
     if plans.is_empty() && matches!(options.sweeps, SweepWork::Part(_)) {
@@ -128,7 +128,7 @@ pub struct Identity {
 /// A file of the case that cannot be read.
 pub fn identity(file: &CaseFile) -> Result<Identity, StudyError> {
     let options = RunOptions::default();
-    let asked = Asked::new(file, &options)?;
+    let asked = AskedCase::new(file, &options)?;
     let results = asked.all().map(|(name, hash)| (name.clone(), hash.clone())).collect();
     Ok(Identity { case_hash: case_hash(&asked.resolved), results, resolved: asked.resolved })
 }
@@ -138,7 +138,7 @@ pub fn identity(file: &CaseFile) -> Result<Identity, StudyError> {
 /// # Errors
 /// A name that the case does not have, a quantity that no operating point has, a file of the case that cannot be read.
 pub fn plans(file: &CaseFile, only: &[String]) -> Result<Vec<SweepPlan>, StudyError> {
-    Asked::new(file, &RunOptions { only: only.to_vec(), ..RunOptions::default() })?.plans()
+    AskedCase::new(file, &RunOptions { only: only.to_vec(), ..RunOptions::default() })?.plans()
 }
 
 /// What the wanted sweeps of a case would take; writes nothing.
@@ -151,7 +151,7 @@ pub fn dry_run(
     options: &RunOptions,
     progress: &dyn Progress,
 ) -> Result<Vec<SweepEstimate>, StudyError> {
-    let asked = Asked::new(file, options)?;
+    let asked = AskedCase::new(file, options)?;
     file.case.preflight(file, &|name| asked.is_wanted(name))?;
     asked.plans()?.iter().map(|plan| SweepEstimate::new(plan, folder, progress)).collect()
 }
@@ -206,7 +206,7 @@ pub fn compute(
     options: &RunOptions,
     progress: &dyn Progress,
 ) -> Result<Computed, StudyError> {
-    let asked = Asked::new(file, options)?;
+    let asked = AskedCase::new(file, options)?;
     let prepared = file.case.preflight(file, &|name| asked.is_wanted(name))?;
     compute_in(taken(folder, options.fresh)?, &asked, &prepared, &[], true, progress)
 }
@@ -223,7 +223,7 @@ fn taken(folder: &Path, fresh: bool) -> Result<StudyFolder, StudyError> {
 /// Runs the wanted analyses that are not done yet, where they are to be run, and finishes these sweeps, whose chunks are all there.
 fn compute_in(
     store: StudyFolder,
-    asked: &Asked<'_>,
+    asked: &AskedCase<'_>,
     prepared: &Prepared,
     sweeps: &[SweepPlan],
     analyses: bool,

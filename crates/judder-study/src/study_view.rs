@@ -7,7 +7,7 @@ use crate::error::StudyError;
 use crate::ledger::Keepsakes;
 use crate::registry::Registry;
 use crate::report;
-use extremes::Extremes;
+use extremes::BinnedExtremes;
 use judder_store::{Status, StudyReader, Summary, Variable};
 use serde_json::{Map, Value};
 use std::path::Path;
@@ -207,7 +207,7 @@ impl StudyView {
         if shown == range.len() {
             return Ok(self.reader.read_rows(analysis, &head.name, range)?);
         }
-        let mut extremes = Extremes::new(range.clone(), shown / 2, width);
+        let mut extremes = BinnedExtremes::new(range.clone(), shown / 2, width);
         let step = self.reader.rows_of_a_file(analysis, &head.name)?.max(1);
         let mut start = range.start;
         while start < range.end {

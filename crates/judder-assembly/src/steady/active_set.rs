@@ -50,7 +50,7 @@ pub(super) struct Carried {
 }
 
 /// What was found, and how many systems it took.
-pub(super) struct Found {
+pub(super) struct FoundContacts {
     pub(super) guess: Guess,
     pub(super) carried: Vec<Carried>,
     pub(super) iterations: usize,
@@ -75,7 +75,7 @@ pub(super) struct Solver<'a> {
 
 impl Solver<'_> {
     /// The closed points with their openings, the forces, and how many systems it took.
-    pub(super) fn solved(&self) -> Result<Found, AssemblyError> {
+    pub(super) fn solved(&self) -> Result<FoundContacts, AssemblyError> {
         let of_load = &self.compliance.of_load;
         let touches = |k: usize| {
             let point = &self.points[k];
@@ -117,7 +117,7 @@ impl Solver<'_> {
             let settles = changes.is_empty() && residual <= CONVERGED * self.scale(&guess.opening);
             // of a law that is curved one step more has all digits
             if settles && (has_settled || !is_curved) {
-                return Ok(Found { guess, carried, iterations: iteration });
+                return Ok(FoundContacts { guess, carried, iterations: iteration });
             }
             has_settled = settles;
             // a set that was there before would come again

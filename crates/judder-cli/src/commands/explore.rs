@@ -5,7 +5,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use judder_explorer::{Explorer, Subject};
+use judder_explorer::{Explorer, ViewedCase};
 use judder_study::home;
 use serde_json::json;
 use tempfile::NamedTempFile;
@@ -65,7 +65,7 @@ impl ExploreArguments {
     }
 
     /// The case and the study folder that are meant.
-    fn open(&self) -> Result<Subject, Failure> {
+    fn open(&self) -> Result<ViewedCase, Failure> {
         let (case, study) = match &self.subject {
             Some(path) if fs::metadata(path).is_ok_and(|metadata| metadata.is_dir()) => {
                 if self.study.is_some() {
@@ -80,7 +80,7 @@ impl ExploreArguments {
             path => (path.as_deref(), self.study.clone()),
         };
         let study = study.or_else(|| case.and_then(home::usual));
-        Ok(Subject::open(case, study.as_deref())?)
+        Ok(ViewedCase::open(case, study.as_deref())?)
     }
 }
 

@@ -37,7 +37,7 @@ pub(super) fn friction(c: &[f64; 4], log10_velocity: f64, log10_indentation: f64
 mod tests {
     use super::*;
     use crate::fit::least_squares::GradientFunction;
-    use crate::{ContactLaw, ContactPoint, FittedLaw};
+    use crate::{ContactLaw, FittedLaw, LawPoint};
 
     fn assert_gradient<const N: usize>(function: GradientFunction<N>, c: [f64; N], at: (f64, f64)) {
         const STEP: f64 = 1e-6;
@@ -62,7 +62,7 @@ mod tests {
             assert_gradient(area, law.area, at);
             assert_gradient(friction, law.friction, at);
             let (v, y) = (10_f64.powf(at.0), 10_f64.powf(at.1));
-            let expected = law.evaluate(&ContactPoint::new(v, y));
+            let expected = law.evaluate(&LawPoint::new(v, y));
             let (f, g, m) = (
                 force(&law.force, at.0, at.1).0 * y.powf(1.5),
                 area(&law.area, at.0, at.1).0 * y,

@@ -13,7 +13,7 @@ use crate::law::scatter::{self, Doubt, Tabulated};
 use crate::law::slow::put_theory;
 use crate::law::spline::{left_out, pieces};
 use crate::law::table::{check_values, combined, in_tails, speed_tails, tail_concern};
-use crate::response::{ContactPoint, ContactResponse};
+use crate::response::{ContactResponse, LawPoint};
 
 /// Beyond ŷ = 0.1 a sphere is no longer a paraboloid: force 1 % off, area 3 %.
 const DEEPEST: f64 = 0.1;
@@ -84,7 +84,7 @@ impl CollapsedLaw {
 
 impl ContactLaw for CollapsedLaw {
     #[inline(always)]
-    fn evaluate(&self, at: &ContactPoint) -> ContactResponse {
+    fn evaluate(&self, at: &LawPoint) -> ContactResponse {
         let place = self.data.speeds.place(ln_speed(at), SPEED_RATES);
         let piece = &self.pieces[place.piece];
         let (value, slope) = (combined(piece, &place.basis), combined(piece, &place.slopes));
@@ -94,7 +94,7 @@ impl ContactLaw for CollapsedLaw {
         self.reference.response(at, scaled)
     }
 
-    fn doubt(&self, at: &ContactPoint) -> Option<ContactResponse> {
+    fn doubt(&self, at: &LawPoint) -> Option<ContactResponse> {
         let place = self.data.speeds.place(ln_speed(at), SPEED_RATES);
         let doubt = self.doubts.as_ref()?[place.piece];
         let doubt = in_tails(doubt, &place, self.data.speeds.count(), &self.pieces[place.piece]);
@@ -105,7 +105,7 @@ impl ContactLaw for CollapsedLaw {
         if indentation > DEEPEST {
             return Some(ValidityConcern::TooDeep { indentation, limit: DEEPEST });
         }
-        let at = ContactPoint::new(velocity, indentation);
+        let at = LawPoint::new(velocity, indentation);
         let place = self.data.speeds.place(ln_speed(&at), SPEED_RATES);
         let is_tail = place.piece == 0 || place.piece == self.data.speeds.count();
         // the term whose factor is known is no assumption

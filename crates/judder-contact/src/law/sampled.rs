@@ -13,7 +13,7 @@ use crate::law::scaled::ScaledLogarithm;
 use crate::law::scatter::{Doubt, Tabulated};
 use crate::law::slow::SlowErrors;
 use crate::law::table::{along_speed, combined};
-use crate::response::{ContactPoint, ContactResponse, WithDerivatives};
+use crate::response::{ContactResponse, LawPoint, WithDerivatives};
 use axis::KnotAxis;
 
 /// The names of the axes in errors.
@@ -99,7 +99,7 @@ impl SampledLaw {
 
 impl ContactLaw for SampledLaw {
     #[inline]
-    fn evaluate(&self, at: &ContactPoint) -> ContactResponse {
+    fn evaluate(&self, at: &LawPoint) -> ContactResponse {
         use judder_numerics::elementary::exp;
         let speed = self.speeds.place(at.ln_velocity);
         let depth = self.depths.place(at.ln_indentation);
@@ -129,7 +129,7 @@ impl ContactLaw for SampledLaw {
     }
 
     /// Unknown beyond the values that the law was given.
-    fn doubt(&self, at: &ContactPoint) -> Option<ContactResponse> {
+    fn doubt(&self, at: &LawPoint) -> Option<ContactResponse> {
         if self.concern(at.velocity, at.indentation).is_some() {
             return None;
         }
@@ -252,7 +252,7 @@ mod tests {
         let at = |value: fn(&ContactResponse) -> f64| {
             let depths = indentations.iter();
             depths
-                .flat_map(|y| velocities.iter().map(move |v| ContactPoint::new(*v, *y)))
+                .flat_map(|y| velocities.iter().map(move |v| LawPoint::new(*v, *y)))
                 .map(|at| value(&law.evaluate(&at)))
                 .collect()
         };
@@ -270,7 +270,7 @@ mod tests {
         let law = of(&exact, logarithmic(1e-7, 1e2, 91), logarithmic(1e-6, 1e-1, 41));
         assert!(law.errors().into_array().into_iter().all(|error| error < 2e-3), "{:?}", law.errors());
         for (velocity, indentation) in [(3.3e-5, 2e-4), (0.7, 3e-2), (1.1e-3, 5.5e-6)] {
-            let at = ContactPoint::new(velocity, indentation);
+            let at = LawPoint::new(velocity, indentation);
             let (a, b) = (law.evaluate(&at), exact.evaluate(&at));
             for (a, b) in [(a.force, b.force), (a.area, b.area)] {
                 assert!((a.value / b.value - 1.0).abs() < 1e-3, "{a:?} {b:?}");
@@ -287,7 +287,7 @@ mod tests {
         for velocity in [1e-7, 1.3e-5, 2e-2, 30.0] {
             for indentation in [1e-6, 3e-4, 0.2] {
                 let e = 1e-6;
-                let value = |v: f64, y: f64| law.evaluate(&ContactPoint::new(v, y));
+                let value = |v: f64, y: f64| law.evaluate(&LawPoint::new(v, y));
                 let here = value(velocity, indentation);
                 let (up, down) =
                     (value(velocity * (1.0 + e), indentation), value(velocity * (1.0 - e), indentation));
@@ -324,12 +324,12 @@ mod tests {
             values,
         })
         .unwrap();
-        let far = law.evaluate(&ContactPoint::new(1e-7, 1e-7));
+        let far = law.evaluate(&LawPoint::new(1e-7, 1e-7));
         assert!((far.force.value / (4.0 / 3.0 * 1e-7_f64.powf(1.5)) - 1.0).abs() < 1e-9);
         // to zero as far as the spline knows slope and curvature at its edge
         assert!(far.friction.value.abs() < 1e-2 * 0.09, "{:?}", far.friction);
         assert!(law.concern(1e-7, 1e-2).is_some() && law.concern(1e-2, 1e-2).is_none());
-        let limit = law.evaluate(&ContactPoint::new(0.0, 0.0));
+        let limit = law.evaluate(&LawPoint::new(0.0, 0.0));
         assert!(
             limit.force.value == 0.0
                 && limit.friction.by_velocity.is_finite()

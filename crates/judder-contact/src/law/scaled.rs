@@ -9,7 +9,7 @@
 use crate::law::knots::Knots;
 use crate::law::material::LawMaterial;
 use crate::law::quantities::{KnotValues, PerQuantity};
-use crate::response::{ContactPoint, ContactResponse, WithDerivatives};
+use crate::response::{ContactResponse, LawPoint, WithDerivatives};
 use std::f64::consts::PI;
 
 /// 4/3, Hertz's F̃/ŷ^{3/2}.
@@ -59,11 +59,7 @@ impl FrictionReference {
 
     /// F̃, Ã, μ and their derivatives from the scaled logarithms.
     #[inline(always)]
-    pub(crate) fn response(
-        &self,
-        at: &ContactPoint,
-        scaled: PerQuantity<ScaledLogarithm>,
-    ) -> ContactResponse {
+    pub(crate) fn response(&self, at: &LawPoint, scaled: PerQuantity<ScaledLogarithm>) -> ContactResponse {
         use judder_numerics::elementary::exp;
         let (v, y) = (at.velocity, at.indentation);
         let (per_v, per_y) = (1.0 / v, 1.0 / y);
@@ -97,7 +93,7 @@ impl FrictionReference {
 
 /// ln z of a point.
 #[inline(always)]
-pub(crate) fn ln_speed(at: &ContactPoint) -> f64 {
+pub(crate) fn ln_speed(at: &LawPoint) -> f64 {
     at.ln_velocity - 0.5 * at.ln_indentation
 }
 

@@ -11,7 +11,7 @@ use crate::law::knots::KnotPlace;
 use crate::law::quantities::{KnotValues, PerQuantity};
 use crate::law::scaled::ScaledLogarithm;
 use crate::law::slow::SlowErrors;
-use crate::response::{ContactPoint, ContactResponse, WithDerivatives};
+use crate::response::{ContactResponse, LawPoint, WithDerivatives};
 
 /// The slope may be off by so many of the largest of these differences over h. 1.8 ε/h is 0.85 of it on average over five differences of
 /// independent errors; what neighbours have in common does not show. Of two laws of one rubber, of accuracies 5e-2 and 1e-2, the slopes are
@@ -114,7 +114,7 @@ pub(crate) fn in_tail(edge: Doubt, place: &KnotPlace, rate: f64, assumed: PerQua
 }
 
 /// The doubt of F̃, Ã, μ and their derivatives, absolute, where it is that of logarithms over ln z and ln ŷ.
-pub(crate) fn of_logarithms(at: &ContactPoint, here: &ContactResponse, doubt: Doubt) -> ContactResponse {
+pub(crate) fn of_logarithms(at: &LawPoint, here: &ContactResponse, doubt: Doubt) -> ContactResponse {
     let of = |q: WithDerivatives, doubt: ScaledLogarithm| {
         let size = q.value.abs();
         let (per_v, per_y) = (1.0 / at.velocity, 1.0 / at.indentation);

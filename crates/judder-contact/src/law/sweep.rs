@@ -46,7 +46,7 @@ impl LawSample {
 /// A solved point of a sweep: what is kept to resume it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct SolvedPoint {
+pub struct SolvedLawPoint {
     /// v̂ = v τ/R.
     pub velocity: f64,
     /// ŷ = δ/R.
@@ -63,7 +63,7 @@ pub trait SweepObserver: Sync {
     }
 
     /// A point was solved, the `done`-th of the `planned` points of this level; called from any thread, in any order.
-    fn finished(&self, point: &SolvedPoint, done: usize, planned: usize) {
+    fn finished(&self, point: &SolvedLawPoint, done: usize, planned: usize) {
         let _ = (point, done, planned);
     }
 
@@ -110,7 +110,7 @@ pub struct LawSweep<L> {
     /// The levels, coarse to fine.
     pub levels: Vec<SweepLevel>,
     /// The points of the table, by depth, then speed.
-    pub points: Vec<SolvedPoint>,
+    pub points: Vec<SolvedLawPoint>,
 }
 
 /// The largest of the three errors over its accuracy.

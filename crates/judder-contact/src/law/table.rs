@@ -12,7 +12,7 @@ use crate::law::scaled::{FrictionReference, SPEED_RATES, ScaledLogarithm, ln_spe
 use crate::law::scatter::{self, Doubt, Tabulated};
 use crate::law::slow::put_theory;
 use crate::law::spline::{Tail, left_out, pieces};
-use crate::response::{ContactPoint, ContactResponse};
+use crate::response::{ContactResponse, LawPoint};
 
 /// How the law leaves the table along ln ŷ: what depends on the depth shrinks as ŷ below it, and saturates above it.
 const INDENTATION_RATES: (f64, f64) = (1.0, -1.0);
@@ -186,7 +186,7 @@ impl TabulatedLaw {
     }
 
     #[inline(always)]
-    fn places(&self, at: &ContactPoint) -> (KnotPlace, KnotPlace, &TablePatch) {
+    fn places(&self, at: &LawPoint) -> (KnotPlace, KnotPlace, &TablePatch) {
         let speed = self.data.speeds.place(ln_speed(at), SPEED_RATES);
         let depth = self.indentations.place(at.ln_indentation, INDENTATION_RATES);
         let patch = &self.patches[depth.piece * self.data.speeds.pieces() + speed.piece];
@@ -196,7 +196,7 @@ impl TabulatedLaw {
 
 impl ContactLaw for TabulatedLaw {
     #[inline(always)]
-    fn evaluate(&self, at: &ContactPoint) -> ContactResponse {
+    fn evaluate(&self, at: &LawPoint) -> ContactResponse {
         let (speed, depth, patch) = self.places(at);
         let here = along_speed(patch, &speed.basis);
         let value = combined(&here, &depth.basis);
@@ -212,7 +212,7 @@ impl ContactLaw for TabulatedLaw {
     }
 
     /// Unknown below the deepest knot, where the law levels off by assumption.
-    fn doubt(&self, at: &ContactPoint) -> Option<ContactResponse> {
+    fn doubt(&self, at: &LawPoint) -> Option<ContactResponse> {
         if at.ln_indentation > self.indentations.last() {
             return None;
         }
@@ -224,7 +224,7 @@ impl ContactLaw for TabulatedLaw {
     }
 
     fn concern(&self, velocity: f64, indentation: f64) -> Option<ValidityConcern> {
-        let at = ContactPoint::new(velocity, indentation);
+        let at = LawPoint::new(velocity, indentation);
         let (speed, depth, patch) = self.places(&at);
         if depth.piece == self.indentations.count() && at.ln_indentation > self.indentations.last() {
             return Some(ValidityConcern::TooDeep { indentation, limit: self.indentations.last().exp() });

@@ -4,7 +4,7 @@ use judder_contact::law::boundary_elements::{sample, sweep_accuracy};
 use judder_contact::law::sweep::{CollapseRequest, SweepRange, collapse_sweep};
 use judder_contact::law::{LawIndenter, LawMaterial};
 use judder_contact::steady::MEMORY;
-use judder_contact::{CollapsedLaw, ContactLaw, ContactPoint, ContactResponse};
+use judder_contact::{CollapsedLaw, ContactLaw, ContactResponse, LawPoint};
 
 const DEPTH: f64 = 1e-2;
 
@@ -23,7 +23,7 @@ fn law(material: &LawMaterial, accuracy: f64) -> CollapsedLaw {
 }
 
 fn at(law: &CollapsedLaw, z: f64) -> ContactResponse {
-    law.evaluate(&ContactPoint::new(z * DEPTH.sqrt(), DEPTH))
+    law.evaluate(&LawPoint::new(z * DEPTH.sqrt(), DEPTH))
 }
 
 /// d ln A/d ln v.

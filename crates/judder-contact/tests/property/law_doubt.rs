@@ -2,7 +2,7 @@
 
 use crate::synthetic::{contact, material, speeds};
 use judder_contact::law::{KnotValues, LawIndenter, LawMaterial, PerQuantity};
-use judder_contact::{CollapsedLaw, ContactLaw, ContactPoint, ContactResponse, WithDerivatives};
+use judder_contact::{CollapsedLaw, ContactLaw, ContactResponse, LawPoint, WithDerivatives};
 use proptest::prelude::*;
 
 const DEPTH: f64 = 1e-2;
@@ -29,8 +29,8 @@ fn noisy(count: usize, error: f64, seed: u64) -> CollapsedLaw {
     CollapsedLaw::new(material(), "test".to_owned(), speeds, values, PerQuantity::uniform(error)).unwrap()
 }
 
-fn at(z: f64) -> ContactPoint {
-    ContactPoint::new(z * DEPTH.sqrt(), DEPTH)
+fn at(z: f64) -> LawPoint {
+    LawPoint::new(z * DEPTH.sqrt(), DEPTH)
 }
 
 /// d ln q/d ln v of the closed form, by differences.
@@ -98,7 +98,7 @@ fn errors_fall_with_those_of_the_contacts_and_are_unknown_where_nothing_tells_th
     assert_eq!(hertz.doubt(&at(1.0)), Some(ContactResponse::default()));
     assert!(crate::synthetic::tabulated(LawIndenter::Sphere, 33, 5).doubt(&at(1.0)).is_some());
     assert!(crate::synthetic::tabulated(LawIndenter::Sphere, 33, 2).doubt(&at(1.0)).is_none());
-    let below = ContactPoint::new(1.0, 0.31);
+    let below = LawPoint::new(1.0, 0.31);
     assert!(crate::synthetic::tabulated(LawIndenter::Sphere, 33, 5).doubt(&below).is_none());
 }
 

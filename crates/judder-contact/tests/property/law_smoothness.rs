@@ -2,7 +2,7 @@
 
 use crate::synthetic::{RATIO, collapsed, contact, tabulated};
 use judder_contact::law::LawIndenter::{self, Paraboloid, Sphere};
-use judder_contact::{ContactLaw, ContactPoint, ContactResponse, HertzLaw, ValidityConcern, WithDerivatives};
+use judder_contact::{ContactLaw, ContactResponse, HertzLaw, LawPoint, ValidityConcern, WithDerivatives};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
@@ -11,7 +11,7 @@ fn quantities(r: &ContactResponse) -> [WithDerivatives; 3] {
 }
 
 fn at(law: &dyn ContactLaw, v: f64, y: f64) -> [WithDerivatives; 3] {
-    quantities(&law.evaluate(&ContactPoint::new(v, y)))
+    quantities(&law.evaluate(&LawPoint::new(v, y)))
 }
 
 /// The derivatives by ln v̂ and ln ŷ.

@@ -2,11 +2,11 @@
 
 use crate::synthetic::{contact, material, origin, sample};
 use judder_contact::law::sweep::{
-    CollapseRequest, LawSample, SolvedPoint, SweepEnd, SweepObserver, SweepRange, SweepRequest,
+    CollapseRequest, LawSample, SolvedLawPoint, SweepEnd, SweepObserver, SweepRange, SweepRequest,
     collapse_sweep, sweep,
 };
 use judder_contact::law::{LawError, LawIndenter, LawMaterial, PerQuantity};
-use judder_contact::{ContactLaw, ContactPoint};
+use judder_contact::{ContactLaw, LawPoint};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -21,7 +21,7 @@ fn request(accuracy: f64) -> SweepRequest {
 
 /// Collects, and stops after a number of points.
 struct Watch {
-    points: Mutex<Vec<SolvedPoint>>,
+    points: Mutex<Vec<SolvedLawPoint>>,
     begun: AtomicUsize,
     limit: usize,
 }
@@ -33,7 +33,7 @@ impl Watch {
 }
 
 impl SweepObserver for Watch {
-    fn finished(&self, point: &SolvedPoint, done: usize, planned: usize) {
+    fn finished(&self, point: &SolvedLawPoint, done: usize, planned: usize) {
         assert!(done >= 1 && done <= planned);
         self.points.lock().unwrap().push(*point);
     }
@@ -52,7 +52,7 @@ fn as_accurate_as_asked_and_no_finer() {
         let last = sweep.levels.last().unwrap();
         assert_eq!(sweep.points.len(), last.columns * last.rows);
         for (v, y) in [(3e-5, 3e-4), (1e-2, 1e-2), (0.3, 0.2), (4.0, 7e-3)] {
-            let force = sweep.law.evaluate(&ContactPoint::new(v, y)).force.value;
+            let force = sweep.law.evaluate(&LawPoint::new(v, y)).force.value;
             assert!((force / contact(LawIndenter::Sphere, v, y).force - 1.0).abs() < accuracy);
         }
         assert_eq!(sweep.law.data().errors().solver, PerQuantity { force: 1e-4, area: 2e-4, friction: 3e-4 });
@@ -62,7 +62,7 @@ fn as_accurate_as_asked_and_no_finer() {
 
 #[test]
 fn the_same_on_any_number_of_threads_and_after_an_interruption() {
-    let run = |threads: usize, known: &[SolvedPoint], observer: &dyn SweepObserver| {
+    let run = |threads: usize, known: &[SolvedLawPoint], observer: &dyn SweepObserver| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| sweep(&request(1e-2), known, &sample(LawIndenter::Sphere), observer))
     };
@@ -75,7 +75,7 @@ fn the_same_on_any_number_of_threads_and_after_an_interruption() {
     assert_eq!(kept.len(), finished);
     assert!((27..=70).contains(&finished));
     // through the text in which a study keeps them
-    let kept: Vec<SolvedPoint> = serde_json::from_str(&serde_json::to_string(&kept).unwrap()).unwrap();
+    let kept: Vec<SolvedLawPoint> = serde_json::from_str(&serde_json::to_string(&kept).unwrap()).unwrap();
     let rest = Watch::new(usize::MAX);
     assert_eq!(run(2, &kept, &rest).unwrap(), alone);
     assert_eq!(rest.points.into_inner().unwrap().len() + finished, alone.points.len());
@@ -125,7 +125,7 @@ fn a_paraboloid_needs_one_curve() {
     let made = collapse_sweep(&request, &[], &sample(LawIndenter::Paraboloid), &()).unwrap();
     assert_eq!(made.end, SweepEnd::Accurate);
     for (v, y) in [(1e-9, 1e-7), (1e-3, 1e-4), (2.0, 0.05)] {
-        let response = made.law.evaluate(&ContactPoint::new(v, y));
+        let response = made.law.evaluate(&LawPoint::new(v, y));
         let exact = contact(LawIndenter::Paraboloid, v, y);
         assert!((response.force.value / exact.force - 1.0).abs() < 2e-3);
         assert!((response.area.value / exact.area - 1.0).abs() < 2e-3);

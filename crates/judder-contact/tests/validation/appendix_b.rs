@@ -2,7 +2,7 @@
 
 use judder_contact::fit::{FitError, FitSample, LawFit, Weighting, fit_law};
 use judder_contact::law::PerQuantity;
-use judder_contact::{ContactLaw, ContactPoint, FittedLaw};
+use judder_contact::{ContactLaw, FittedLaw, LawPoint};
 use std::f64::consts::TAU;
 
 /// Samples of a law, evenly in the logarithms.
@@ -14,7 +14,7 @@ fn samples(law: &FittedLaw, log10_v: (f64, f64, usize), log10_y: (f64, f64, usiz
     for row in 0..log10_y.2 {
         for column in 0..log10_v.2 {
             let (velocity, indentation) = (at(log10_v, column), at(log10_y, row));
-            let response = law.evaluate(&ContactPoint::new(velocity, indentation));
+            let response = law.evaluate(&LawPoint::new(velocity, indentation));
             let values = PerQuantity {
                 force: response.force.value,
                 area: response.area.value,

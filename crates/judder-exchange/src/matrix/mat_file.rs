@@ -27,7 +27,7 @@ const NUMERIC: std::ops::RangeInclusive<u32> = 6..=15;
 const COMPLEX: u32 = 0x800;
 
 /// A data element: its type and its bytes.
-struct Element<'a> {
+struct MatElement<'a> {
     kind: u32,
     data: &'a [u8],
     at: usize,
@@ -94,7 +94,7 @@ fn check_header(bytes: &[u8]) -> Result<bool, ExchangeError> {
 }
 
 /// The next element. Inside arrays each begins at a multiple of eight bytes, and short ones have tag and data in eight.
-fn element<'a>(walk: &mut Bytes<'a>, aligned: bool) -> Result<Element<'a>, ExchangeError> {
+fn element<'a>(walk: &mut Bytes<'a>, aligned: bool) -> Result<MatElement<'a>, ExchangeError> {
     let what = ELEMENT;
     let first = walk.u32(what)?;
     let (small, kind) = (first >> 16, first & 0xffff);
@@ -107,7 +107,7 @@ fn element<'a>(walk: &mut Bytes<'a>, aligned: bool) -> Result<Element<'a>, Excha
                 problem: format!("{small} bytes are said to lie in four"),
             })
         })?;
-        return Ok(Element { kind, data, at });
+        return Ok(MatElement { kind, data, at });
     }
     let size = walk.u32(what)? as usize;
     let at = walk.at();
@@ -116,12 +116,12 @@ fn element<'a>(walk: &mut Bytes<'a>, aligned: bool) -> Result<Element<'a>, Excha
         // the last one of a file may lack its padding
         walk.take(size.next_multiple_of(8).saturating_sub(size).min(walk.left()), what)?;
     }
-    Ok(Element { kind, data, at })
+    Ok(MatElement { kind, data, at })
 }
 
 /// The element within a compressed one, with its tag: no more is unpacked than the tag says, and one byte to see that no more is
 /// there, which also lets the checksum be compared.
-fn unpacked(element: &Element<'_>, big_endian: bool) -> Result<Vec<u8>, ExchangeError> {
+fn unpacked(element: &MatElement<'_>, big_endian: bool) -> Result<Vec<u8>, ExchangeError> {
     let damaged = |problem: String| {
         ExchangeError::at_byte(element.at, FileCause::Damaged { what: "a compressed element", problem })
     };
@@ -146,7 +146,7 @@ fn unpacked(element: &Element<'_>, big_endian: bool) -> Result<Vec<u8>, Exchange
 }
 
 /// The matrix in an element, with its name; none where it is no array of numbers.
-fn variable(outer: &Element<'_>, big_endian: bool) -> Result<Option<(String, Matrix)>, ExchangeError> {
+fn variable(outer: &MatElement<'_>, big_endian: bool) -> Result<Option<(String, Matrix)>, ExchangeError> {
     if outer.kind != MATRIX {
         return Ok(None);
     }
@@ -234,7 +234,7 @@ fn full(
 }
 
 /// How an element stores its numbers.
-fn stored(element: &Element<'_>) -> Result<StoredNumber, ExchangeError> {
+fn stored(element: &MatElement<'_>) -> Result<StoredNumber, ExchangeError> {
     match element.kind {
         1 => Ok(StoredNumber::Signed(1)),
         2 => Ok(StoredNumber::Unsigned(1)),
@@ -253,11 +253,11 @@ fn stored(element: &Element<'_>) -> Result<StoredNumber, ExchangeError> {
     }
 }
 
-fn numbers(element: &Element<'_>, big_endian: bool) -> Result<Vec<f64>, ExchangeError> {
+fn numbers(element: &MatElement<'_>, big_endian: bool) -> Result<Vec<f64>, ExchangeError> {
     Ok(stored(element)?.floats(element.data, big_endian))
 }
 
-fn whole_numbers(element: &Element<'_>, big_endian: bool) -> Result<Vec<usize>, ExchangeError> {
+fn whole_numbers(element: &MatElement<'_>, big_endian: bool) -> Result<Vec<usize>, ExchangeError> {
     let counts = stored(element)?.counts(element.data, big_endian);
     counts.into_iter().collect::<Option<Vec<usize>>>().ok_or_else(|| {
         let problem = String::from("a number is negative or not whole where a count is needed");

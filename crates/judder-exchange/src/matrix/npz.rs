@@ -3,7 +3,7 @@
 use super::{Matrix, Symmetry};
 use crate::cause::FileCause;
 use crate::error::ExchangeError;
-use crate::npy::{Array, NpyError, read_npy};
+use crate::npy::{NpyArray, NpyError, read_npy};
 use crate::quoted::quoted;
 use std::io::Cursor;
 use zip::ZipArchive;
@@ -52,7 +52,7 @@ pub(super) fn read_npz(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
     }
 }
 
-type Entries = Vec<(usize, usize, f64)>;
+type MatrixTriplets = Vec<(usize, usize, f64)>;
 
 fn inconsistent(problem: String) -> ExchangeError {
     FileCause::Inconsistent { what: "the sparse matrix", problem }.into()
@@ -60,7 +60,7 @@ fn inconsistent(problem: String) -> ExchangeError {
 
 impl ArchiveArrays<'_> {
     /// An array; it unpacks no further than its own header says.
-    fn array(&mut self, name: &str) -> Result<Array, ExchangeError> {
+    fn array(&mut self, name: &str) -> Result<NpyArray, ExchangeError> {
         let mut file = self.0.by_name(&format!("{name}.npy")).map_err(|error| FileCause::Foreign {
             format: "sparse matrix of SciPy",
             found: format!("its array `{name}` cannot be had ({error})"),
@@ -96,12 +96,16 @@ fn refused(source: NpyError) -> FileCause {
     }
 }
 
-fn turned(entries: Entries) -> Entries {
+fn turned(entries: MatrixTriplets) -> MatrixTriplets {
     entries.into_iter().map(|(row, column, value)| (column, row, value)).collect()
 }
 
 /// Lines (rows or columns), each with its places and numbers.
-fn compressed(arrays: &mut ArchiveArrays<'_>, lines: usize, length: usize) -> Result<Entries, ExchangeError> {
+fn compressed(
+    arrays: &mut ArchiveArrays<'_>,
+    lines: usize,
+    length: usize,
+) -> Result<MatrixTriplets, ExchangeError> {
     let values = arrays.floats("data")?;
     let starts = pointers(arrays, lines, values.len())?;
     let places = arrays.counts("indices")?;
@@ -133,7 +137,11 @@ fn pointers(
 }
 
 /// Dense blocks at places of a coarser matrix.
-fn blocks(arrays: &mut ArchiveArrays<'_>, rows: usize, columns: usize) -> Result<Entries, ExchangeError> {
+fn blocks(
+    arrays: &mut ArchiveArrays<'_>,
+    rows: usize,
+    columns: usize,
+) -> Result<MatrixTriplets, ExchangeError> {
     let array = arrays.array("data")?;
     let (values, shape) = (array.floats().map_err(refused)?, array.shape);
     let [count, height @ (1..), width @ (1..)] = *shape.as_slice() else {
@@ -162,7 +170,7 @@ fn blocks(arrays: &mut ArchiveArrays<'_>, rows: usize, columns: usize) -> Result
     Ok(entries)
 }
 
-fn coordinates(arrays: &mut ArchiveArrays<'_>) -> Result<Entries, ExchangeError> {
+fn coordinates(arrays: &mut ArchiveArrays<'_>) -> Result<MatrixTriplets, ExchangeError> {
     let values = arrays.floats("data")?;
     let (rows, columns) = match arrays.counts("row") {
         Ok(rows) => (rows, arrays.counts("col")?),
@@ -185,7 +193,11 @@ fn split_coordinates(arrays: &mut ArchiveArrays<'_>) -> Result<(Vec<usize>, Vec<
 }
 
 /// A_ij = data[k, j] with i = j − offset_k.
-fn diagonals(arrays: &mut ArchiveArrays<'_>, rows: usize, columns: usize) -> Result<Entries, ExchangeError> {
+fn diagonals(
+    arrays: &mut ArchiveArrays<'_>,
+    rows: usize,
+    columns: usize,
+) -> Result<MatrixTriplets, ExchangeError> {
     let array = arrays.array("data")?;
     let (values, shape) = (array.floats().map_err(refused)?, array.shape);
     let offsets = arrays.floats("offsets")?;

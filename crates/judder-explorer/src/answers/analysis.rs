@@ -1,9 +1,9 @@
 //! Any analysis of a case, as `judder run` computes it, and every array that it leaves.
 
-use crate::body::Asked;
-use crate::frame::Frame;
+use crate::body::JsonBody;
+use crate::frame::FrameInTheMaking;
 use crate::limits::check_answer;
-use crate::refusal::Refusal;
+use crate::refusal::RequestRefusal;
 use crate::reporter::Reporter;
 use crate::scheduler::Pace;
 use crate::site::{SharedSite, Site};
@@ -18,7 +18,10 @@ use serde_json::{Value, json};
 use std::sync::Arc;
 
 /// Answers `/api/analysis`.
-pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) -> Result<Response, Refusal> {
+pub(crate) async fn answer(
+    State(site): SharedSite,
+    JsonBody(view): JsonBody<View>,
+) -> Result<Response, RequestRefusal> {
     stream(&site, view, |_, _| ()).await
 }
 
@@ -27,10 +30,12 @@ pub(crate) async fn stream(
     site: &Site,
     view: View,
     watch: impl Fn(&Reporter, SampleBlock) + Send + 'static,
-) -> Result<Response, Refusal> {
+) -> Result<Response, RequestRefusal> {
     view.check()?;
     if view.analysis.is_none() {
-        return Err(Refusal::wrong("no analysis is asked for; give one, a table as `[[analysis]]` takes it"));
+        return Err(RequestRefusal::wrong(
+            "no analysis is asked for; give one, a table as `[[analysis]]` takes it",
+        ));
     }
     let subject = Arc::clone(&site.subject);
     site.scheduler
@@ -50,17 +55,17 @@ pub(crate) async fn stream(
 }
 
 /// Sends what an analysis leaves.
-fn send(reporter: &Reporter, name: &str, outcome: &Outcome) -> Result<(), Refusal> {
+fn send(reporter: &Reporter, name: &str, outcome: &Outcome) -> Result<(), RequestRefusal> {
     let variables = outcome.dataset.variables();
     check_answer(variables)?;
-    let frame = Frame::new("outcome")
+    let frame = FrameInTheMaking::new("outcome")
         .with("name", name)
         .with("scalars", Value::Object(outcome.scalars.clone()))
         .with("checks", outcome.checks.iter().map(check).collect::<Vec<_>>())
         .with("warnings", json!(outcome.warnings))
         .with("missing", outcome.missing)
         .with("attributes", Value::Object(outcome.dataset.attributes().clone()));
-    reporter.send(variables.iter().fold(frame, Frame::array));
+    reporter.send(variables.iter().fold(frame, FrameInTheMaking::array));
     Ok(())
 }
 

@@ -1,8 +1,8 @@
 //! The value of every key, with and without units.
 
 use super::{inputs, sections};
-use crate::body::Asked;
-use crate::refusal::Refusal;
+use crate::body::JsonBody;
+use crate::refusal::RequestRefusal;
 use crate::site::SharedSite;
 use crate::view::View;
 use axum::Json;
@@ -19,8 +19,8 @@ use serde_json::{Value, json};
 /// Answers `/api/case`.
 pub(crate) async fn answer(
     State(site): SharedSite,
-    Asked(view): Asked<View>,
-) -> Result<Json<Value>, Refusal> {
+    JsonBody(view): JsonBody<View>,
+) -> Result<Json<Value>, RequestRefusal> {
     view.check()?;
     site.compute(move |subject, _| {
         let file = subject.with(&view.set)?;

@@ -1,7 +1,7 @@
 //! The case file of a view.
 
-use crate::body::Asked;
-use crate::refusal::Refusal;
+use crate::body::JsonBody;
+use crate::refusal::RequestRefusal;
 use crate::site::SharedSite;
 use crate::view::View;
 use axum::extract::State;
@@ -10,7 +10,10 @@ use axum::response::{IntoResponse, Response};
 use judder_study::case::anywhere::anywhere;
 
 /// Answers `/api/export`.
-pub(crate) async fn answer(State(site): SharedSite, Asked(view): Asked<View>) -> Result<Response, Refusal> {
+pub(crate) async fn answer(
+    State(site): SharedSite,
+    JsonBody(view): JsonBody<View>,
+) -> Result<Response, RequestRefusal> {
     let text = site.compute(move |subject, _| Ok(anywhere(&view.case(subject)?)?.source.text)).await?;
     Ok(([(CONTENT_TYPE, "text/plain; charset=utf-8")], text).into_response())
 }

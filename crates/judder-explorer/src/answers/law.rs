@@ -1,13 +1,13 @@
 //! The contact law of a case over speed and depth.
 
 use super::oscillator;
-use crate::body::Asked;
-use crate::frame::Frame;
-use crate::refusal::Refusal;
+use crate::body::JsonBody;
+use crate::frame::FrameInTheMaking;
+use crate::refusal::RequestRefusal;
 use crate::reporter::Reporter;
 use crate::scheduler::Pace;
 use crate::site::SharedSite;
-use crate::subject::Subject;
+use crate::subject::ViewedCase;
 use crate::view::View;
 use axum::extract::State;
 use axum::response::Response;
@@ -23,29 +23,29 @@ const SIDE: usize = 500;
 
 /// A view, and the ranges over which its law is wanted.
 #[derive(Debug, Deserialize)]
-pub(crate) struct Wanted {
+pub(crate) struct WantedLaw {
     #[serde(flatten)]
     view: View,
     /// v τ/R.
-    velocity: Range,
+    velocity: LogarithmicRange,
     /// y/R.
-    indentation: Range,
+    indentation: LogarithmicRange,
 }
 
 /// Logarithmically spaced values.
 #[derive(Debug, Clone, Copy, Deserialize)]
-struct Range {
+struct LogarithmicRange {
     from: f64,
     to: f64,
     points: usize,
 }
 
-impl Range {
-    fn values(self, name: &str) -> Result<Vec<f64>, Refusal> {
+impl LogarithmicRange {
+    fn values(self, name: &str) -> Result<Vec<f64>, RequestRefusal> {
         let Self { from, to, points } = self;
         let is_range = from > 0.0 && to > from && to.is_finite() && (2..=SIDE).contains(&points);
         if !is_range {
-            return Err(Refusal::wrong(format!(
+            return Err(RequestRefusal::wrong(format!(
                 "`{name}` from {from} to {to} in {points} points is no range; `from` is above zero, `to` above it, with 2 to {SIDE} points"
             )));
         }
@@ -56,8 +56,8 @@ impl Range {
 /// Answers `/api/law`.
 pub(crate) async fn answer(
     State(site): SharedSite,
-    Asked(wanted): Asked<Wanted>,
-) -> Result<Response, Refusal> {
+    JsonBody(wanted): JsonBody<WantedLaw>,
+) -> Result<Response, RequestRefusal> {
     wanted.view.check()?;
     let (velocities, indentations) =
         (wanted.velocity.values("velocity")?, wanted.indentation.values("indentation")?);
@@ -68,12 +68,12 @@ pub(crate) async fn answer(
 }
 
 fn draw(
-    subject: &Subject,
+    subject: &ViewedCase,
     view: &View,
     velocities: Vec<f64>,
     indentations: Vec<f64>,
     reporter: &Reporter,
-) -> Result<(), Refusal> {
+) -> Result<(), RequestRefusal> {
     let file = view.case(subject)?;
     let ready = subject.laws.ready(oscillator(&file)?, reporter).map_err(|error| reporter.refusal(error))?;
     let LawSurface { force, area, friction } =
@@ -82,7 +82,7 @@ fn draw(
     let surface = |name: &str, long_name: &str, values: Vec<f64>| {
         Variable::new(name, &["indentation", "velocity"], &shape, values).units("1").long_name(long_name)
     };
-    let frame = Frame::new("law")
+    let frame = FrameInTheMaking::new("law")
         .with("law", ready.case.law.name())
         .with("warnings", serde_json::json!(ready.contact.warnings))
         .array(&Variable::coordinate("velocity", velocities).units("1").long_name("speed v τ/R"))

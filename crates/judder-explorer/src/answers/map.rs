@@ -1,13 +1,13 @@
 //! A stability map: coarse at once, exact after, then what the errors of the law leave of it, then its boundaries.
 
 use super::oscillator;
-use crate::body::Asked;
-use crate::frame::Frame;
-use crate::refusal::Refusal;
+use crate::body::JsonBody;
+use crate::frame::FrameInTheMaking;
+use crate::refusal::RequestRefusal;
 use crate::reporter::Reporter;
 use crate::scheduler::Pace;
 use crate::site::SharedSite;
-use crate::subject::Subject;
+use crate::subject::ViewedCase;
 use crate::view::View;
 use axum::extract::State;
 use axum::response::Response;
@@ -15,7 +15,7 @@ use judder_keys::keys::Keys;
 use judder_models::key_plane::{KeyAxis, KeyPlane};
 use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::oscillator::{BoundaryKind, STANDINGS, boundary_curves};
-use judder_models::sweep::{StabilityMap as Settings, Sweep};
+use judder_models::sweep::{StabilityMapAnalysis, Sweep};
 use judder_oscillator::map::{CoarseMap, DecisionMethod, StabilityMap};
 use judder_oscillator::mechanism::StabilityClass;
 use judder_store::Variable;
@@ -25,7 +25,7 @@ use std::sync::Arc;
 
 /// A view whose analysis is a stability map, and the boundaries that are wanted over it.
 #[derive(Debug, Deserialize)]
-pub(crate) struct Wanted {
+pub(crate) struct WantedMap {
     #[serde(flatten)]
     view: View,
     #[serde(default)]
@@ -35,8 +35,8 @@ pub(crate) struct Wanted {
 /// Answers `/api/map`.
 pub(crate) async fn answer(
     State(site): SharedSite,
-    Asked(wanted): Asked<Wanted>,
-) -> Result<Response, Refusal> {
+    JsonBody(wanted): JsonBody<WantedMap>,
+) -> Result<Response, RequestRefusal> {
     wanted.view.check()?;
     let kinds = wanted.boundaries.iter().map(|name| kind(name)).collect::<Result<Vec<_>, _>>()?;
     let subject = Arc::clone(&site.subject);
@@ -46,20 +46,27 @@ pub(crate) async fn answer(
         .await
 }
 
-fn kind(name: &str) -> Result<BoundaryKind, Refusal> {
+fn kind(name: &str) -> Result<BoundaryKind, RequestRefusal> {
     BoundaryKind::ALL.into_iter().find(|kind| kind.name() == name).ok_or_else(|| {
         let known = BoundaryKind::ALL.map(BoundaryKind::name).join(", ");
-        Refusal::wrong(format!("there is no boundary `{name}`; there are {known}"))
+        RequestRefusal::wrong(format!("there is no boundary `{name}`; there are {known}"))
     })
 }
 
-fn draw(subject: &Subject, view: &View, kinds: &[BoundaryKind], reporter: &Reporter) -> Result<(), Refusal> {
+fn draw(
+    subject: &ViewedCase,
+    view: &View,
+    kinds: &[BoundaryKind],
+    reporter: &Reporter,
+) -> Result<(), RequestRefusal> {
     let file = view.case(subject)?;
     let case = oscillator(&file)?;
     let Some(settings) =
-        case.analyses.first().and_then(|analysis| analysis.settings::<Settings<OscillatorKey>>())
+        case.analyses.first().and_then(|analysis| analysis.settings::<StabilityMapAnalysis<OscillatorKey>>())
     else {
-        return Err(Refusal::wrong("the analysis of a map is another; its `kind` is \"stability-map\""));
+        return Err(RequestRefusal::wrong(
+            "the analysis of a map is another; its `kind` is \"stability-map\"",
+        ));
     };
     let ready = subject.laws.ready(case, reporter).map_err(|error| reporter.refusal(error))?;
     let contact = &ready.contact.contact;
@@ -76,7 +83,7 @@ fn draw(subject: &Subject, view: &View, kinds: &[BoundaryKind], reporter: &Repor
             return Err(reporter.refusal(StudyError::Interrupted));
         };
         let codes = Variable::classes("within_law", &["y", "x"], &[map.rows, map.columns], codes, &STANDINGS);
-        reporter.send(Frame::new("within-law").with("seconds", reporter.seconds()).array(&codes));
+        reporter.send(FrameInTheMaking::new("within-law").with("seconds", reporter.seconds()).array(&codes));
     }
     for kind in kinds {
         if reporter.interrupted() {
@@ -85,7 +92,7 @@ fn draw(subject: &Subject, view: &View, kinds: &[BoundaryKind], reporter: &Repor
         if let Some(curves) = boundary_curves(*kind, &ready.case, contact, settings) {
             let along =
                 |name: &str, values: Vec<f64>| Variable::new(name, &["point"], &[values.len()], values);
-            let frame = Frame::new("boundary").with("name", kind.name());
+            let frame = FrameInTheMaking::new("boundary").with("name", kind.name());
             reporter.send(
                 frame
                     .array(&along("x", curves.x))
@@ -103,42 +110,47 @@ fn side(sweep: &Sweep<OscillatorKey>) -> KeyAxis {
 
 fn coarse_frame(
     plane: &KeyPlane,
-    settings: &Settings<OscillatorKey>,
+    settings: &StabilityMapAnalysis<OscillatorKey>,
     coarse: CoarseMap,
     seconds: f64,
-) -> Frame {
+) -> FrameInTheMaking {
     let at = |values: &[f64], lines: &[usize]| lines.iter().map(|line| values[*line]).collect();
-    let frame = Frame::new("map").with("stage", "coarse").with("seconds", seconds);
+    let frame = FrameInTheMaking::new("map").with("stage", "coarse").with("seconds", seconds);
     let (x, y) = (at(&plane.x.values, &coarse.columns), at(&plane.y.values, &coarse.rows));
-    Shown { x, y, classes: coarse.classes }.over(settings, frame)
+    ShownMap { x, y, classes: coarse.classes }.over(settings, frame)
 }
 
 fn exact_frame(
     plane: &KeyPlane,
-    settings: &Settings<OscillatorKey>,
+    settings: &StabilityMapAnalysis<OscillatorKey>,
     map: StabilityMap,
     seconds: f64,
-) -> Frame {
-    let frame = Frame::new("map")
+) -> FrameInTheMaking {
+    let frame = FrameInTheMaking::new("map")
         .with("stage", "exact")
         .with("seconds", seconds)
         .with("decisions", map.decisions)
         .with("unstable_fraction", map.unstable_fraction())
         .with("unresolved", map.count(StabilityClass::Unresolved));
-    Shown { x: plane.x.values.clone(), y: plane.y.values.clone(), classes: map.classes }.over(settings, frame)
+    ShownMap { x: plane.x.values.clone(), y: plane.y.values.clone(), classes: map.classes }
+        .over(settings, frame)
 }
 
 /// The classes of a map at its grid.
-struct Shown {
+struct ShownMap {
     x: Vec<f64>,
     y: Vec<f64>,
     /// Row by row.
     classes: Vec<u8>,
 }
 
-impl Shown {
+impl ShownMap {
     /// As arrays of a frame, over the axes of the settings.
-    fn over(self, settings: &Settings<OscillatorKey>, frame: Frame) -> Frame {
+    fn over(
+        self,
+        settings: &StabilityMapAnalysis<OscillatorKey>,
+        frame: FrameInTheMaking,
+    ) -> FrameInTheMaking {
         let shape = [self.y.len(), self.x.len()];
         let axis = |name: &str, sweep: &Sweep<OscillatorKey>, values: Vec<f64>| {
             Variable::coordinate(name, values).long_name(&sweep.key.entry().label(sweep.form))

@@ -1,16 +1,16 @@
 //! One operating point: the document of `judder point --json`, the shapes of its modes, the same with units.
 
 use super::oscillator;
-use crate::body::Asked;
-use crate::limiter::Watch;
-use crate::refusal::Refusal;
+use crate::body::JsonBody;
+use crate::limiter::RequestWatch;
+use crate::refusal::RequestRefusal;
 use crate::site::SharedSite;
-use crate::subject::Subject;
+use crate::subject::ViewedCase;
 use crate::view::View;
 use axum::Json;
 use axum::extract::State;
 use judder_models::oscillator::law_name::LawName;
-use judder_models::point::{Point, SteadyPoint};
+use judder_models::point::{AnalysedPoint, SteadyPoint};
 use judder_oscillator::groups::Scales;
 use judder_oscillator::spectrum::mode;
 use judder_study::case::file::CaseFile;
@@ -19,8 +19,8 @@ use serde_json::{Value, json};
 /// Answers `/api/point`.
 pub(crate) async fn answer(
     State(site): SharedSite,
-    Asked(view): Asked<View>,
-) -> Result<Json<Value>, Refusal> {
+    JsonBody(view): JsonBody<View>,
+) -> Result<Json<Value>, RequestRefusal> {
     view.check()?;
     let options = view.set.clone();
     let at_once = site.compute(move |subject, watch| {
@@ -35,12 +35,16 @@ pub(crate) async fn answer(
     site.compute_with_law(move |subject, watch| compute(subject, &subject.with(&view.set)?, watch)).await
 }
 
-fn compute(subject: &Subject, file: &CaseFile, watch: &Watch) -> Result<Json<Value>, Refusal> {
+fn compute(
+    subject: &ViewedCase,
+    file: &CaseFile,
+    watch: &RequestWatch,
+) -> Result<Json<Value>, RequestRefusal> {
     let ready = subject.laws.ready(oscillator(file)?, watch).map_err(|error| watch.refusal(error))?;
     Ok(Json(document(&ready.point()?, &ready.case.inputs.scales())))
 }
 
-fn document(point: &Point, scales: &Scales) -> Value {
+fn document(point: &AnalysedPoint, scales: &Scales) -> Value {
     json!({
         "point": point.json(),
         "modes": modes(&point.steady),

@@ -13,7 +13,7 @@ use judder_models::contact::case::ContactCase;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::inputs::TimeForm;
 use judder_models::oscillator::keys::OscillatorKey;
-use judder_models::sweep::{StabilityMap, Sweep};
+use judder_models::sweep::{StabilityMapAnalysis, Sweep};
 use judder_models::{REGISTRY, worded};
 use judder_study::case::analysis::KindEntry;
 use judder_study::case::file::CaseFile;
@@ -125,7 +125,7 @@ fn settings(model: &str) -> Map<String, Value> {
 }
 
 /// The axes of a stability map.
-fn axes(map: &StabilityMap<OscillatorKey>) -> Value {
+fn axes(map: &StabilityMapAnalysis<OscillatorKey>) -> Value {
     json!({ "x": axis(&map.x), "y": axis(&map.y) })
 }
 

@@ -1,13 +1,13 @@
 //! The study folder: what it holds, arrays, sounds, shapes of its coupled modes.
 
-use crate::body::Asked;
-use crate::frame::Frame;
+use crate::body::JsonBody;
+use crate::frame::FrameInTheMaking;
 use crate::limits::check_answer;
-use crate::refusal::Refusal;
+use crate::refusal::RequestRefusal;
 use crate::reporter::Reporter;
 use crate::scheduler::Pace;
 use crate::site::{SharedSite, Site};
-use crate::subject::{Studied, Subject};
+use crate::subject::{Studied, ViewedCase};
 use axum::Json;
 use axum::extract::{Path, State};
 use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE};
@@ -25,13 +25,13 @@ const VARIABLES: usize = 32;
 /// Modes whose shapes are sent, at most.
 const MODES: usize = 64;
 
-fn studied(subject: &Subject) -> Result<&Studied, Refusal> {
+fn studied(subject: &ViewedCase) -> Result<&Studied, RequestRefusal> {
     let help = "no study folder is looked at; `judder run CASE.toml` makes one, `judder explore CASE.toml --study DIR` shows it";
-    subject.study.as_ref().ok_or_else(|| Refusal::missing(help))
+    subject.study.as_ref().ok_or_else(|| RequestRefusal::missing(help))
 }
 
 /// Answers `/api/study`.
-pub(crate) async fn answer(State(site): SharedSite) -> Result<Json<Value>, Refusal> {
+pub(crate) async fn answer(State(site): SharedSite) -> Result<Json<Value>, RequestRefusal> {
     site.compute(|subject, _| {
         let listing = studied(subject)?.view.listing()?;
         let sounds = listing.sounds.iter().map(|(path, bytes)| json!({ "path": path, "bytes": bytes }));
@@ -68,8 +68,8 @@ fn variable(variable: &Variable) -> Value {
 async fn stream(
     site: &Site,
     slot: Option<String>,
-    make: impl FnOnce(&Studied) -> Result<Frame, Refusal> + Send + 'static,
-) -> Result<Response, Refusal> {
+    make: impl FnOnce(&Studied) -> Result<FrameInTheMaking, RequestRefusal> + Send + 'static,
+) -> Result<Response, RequestRefusal> {
     studied(&site.subject)?;
     let subject = Arc::clone(&site.subject);
     let work = move |reporter: &Reporter| {
@@ -82,7 +82,7 @@ async fn stream(
 /// Which arrays are wanted.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Wanted {
+pub(crate) struct WantedArrays {
     analysis: String,
     variables: Vec<String>,
     #[serde(default)]
@@ -98,10 +98,10 @@ pub(crate) struct Wanted {
 /// Answers `/api/study/arrays`.
 pub(crate) async fn arrays(
     State(site): SharedSite,
-    Asked(wanted): Asked<Wanted>,
-) -> Result<Response, Refusal> {
+    JsonBody(wanted): JsonBody<WantedArrays>,
+) -> Result<Response, RequestRefusal> {
     if wanted.variables.len() > VARIABLES {
-        return Err(Refusal::too_large(format!(
+        return Err(RequestRefusal::too_large(format!(
             "{} variables are asked for; at most {VARIABLES} at once",
             wanted.variables.len()
         )));
@@ -110,7 +110,7 @@ pub(crate) async fn arrays(
         let window = RowWindow { from: wanted.from, to: wanted.to, most: wanted.most };
         let found = study.view.arrays(&wanted.analysis, &wanted.variables, &window)?;
         check_answer(&found)?;
-        Ok(found.iter().fold(Frame::new("arrays"), Frame::array))
+        Ok(found.iter().fold(FrameInTheMaking::new("arrays"), FrameInTheMaking::array))
     })
     .await
 }
@@ -118,21 +118,27 @@ pub(crate) async fn arrays(
 /// Whose case is wanted.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Named {
+pub(crate) struct NamedCase {
     analysis: String,
 }
 
 /// Answers `/api/study/case`: the case file of one analysis of the study.
-pub(crate) async fn case(State(site): SharedSite, Asked(named): Asked<Named>) -> Result<Response, Refusal> {
+pub(crate) async fn case(
+    State(site): SharedSite,
+    JsonBody(named): JsonBody<NamedCase>,
+) -> Result<Response, RequestRefusal> {
     let text =
         site.compute(move |subject, _| Ok(alone(studied(subject)?.case()?, &named.analysis)?.source.text));
     Ok(([(CONTENT_TYPE, "text/plain; charset=utf-8")], text.await?).into_response())
 }
 
 /// Answers `/api/study/sound/…`: a name of the listing, or nothing.
-pub(crate) async fn sound(State(site): SharedSite, Path(path): Path<String>) -> Result<Response, Refusal> {
+pub(crate) async fn sound(
+    State(site): SharedSite,
+    Path(path): Path<String>,
+) -> Result<Response, RequestRefusal> {
     site.compute(move |subject, _| {
-        let missing = |_| Refusal::missing("the study has no such sound; `/api/study` lists them");
+        let missing = |_| RequestRefusal::missing("the study has no such sound; `/api/study` lists them");
         let bytes = studied(subject)?.view.sound(&path).map_err(missing)?;
         Ok(([(CONTENT_TYPE, "audio/wav"), (CACHE_CONTROL, "no-store")], bytes).into_response())
     })
@@ -154,8 +160,8 @@ pub(crate) struct Shaped {
 /// Answers `/api/study/shapes`.
 pub(crate) async fn shapes(
     State(site): SharedSite,
-    Asked(wanted): Asked<Shaped>,
-) -> Result<Response, Refusal> {
+    JsonBody(wanted): JsonBody<Shaped>,
+) -> Result<Response, RequestRefusal> {
     stream(&site, wanted.slot.clone(), move |study| {
         let count = wanted.count.unwrap_or(MODES).min(MODES);
         Ok(frame(study.shapes(&wanted.analysis, wanted.at, count)?))
@@ -163,13 +169,13 @@ pub(crate) async fn shapes(
     .await
 }
 
-fn frame(shapes: SlidingShapes) -> Frame {
+fn frame(shapes: SlidingShapes) -> FrameInTheMaking {
     let SlidingShapes { points, slider_points, lines, eigenvalues, shapes, .. } = shapes;
     let (count, modes) = (points.len(), eigenvalues.len());
     let flat = |points: &[[f64; 3]]| points.iter().flatten().copied().collect::<Vec<f64>>();
     let moved: Vec<Complex64> = shapes.into_iter().flatten().flatten().collect();
     let ends: Vec<i64> = lines.iter().flatten().map(|point| *point as i64).collect();
-    Frame::new("shapes")
+    FrameInTheMaking::new("shapes")
         .with("slider_points", slider_points)
         .with("eigenvalues", eigenvalues.iter().map(|value| json!([value.re, value.im])).collect::<Vec<_>>())
         .array(&Variable::new("points", &["point", "direction"], &[count, 3], flat(&points)).units("m"))

@@ -2,7 +2,7 @@
 
 use crate::client::Served;
 use judder_keys::declared::Settings;
-use judder_models::motion::history::History;
+use judder_models::motion::history::HistoryAnalysis;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::template::template;
 use judder_study::Silent;
@@ -49,7 +49,7 @@ fn names(keys: &Value) -> Vec<&str> {
 #[test]
 fn the_session_has_the_declared_keys_of_each_kind_of_analysis() {
     let session = Served::new().get("/api/session").json();
-    let declared: Vec<&str> = History::declarations().iter().map(|key| key.name).collect();
+    let declared: Vec<&str> = HistoryAnalysis::declarations().iter().map(|key| key.name).collect();
     let motion = &session["settings"]["motion"]["keys"];
     assert_eq!(names(motion), declared);
     let points = motion.as_array().unwrap().iter().find(|key| key["name"] == "points").unwrap();
@@ -151,7 +151,7 @@ fn a_map_of_a_computed_law_says_where_its_errors_decide() {
     let codes = frames[2].codes("within_law");
     let file = judder_models::parse("x.toml", &served.post("/api/export", &view).text(), &[]).unwrap();
     let run = analyses::run(&file.case, 0, &Silent).unwrap();
-    let judder_store::Data::U8(expected) = &run.dataset.variable("within_law").unwrap().data else {
+    let judder_store::VariableValues::U8(expected) = &run.dataset.variable("within_law").unwrap().data else {
         panic!()
     };
     assert!(codes == *expected && codes.contains(&1));
@@ -166,7 +166,7 @@ fn the_exported_case_gives_the_same_map_to_the_command() {
     let file = judder_models::parse("exported.toml", &text, &[]).unwrap();
     assert_eq!(file.case.analysis_names(), ["map"]);
     let outcome = analyses::run(&file.case, 0, &Silent).unwrap();
-    let judder_store::Data::U8(codes) = &outcome.dataset.variable("stability").unwrap().data else {
+    let judder_store::VariableValues::U8(codes) = &outcome.dataset.variable("stability").unwrap().data else {
         panic!()
     };
     let frames = served.post("/api/map", &view).frames();

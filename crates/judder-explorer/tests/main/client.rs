@@ -1,6 +1,6 @@
 //! A server of its own, and a client that sends any bytes: a browser would not let a test lie.
 
-use judder_explorer::{Explorer, Subject};
+use judder_explorer::{Explorer, ViewedCase};
 use serde_json::Value;
 use std::io::{Read, Write};
 use std::net::TcpStream;
@@ -25,7 +25,7 @@ impl Served {
     }
 
     pub(crate) fn of(case: Option<&Path>, study: Option<&Path>) -> Self {
-        let explorer = Explorer::new(Subject::open(case, study).unwrap(), None).unwrap();
+        let explorer = Explorer::new(ViewedCase::open(case, study).unwrap(), None).unwrap();
         let address = explorer.address();
         let rest = address.strip_prefix("http://127.0.0.1:").unwrap();
         let (port, token) = rest.split_once("/enter?token=").unwrap();

@@ -26,7 +26,7 @@ pub struct Whole {
 
 /// Two numbers, what they are, and whether the second must be larger.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pair {
+pub struct NumberPair {
     /// What each may be.
     pub of: Number,
     /// What they are, in words.

@@ -1,6 +1,6 @@
 //! The types that a declared key may have, and the rules by which they are read.
 
-use super::rules::{Fixed, Number, Pair, Several, Whole};
+use super::rules::{Fixed, Number, NumberPair, Several, Whole};
 use super::{Allowed, Setting, Settings, all, read_settings};
 use crate::cause::Cause;
 use crate::document::{Data, Node};
@@ -96,13 +96,13 @@ impl Setting for String {
 }
 
 impl Setting for [f64; 2] {
-    type Rule = Pair;
+    type Rule = NumberPair;
 
-    fn form(rule: &Pair) -> Allowed {
+    fn form(rule: &NumberPair) -> Allowed {
         Allowed::List { of: Box::new(Allowed::Number(rule.of)), length: [2, 2] }
     }
 
-    fn read(section: &Section<'_>, key: &str, node: &Node, rule: &Pair) -> Result<Self, Fault> {
+    fn read(section: &Section<'_>, key: &str, node: &Node, rule: &NumberPair) -> Result<Self, Fault> {
         let [from, to] = exactly(section, key, rule.what, node, items(section, key, node, &rule.of)?)?;
         if rule.is_ascending {
             ascending(from, to, node.place)?;
@@ -110,7 +110,7 @@ impl Setting for [f64; 2] {
         Ok([from, to])
     }
 
-    fn write(&self, rule: &Pair) -> Json {
+    fn write(&self, rule: &NumberPair) -> Json {
         self.iter().map(|value| value.write(&rule.of)).collect()
     }
 }

@@ -20,9 +20,9 @@ mod sphere;
 mod turning;
 
 pub(crate) use body::BuiltBody;
-pub(crate) use shown::Shown;
+pub(crate) use shown::ShownBodies;
 pub(crate) use size::extent;
-pub(crate) use sphere::{Sphere, SphereState};
+pub(crate) use sphere::{SphereState, SubstrateSphere};
 
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
@@ -51,7 +51,7 @@ pub(crate) struct BuiltAssembly {
     /// The slider's node of each contact point, by contact.
     pub(crate) nodes: Vec<Vec<usize>>,
     /// The sphere of each contact that is one.
-    pub(crate) spheres: Vec<Option<Arc<Sphere>>>,
+    pub(crate) spheres: Vec<Option<Arc<SubstrateSphere>>>,
     /// What of bodies that turn is left out, in words.
     pub(crate) left_out: Vec<String>,
     /// What the user has to know.
@@ -187,7 +187,7 @@ impl BuiltAssembly {
     pub(crate) fn sliding_spheres<'a>(
         &'a self,
         steady: &'a SteadySliding,
-    ) -> impl Iterator<Item = (usize, &'a Arc<Sphere>, SphereState)> + 'a {
+    ) -> impl Iterator<Item = (usize, &'a Arc<SubstrateSphere>, SphereState)> + 'a {
         let interfaces = self.spheres.iter().enumerate();
         interfaces.filter_map(|(index, sphere)| {
             let (sphere, point) = (sphere.as_ref()?, self.assembly.interfaces[index].points.first()?);

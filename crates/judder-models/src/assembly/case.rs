@@ -26,8 +26,8 @@ use crate::oscillator::case::OscillatorCase;
 use crate::parameters::{Parameter, Parameters};
 use crate::substrate::{SubstrateKeys, refuse_conflicts};
 use asperity::SphereSubstrate;
-use contact::{ContactForces, ContactInterface};
-use joint::{Spring, Tie};
+use contact::{ContactForceSettings, ContactInterface};
+use joint::{SpringSettings, Tie};
 use judder_keys::Settings;
 use judder_keys::declared::{Setting, Several, all, both};
 use judder_keys::document::{Data, Node};
@@ -59,7 +59,7 @@ pub struct AssemblyCase {
     /// Where they touch.
     pub contacts: Vec<ContactInterface>,
     /// Springs between them, or to the ground.
-    pub springs: Vec<Spring>,
+    pub springs: Vec<SpringSettings>,
     /// Where they are bonded.
     pub ties: Vec<Tie>,
     /// What acts on them.
@@ -88,7 +88,7 @@ pub(crate) struct AssemblySections {
     contact: NamedList<ContactInterface>,
     /// Springs with dampers between them, or to the ground.
     #[key(default = NamedList(Vec::new()), example = "[[spring]], one table for each spring")]
-    spring: NamedList<Spring>,
+    spring: NamedList<SpringSettings>,
     /// Where they are bonded.
     #[key(default = NamedList(Vec::new()), example = "[[tie]], one table for each bond")]
     tie: NamedList<Tie>,
@@ -199,7 +199,7 @@ impl AssemblySections {
         let contacts = all(contacts);
         let springs = items(root, "spring")
             .zip(&mut spring.0)
-            .map(|(node, own)| own.admit(&item_section::<Spring>(node)?, &structures));
+            .map(|(node, own)| own.admit(&item_section::<SpringSettings>(node)?, &structures));
         let ties = items(root, "tie")
             .zip(&mut tie.0)
             .map(|(node, own)| own.admit(&item_section::<Tie>(node)?, &structures));
@@ -242,7 +242,7 @@ fn spheres(
     let found = items(root, "contact").zip(contacts).map(|(node, own)| {
         let (section, name) = (item_section::<ContactInterface>(node)?, &own.name);
         match (&mut own.forces, section.inner("asperity")?) {
-            (ContactForces::Asperity(sphere), Some(section)) => {
+            (ContactForceSettings::Asperity(sphere), Some(section)) => {
                 if sphere.normal_load.is_none() && !has_loads {
                     let contact = name.to_string();
                     return Err(AssemblyProblem::NothingPresses { contact }.at(section.place));

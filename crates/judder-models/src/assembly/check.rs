@@ -1,16 +1,16 @@
 //! What `judder check` shows of an assembly case.
 
-use super::Subject;
+use super::AssemblySubject;
 use super::build::{BuiltAssembly, BuiltBody, extent};
 use crate::assembly::case::AssemblyCase;
-use crate::assembly::case::joint::{Spring, Tie};
+use crate::assembly::case::joint::{SpringSettings, Tie};
 use crate::error::ModelError;
 use crate::estimate::title;
 use crate::structure::build::symmetric_part;
 use judder_structure::StructureError;
 use judder_structure::modes::{WantedModes, modes};
 use judder_study::case::text::CaseText;
-use judder_study::model::Place;
+use judder_study::model::AnalysisPlace;
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, short};
 use serde_json::{Value, json};
@@ -44,8 +44,8 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
     text.push_str(&joints(case));
     text.push_str("\nanalyses\n");
     let asked = case.analyses.iter().enumerate().map(|(index, own)| {
-        let subject = Subject { case, built: &built, name: &own.name };
-        let place = Place { file, index, name: &own.name };
+        let subject = AssemblySubject { case, built: &built, name: &own.name };
+        let place = AnalysisPlace { file, index, name: &own.name };
         own.kind.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
         Ok(vec![own.name.clone(), own.kind.estimate(&subject)?])
     });
@@ -72,7 +72,7 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
 fn joints(case: &AssemblyCase) -> String {
     let mut text = String::new();
     if !case.springs.is_empty() {
-        let row = |own: &Spring| {
+        let row = |own: &SpringSettings| {
             let [stiffness, damping] = [own.stiffness, own.damping].map(short);
             let ends = format!("{} to {}", own.from.words(), own.to.words());
             vec![own.name.to_string(), ends, format!("{stiffness} N/m"), format!("{damping} N s/m")]

@@ -39,13 +39,13 @@ pub(crate) static KINDS: Kinds<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCa
 const IMBALANCE: f64 = 1e-9;
 
 /// An assembly, and the name under which an analysis of it leaves files.
-pub struct Subject<'a> {
+pub struct AssemblySubject<'a> {
     case: &'a AssemblyCase,
     built: &'a BuiltAssembly,
     name: &'a str,
 }
 
-impl Subject<'_> {
+impl AssemblySubject<'_> {
     /// Steady sliding; bodies that touch nowhere are at rest.
     fn steady_or_untouched(&self) -> Result<SteadySliding, ModelError> {
         if self.built.assembly.interfaces.is_empty() {
@@ -105,8 +105,8 @@ impl Analysed for AssemblyCase {
     const NAME: &'static str = MODEL.name;
 
     type Asked = dyn Analysis<Self>;
-    type Subject<'a> = Subject<'a>;
-    type Known<'a> = Subject<'a>;
+    type Subject<'a> = AssemblySubject<'a>;
+    type Known<'a> = AssemblySubject<'a>;
     /// What is asked, in words.
     type Estimate = String;
     type Error = ModelError;
@@ -166,7 +166,7 @@ impl Model for AssemblyCase {
     fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         let built = BuiltAssembly::new(self).map_err(|unassembled| unassembled.placed(file))?;
         for (place, asked) in wanted(self, file, is_wanted) {
-            let subject = Subject { case: self, built: &built, name: place.name };
+            let subject = AssemblySubject { case: self, built: &built, name: place.name };
             asked.fits(&subject).map_err(StudyError::from)?.map_err(|refusal| refusal.placed(place))?;
         }
         Ok(Prepared::new(Arc::new(built)))
@@ -183,7 +183,7 @@ impl Model for AssemblyCase {
         };
         let progress = task.progress;
         built.find_laws(progress)?;
-        let subject = Subject { case: self, built: &built, name: &own.name };
+        let subject = AssemblySubject { case: self, built: &built, name: &own.name };
         let mut outcome = own.kind.run(&subject, task)?;
         progress.advance();
         outcome.warnings.extend(built.warnings.iter().cloned());

@@ -1,8 +1,8 @@
 //! Steady sliding and small motions about it at any values of keys.
 
-use super::Subject;
-use super::build::{BuiltAssembly, Sphere, SphereState};
-use super::case::contact::ContactForces;
+use super::AssemblySubject;
+use super::build::{BuiltAssembly, SphereState, SubstrateSphere};
+use super::case::contact::ContactForceSettings;
 use super::eigen::{BAND, band};
 use crate::error::ModelError;
 use crate::key_sweep::{KeySweep, KeySweepProblem, SweptSections};
@@ -48,7 +48,7 @@ pub(super) const SWEPT: SweptSections = SweptSections {
 /// An assembly some of whose keys take any value.
 #[derive(Clone)]
 pub(super) struct SweptAssembly<'a> {
-    of: &'a Subject<'a>,
+    of: &'a AssemblySubject<'a>,
     keys: Vec<&'a KeySweep>,
     terms: LinearisedTerms,
     /// That of the case as it is; `None` where it has none.
@@ -68,7 +68,7 @@ pub(super) struct SlidingState {
     /// What is to be said of it.
     pub(super) doubts: Vec<String>,
     /// The spheres that touch.
-    spheres: Vec<(Arc<Sphere>, SphereState)>,
+    spheres: Vec<(Arc<SubstrateSphere>, SphereState)>,
 }
 
 impl SlidingState {
@@ -92,7 +92,7 @@ impl SlidingState {
 
 impl<'a> SweptAssembly<'a> {
     /// With the dampings of structures and friction, or without.
-    pub(super) fn new(of: &'a Subject<'a>, keys: Vec<&'a KeySweep>, damping: bool) -> Self {
+    pub(super) fn new(of: &'a AssemblySubject<'a>, keys: Vec<&'a KeySweep>, damping: bool) -> Self {
         Self {
             of,
             keys,
@@ -125,7 +125,7 @@ impl<'a> SweptAssembly<'a> {
         let swept: Vec<(&KeySweep, f64)> = self.keys.iter().copied().zip(values.iter().copied()).collect();
         let mut case = self.of.case.at(&swept).map_err(refused)?;
         for contact in &mut case.contacts {
-            if let ContactForces::Coulomb { all_closed, .. } = &mut contact.forces {
+            if let ContactForceSettings::Coulomb { all_closed, .. } = &mut contact.forces {
                 *all_closed |= self.is_held;
             }
         }
@@ -149,7 +149,7 @@ impl<'a> SweptAssembly<'a> {
             _ => Compliance::new(&built.assembly).and_then(|own| steady_sliding(&built.assembly, &own)),
         };
         let steady = steady.map_err(told)?;
-        let doubts = Subject { built: &built, ..*self.of }.doubts(&steady);
+        let doubts = AssemblySubject { built: &built, ..*self.of }.doubts(&steady);
         let spheres = built.sliding_spheres(&steady);
         let spheres = spheres.map(|(_, sphere, state)| (Arc::clone(sphere), state)).collect();
         let built = self.own().shares_bodies(&built).then_some(built);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::REGISTRY;
 use crate::belt::MODEL;
 use crate::motion::settings::{MotionKinds, MotionModel};
-use crate::motion::{Motion, MotionOf};
+use crate::motion::{MotionAnalysis, MotionOf};
 use crate::sweep::Sweep;
 use crate::swept_keys::{SweptKeys, key_of};
 use judder_keys::cause::Cause;
@@ -132,7 +132,7 @@ impl MotionModel for BeltKeys {
     type Analysis = Arc<dyn Analysis<BeltCase>>;
 
     fn of_motion<A: MotionOf<Self>>(analysis: A) -> Self::Analysis {
-        Arc::new(Motion(analysis))
+        Arc::new(MotionAnalysis(analysis))
     }
 
     /// Mass and natural frequency are the units, and there is no other direction.

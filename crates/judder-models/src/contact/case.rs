@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::REGISTRY;
 use crate::contact::settings::ContactScope;
-use crate::contact::shape::Shape;
+use crate::contact::shape::ShapeSettings;
 use crate::contact::{Exciting, KINDS, MODEL};
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
@@ -34,7 +34,7 @@ pub struct ContactCase {
     /// What else is said of the substrate.
     pub substrate: Substrate,
     /// The shape of the indenter.
-    pub shape: Shape,
+    pub shape: ShapeSettings,
     /// The analyses in the order of the case file.
     pub analyses: Vec<Planned<Arc<dyn Exciting>>>,
 }
@@ -60,14 +60,14 @@ struct IndenterKeys {
     #[key(flatten, rule = "indenter")]
     numbers: Numbers<OscillatorKey>,
     /// The shape of the indenter.
-    shape: Shape,
+    shape: ShapeSettings,
 }
 
 impl ContactCase {
     /// The files that the case names.
     pub fn files(&self) -> Vec<&FileReference> {
         let heights = match &self.shape {
-            Shape::Heights(heights) => Some(&heights.file),
+            ShapeSettings::Heights(heights) => Some(&heights.file),
             _ => None,
         };
         self.substrate.file().into_iter().chain(heights).collect()

@@ -1,6 +1,6 @@
 //! What `judder check` shows of a contact case.
 
-use super::Subject;
+use super::ContactSubject;
 use crate::contact::case::ContactCase;
 use crate::error::ModelError;
 use crate::estimate::title;
@@ -51,7 +51,7 @@ pub(super) fn resolve(file: &CaseText, case: &ContactCase, resolved: Value) -> R
     let scales = ContactScales::new(case)?;
     let (mut estimates, mut of_bands) = (Vec::new(), Vec::new());
     for own in &case.analyses {
-        let (subject, asked) = (Subject::new(case, &scales, &own.name), &*own.kind);
+        let (subject, asked) = (ContactSubject::new(case, &scales, &own.name), &*own.kind);
         estimates.push(asked.estimate(&subject)?);
         let told = subject.band_warning(asked)?;
         of_bands.extend(told.map(|told| format!("{}: {told}", own.name)));

@@ -14,7 +14,7 @@ use judder_exchange::vtu::{FieldValues, VtuField};
 use judder_store::{Dataset, Variable};
 
 /// The fields of one contact, row-major, lengths in R, pressures in E0*.
-pub(super) struct Fields<'a> {
+pub(super) struct ContactFields<'a> {
     grid: SurfaceGrid,
     solution: &'a UnilateralSolution,
     /// x of the cells' centres, where pressures are.
@@ -34,7 +34,7 @@ type OfLevel = fn(&LevelSummary) -> f64;
 /// Heights beyond this, in R, say that the indenter does not reach there.
 const REACH: f64 = 100.0;
 
-impl<'a> Fields<'a> {
+impl<'a> ContactFields<'a> {
     /// The fields of the finest grid of a contact.
     pub(super) fn new(level: &'a Level, profile: &dyn Profile) -> Self {
         let (grid, shift) = (level.grid, level.collocation_shift);

@@ -58,18 +58,18 @@ pub trait Exciting: Analysis<ContactCase> {
     ///
     /// # Errors
     /// An indenter that cannot be read.
-    fn excited(&self, of: &Subject<'_>) -> Result<Vec<f64>, ModelError>;
+    fn excited(&self, of: &ContactSubject<'_>) -> Result<Vec<f64>, ModelError>;
 }
 
 /// An indenter on a substrate, and the name of an analysis of them.
-pub struct Subject<'a> {
+pub struct ContactSubject<'a> {
     case: &'a ContactCase,
     scales: &'a ContactScales,
     name: &'a str,
     profile: OnceCell<Box<dyn Profile>>,
 }
 
-impl<'a> Subject<'a> {
+impl<'a> ContactSubject<'a> {
     fn new(case: &'a ContactCase, scales: &'a ContactScales, name: &'a str) -> Self {
         Self { case, scales, name, profile: OnceCell::new() }
     }
@@ -109,8 +109,8 @@ impl Analysed for ContactCase {
     const LIMITS: &'static [&'static str] = &["memory_limit"];
 
     type Asked = dyn Exciting;
-    type Subject<'a> = Subject<'a>;
-    type Known<'a> = Subject<'a>;
+    type Subject<'a> = ContactSubject<'a>;
+    type Known<'a> = ContactSubject<'a>;
     type Estimate = ContactEstimate;
     type Error = ModelError;
 
@@ -164,7 +164,7 @@ impl Model for ContactCase {
     /// Looks at the files of the case, then at depth and memory of what is wanted.
     fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         let scales = ContactScales::new(self)?;
-        let mut subject = Subject::new(self, &scales, "");
+        let mut subject = ContactSubject::new(self, &scales, "");
         subject.profile()?;
         for (place, asked) in wanted(self, file, is_wanted) {
             subject.name = place.name;
@@ -176,7 +176,7 @@ impl Model for ContactCase {
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
         let own = &self.analyses[index];
         let scales = ContactScales::new(self)?;
-        let subject = Subject::new(self, &scales, &own.name);
+        let subject = ContactSubject::new(self, &scales, &own.name);
         let mut outcome = own.kind.run(&subject, task)?;
         outcome.warnings.extend(temperature_warning(&self.substrate)?);
         outcome.warnings.extend(subject.band_warning(&*own.kind)?);

@@ -1,7 +1,7 @@
 //! The analyses of a contact case.
 
 use crate::contact::problem::ContactProblem;
-use crate::contact::shape::Shape;
+use crate::contact::shape::ShapeSettings;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::law_name::LawName;
 use judder_keys::cause::Cause;
@@ -30,7 +30,7 @@ pub struct ContactSettings {
     indentation: Option<Value>,
     /// Normal load, in place of the indentation; of a cylinder per length, F/(E0* R) or in N/m.
     #[key(symbol = "F", omitted)]
-    load: Option<Load>,
+    load: Option<UnreadLoad>,
     /// Relative accuracy of the force; area and friction may be five times as far off.
     #[key(rule = ACCURACY, symbol = "ε", default = 1e-3)]
     pub accuracy: f64,
@@ -46,7 +46,7 @@ pub struct ContactSettings {
 
 /// What presses the indenter down.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Loading {
+pub enum LoadingSettings {
     /// δ, as δ/R or in m.
     Indentation(Value),
     /// F, as F/(E0* R²) or in N; of a cylinder per length, as F/(E0* R) or in N/m.
@@ -143,7 +143,7 @@ pub const FREQUENCIES: usize = 200;
 
 /// What the analyses of a contact case need to know of it.
 pub(crate) struct ContactScope {
-    pub(crate) shape: Shape,
+    pub(crate) shape: ShapeSettings,
     pub(crate) inputs: OscillatorInputs,
     /// Whether the moduli are known: measured data decide them later.
     pub(crate) moduli_known: bool,
@@ -165,7 +165,7 @@ impl ContactScope {
 
     /// Refuses an analysis of this kind where the indenter is neither a paraboloid nor a sphere.
     pub(crate) fn is_round(&self, kind: &'static str, section: &Section<'_>) -> Result<(), Fault> {
-        if matches!(self.shape, Shape::Paraboloid | Shape::Sphere) {
+        if matches!(self.shape, ShapeSettings::Paraboloid | ShapeSettings::Sphere) {
             return Ok(());
         }
         let (shapes, shape) = ("a paraboloid or a sphere", self.shape.name());
@@ -173,7 +173,7 @@ impl ContactScope {
     }
 }
 
-impl Loading {
+impl LoadingSettings {
     /// The one of two that presses the indenter down.
     pub(crate) fn of(indentation: Option<Value>, load: Option<Value>) -> Self {
         match (indentation, load) {
@@ -204,9 +204,9 @@ impl ContactSettings {
     /// Reads them for an indenter: its shape decides what a load is, and which keys have a meaning.
     pub(super) fn of(scope: Option<&ContactScope>, section: &Section<'_>) -> Result<Self, Fault> {
         let Some(scope) = scope else { return Self::read_table(section) };
-        let is_line = scope.shape == Shape::Cylinder;
+        let is_line = scope.shape == ShapeSettings::Cylinder;
         let (endless, what): (&[_], _) = match &scope.shape {
-            Shape::Cylinder => {
+            ShapeSettings::Cylinder => {
                 (&["indentation", "domain"], "a cylinder, whose depth depends on how far away it is measured")
             }
             shape if shape.is_periodic() => {
@@ -218,17 +218,17 @@ impl ContactSettings {
             Some(node) => Err(ContactProblem::Endless { key, what }.at(node.place)),
             None => Ok(()),
         }));
-        let loading = refused.and_then(|_| Loading::is_one(section, is_line));
+        let loading = refused.and_then(|_| LoadingSettings::is_one(section, is_line));
         let load = section
             .get("load")
-            .map(|node| if is_line { LINE_LOAD } else { LOAD }.read("load", node).map(Load));
+            .map(|node| if is_line { LINE_LOAD } else { LOAD }.read("load", node).map(UnreadLoad));
         let (settings, (load, ())) = both(Self::read_table(section), both(load.transpose(), loading))?;
         Ok(Self { load, memory: scope.memory_limit(section, settings.memory), ..settings })
     }
 
     /// What presses the indenter down.
-    pub fn loading(&self) -> Loading {
-        Loading::of(self.indentation, self.load.map(|Load(load)| load))
+    pub fn loading(&self) -> LoadingSettings {
+        LoadingSettings::of(self.indentation, self.load.map(|UnreadLoad(load)| load))
     }
 
     /// Cells along a side; chosen and refined from the accuracy where left out.
@@ -249,11 +249,13 @@ impl LawSettings {
         let ((), mut settings) = both(has_law, Self::read_table(section))?;
         settings.memory = scope.memory_limit(section, settings.memory);
         match section.get("method") {
-            Some(node) if settings.method == LawMethod::Collapse && scope.shape != Shape::Paraboloid => {
+            Some(node)
+                if settings.method == LawMethod::Collapse && scope.shape != ShapeSettings::Paraboloid =>
+            {
                 let shape = scope.shape.name();
                 return Err(ContactProblem::Collapse { shape }.at(node.place));
             }
-            None if scope.shape != Shape::Paraboloid => settings.method = LawMethod::Sweep,
+            None if scope.shape != ShapeSettings::Paraboloid => settings.method = LawMethod::Sweep,
             _ => (),
         }
         Ok(settings)
@@ -273,9 +275,9 @@ impl FitSettings {
 
 /// A load, read as soon as the shape has decided whether it is one per length.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Load(Value);
+struct UnreadLoad(Value);
 
-impl Setting for Load {
+impl Setting for UnreadLoad {
     type Rule = ();
 
     fn form((): &()) -> Allowed {

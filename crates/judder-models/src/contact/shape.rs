@@ -20,7 +20,7 @@ use serde_json::{Value as Json, json};
 
 /// The shape of the indenter.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Shape {
+pub enum ShapeSettings {
     /// h = r²/2R.
     Paraboloid,
     /// h = R − √(R² − r²).
@@ -95,7 +95,7 @@ const HURST: Number =
 /// The cells along a side that a rough surface may have.
 const ROUGH_CELLS: [usize; 2] = [8, 4096];
 
-impl Shape {
+impl ShapeSettings {
     /// The shapes that are words.
     pub const WORDS: [(&'static str, Self); 3] =
         [("paraboloid", Self::Paraboloid), ("sphere", Self::Sphere), ("cylinder", Self::Cylinder)];
@@ -127,7 +127,7 @@ impl Shape {
 }
 
 /// A paraboloid where it is left out.
-impl Setting for Shape {
+impl Setting for ShapeSettings {
     type Rule = ();
     const IS_OPTIONAL: bool = true;
 
@@ -137,7 +137,7 @@ impl Setting for Shape {
 
     fn form((): &()) -> Allowed {
         let words = Self::WORDS.map(|(word, _)| word);
-        let rough: Declaration = Surface::declarations().remove(0);
+        let rough: Declaration = SurfaceSettings::declarations().remove(0);
         let schema = json!({
             "anyOf": [
                 { "enum": words, "default": words[0], "description": "shape of the indenter" },
@@ -164,7 +164,7 @@ impl Setting for Shape {
                 Err(Cause::OneOfTwo { first, second }.at(node.place))
             }
             (None, Some(_)) => {
-                Surface::read(section, key, node, &()).map(|surface| Self::Rough(surface.rough))
+                SurfaceSettings::read(section, key, node, &()).map(|surface| Self::Rough(surface.rough))
             }
             _ => HeightFile::read(section, key, node, &()).map(Self::Heights),
         }
@@ -181,7 +181,7 @@ impl Setting for Shape {
 
 /// The table of a generated surface.
 #[derive(Debug, Clone, PartialEq, Settings)]
-struct Surface {
+struct SurfaceSettings {
     /// A generated self-affine surface.
     rough: GeneratedSurface,
 }

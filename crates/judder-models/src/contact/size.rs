@@ -3,7 +3,7 @@
 use super::single::run::grid;
 use crate::contact::case::ContactCase;
 use crate::contact::settings::{ContactSettings, LawSettings};
-use crate::contact::shape::Shape;
+use crate::contact::shape::ShapeSettings;
 use crate::error::ModelError;
 use crate::indenter::height_map;
 use crate::material::ContactScales;
@@ -21,10 +21,10 @@ pub(crate) fn lattice(
     scales: &ContactScales,
 ) -> Result<[usize; 2], ModelError> {
     let cells = match (&case.shape, grid(settings, scales)) {
-        (Shape::Cylinder, _) => {
+        (ShapeSettings::Cylinder, _) => {
             return Ok([settings.cells().unwrap_or_else(|| strips_for(settings.accuracy)), 1]);
         }
-        (Shape::Rough(rough), _) => return Ok(refined([rough.cells; 2], settings.accuracy)),
+        (ShapeSettings::Rough(rough), _) => return Ok(refined([rough.cells; 2], settings.accuracy)),
         (shape, _) if shape.is_periodic() => {
             let heights = height_map(shape, scales.scales.radius)?.grid();
             return Ok(refined([heights.columns, heights.rows], settings.accuracy));

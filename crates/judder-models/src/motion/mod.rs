@@ -45,7 +45,7 @@ pub(crate) trait MotionOf<S: SweptKeys>: Clone + fmt::Debug + Send + Sync + 'sta
     ) -> Result<Outcome, ModelError>;
 
     /// What it follows.
-    fn size(&self) -> Size;
+    fn size(&self) -> MotionSize;
 
     /// Puts its settings into a canonical form.
     fn write(&self, json: &mut Map<String, Json>);
@@ -76,9 +76,9 @@ pub(crate) trait MotionCase:
 
 /// An analysis of motion as one of a case.
 #[derive(Debug, Clone)]
-pub struct Motion<A>(pub A);
+pub struct MotionAnalysis<A>(pub A);
 
-impl<C: MotionCase, A: MotionOf<C::Keys>> Analysis<C> for Motion<A> {
+impl<C: MotionCase, A: MotionOf<C::Keys>> Analysis<C> for MotionAnalysis<A> {
     fn steps(&self) -> usize {
         self.0.announced()
     }
@@ -109,7 +109,7 @@ fn settling(longest: Value) -> f64 {
 }
 
 /// What an analysis of motion follows.
-pub(crate) struct Size {
+pub(crate) struct MotionSize {
     /// Points that are kept.
     points: usize,
     motions: usize,
@@ -119,7 +119,7 @@ pub(crate) struct Size {
     branches: bool,
 }
 
-impl Size {
+impl MotionSize {
     /// So many motions over this time, each a point.
     fn of_motions(motions: usize, time: f64) -> Self {
         Self { points: motions, motions, time, branches: false }

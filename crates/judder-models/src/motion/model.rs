@@ -13,7 +13,7 @@ use judder_oscillator::motion::attractor::distance;
 use judder_oscillator::motion::history::StateSample;
 use judder_oscillator::motion::{BeltOscillator, FallingFriction, SlidingSystem, StickSlip};
 use judder_oscillator::{Contact, OscillatorError};
-use judder_study::axis::Axis;
+use judder_study::axis::SweptAxis;
 
 /// How far from steady sliding, in its scales, a motion starts at least that is followed to where it settles.
 const NUDGE: f64 = 1e-3;
@@ -37,7 +37,7 @@ pub(crate) struct Clock {
 }
 
 /// What eq. (3) compares: ṽ_d and τ̃.
-pub(crate) struct Memory {
+pub(crate) struct ContactMemory {
     pub(crate) belt_velocity: f64,
     pub(crate) retardation_time: f64,
 }
@@ -126,10 +126,10 @@ pub(crate) trait Moving<const N: usize>: Sync {
     fn further(system: &Self::System, sample: &StateSample<N>) -> Vec<f64>;
 
     /// What eq. (3) compares; `None` for a contact without memory.
-    fn memory(system: &Self::System) -> Option<Memory>;
+    fn memory(system: &Self::System) -> Option<ContactMemory>;
 
     /// A swept key as an axis.
-    fn axis(sweep: &Sweep<Self::Key>) -> Axis;
+    fn axis(sweep: &Sweep<Self::Key>) -> SweptAxis;
 }
 
 /// The oscillator of a case.
@@ -199,12 +199,12 @@ impl Moving<4> for OscillatorModel<'_> {
         vec![relative, response.area.value, force]
     }
 
-    fn memory(system: &StickSlip) -> Option<Memory> {
+    fn memory(system: &StickSlip) -> Option<ContactMemory> {
         let c = system.coefficients();
-        Some(Memory { belt_velocity: system.belt_velocity(), retardation_time: c.retardation_time })
+        Some(ContactMemory { belt_velocity: system.belt_velocity(), retardation_time: c.retardation_time })
     }
 
-    fn axis(sweep: &Sweep<OscillatorKey>) -> Axis {
+    fn axis(sweep: &Sweep<OscillatorKey>) -> SweptAxis {
         axis::of_key(sweep)
     }
 }
@@ -248,11 +248,11 @@ impl Moving<2> for BeltModel<'_> {
         vec![system.relative_velocity(&sample.state)]
     }
 
-    fn memory(_: &BeltOscillator) -> Option<Memory> {
+    fn memory(_: &BeltOscillator) -> Option<ContactMemory> {
         None
     }
 
-    fn axis(sweep: &Sweep<BeltKey>) -> Axis {
+    fn axis(sweep: &Sweep<BeltKey>) -> SweptAxis {
         axis::of_key(sweep)
     }
 }

@@ -30,7 +30,7 @@ const LIFT_OFF: u8 = ContactState::LiftOff.number();
 /// Whole motion, its end, phase portrait, spectrum, section; `frequency` stands at the axis of the spectrum.
 pub(crate) fn motion(dataset: &Dataset, frequency: &str) -> Option<Vec<Panel>> {
     let time = reals(dataset, "time")?;
-    let shown = Shown::end_of(dataset, SHOWN)?;
+    let shown = ShownHistory::end_of(dataset, SHOWN)?;
     let whole = vec![Layer::line("", time.to_vec(), reals(dataset, "x")?.to_vec(), Role::Series(0).solid())];
     let mut panels = vec![Panel::new(along_time(dataset)?, axis(dataset.variable("x")?), whole)];
     for name in ["x", "relative_velocity", "contact_area"] {
@@ -44,14 +44,14 @@ pub(crate) fn motion(dataset: &Dataset, frequency: &str) -> Option<Vec<Panel>> {
 
 /// The last oscillations of a motion: displacement, relative velocity and contact area over time, then the phase portrait.
 pub fn ending(dataset: &Dataset, oscillations: f64) -> Option<Vec<Panel>> {
-    let shown = Shown::end_of(dataset, oscillations)?;
+    let shown = ShownHistory::end_of(dataset, oscillations)?;
     let histories = ["x", "relative_velocity", "contact_area"].into_iter().map(|name| shown.history(name));
     histories.chain([shown.portrait()]).collect()
 }
 
 /// One period, phase portrait, Floquet multipliers.
 pub(crate) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
-    let shown = Shown::all_of(dataset)?;
+    let shown = ShownHistory::all_of(dataset)?;
     let mut panels = Vec::new();
     for name in ["x", "relative_velocity", "contact_area"] {
         panels.extend(shown.history(name));
@@ -102,7 +102,7 @@ fn along_time(dataset: &Dataset) -> Option<Axis> {
 type EventKind = (&'static str, fn(u8, u8) -> bool, usize);
 
 /// A part of a history.
-struct Shown<'a> {
+struct ShownHistory<'a> {
     dataset: &'a Dataset,
     /// The points of the grid that are shown.
     points: std::ops::Range<usize>,
@@ -112,7 +112,7 @@ struct Shown<'a> {
     span: (f64, f64),
 }
 
-impl<'a> Shown<'a> {
+impl<'a> ShownHistory<'a> {
     fn all_of(dataset: &'a Dataset) -> Option<Self> {
         Self::since(dataset, *reals(dataset, "time")?.first()?)
     }

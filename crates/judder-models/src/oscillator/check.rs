@@ -1,7 +1,7 @@
 //! What `judder check` shows of an oscillator case.
 
 use super::point;
-use super::quasi_steady::Condition;
+use super::quasi_steady::QuasiSteadyCondition;
 use crate::bridge;
 use crate::error::ModelError;
 use crate::estimate::{Estimate, estimate_json, estimate_text, title};
@@ -55,7 +55,7 @@ pub(super) fn resolve(case: &OscillatorCase, resolved: Value) -> Result<Resolved
             let hertz = Contact { law: Law::Hertz(HertzLaw::default()), friction_load: case.friction_load };
             let excited = excited_at(&hertz, &case.inputs).filter(|_| case.law == LawName::Bem);
             (
-                Condition::at(&case.inputs, None, &substrate.terms),
+                QuasiSteadyCondition::at(&case.inputs, None, &substrate.terms),
                 substrate.band.and_then(|band| band.warning(excited)),
             )
         }
@@ -96,7 +96,7 @@ pub(super) fn resolve(case: &OscillatorCase, resolved: Value) -> Result<Resolved
         "case": resolved,
         "groups": rows.iter().map(|(name, group, _)| ((*name).to_owned(), json!(group))).collect::<serde_json::Map<_, _>>(),
         "point": document_limits,
-        "quasi_steady": condition.as_ref().map(Condition::json),
+        "quasi_steady": condition.as_ref().map(QuasiSteadyCondition::json),
         "estimate": estimate_json(&estimates),
         "warnings": warnings,
     });

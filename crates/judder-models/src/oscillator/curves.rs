@@ -4,14 +4,14 @@ use crate::oscillator::margins::NOT_KNOWN;
 use judder_report::runs::{Curve, alone, apart};
 use judder_report::{Axis, Layer, Panel, Role};
 use judder_store::Dataset;
-use judder_study::pictures::{Swept, axis, codes, complexes, reals, text};
+use judder_study::pictures::{SweptCoordinates, axis, codes, complexes, reals, text};
 use num_complex::Complex64;
 
 /// ξ_eq over the swept quantity, on an axis that shows both signs over many decades.
 pub(crate) fn equivalent_damping(dataset: &Dataset) -> Option<Vec<Panel>> {
     /// Half width of the linear part of the axis.
     const LINEAR: f64 = 0.01;
-    let swept = Swept::of(dataset, "equivalent_damping")?;
+    let swept = SweptCoordinates::of(dataset, "equivalent_damping")?;
     let damping = reals(dataset, "equivalent_damping")?;
     let errors = reals(dataset, "equivalent_damping_error");
     let errors_of = |curve: usize| errors?.chunks(swept.values.len().max(1)).nth(curve);
@@ -36,7 +36,7 @@ pub(crate) fn equivalent_damping(dataset: &Dataset) -> Option<Vec<Panel>> {
 
 /// Growth rates and frequencies, of the full system and without damping; `unit` is what they are over, in the markup of labels.
 pub(crate) fn spectrum(dataset: &Dataset, unit: &str) -> Option<Vec<Panel>> {
-    let swept = Swept::of(dataset, "eigenvalues")?;
+    let swept = SweptCoordinates::of(dataset, "eigenvalues")?;
     let full = complexes(dataset, "eigenvalues")?;
     let conservative = complexes(dataset, "conservative_eigenvalues")?;
     let (mut growth, mut frequency) = (Vec::new(), Vec::new());
@@ -99,7 +99,7 @@ fn orders(count: usize) -> Vec<Vec<usize>> {
 
 /// Thresholds over the swept quantity, with what grows from them and the folds of the cycles that do.
 pub(crate) fn critical(dataset: &Dataset) -> Option<Vec<Panel>> {
-    let swept = Swept::of(dataset, "full")?;
+    let swept = SweptCoordinates::of(dataset, "full")?;
     let label = text(dataset.variable("full")?, "label").unwrap_or("Threshold");
     let mut layers = Vec::new();
     for (name, is_full) in [("conservative", false), ("full", true)] {
@@ -135,7 +135,7 @@ pub(crate) fn critical(dataset: &Dataset) -> Option<Vec<Panel>> {
 }
 
 /// The ranges in which the errors of the law leave the thresholds of the full system, a stroke each.
-fn within_law(dataset: &Dataset, swept: &Swept<'_>) -> Option<Layer> {
+fn within_law(dataset: &Dataset, swept: &SweptCoordinates<'_>) -> Option<Layer> {
     let (from, to) = (reals(dataset, "full_within_law_from")?, reals(dataset, "full_within_law_to")?);
     let most = *dataset.variable("full_within_law_from")?.shape.last()?;
     let points = swept.values.len();
@@ -150,7 +150,7 @@ fn within_law(dataset: &Dataset, swept: &Swept<'_>) -> Option<Layer> {
 
 /// The folds beside the thresholds, how far lost branches are known, and which thresholds are sub- or supercritical; nothing
 /// where no branch was followed, for then there are too many thresholds to mark them.
-fn folds(dataset: &Dataset, swept: &Swept<'_>) -> Vec<Layer> {
+fn folds(dataset: &Dataset, swept: &SweptCoordinates<'_>) -> Vec<Layer> {
     const SUBCRITICAL: u8 = 2;
     let known = || {
         let numbers = (reals(dataset, "full")?, reals(dataset, "fold")?, reals(dataset, "reaches")?);

@@ -7,7 +7,7 @@ use crate::within_law::MARGINAL;
 use judder_oscillator::Contact;
 use judder_oscillator::within_law::WithinLaw;
 use judder_store::{Declared, Results, Told, Variable};
-use judder_study::axis::Axis;
+use judder_study::axis::SweptAxis;
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value};
 
@@ -35,7 +35,7 @@ impl Erring {
 /// Adds the errors of a number at the states of all curves, one a point of the sweep, to an outcome whose law is no formula.
 pub(super) fn add(
     outcome: &mut Outcome,
-    axis: &Axis,
+    axis: &SweptAxis,
     curves: &Curves,
     contact: &Contact,
     states: &[Option<SteadyState>],

@@ -7,7 +7,7 @@ mod search;
 pub(super) use fold_check::fold_check;
 pub(super) use own_branch::OwnBranch;
 pub(crate) use search::NOT_KNOWN;
-pub(super) use search::{Search, TOLD, ToldSearch, ToldStarts};
+pub(super) use search::{MotionSearch, TOLD, ToldSearch, ToldStarts};
 
 use crate::bridge;
 use crate::oscillator::inputs::OscillatorInputs;
@@ -34,7 +34,7 @@ const STEP: (f64, f64) = (0.01, 8.0);
 
 /// A quantity along which steady sliding gains or loses stability.
 #[derive(Clone, Copy)]
-pub(super) struct Crossing<'a> {
+pub(super) struct MarginCrossing<'a> {
     pub(super) contact: &'a Contact,
     /// All other inputs.
     pub(super) inputs: OscillatorInputs,
@@ -46,7 +46,7 @@ pub(super) struct Crossing<'a> {
 }
 
 /// A threshold with the mode that grows from it.
-pub(super) struct Onset {
+pub(super) struct MarginOnset {
     pub(super) threshold: f64,
     pub(super) hopf: HopfPoint<4>,
     /// +1 where steady sliding is stable above the threshold, −1 where it is below.
@@ -62,7 +62,7 @@ pub(super) struct Margin {
     /// The branch that begins at the threshold; `None` beside a supercritical one.
     pub(super) own: Option<OwnBranch>,
     /// What lies beyond it.
-    pub(super) search: Search,
+    pub(super) search: MotionSearch,
 }
 
 impl Margin {
@@ -88,7 +88,7 @@ impl Margin {
     }
 }
 
-impl Crossing<'_> {
+impl MarginCrossing<'_> {
     /// The value at a place `s` along the branch: s is the logarithm of the quantity over the threshold, or on a linear axis their
     /// difference over its length.
     pub(super) fn value(&self, threshold: f64, s: f64) -> f64 {
@@ -119,7 +119,7 @@ impl Crossing<'_> {
     }
 
     /// The mode at a threshold; `None` where it cannot be had.
-    pub(super) fn onset(&self, threshold: f64) -> Option<Onset> {
+    pub(super) fn onset(&self, threshold: f64) -> Option<MarginOnset> {
         let hopf = hopf_point(&self.system(threshold).ok()?).ok()?;
         let growth = |s: f64| growth_rate(&self.system(self.value(threshold, s)).ok()?).ok();
         let slope = growth_slope(growth, 0.0, 1.0).filter(|slope| *slope != 0.0)?;
@@ -128,7 +128,7 @@ impl Crossing<'_> {
             RangeScale::Linear => (self.range.to - self.range.from).abs(),
         };
         let amplitude_factor = hopf.amplitude_factor(slope / per_value);
-        Some(Onset { threshold, hopf, stable_side: -slope.signum(), amplitude_factor, margin: None })
+        Some(MarginOnset { threshold, hopf, stable_side: -slope.signum(), amplitude_factor, margin: None })
     }
 
     /// The mode at one of all `thresholds`, with its branch and what was found beyond it; what is interrupted ends early.
@@ -137,19 +137,19 @@ impl Crossing<'_> {
         threshold: f64,
         thresholds: &[f64],
         progress: &dyn Progress,
-    ) -> Option<Onset> {
+    ) -> Option<MarginOnset> {
         let onset = self.onset(threshold)?;
         let own = onset.hopf.is_subcritical().then(|| self.own_branch(&onset, progress));
         let away = |other: &f64| (other - threshold) * onset.stable_side;
         let on_the_side = thresholds.iter().copied().filter(|other| away(other) > 0.0);
         let next = on_the_side.min_by(|a, b| away(a).total_cmp(&away(b)));
         let search = self.search(&onset, own.as_ref(), next, progress);
-        Some(Onset { margin: Some(Margin { own, search }), ..onset })
+        Some(MarginOnset { margin: Some(Margin { own, search }), ..onset })
     }
 
     /// The places beside a threshold on its stable side, and how cycles are followed there: what lies beyond the threshold tells
     /// nothing of the margin.
-    fn continuation(&self, onset: &Onset) -> Result<Continuation<4>, CycleError> {
+    fn continuation(&self, onset: &MarginOnset) -> Result<Continuation<4>, CycleError> {
         let shooting = Self::shooting(&self.system(onset.threshold)?);
         let ends = [self.range.from, self.range.to].map(|end| self.place(onset.threshold, end));
         let range = match onset.stable_side > 0.0 {

@@ -33,7 +33,7 @@ pub(crate) mod steady_states;
 pub use stability_map::{BoundaryCurves, BoundaryKind, STANDINGS, boundary_curves};
 
 use crate::bridge::{self, CaseContact};
-use crate::computed_law::Points;
+use crate::computed_law::KnownPoints;
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
 use crate::known_substrate::KnownSubstrate;
@@ -41,7 +41,7 @@ use crate::labels;
 use crate::material;
 use crate::motion::model::OscillatorModel;
 use crate::motion::settings::MotionKinds;
-use crate::motion::{Motion, MotionCase, MotionOf};
+use crate::motion::{MotionAnalysis, MotionCase, MotionOf};
 use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::case::{OscillatorCase, OscillatorSections};
 use crate::oscillator::inputs::OscillatorInputs;
@@ -49,7 +49,7 @@ use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::law_name::LawName;
 use crate::sweep::{Family, Sweep};
 use crate::swept_keys::SweptKeys;
-use judder_contact::law::sweep::SolvedPoint;
+use judder_contact::law::sweep::SolvedLawPoint;
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
 use judder_keys::keys::{Keys, lines};
@@ -60,7 +60,7 @@ use judder_study::StudyError;
 use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::study_sweep::{StudySweep, SweptKey};
 use judder_study::case::text::CaseText;
-use judder_study::labels::{Quantity, any_key};
+use judder_study::labels::{SweptQuantity, any_key};
 use judder_study::model::{
     Analysed, Analysis, Case, Model, OperatingPoints, OperatingQuantity, OperatingWork, Prepared, Task,
 };
@@ -68,7 +68,7 @@ use judder_study::outcome::Outcome;
 use judder_study::registry::{ModelKind, Template};
 use judder_study::resolve::Resolved;
 use operating_points::OfOneLaw;
-use quasi_steady::{Condition, ToldCondition, of_motions};
+use quasi_steady::{QuasiSteadyCondition, ToldCondition, of_motions};
 use serde_json::Value;
 use std::sync::Arc;
 
@@ -127,7 +127,7 @@ fn points_of_curves(sweep: &Sweep<OscillatorKey>, family: Option<&Family<Oscilla
 }
 
 /// An oscillator in its contact.
-pub struct Subject<'a> {
+pub struct OscillatorSubject<'a> {
     case: &'a OscillatorCase,
     contact: &'a Contact,
 }
@@ -137,7 +137,7 @@ impl Analysed for OscillatorCase {
     const OPERATING_QUANTITIES: &'static [OperatingQuantity] = MODEL.operating_quantities;
 
     type Asked = dyn Operated;
-    type Subject<'a> = Subject<'a>;
+    type Subject<'a> = OscillatorSubject<'a>;
     /// The name of the analysis.
     type Known<'a> = &'a str;
     type Estimate = Estimate;
@@ -192,11 +192,11 @@ impl Model for OscillatorCase {
         operating_points::is_set_by(self, keys, tried)
     }
 
-    fn swept_label(&self, key: &SweptKey) -> Quantity {
+    fn swept_label(&self, key: &SweptKey) -> SweptQuantity {
         let Some((own, form)) = operating_points::key_of(self, key) else {
             return any_key(&key.path, key.dimension);
         };
-        Quantity { name: key.path.clone(), ..labels::key(own, form) }
+        SweptQuantity { name: key.path.clone(), ..labels::key(own, form) }
     }
 
     /// Looks at the data of the substrate.
@@ -208,16 +208,18 @@ impl Model for OscillatorCase {
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
         let case = &bridge::with_material(self)?;
         let (law, points) = (task.shared, task.shared.known());
-        let keep = |point: &SolvedPoint| law.add(point);
+        let keep = |point: &SolvedLawPoint| law.add(point);
         let CaseContact { contact, warnings } =
-            bridge::contact(case, Points { known: &points, kept: &keep }, task.progress)?;
+            bridge::contact(case, KnownPoints { known: &points, kept: &keep }, task.progress)?;
         let own = &case.analyses[index].kind;
-        let mut outcome = own.run(&Subject { case, contact: &contact }, task)?;
+        let mut outcome = own.run(&OscillatorSubject { case, contact: &contact }, task)?;
         outcome.warnings.extend(warnings);
         let (corners, substrate) = (own.corners(&case.inputs), KnownSubstrate::of(case)?);
         outcome.warnings.extend(substrate.band_warning(&contact, corners.iter().copied()));
         outcome.warnings.extend(substrate.temperature_warning);
-        if let Some(condition) = Condition::worst(corners.into_iter(), Some(&contact), &substrate.terms) {
+        if let Some(condition) =
+            QuasiSteadyCondition::worst(corners.into_iter(), Some(&contact), &substrate.terms)
+        {
             outcome.warnings.extend(condition.warning(of_motions(&outcome.scalars)));
             outcome.scalars.extend(condition.told().scalars());
         }
@@ -266,14 +268,14 @@ impl MotionCase for OscillatorCase {
 
     fn follow<A: MotionOf<OscillatorKeys>>(
         asked: &A,
-        of: &Subject<'_>,
+        of: &OscillatorSubject<'_>,
         task: Task<'_>,
     ) -> Result<Outcome, ModelError> {
         asked.run(&OscillatorModel { inputs: &of.case.inputs, contact: of.contact }, task)
     }
 }
 
-impl<A: MotionOf<OscillatorKeys>> Operated for Motion<A> {
+impl<A: MotionOf<OscillatorKeys>> Operated for MotionAnalysis<A> {
     fn corners(&self, inputs: &OscillatorInputs) -> Vec<OscillatorInputs> {
         match self.0.swept() {
             Some(sweep) => ends(sweep, vec![*inputs]),

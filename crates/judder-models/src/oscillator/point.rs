@@ -5,12 +5,12 @@ use crate::error::ModelError;
 use crate::known_substrate::KnownSubstrate;
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::inputs::OscillatorInputs;
-use crate::oscillator::quasi_steady::Condition;
+use crate::oscillator::quasi_steady::QuasiSteadyCondition;
 use crate::within_law::{MARGINAL, ranges_text};
 use judder_contact::ContactLaw;
 use judder_oscillator::critical::{ParameterRange, RangeScale, Thresholds, thresholds};
 use judder_oscillator::equilibrium::{Equilibrium, equilibrium};
-use judder_oscillator::growth::{GrowthShares, growth_shares, sensitivities};
+use judder_oscillator::growth::{EntryShares, growth_shares, sensitivities};
 use judder_oscillator::linearisation::Linearisation;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_oscillator::spectrum::{eigenvalues, growth_rate, leading, mode};
@@ -119,11 +119,11 @@ impl SteadyPoint {
 
 /// One operating point, analysed.
 #[derive(Debug, Clone)]
-pub struct Point {
+pub struct AnalysedPoint {
     /// Steady sliding and its eigenvalues.
     pub steady: SteadyPoint,
     /// What each matrix entry feeds into the growth rate of the leading mode.
-    pub shares: GrowthShares,
+    pub shares: EntryShares,
     /// ∂λ by the entries of C and K, for the leading mode.
     pub sensitivities: judder_oscillator::growth::Sensitivities,
     /// All conservative thresholds of the shear strength at this speed and load, ascending.
@@ -135,7 +135,7 @@ pub struct Point {
     /// The same ranges of the load.
     pub critical_load_within_law: Option<Ranges>,
     /// Eq. (3); `None` for an elastic substrate, and where only groups are given.
-    pub quasi_steady: Option<Condition>,
+    pub quasi_steady: Option<QuasiSteadyCondition>,
     /// What makes the law doubtful here.
     pub warnings: Vec<String>,
 }
@@ -144,7 +144,7 @@ pub struct Point {
 ///
 /// # Errors
 /// A group out of range, no (or more than one) equilibrium.
-pub fn point(case: &OscillatorCase) -> Result<Point, ModelError> {
+pub fn point(case: &OscillatorCase) -> Result<AnalysedPoint, ModelError> {
     let case = &bridge::with_material(case)?;
     point_with(case, &bridge::contact_of(case, &Silent)?)
 }
@@ -153,13 +153,13 @@ pub fn point(case: &OscillatorCase) -> Result<Point, ModelError> {
 ///
 /// # Errors
 /// As [`point`].
-pub fn point_with(case: &OscillatorCase, contact: &CaseContact) -> Result<Point, ModelError> {
+pub fn point_with(case: &OscillatorCase, contact: &CaseContact) -> Result<AnalysedPoint, ModelError> {
     let substrate = KnownSubstrate::of(case)?;
     let point = analyse(&contact.contact, bridge::groups(&case.inputs))?;
     Ok(point.in_contact(&case.inputs, contact, &substrate))
 }
 
-impl Point {
+impl AnalysedPoint {
     /// The point with what is to be said of its contact and of its substrate.
     pub(crate) fn in_contact(
         mut self,
@@ -167,7 +167,7 @@ impl Point {
         contact: &CaseContact,
         substrate: &KnownSubstrate,
     ) -> Self {
-        self.quasi_steady = Condition::at(inputs, Some(&contact.contact), &substrate.terms);
+        self.quasi_steady = QuasiSteadyCondition::at(inputs, Some(&contact.contact), &substrate.terms);
         let broken = self.quasi_steady.and_then(|condition| condition.warning(None));
         let of_band = substrate.band_warning(&contact.contact, [*inputs]);
         let of_temperature = substrate.temperature_warning.clone();
@@ -181,7 +181,7 @@ impl Point {
 ///
 /// # Errors
 /// As [`point`].
-pub fn analyse(contact: &Contact, groups: Groups) -> Result<Point, ModelError> {
+pub fn analyse(contact: &Contact, groups: Groups) -> Result<AnalysedPoint, ModelError> {
     let steady = SteadyPoint::new(contact, groups)?;
     let system = steady.linearisation.system();
     let leading_mode = mode(&system, leading(&steady.eigenvalues));
@@ -211,7 +211,7 @@ pub fn analyse(contact: &Contact, groups: Groups) -> Result<Point, ModelError> {
             ));
         }
     }
-    Ok(Point {
+    Ok(AnalysedPoint {
         steady,
         shares: growth_shares(&system, &leading_mode),
         sensitivities: sensitivities(&system, &leading_mode),
@@ -245,7 +245,7 @@ fn pair(value: Complex64) -> Value {
     json!([value.re, value.im])
 }
 
-impl Point {
+impl AnalysedPoint {
     /// The document of `judder point --json`.
     #[must_use]
     pub fn json(&self) -> Value {
@@ -291,13 +291,13 @@ impl Point {
                 "damping": sensitivity(self.sensitivities.damping),
                 "stiffness": sensitivity(self.sensitivities.stiffness),
             },
-            "quasi_steady": self.quasi_steady.as_ref().map(Condition::json),
+            "quasi_steady": self.quasi_steady.as_ref().map(QuasiSteadyCondition::json),
             "warnings": self.warnings,
         })
     }
 }
 
-impl Point {
+impl AnalysedPoint {
     /// What `judder point` prints on a terminal.
     #[must_use]
     pub fn text(&self) -> String {

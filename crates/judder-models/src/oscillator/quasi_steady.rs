@@ -16,7 +16,7 @@ use serde_json::{Map, Value, json};
 
 /// Eq. (3) at an operating point, with the frequency that turns its figures into times.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Condition {
+pub struct QuasiSteadyCondition {
     /// The figures, to be small against 1.
     pub figures: QuasiSteady,
     /// ω_nx, or that of a mode, rad/s.
@@ -25,7 +25,7 @@ pub struct Condition {
 
 /// A contact that slides, as far as eq. (3) asks: v τ/R, and A/R².
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Sliding {
+pub(crate) struct SlidingTimes {
     pub(crate) velocity: f64,
     /// Not a number where nothing is known of steady sliding.
     pub(crate) area: f64,
@@ -47,7 +47,7 @@ pub(crate) fn terms(case: &OscillatorCase) -> Result<Vec<LawTerm>, ModelError> {
     Ok(Material::new(&case.substrate, &case.inputs)?.of_law().terms)
 }
 
-impl Condition {
+impl QuasiSteadyCondition {
     /// At these inputs, to which the material was told; `None` for an elastic substrate. The memory is not a number where nothing is known
     /// of steady sliding.
     pub(crate) fn at(
@@ -57,7 +57,7 @@ impl Condition {
     ) -> Option<Self> {
         let steady = contact.and_then(|contact| SteadyState::new(contact, inputs).ok());
         let area = steady.map_or(f64::NAN, |steady| steady.equilibrium.response.area.value);
-        let sliding = Sliding { velocity: bridge::groups(inputs).velocity, area };
+        let sliding = SlidingTimes { velocity: bridge::groups(inputs).velocity, area };
         let frequency = inputs.number(OscillatorKey::NaturalFrequency);
         Self::of_motion(frequency, inputs, sliding, terms)
     }
@@ -66,7 +66,7 @@ impl Condition {
     pub(crate) fn of_motion(
         frequency: f64,
         inputs: &OscillatorInputs,
-        Sliding { velocity, area }: Sliding,
+        SlidingTimes { velocity, area }: SlidingTimes,
         terms: &[LawTerm],
     ) -> Option<Self> {
         let figure = frequency * inputs.number(OscillatorKey::RetardationTime);
@@ -193,8 +193,8 @@ pub(crate) fn of_motions(scalars: &Map<String, Value>) -> Option<f64> {
 mod tests {
     use super::*;
 
-    fn condition(figure: f64, longest: f64, memory: f64) -> Condition {
-        Condition { figures: QuasiSteady { figure, longest, memory }, natural_frequency: 100.0 }
+    fn condition(figure: f64, longest: f64, memory: f64) -> QuasiSteadyCondition {
+        QuasiSteadyCondition { figures: QuasiSteady { figure, longest, memory }, natural_frequency: 100.0 }
     }
 
     #[test]

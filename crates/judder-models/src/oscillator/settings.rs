@@ -1,7 +1,7 @@
 //! The analyses of an oscillator case.
 
 use crate::motion::settings::MotionModel;
-use crate::motion::{Motion, MotionOf};
+use crate::motion::{MotionAnalysis, MotionOf};
 use crate::oscillator::Operated;
 use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::keys::OscillatorKey;
@@ -9,7 +9,7 @@ use crate::read_sweep::{
     PlacedSweep, SWEEP, family_declaration, map_declarations, read_family, read_map, read_within,
     within_declaration, write_family, write_map, write_within,
 };
-use crate::sweep::{Family, StabilityMap, Sweep, Within};
+use crate::sweep::{Family, StabilityMapAnalysis, Sweep, Within};
 use crate::swept_keys::SweptKeys;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
@@ -42,7 +42,7 @@ pub struct SpectrumCurves {
 #[derive(Debug, Clone, PartialEq)]
 pub struct CriticalThresholds {
     /// Of which quantity.
-    pub sought: Sought,
+    pub sought: SoughtThresholds,
     /// The swept key.
     pub sweep: Sweep<OscillatorKey>,
     /// Where thresholds are sought; τ0/E0* from 1e-6 to 1e3 by default, F_n/(E0* R²) from 1e-10 to 1.
@@ -55,14 +55,14 @@ pub struct CriticalThresholds {
 
 /// Which quantity's thresholds are sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sought {
+pub enum SoughtThresholds {
     /// τ0,crit.
     ShearStrength,
     /// F_n,crit.
     Load,
 }
 
-impl Sought {
+impl SoughtThresholds {
     /// The key of the quantity.
     pub fn key(self) -> OscillatorKey {
         match self {
@@ -116,7 +116,7 @@ impl MotionModel for OscillatorKeys {
     type Analysis = Arc<dyn Operated>;
 
     fn of_motion<A: MotionOf<Self>>(analysis: A) -> Self::Analysis {
-        Arc::new(Motion(analysis))
+        Arc::new(MotionAnalysis(analysis))
     }
 }
 
@@ -165,7 +165,7 @@ pub(super) fn map_keys() -> Vec<Declaration> {
     [map_declarations::<OscillatorKeys>(), MapMargin::declarations()].concat()
 }
 
-impl StabilityMap<OscillatorKey> {
+impl StabilityMapAnalysis<OscillatorKey> {
     pub(super) fn read(keys: &OscillatorKeys, section: &Section<'_>) -> Result<Self, Fault> {
         let (map, margin) = both(read_map(keys, section), MapMargin::read_table(section))?;
         Ok(Self { global_margin: margin.global_margin, ..map })
@@ -183,19 +183,19 @@ pub(super) fn curves() -> Vec<Declaration> {
 }
 
 /// What is said of thresholds along one key.
-pub(super) fn thresholds(sought: Sought) -> Vec<Declaration> {
+pub(super) fn thresholds(sought: SoughtThresholds) -> Vec<Declaration> {
     let mut keys = curves();
     keys.insert(1, within_declaration(sought.key().entry(), sought.within()));
     [keys, ThresholdMargin::declarations()].concat()
 }
 
-type Curves<S> = (S, Option<Family<OscillatorKey>>);
+type WithFamily<S> = (S, Option<Family<OscillatorKey>>);
 
 /// Reads the sweep of an analysis and its family.
 fn read_curves(
     keys: &OscillatorKeys,
     section: &Section<'_>,
-) -> Result<Curves<PlacedSweep<OscillatorKey>>, Fault> {
+) -> Result<WithFamily<PlacedSweep<OscillatorKey>>, Fault> {
     let sweep = SWEEP.read(keys, section)?;
     let family = read_family(keys, section, &sweep)?;
     Ok((sweep, family))
@@ -206,7 +206,7 @@ fn read_threshold(
     keys: &OscillatorKeys,
     section: &Section<'_>,
     sought: OscillatorKey,
-) -> Result<Curves<Sweep<OscillatorKey>>, Fault> {
+) -> Result<WithFamily<Sweep<OscillatorKey>>, Fault> {
     let twice = |first| Cause::KeyTwice { key: keys.path(sought), first, second: "sought quantity" };
     let (placed, family) = read_curves(keys, section)?;
     if placed.sweep.key == sought {
@@ -219,7 +219,11 @@ fn read_threshold(
 }
 
 impl CriticalThresholds {
-    pub(super) fn read(keys: &OscillatorKeys, section: &Section<'_>, sought: Sought) -> Result<Self, Fault> {
+    pub(super) fn read(
+        keys: &OscillatorKeys,
+        section: &Section<'_>,
+        sought: SoughtThresholds,
+    ) -> Result<Self, Fault> {
         let within = read_within(section, sought.key().entry(), sought.within());
         let own = both(within, ThresholdMargin::read_table(section));
         let ((sweep, family), (within, ThresholdMargin { global_margin })) =

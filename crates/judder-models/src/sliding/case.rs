@@ -35,8 +35,8 @@ use judder_keys::section::Section;
 use judder_study::case::analysis::{Planned, read_analyses};
 use judder_study::case::root::{document, read_root};
 use judder_study::model::Analysis;
-use motion::SlidingMotion;
-use observe::{Observed, ObservedPoint};
+use motion::SliderMotion;
+use observe::{ObservedPoint, ObservedPoints};
 use serde_json::Value as Json;
 use structure::{SlidingStructure, Structures};
 
@@ -52,7 +52,7 @@ pub struct SlidingCase {
     /// Who slides on what.
     pub contact: SlidingContact,
     /// Where the slider goes, under which load.
-    pub motion: SlidingMotion,
+    pub motion: SliderMotion,
     /// The points whose motion is kept.
     pub points: Vec<ObservedPoint>,
     /// The analyses in the order of the case file.
@@ -90,7 +90,7 @@ impl SlidingCase {
             ("structure", self.structures.iter().map(SlidingStructure::written).collect()),
             ("contact", self.contact.write(&())),
             ("motion", self.motion.write(&())),
-            ("observe", Observed { points: self.points.clone() }.write(&())),
+            ("observe", ObservedPoints { points: self.points.clone() }.write(&())),
         ]));
         Json::Object(json)
     }
@@ -126,16 +126,16 @@ pub(crate) struct SlidingSections {
     contact: SlidingContact,
     /// Path, velocity and load of the slider.
     #[key(example = "[motion] with load = { set = \"start\" }")]
-    motion: SlidingMotion,
+    motion: SliderMotion,
     /// Points whose motion is kept; none where left out.
-    observe: Option<Observed>,
+    observe: Option<ObservedPoints>,
 }
 
 /// A root, and everything but its analyses.
-type System<'a> = (Section<'a>, Result<SlidingCase, Fault>);
+type ReadSystem<'a> = (Section<'a>, Result<SlidingCase, Fault>);
 
 /// Everything but the analyses.
-fn read_system<'a>(node: &'a Node, folder: &Path) -> Result<System<'a>, Fault> {
+fn read_system<'a>(node: &'a Node, folder: &Path) -> Result<ReadSystem<'a>, Fault> {
     let (root, sections) = read_root::<SlidingSections>(node)?;
     let origin = || Arc::new(Origin::new(node, folder));
     let case = sections.and_then(|(title, sections)| sections.found(title, &root, origin()));

@@ -2,16 +2,16 @@
 
 mod pair;
 
-use super::Subject;
-use super::march::Size;
+use super::SlidingSubject;
+use super::march::MarchSize;
 use crate::error::ModelError;
 use crate::estimate::{Estimate, estimate_json, estimate_text, title};
 use crate::sliding::case::SlidingCase;
-use crate::sliding::march::settings::March;
-use crate::sliding::system::SlidingSystem;
+use crate::sliding::march::settings::MarchAnalysis;
+use crate::sliding::system::ReducedPair;
 use judder_keys::memory::Memory;
 use judder_study::case::text::CaseText;
-use judder_study::model::{Place, placed};
+use judder_study::model::{AnalysisPlace, placed};
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, number};
 use serde_json::{Map, Value, json};
@@ -24,13 +24,13 @@ const SHOWN: usize = 8;
 /// # Errors
 /// Structures that cannot be, or cannot slide on each other, and analyses that would be refused, at their places in the case.
 pub(super) fn resolve(file: &CaseText, case: &SlidingCase, resolved: Value) -> Result<Resolved, ModelError> {
-    let system = SlidingSystem::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
+    let system = ReducedPair::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
     let mut estimates: Vec<Estimate> = Vec::new();
     for (index, own) in case.analyses.iter().enumerate() {
-        let subject = Subject { case, system: &system, name: &own.name };
+        let subject = SlidingSubject { case, system: &system, name: &own.name };
         let asked = &own.kind;
         asked.admit(&subject).map_err(|error| placed(error.into(), case, file, index))?;
-        let place = Place { file, index, name: &own.name };
+        let place = AnalysisPlace { file, index, name: &own.name };
         asked.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
         estimates.push(asked.estimate(&subject)?);
     }
@@ -56,12 +56,12 @@ pub(super) fn resolve(file: &CaseText, case: &SlidingCase, resolved: Value) -> R
 }
 
 /// What marches keep in the study folder.
-fn kept(case: &SlidingCase, system: &SlidingSystem) -> (Value, String) {
+fn kept(case: &SlidingCase, system: &ReducedPair) -> (Value, String) {
     let mut document = Map::new();
     let mut rows = Vec::new();
     for analysis in &case.analyses {
-        let Some(march) = analysis.settings::<March>() else { continue };
-        let Some(size) = Size::of(system, march) else { continue };
+        let Some(march) = analysis.settings::<MarchAnalysis>() else { continue };
+        let Some(size) = MarchSize::of(system, march) else { continue };
         let (samples, bytes) = (size.samples as u64, size.stored() as u64);
         let words = [format!("{samples} samples"), format!("{} signals", size.signals)];
         rows.push([vec![analysis.name.clone()], words.to_vec(), vec![Memory { bytes }.to_string()]].concat());

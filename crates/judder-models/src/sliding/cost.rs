@@ -1,6 +1,6 @@
 //! Seconds on one core, measured on the beams paper's pair of 243 modes in the release build; good to a factor of a few.
 
-use super::system::{self, SlidingSystem};
+use super::system::{self, ReducedPair};
 use judder_sliding::march::ContactMethod;
 use judder_sliding::motion::Motion;
 
@@ -16,12 +16,12 @@ pub(super) const DENSE: f64 = 1e-7;
 pub(super) const PERIODS: f64 = 600.0;
 
 /// Degrees of freedom of one of the structures.
-pub(super) fn freedoms(system: &SlidingSystem, structure: usize) -> f64 {
+pub(super) fn freedoms(system: &ReducedPair, structure: usize) -> f64 {
     system.parts[structure].structure.family.size() as f64
 }
 
 /// The step that is given, or chosen; where it is refused, the one asked for.
-pub(super) fn step(system: &SlidingSystem, method: ContactMethod, given: Option<f64>, motion: Motion) -> f64 {
+pub(super) fn step(system: &ReducedPair, method: ContactMethod, given: Option<f64>, motion: Motion) -> f64 {
     match system::step(&system.pair, method, given, motion) {
         Ok(step) => step.step,
         Err(_) => given.unwrap_or(f64::INFINITY),

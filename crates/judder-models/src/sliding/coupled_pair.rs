@@ -2,7 +2,7 @@
 
 use crate::error::ModelError;
 use crate::sliding::case::SlidingCase;
-use crate::sliding::system::{self, SlidingSystem};
+use crate::sliding::system::{self, ReducedPair};
 use judder_sliding::SlidingError;
 use judder_sliding::march::ContactMethod;
 use judder_sliding::motion::Motion;
@@ -28,8 +28,8 @@ pub fn coupled_pair(file: &CaseFile) -> Result<CoupledPair, ModelError> {
     let Some(case) = file.case.of::<SlidingCase>() else {
         return Err(ModelError::WrongModel { command: "march", model: file.case.model() });
     };
-    let system = SlidingSystem::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
-    let SlidingSystem { pair, motion, warnings, .. } = system;
+    let system = ReducedPair::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
+    let ReducedPair { pair, motion, warnings, .. } = system;
     Ok(CoupledPair { pair, motion, warnings })
 }
 

@@ -37,16 +37,16 @@ use judder_study::resolve::Resolved;
 use spectrogram::settings::check_references;
 use std::path::Path;
 use std::sync::Arc;
-use system::SlidingSystem;
+use system::ReducedPair;
 
 /// The kinds of analyses.
 pub(crate) static KINDS: Kinds<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>> =
     Kinds::new(&[modes::KIND, locus::KIND, march::KIND, growth::KIND, spectrogram::KIND]);
 
 /// A pair, and the name of an analysis of it.
-pub struct Subject<'a> {
+pub struct SlidingSubject<'a> {
     case: &'a SlidingCase,
-    system: &'a SlidingSystem,
+    system: &'a ReducedPair,
     name: &'a str,
 }
 
@@ -54,8 +54,8 @@ impl Analysed for SlidingCase {
     const NAME: &'static str = MODEL.name;
 
     type Asked = dyn Analysis<Self>;
-    type Subject<'a> = Subject<'a>;
-    type Known<'a> = Subject<'a>;
+    type Subject<'a> = SlidingSubject<'a>;
+    type Known<'a> = SlidingSubject<'a>;
     type Estimate = Estimate;
     type Error = ModelError;
 
@@ -71,12 +71,12 @@ impl Analysed for SlidingCase {
 /// The pair, where what the wanted analyses keep fits.
 fn fitting(
     case: &SlidingCase,
-    system: SlidingSystem,
+    system: ReducedPair,
     file: &CaseText,
     is_wanted: &dyn Fn(&str) -> bool,
 ) -> Result<Prepared, ModelError> {
     for (place, asked) in wanted(case, file, is_wanted) {
-        let subject = Subject { case, system: &system, name: place.name };
+        let subject = SlidingSubject { case, system: &system, name: place.name };
         asked.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
     }
     Ok(Prepared::new(Arc::new(system)))
@@ -123,12 +123,12 @@ impl Model for SlidingCase {
     }
 
     fn prepared(&self) -> Result<Prepared, StudyError> {
-        let made = SlidingSystem::new(self).map_err(ModelError::from)?;
+        let made = ReducedPair::new(self).map_err(ModelError::from)?;
         Ok(Prepared::new(Arc::new(made)))
     }
 
     fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
-        let system = SlidingSystem::new(self).map_err(|uncoupled| uncoupled.placed(file))?;
+        let system = ReducedPair::new(self).map_err(|uncoupled| uncoupled.placed(file))?;
         Ok(fitting(self, system, file, is_wanted)?)
     }
 
@@ -139,7 +139,7 @@ impl Model for SlidingCase {
         known: &Prepared,
         keys: &[&str],
     ) -> Result<Prepared, StudyError> {
-        let Some(known) = known.get::<SlidingSystem>() else { return self.preflight(file, is_wanted) };
+        let Some(known) = known.get::<ReducedPair>() else { return self.preflight(file, is_wanted) };
         let system = known.swept(self, keys).map_err(|uncoupled| uncoupled.placed(file))?;
         Ok(fitting(self, system, file, is_wanted)?)
     }
@@ -149,11 +149,11 @@ impl Model for SlidingCase {
             return Err(StudyError::Interrupted);
         }
         let own = &self.analyses[index];
-        let system = match task.prepared.get::<SlidingSystem>() {
+        let system = match task.prepared.get::<ReducedPair>() {
             Some(system) => system,
-            None => Arc::new(SlidingSystem::new(self).map_err(ModelError::from)?),
+            None => Arc::new(ReducedPair::new(self).map_err(ModelError::from)?),
         };
-        let subject = Subject { case: self, system: &system, name: &own.name };
+        let subject = SlidingSubject { case: self, system: &system, name: &own.name };
         let mut outcome = own.kind.run(&subject, task)?;
         outcome.warnings.extend(system.warnings.iter().cloned());
         Ok(outcome)

@@ -3,8 +3,8 @@
 use crate::error::ModelError;
 use crate::sliding::case::SlidingCase;
 use crate::sliding::locus::conditions::conditions as locus_conditions;
-use crate::sliding::locus::settings::{Along, Locus};
-use crate::sliding::system::SlidingSystem;
+use crate::sliding::locus::settings::{Along, LocusAnalysis};
+use crate::sliding::system::ReducedPair;
 use faer::Mat;
 use judder_sliding::locus::{Conditions, Configuration, contact, spectrum};
 use judder_sliding::shape::{gap_residual, mode_shape};
@@ -17,7 +17,7 @@ use rayon::prelude::*;
 /// The pair of a sliding case with the shapes of its structures on all their points: made once, asked at many positions.
 pub struct ShapedPair {
     case: SlidingCase,
-    system: SlidingSystem,
+    system: ReducedPair,
     /// Φ of slider and track on the displacements of all points: three rows a point, a column a mode.
     expansions: [Mat<f64>; 2],
 }
@@ -50,7 +50,7 @@ impl ShapedPair {
         let Some(case) = file.case.of::<SlidingCase>() else {
             return Err(ModelError::WrongModel { command: "explore", model: file.case.model() });
         };
-        let system = SlidingSystem::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
+        let system = ReducedPair::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
         let [slider, track] = bodies(case).map(|index| {
             let part = &system.parts[index];
             let Some(layout) = &part.structure.layout else {
@@ -112,7 +112,7 @@ impl ShapedPair {
     /// Under what the pair slides in an analysis, and how many modes are looked at.
     fn conditions(&self, analysis: &str) -> Result<(Conditions, usize), ModelError> {
         let found = self.case.analyses.iter().find(|own| own.name == analysis);
-        match found.map(|own| own.settings::<Locus>()) {
+        match found.map(|own| own.settings::<LocusAnalysis>()) {
             Some(Some(settings)) if matches!(settings.along, Along::Key { .. }) => {
                 Err(ModelError::Unsupported(format!(
                     "the locus `{analysis}` is over a key, and shapes are drawn at positions; ask for those of a locus over positions"

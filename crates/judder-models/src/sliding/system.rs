@@ -12,39 +12,39 @@ mod nodes;
 mod part;
 mod step;
 
-pub(crate) use part::Part;
-pub(crate) use step::{Step, step};
+pub(crate) use part::StructurePart;
+pub(crate) use step::{MarchStep, step};
 
 use crate::error::ModelError;
 use crate::sliding::case::SlidingCase;
 use crate::sliding::case::contact::FrictionCoefficient;
-use crate::sliding::case::motion::Axis;
+use crate::sliding::case::motion::PlaneAxis;
 use crate::sliding::case::problem::SlidingProblem;
-use crate::sliding::march::settings::March;
+use crate::sliding::march::settings::MarchAnalysis;
 use crate::structure::build::{self, Structure};
 use crate::structure::case::StructureCase;
-use edge::Edge;
+use edge::TrackEdge;
 use judder_sliding::SlidingError;
 use judder_sliding::body::ModalPoint;
 use judder_sliding::edge::{Interpolation, STENCIL};
-use judder_sliding::friction::Friction;
+use judder_sliding::friction::SlidingFriction;
 use judder_sliding::motion::Motion;
-use judder_sliding::pair::{Observed, Pair, PairSide, Slider, Track};
-use judder_sliding::plane::Vector;
+use judder_sliding::pair::{Observed, Pair, PairSide, Slider, TrackBody};
+use judder_sliding::plane::PlaneVector;
 use judder_study::case::text::CaseText;
-use nodes::Nodes;
+use nodes::SystemNodes;
 use std::sync::Arc;
 
 /// The two structures of a case, reduced, and the pair that they make.
-pub(crate) struct SlidingSystem {
+pub(crate) struct ReducedPair {
     /// The pair.
     pub(crate) pair: Pair,
     /// What is prescribed along the whole path of the case.
     pub(crate) motion: Motion,
     /// The structures in the order of the case.
-    pub(crate) parts: [Arc<Part>; 2],
+    pub(crate) parts: [Arc<StructurePart>; 2],
     /// By how much the slider is moved so that C touches the track where the motion starts, m.
-    pub(crate) moved: Vector,
+    pub(crate) moved: PlaneVector,
     /// What the user has to know of it.
     pub(crate) warnings: Vec<String>,
 }
@@ -97,7 +97,7 @@ impl From<Uncoupled> for ModelError {
     }
 }
 
-impl SlidingSystem {
+impl ReducedPair {
     /// Reads, assembles, reduces and couples what a case describes.
     pub(crate) fn new(case: &SlidingCase) -> Result<Self, Uncoupled> {
         Self::with(case, [None, None])
@@ -117,16 +117,16 @@ impl SlidingSystem {
         Self::with(case, [known(0), known(1)])
     }
 
-    fn with(case: &SlidingCase, known: [Option<Arc<Part>>; 2]) -> Result<Self, Uncoupled> {
+    fn with(case: &SlidingCase, known: [Option<Arc<StructurePart>>; 2]) -> Result<Self, Uncoupled> {
         let structure = |index: usize| match &known[index] {
             Some(part) => Ok(Arc::clone(&part.structure)),
             None => built(case, index).map(Arc::new),
         };
         let structures = [structure(0)?, structure(1)?];
-        let nodes = Nodes::new(case, [&structures[0], &structures[1]])?;
+        let nodes = SystemNodes::new(case, [&structures[0], &structures[1]])?;
         let [slider, track] = [*case.contact.slider.structure, *case.contact.track.structure];
-        let edge = Edge::new([&structures[slider], &structures[track]], &nodes)?;
-        let part = |index: usize| -> Result<Arc<Part>, Uncoupled> {
+        let edge = TrackEdge::new([&structures[slider], &structures[track]], &nodes)?;
+        let part = |index: usize| -> Result<Arc<StructurePart>, Uncoupled> {
             match &known[index] {
                 // the inertia load goes with the direction of the track
                 Some(part) if index == track || part.direction == Some(edge.direction) => {
@@ -134,7 +134,7 @@ impl SlidingSystem {
                 }
                 _ => {
                     let direction = (index == slider).then_some(edge.direction);
-                    Part::new(case, index, &structures[index], &nodes.freedoms[index], direction)
+                    StructurePart::new(case, index, &structures[index], &nodes.freedoms[index], direction)
                         .map(Arc::new)
                 }
             }
@@ -153,12 +153,12 @@ impl SlidingSystem {
     }
 
     /// What a march prescribes.
-    pub(crate) fn along(&self, march: &March) -> Motion {
+    pub(crate) fn along(&self, march: &MarchAnalysis) -> Motion {
         Motion { start: march.from, end: march.to, ..self.motion }
     }
 
     /// The place among the pair's observed displacements of that of a point of the case along an axis.
-    pub(crate) fn observed(point: usize, axis: Axis) -> usize {
+    pub(crate) fn observed(point: usize, axis: PlaneAxis) -> usize {
         2 * point + axis as usize
     }
 }
@@ -177,19 +177,19 @@ fn built(case: &SlidingCase, index: usize) -> Result<Structure, Uncoupled> {
 /// The pair of two reduced structures.
 fn coupled(
     case: &SlidingCase,
-    [slider, track]: [&Part; 2],
-    nodes: &Nodes,
-    edge: &Edge,
+    [slider, track]: [&StructurePart; 2],
+    nodes: &SystemNodes,
+    edge: &TrackEdge,
 ) -> Result<Pair, Uncoupled> {
-    let point = |part: &Part, point: usize| -> Result<ModalPoint, Uncoupled> {
+    let point = |part: &StructurePart, point: usize| -> Result<ModalPoint, Uncoupled> {
         Ok(ModalPoint { place: part.place(point), rows: part.rows(point)? })
     };
     let mut observed = Vec::new();
     for (number, (own, at)) in case.points.iter().zip(&nodes.observed).enumerate() {
         let is_slider = own.structure == case.contact.slider.structure;
         let (side, part) = if is_slider { (PairSide::Slider, slider) } else { (PairSide::Track, track) };
-        for (axis, row) in [Axis::X, Axis::Y].into_iter().zip(part.rows(*at)?) {
-            debug_assert_eq!(observed.len(), SlidingSystem::observed(number, axis));
+        for (axis, row) in [PlaneAxis::X, PlaneAxis::Y].into_iter().zip(part.rows(*at)?) {
+            debug_assert_eq!(observed.len(), ReducedPair::observed(number, axis));
             let rigid = if is_slider { edge.direction[axis as usize] } else { 0.0 };
             observed.push(Observed { side, row, rigid });
         }
@@ -201,7 +201,7 @@ fn coupled(
         inertia: slider.reduced.inertia(),
     };
     let points = edge.points.iter().map(|at| point(track, *at)).collect::<Result<_, _>>()?;
-    let track = Track { body: track.reduced.body.clone(), nodes: points };
+    let track = TrackBody { body: track.reduced.body.clone(), nodes: points };
     let interpolation = case.contact.interpolation;
     if interpolation == Interpolation::Hermite && edge.points.len() < STENCIL {
         let nodes = edge.points.len();
@@ -214,11 +214,11 @@ fn coupled(
         .map_err(|error| refused(case, &error))
 }
 
-fn friction(case: &SlidingCase) -> Result<Friction, Uncoupled> {
+fn friction(case: &SlidingCase) -> Result<SlidingFriction, Uncoupled> {
     let friction = match &case.contact.friction {
-        FrictionCoefficient::Constant(coefficient) => Friction::constant(*coefficient),
+        FrictionCoefficient::Constant(coefficient) => SlidingFriction::constant(*coefficient),
         FrictionCoefficient::Table(table) => {
-            Friction::table(table.velocity.clone(), table.coefficient.clone())
+            SlidingFriction::table(table.velocity.clone(), table.coefficient.clone())
         }
     };
     friction.map_err(|error| {

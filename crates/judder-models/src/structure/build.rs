@@ -16,7 +16,7 @@ mod sums;
 
 use assembled::nodes_of;
 pub(crate) use kept::{freedoms_of, points_of};
-pub(crate) use layout::{Layout, mesh_lines};
+pub(crate) use layout::{StructureLayout, mesh_lines};
 
 use crate::error::ModelError;
 use crate::structure::case::problem::StructureProblem;
@@ -35,7 +35,7 @@ pub(crate) struct Structure {
     /// Its matrices as sums.
     pub(crate) family: AffineFamily,
     /// Where its freedoms lie; `None` where nothing tells.
-    pub(crate) layout: Option<Layout>,
+    pub(crate) layout: Option<StructureLayout>,
     /// Its elements, where it has any.
     pub(crate) elements: Option<Elements>,
     /// The freedoms that a reduction keeps.

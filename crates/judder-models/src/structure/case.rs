@@ -25,7 +25,7 @@ use crate::parameters::{Parameter, Parameters};
 use crate::structure::MODEL;
 use crate::swept_keys::ParameterKeys;
 use arrays::MatrixArrays;
-use body::{Body, Geometry};
+use body::{BodyGeometry, BodySettings};
 use damping::Damping;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
@@ -40,7 +40,7 @@ use judder_study::case::root::{document, read_root};
 use judder_study::model::Analysis;
 use matrices::MatrixSums;
 use problem::StructureProblem;
-use reduction::{FixedModes, KEPT, Kept, Reduction};
+use reduction::{FixedModes, KEPT, KeptFreedoms, ReductionSettings};
 use scope::StructureScope;
 use serde_json::Value as Json;
 use std::sync::Arc;
@@ -57,7 +57,7 @@ pub struct StructureCase {
     /// The damping of a body; matrices have their own.
     pub damping: Damping,
     /// Which freedoms and modes a reduction keeps.
-    pub reduction: Option<Reduction>,
+    pub reduction: Option<ReductionSettings>,
     /// The analyses in the order of the case file.
     pub analyses: Vec<Planned<Arc<dyn Analysis<StructureCase>>>>,
 }
@@ -68,7 +68,7 @@ pub struct StructureCase {
 pub enum StructureSource {
     /// Elements with materials and supports.
     #[key(flatten)]
-    Body(Body),
+    Body(BodySettings),
     /// M, C and K: sums of files with factors, or arrays of numbers and expressions.
     Matrices(Matrices),
 }
@@ -109,14 +109,14 @@ impl StructureSource {
     /// Refuses a body beside matrices, and neither.
     fn is_one(section: &Section<'_>) -> Result<(), Fault> {
         if section.get("matrices").is_none() {
-            if Geometry::KEYS.iter().any(|key| section.get(key).is_some()) {
+            if BodyGeometry::KEYS.iter().any(|key| section.get(key).is_some()) {
                 return Ok(());
             }
             let expected =
                 "beam = { … }, block = { … }, disc = { … }, mesh = \"file.msh\" or matrices = { … }";
             return Err(section.missing("beam", expected));
         }
-        for key in Body::keys().into_iter().chain(["damping"]) {
+        for key in BodySettings::keys().into_iter().chain(["damping"]) {
             if let Some(node) = section.get(key) {
                 let problem = Cause::Meaningless { key, with: section.path("matrices") };
                 return Err(problem.at(node.place));
@@ -144,8 +144,8 @@ impl StructureSource {
     pub fn files(&self) -> Vec<&FileReference> {
         match self {
             Self::Body(body) => match &body.geometry {
-                Geometry::Mesh(file) => vec![file],
-                Geometry::Beam(_) | Geometry::Block(_) | Geometry::Disc(_) => Vec::new(),
+                BodyGeometry::Mesh(file) => vec![file],
+                BodyGeometry::Beam(_) | BodyGeometry::Block(_) | BodyGeometry::Disc(_) => Vec::new(),
             },
             Self::Matrices(Matrices::Files(sums)) => sums.files(),
             Self::Matrices(Matrices::Arrays(_)) => Vec::new(),
@@ -233,7 +233,7 @@ pub(crate) struct StructureSections {
 #[settings(check = SourceSections::is_given)]
 enum SourceSections {
     /// A body of elements.
-    Structure(Body),
+    Structure(BodySettings),
     /// M, C and K: sums of files with factors, or arrays of numbers and expressions.
     Matrices(Matrices),
 }
@@ -243,7 +243,7 @@ enum SourceSections {
 struct ReductionSection {
     /// Freedoms that are kept.
     #[key(rule = KEPT, example = "[{ set = \"end\" }], the freedoms that are kept")]
-    kept: Vec<Kept>,
+    kept: Vec<KeptFreedoms>,
     #[key(flatten)]
     modes: FixedModes,
 }
@@ -321,7 +321,7 @@ impl StructureCase {
         let swept: Vec<usize> = (0..values.len()).collect();
         let scope = Scope { names: &names, values: &values, swept: &swept };
         let source = source.found(root, &scope, folder)?;
-        let reduction = reduction.map(|ReductionSection { kept, modes }| Reduction { kept, modes });
+        let reduction = reduction.map(|ReductionSection { kept, modes }| ReductionSettings { kept, modes });
         let (parameters, damping) = (parameters.0, damping.unwrap_or_default());
         Ok(Self { title, parameters, source, damping, reduction, analyses: Vec::new() })
     }

@@ -1,13 +1,13 @@
 //! What `judder check` shows of a structure case.
 
-use super::Subject;
+use super::StructureSubject;
 use crate::error::ModelError;
 use crate::estimate::title;
 use crate::structure::build::Structure;
 use crate::structure::case::StructureCase;
 use judder_structure::affine::Term;
 use judder_study::case::text::CaseText;
-use judder_study::model::Place;
+use judder_study::model::AnalysisPlace;
 use judder_study::resolve::Resolved;
 use judder_study::text::columns;
 use serde_json::{Value, json};
@@ -47,8 +47,8 @@ pub(super) fn resolve(
     }
     text.push_str("\nanalyses\n");
     let asked = case.analyses.iter().enumerate().map(|(index, own)| {
-        let subject = Subject { case, structure: &structure, name: &own.name };
-        let place = Place { file, index, name: &own.name };
+        let subject = StructureSubject { case, structure: &structure, name: &own.name };
+        let place = AnalysisPlace { file, index, name: &own.name };
         own.kind.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
         Ok(vec![own.name.clone(), own.kind.estimate(&subject)?])
     });

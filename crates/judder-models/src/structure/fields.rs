@@ -1,7 +1,7 @@
 //! Shapes of modes as files: for ParaView, still and moving, and for test engineers.
 
 use crate::error::ModelError;
-use crate::structure::build::Layout;
+use crate::structure::build::StructureLayout;
 use crate::written::written;
 use judder_exchange::ExchangeError;
 use judder_exchange::geometry::{Geometry, at_phase};
@@ -21,7 +21,7 @@ const FRAMES: usize = 16;
 const MOVING_BYTES: usize = 64 << 20;
 
 /// A shape with its name and its frequency.
-pub(super) struct Shape {
+pub(super) struct NamedShape {
     /// Its name in ParaView, such as `mode 1 (45.5 Hz)`.
     pub(super) name: String,
     /// Displacements of all freedoms.
@@ -48,8 +48,8 @@ pub(super) enum ModeKind {
     },
 }
 
-impl Shape {
-    fn at_points(&self, layout: &Layout) -> Vec<[Complex64; 3]> {
+impl NamedShape {
+    fn at_points(&self, layout: &StructureLayout) -> Vec<[Complex64; 3]> {
         layout.displacements(&self.vector).chunks_exact(3).map(|u| [u[0], u[1], u[2]]).collect()
     }
 }
@@ -57,9 +57,9 @@ impl Shape {
 /// The fields of all shapes in one file, and the first that swing as series of files.
 pub(super) fn fields(
     name: &str,
-    layout: Option<&Layout>,
+    layout: Option<&StructureLayout>,
     mesh: Option<&Mesh>,
-    shapes: &[Shape],
+    shapes: &[NamedShape],
 ) -> Result<Vec<(String, Vec<u8>)>, ModelError> {
     let Some(layout) = layout else { return Ok(Vec::new()) };
     let geometry = match mesh {
@@ -90,13 +90,13 @@ pub(super) fn fields(
 }
 
 /// The numbers of the points in files for test engineers: those that they have, or one more where there is a zero.
-fn labels(layout: &Layout) -> Vec<usize> {
+fn labels(layout: &StructureLayout) -> Vec<usize> {
     let shift = label_shift(layout);
     layout.names.iter().map(|name| name + shift).collect()
 }
 
 /// How far numbers of points move because labels are positive.
-pub(super) fn label_shift(layout: &Layout) -> usize {
+pub(super) fn label_shift(layout: &StructureLayout) -> usize {
     usize::from(layout.names.contains(&0))
 }
 
@@ -104,8 +104,8 @@ pub(super) fn label_shift(layout: &Layout) -> usize {
 fn universal(
     to: &mut dyn std::io::Write,
     geometry: &Geometry,
-    layout: &Layout,
-    shapes: &[Shape],
+    layout: &StructureLayout,
+    shapes: &[NamedShape],
 ) -> Result<(), ExchangeError> {
     write_units(to)?;
     write_nodes(to, geometry)?;
@@ -135,8 +135,8 @@ fn universal(
 fn series(
     stem: &str,
     geometry: &Geometry,
-    layout: &Layout,
-    shape: &Shape,
+    layout: &StructureLayout,
+    shape: &NamedShape,
 ) -> Result<Vec<(String, Vec<u8>)>, ModelError> {
     let values = shape.at_points(layout);
     let mut files = Vec::with_capacity(FRAMES + 1);

@@ -39,7 +39,7 @@ pub(crate) static KINDS: Kinds<StructureScope, Arc<dyn Analysis<StructureCase>>>
     Kinds::new(&[modes::KIND, reduction::KIND, eigen::KIND, eigen_sweep::KIND, receptance::KIND]);
 
 /// A structure, and the name under which an analysis of it leaves files.
-pub struct Subject<'a> {
+pub struct StructureSubject<'a> {
     case: &'a StructureCase,
     structure: &'a Structure,
     name: &'a str,
@@ -49,8 +49,8 @@ impl Analysed for StructureCase {
     const NAME: &'static str = MODEL.name;
 
     type Asked = dyn Analysis<Self>;
-    type Subject<'a> = Subject<'a>;
-    type Known<'a> = Subject<'a>;
+    type Subject<'a> = StructureSubject<'a>;
+    type Known<'a> = StructureSubject<'a>;
     /// What is asked, in words.
     type Estimate = String;
     type Error = ModelError;
@@ -69,7 +69,7 @@ fn fitting(
 ) -> Result<Prepared, ModelError> {
     let Some(structure) = prepared.get::<Structure>() else { return Ok(prepared) };
     for (place, asked) in wanted(case, file, is_wanted) {
-        let subject = Subject { case, structure: &structure, name: place.name };
+        let subject = StructureSubject { case, structure: &structure, name: place.name };
         asked.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
     }
     Ok(prepared)
@@ -136,7 +136,7 @@ impl Model for StructureCase {
             Some(structure) => structure,
             None => Arc::new(Structure::new(self).map_err(ModelError::from)?),
         };
-        let subject = Subject { case: self, structure: &structure, name: &own.name };
+        let subject = StructureSubject { case: self, structure: &structure, name: &own.name };
         let progress = task.progress;
         let mut outcome = own.kind.run(&subject, task)?;
         progress.advance();

@@ -3,7 +3,7 @@
 use judder_report::figure::ValueMap;
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Layer, Panel, Role, Swing};
-use judder_store::{Data, Dataset};
+use judder_store::{Dataset, VariableValues};
 use judder_study::pictures::{FRAME, complexes, reals};
 use num_complex::Complex64;
 
@@ -18,13 +18,13 @@ pub(crate) fn panels(
     wanted: impl Iterator<Item = usize>,
     title: &dyn Fn(usize) -> String,
 ) -> Vec<Panel> {
-    let panel = |k: usize| Some(Picture::new(dataset, k)?.panel(Moves::Swings).with_title(title(k)));
+    let panel = |k: usize| Some(ShapePicture::new(dataset, k)?.panel(Moves::Swings).with_title(title(k)));
     wanted.filter_map(panel).collect()
 }
 
 /// A panel with the first shape at rest: how loads move a body.
 pub(crate) fn still(dataset: &Dataset, title: &str) -> Option<Panel> {
-    Some(Picture::new(dataset, 0)?.panel(Moves::Rests).with_title(title))
+    Some(ShapePicture::new(dataset, 0)?.panel(Moves::Rests).with_title(title))
 }
 
 /// Whether a shape swings on the page.
@@ -60,7 +60,7 @@ pub(crate) fn significant(value: f64) -> String {
 }
 
 /// A shape seen from one side.
-struct Picture {
+struct ShapePicture {
     /// Places at rest, on the paper.
     rest: Vec<[f64; 2]>,
     /// Complex displacements, on the paper, to scale.
@@ -70,7 +70,7 @@ struct Picture {
     in_plane: bool,
 }
 
-impl Picture {
+impl ShapePicture {
     fn new(dataset: &Dataset, mode: usize) -> Option<Self> {
         let places: Vec<[f64; 3]> =
             reals(dataset, "place")?.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect();
@@ -95,7 +95,7 @@ impl Picture {
             [Complex64::new(a, c), Complex64::new(b, d)]
         });
         let moved = moved.collect();
-        let Data::I64(ends) = &dataset.variable("line")?.data else { return None };
+        let VariableValues::I64(ends) = &dataset.variable("line")?.data else { return None };
         let is_point = |end: &i64| usize::try_from(*end).is_ok_and(|end| end < places.len());
         let lines = ends.chunks_exact(2).filter(|ends| ends.iter().all(is_point));
         let lines = lines.map(|ends| [ends[0] as usize, ends[1] as usize]).collect();

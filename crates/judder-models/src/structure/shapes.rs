@@ -1,7 +1,7 @@
 //! Shapes of modes: as arrays, compared with each other.
 
 use crate::error::ModelError;
-use crate::structure::build::Layout;
+use crate::structure::build::StructureLayout;
 use judder_store::{Dataset, Variable};
 use judder_structure::modes::Mode;
 use num_complex::Complex64;
@@ -34,7 +34,7 @@ pub(super) fn complex_mac(shapes: &[Vec<Complex64>]) -> Vec<f64> {
 }
 
 /// Places and lines of a layout as arrays.
-pub(crate) fn with_layout(dataset: Dataset, layout: &Layout) -> Result<Dataset, ModelError> {
+pub(crate) fn with_layout(dataset: Dataset, layout: &StructureLayout) -> Result<Dataset, ModelError> {
     let places: Vec<f64> = layout.points.iter().flatten().copied().collect();
     let lines: Vec<i64> = layout.lines.iter().flatten().map(|point| *point as i64).collect();
     let names: Vec<i64> = layout.names.iter().map(|name| *name as i64).collect();
@@ -67,7 +67,7 @@ fn kept(count: usize, bytes: usize, warnings: &mut Vec<String>) -> usize {
 /// Real shapes at all points.
 pub(super) fn with_real(
     dataset: Dataset,
-    layout: &Layout,
+    layout: &StructureLayout,
     shapes: &[&[f64]],
     warnings: &mut Vec<String>,
 ) -> Result<Dataset, ModelError> {
@@ -81,7 +81,7 @@ pub(super) fn with_real(
 /// Complex shapes at all points, of largest displacement 1.
 pub(super) fn with_complex(
     dataset: Dataset,
-    layout: &Layout,
+    layout: &StructureLayout,
     shapes: &[Vec<Complex64>],
     warnings: &mut Vec<String>,
 ) -> Result<Dataset, ModelError> {

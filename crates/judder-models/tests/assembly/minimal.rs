@@ -6,7 +6,7 @@ use judder_models::two_degrees::case::TwoDegreesCase;
 use judder_oscillator::motion::SlidingSystem;
 use judder_oscillator::motion::belt::{BeltOscillator, FallingFriction};
 use judder_oscillator::spectrum;
-use judder_store::{Data, StudyFolder};
+use judder_store::{StudyFolder, VariableValues};
 use judder_study::case::file::CaseFile;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -185,7 +185,7 @@ fn maps_of_two_degrees_are_maps_of_assemblies() {
         let folder = tempfile::tempdir().unwrap();
         run_into(folder.path(), file, &["map"]);
         let dataset = StudyFolder::open(folder.path()).unwrap().read_dataset("map").unwrap();
-        let Data::U8(codes) = &dataset.variable("stability").unwrap().data else { panic!("codes") };
+        let VariableValues::U8(codes) = &dataset.variable("stability").unwrap().data else { panic!("codes") };
         codes.iter().map(|code| !stable.contains(code)).collect()
     };
     // stable and marginal; nothing is unresolved

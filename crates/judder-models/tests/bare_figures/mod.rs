@@ -6,7 +6,7 @@ use crate::sliding::small;
 use crate::{case, run_into};
 use judder_models::REGISTRY;
 use judder_report::{json, svg};
-use judder_store::{Complex64, Data, Dataset, StudyFolder, Variable};
+use judder_store::{Complex64, Dataset, StudyFolder, Variable, VariableValues};
 use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -25,11 +25,11 @@ fn shortened(variable: &Variable, dimension: &str, length: usize) -> Variable {
     let own = variable.shape[axis];
     let places: Vec<usize> = (0..variable.data.len()).filter(|k| k / inner.max(1) % own < length).collect();
     let data = match &variable.data {
-        Data::F64(values) => Data::F64(taken(values, &places)),
-        Data::Complex(values) => Data::Complex(taken(values, &places)),
-        Data::I64(values) => Data::I64(taken(values, &places)),
-        Data::U8(values) => Data::U8(taken(values, &places)),
-        Data::Text(values) => Data::Text(taken(values, &places)),
+        VariableValues::F64(values) => VariableValues::F64(taken(values, &places)),
+        VariableValues::Complex(values) => VariableValues::Complex(taken(values, &places)),
+        VariableValues::I64(values) => VariableValues::I64(taken(values, &places)),
+        VariableValues::U8(values) => VariableValues::U8(taken(values, &places)),
+        VariableValues::Text(values) => VariableValues::Text(taken(values, &places)),
     };
     let mut shape = variable.shape.clone();
     shape[axis] = length.min(own);
@@ -42,8 +42,10 @@ fn filled(variable: &Variable, value: f64) -> Variable {
         return variable.clone();
     }
     let data = match &variable.data {
-        Data::F64(values) => Data::F64(vec![value; values.len()]),
-        Data::Complex(values) => Data::Complex(vec![Complex64::new(value, value); values.len()]),
+        VariableValues::F64(values) => VariableValues::F64(vec![value; values.len()]),
+        VariableValues::Complex(values) => {
+            VariableValues::Complex(vec![Complex64::new(value, value); values.len()])
+        }
         other => other.clone(),
     };
     Variable { data, ..variable.clone() }

@@ -5,7 +5,7 @@ use super::parse;
 use super::sliding::with_analyses;
 use judder_models::key_sweep::KeySweepProblem;
 use judder_models::sliding::case::SlidingCase;
-use judder_models::sliding::locus::settings::Locus;
+use judder_models::sliding::locus::settings::LocusAnalysis;
 
 #[test]
 fn a_locus_that_cannot_be() {
@@ -122,7 +122,7 @@ fn a_value_between_the_ends_of_a_sweep() {
          sweep = { key = \"motion.velocity\", from = \"10 mm/s\", to = \"30 mm/s\", points = 3 }\n",
     );
     let case = parse(&text, &[]).unwrap().of::<SlidingCase>().unwrap().clone();
-    let locus: &Locus = case.analyses[0].settings().unwrap();
+    let locus: &LocusAnalysis = case.analyses[0].settings().unwrap();
     let judder_models::sliding::locus::settings::Along::Key { sweep, .. } = &locus.along else {
         panic!("a key")
     };

@@ -5,11 +5,11 @@ use judder_contact::indenter::Roughness;
 use judder_keys::numeric_key::{Form, Value};
 use judder_models::contact::case::ContactCase;
 use judder_models::contact::settings::{
-    ContactSettings, FitSettings, LawMethod, LawSettings, Loading, ModulusSettings,
+    ContactSettings, FitSettings, LawMethod, LawSettings, LoadingSettings, ModulusSettings,
 };
 use judder_models::contact::settings::{LAW_ACCURACY, LAW_INDENTATION, LAW_VELOCITY};
-use judder_models::contact::shape::Shape;
-use judder_models::contact::transient::settings::{Motion, Oscillation, TransientSettings};
+use judder_models::contact::shape::ShapeSettings;
+use judder_models::contact::transient::settings::{IndenterMotion, OscillationSettings, TransientSettings};
 use judder_models::is_number;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::keys::OscillatorKey;
@@ -62,7 +62,10 @@ fn the_memory_limit_of_an_analysis_goes_before_that_of_the_case() {
 #[test]
 fn a_case_of_one_line_is_the_papers_substrate_under_a_paraboloid() {
     let case = contact("");
-    assert_eq!((&case.shape, &case.substrate.source), (&Shape::Paraboloid, &RelaxationSource::OneTime));
+    assert_eq!(
+        (&case.shape, &case.substrate.source),
+        (&ShapeSettings::Paraboloid, &RelaxationSource::OneTime)
+    );
     assert_eq!(case.inputs.number(OscillatorKey::GlassyModulus), 1e7);
 }
 
@@ -88,9 +91,15 @@ fn one_contact_by_indentation_and_by_load() {
     );
     let settings = |index: usize| *case.analyses[index].settings::<ContactSettings>().unwrap();
     let (first, second) = (settings(0), settings(1));
-    assert_eq!((first.velocity, first.loading()), (Value::group(1.0), Loading::Indentation(Value::si(1e-4))));
+    assert_eq!(
+        (first.velocity, first.loading()),
+        (Value::group(1.0), LoadingSettings::Indentation(Value::si(1e-4)))
+    );
     assert_eq!((first.accuracy, first.cells(), first.domain), (1e-2, Some(128), Some(Value::group(0.5))));
-    assert_eq!((second.velocity, second.loading()), (Value::si(0.03), Loading::Load(Value::group(1e-4))));
+    assert_eq!(
+        (second.velocity, second.loading()),
+        (Value::si(0.03), LoadingSettings::Load(Value::group(1e-4)))
+    );
     assert_eq!((second.accuracy, second.cells(), second.domain), (1e-3, None, None));
 }
 
@@ -186,7 +195,7 @@ fn files_are_relative_to_the_case_file() {
     };
     assert_eq!((data.given.as_str(), *terms), ("data/rubber.csv", FitTerms::Given(9)));
     assert_eq!(data.path, folder.path().join("data/rubber.csv"));
-    let Shape::Heights(heights) = &case.shape else { panic!() };
+    let ShapeSettings::Heights(heights) = &case.shape else { panic!() };
     assert_eq!((heights.spacing, heights.unit, heights.periodic), (Some(2e-6), 1e-9, true));
     assert_eq!(file.case.files().len(), 2);
 }
@@ -199,7 +208,7 @@ fn a_rough_surface_has_its_defaults() {
         shape = { rough = { period = "1 mm", cells = 100, hurst = 0.8, rms_slope = 0.1 } }
         "#,
     );
-    let Shape::Rough(rough) = case.shape else { panic!() };
+    let ShapeSettings::Rough(rough) = case.shape else { panic!() };
     assert_eq!((rough.roll_off(), rough.cut_off(), rough.seed), (1e-3, 4e-5, 0));
     assert_eq!(rough.roughness(), Roughness::Slope(0.1));
 }
@@ -284,12 +293,12 @@ fn the_motions_of_a_transient() {
     );
     let settings = |index: usize| *case.analyses[index].settings::<TransientSettings>().unwrap();
     let (first, second) = (settings(0), settings(1));
-    let wave = Oscillation { amplitude: Value::group(1e-3), frequency: Value::group(0.4) };
-    assert_eq!((first.motion(), first.oscillation), (Motion::Start(Value::si(0.03)), Some(wave)));
+    let wave = OscillationSettings { amplitude: Value::group(1e-3), frequency: Value::group(0.4) };
+    assert_eq!((first.motion(), first.oscillation), (IndenterMotion::Start(Value::si(0.03)), Some(wave)));
     assert_eq!((first.duration, first.cells), (Value::si(0.05), 64));
-    let Motion::Reciprocation(wave) = second.motion() else { panic!() };
+    let IndenterMotion::Reciprocation(wave) = second.motion() else { panic!() };
     assert!((wave.frequency.number - 40.0 * std::f64::consts::PI).abs() < 1e-12);
-    assert_eq!((second.loading(), second.cells), (Loading::Load(Value::group(1e-4)), 32));
+    assert_eq!((second.loading(), second.cells), (LoadingSettings::Load(Value::group(1e-4)), 32));
 }
 
 /// Numbers alone: no files, words or lists.

@@ -4,10 +4,10 @@ use super::parse;
 use judder_keys::numeric_key::{Form, Value};
 use judder_models::belt::case::BeltCase;
 use judder_models::belt::case::BeltKey;
-use judder_models::motion::Motion;
-use judder_models::motion::basin::Basin;
+use judder_models::motion::MotionAnalysis;
+use judder_models::motion::basin::BasinAnalysis;
 use judder_models::motion::bifurcation::{Bifurcation, SweepDirection};
-use judder_models::motion::history::History;
+use judder_models::motion::history::HistoryAnalysis;
 use judder_models::motion::limit_cycle::LimitCycle;
 use judder_models::motion::settings::MotionStart;
 use judder_models::oscillator::case::OscillatorCase;
@@ -20,12 +20,12 @@ fn oscillator<A: Clone + 'static>(settings: &str) -> A {
         .of::<OscillatorCase>()
         .unwrap()
         .clone();
-    case.analyses[0].settings::<Motion<A>>().unwrap().0.clone()
+    case.analyses[0].settings::<MotionAnalysis<A>>().unwrap().0.clone()
 }
 
 #[test]
 fn a_motion_of_defaults() {
-    let history: History = oscillator("kind = \"motion\"");
+    let history: HistoryAnalysis = oscillator("kind = \"motion\"");
     assert_eq!(history.start, MotionStart::USUAL);
     assert_eq!((history.duration, history.transient), (Value::group(2000.0), Value::group(1000.0)));
     assert_eq!((history.tolerance, history.steps, history.points), (1e-8, 10_000_000, 4096));
@@ -33,7 +33,7 @@ fn a_motion_of_defaults() {
 
 #[test]
 fn a_motion_in_seconds_from_the_air() {
-    let history: History = oscillator(
+    let history: HistoryAnalysis = oscillator(
         "kind = \"motion\"\nduration = \"50 s\"\ntransient = \"20 s\"\nstart = { y = -0.5, velocity_y = 1 }",
     );
     assert!(matches!(history.start, MotionStart::State { .. }));
@@ -97,7 +97,7 @@ sweep = { key = "operation.velocity", from = 1, to = 2, points = 5 }
 fn a_mass_on_a_belt() {
     let case = parse(BELT, &["friction.at_speed=0.4"]).unwrap().of::<BeltCase>().unwrap().clone();
     assert_eq!((case.inputs.number(BeltKey::Velocity), case.inputs.number(BeltKey::AtSpeed)), (1.5, 0.4));
-    let basin = &case.analyses[0].settings::<Motion<Basin>>().unwrap().0;
+    let basin = &case.analyses[0].settings::<MotionAnalysis<BasinAnalysis>>().unwrap().0;
     assert_eq!(basin.within.state(), [Some([-2.0, 2.0]), Some([0.0, 2.0])]);
     assert_eq!((basin.samples, basin.seed, basin.tolerance), (50, 7, 1e-6));
 }

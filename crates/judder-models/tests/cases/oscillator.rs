@@ -10,11 +10,11 @@ use judder_models::oscillator::inputs::{OscillatorInputs, TimeForm};
 use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::oscillator::law_name::LawName;
 use judder_models::oscillator::settings::SHEAR_STRENGTH_WITHIN;
-use judder_models::oscillator::settings::{CriticalThresholds, Sought};
-use judder_models::sweep::StabilityMap;
+use judder_models::oscillator::settings::{CriticalThresholds, SoughtThresholds};
+use judder_models::sweep::StabilityMapAnalysis;
 use judder_oscillator::FrictionLoad;
 use judder_oscillator::map::DecisionMethod;
-use judder_study::case::scale::Scale;
+use judder_study::case::scale::Spacing;
 
 /// The case of the interface, word for word, with the first analysis of its second example.
 const INTERFACE: &str = r#"title = "Fig. 9a of the oscillator paper"
@@ -71,9 +71,9 @@ fn the_case_of_the_interface_says_the_papers_values() {
     assert_eq!(case.title, "Fig. 9a of the oscillator paper");
     assert_eq!(case.inputs, OscillatorInputs::default());
     assert_eq!((case.law, case.friction_load), (LawName::OscillatorPaper, FrictionLoad::NormalLoad));
-    let map: &StabilityMap<OscillatorKey> = case.analyses[0].settings().unwrap();
+    let map: &StabilityMapAnalysis<OscillatorKey> = case.analyses[0].settings().unwrap();
     assert_eq!((map.x.key, map.y.key), (OscillatorKey::Velocity, OscillatorKey::ShearStrength));
-    assert_eq!((map.x.from, map.x.to, map.x.points, map.x.scale), (1e-8, 1e2, 400, Scale::Log));
+    assert_eq!((map.x.from, map.x.to, map.x.points, map.x.scale), (1e-8, 1e2, 400, Spacing::Log));
     assert_eq!(
         (map.options.method, map.options.boundaries, map.y.form),
         (DecisionMethod::Adaptive, true, Form::Group)
@@ -166,7 +166,7 @@ fn a_sweep_sets_its_key() {
     let case = oscillator(text, &[]);
     let asked: &CriticalThresholds = case.analyses[0].settings().unwrap();
     let CriticalThresholds { sought, sweep, within, family, global_margin } = asked;
-    assert_eq!(*sought, Sought::ShearStrength);
+    assert_eq!(*sought, SoughtThresholds::ShearStrength);
     assert_eq!((case.analyses[0].name.as_str(), *global_margin), ("critical-shear-strength", true));
     assert_eq!((within.from, within.to), SHEAR_STRENGTH_WITHIN);
     let mut inputs = case.inputs;

@@ -2,15 +2,15 @@
 
 use super::parse;
 use judder_models::sliding::case::SlidingCase;
-use judder_models::sliding::case::contact::{FrictionCoefficient, FrictionTable};
-use judder_models::sliding::case::motion::Axis;
+use judder_models::sliding::case::contact::{FrictionCoefficient, FrictionTableSettings};
+use judder_models::sliding::case::motion::PlaneAxis;
 use judder_models::sliding::case::observe::{PointNode, PointQuantity, Signal};
-use judder_models::sliding::growth::settings::Growth;
-use judder_models::sliding::locus::settings::{Along, Locus};
-use judder_models::sliding::march::settings::March;
-use judder_models::sliding::spectrogram::settings::{Spectrogram, SpectrogramWindow};
+use judder_models::sliding::growth::settings::GrowthAnalysis;
+use judder_models::sliding::locus::settings::{Along, LocusAnalysis};
+use judder_models::sliding::march::settings::MarchAnalysis;
+use judder_models::sliding::spectrogram::settings::{SpectrogramAnalysis, SpectrogramWindow};
 use judder_models::structure::case::StructureSource;
-use judder_models::structure::case::body::{EndCondition, Geometry};
+use judder_models::structure::case::body::{BodyGeometry, EndCondition};
 use judder_models::structure::case::damping::{Damping, Rayleigh};
 use judder_models::structure::case::reduction::{FixedModes, KeptNodes};
 use judder_models::template::template;
@@ -51,7 +51,7 @@ fn the_template_is_the_beams_paper() {
     ];
     for (structure, sizes, elastic, (alpha, beta), start) in beams {
         let StructureSource::Body(body) = &structure.source else { panic!("a body") };
-        let Geometry::Beam(beam) = &body.geometry else { panic!("a beam") };
+        let BodyGeometry::Beam(beam) = &body.geometry else { panic!("a beam") };
         let material = body.material.unwrap();
         assert_eq!((beam.length, beam.thickness, body.width.unwrap()), sizes);
         assert_eq!((material.youngs_modulus, material.poisson_ratio, material.density), elastic);
@@ -72,7 +72,7 @@ fn the_template_is_the_beams_paper() {
     assert_eq!((motion.start, motion.end, motion.velocity), (0.01, 0.0985, 0.03));
     assert_eq!(
         (motion.load.force, motion.load.direction, &motion.load.nodes),
-        (-0.2, Axis::Y, &set("start"))
+        (-0.2, PlaneAxis::Y, &set("start"))
     );
     assert_eq!((motion.ramps.velocity, motion.ramps.load, motion.ramps.friction), (0.1, 0.1, 0.1));
     let initial = motion.initial_damping.unwrap();
@@ -120,12 +120,12 @@ fn structures_points_and_analyses_go_by_their_names() {
         ],
     );
     let StructureSource::Body(body) = &case.slider().source else { panic!("a body") };
-    let Geometry::Beam(beam) = &body.geometry else { panic!("a beam") };
+    let BodyGeometry::Beam(beam) = &body.geometry else { panic!("a beam") };
     assert!((beam.angle / TAU + 25.0 / 360.0).abs() < 1e-15);
     let StructureSource::Body(body) = &case.track().source else { panic!("a body") };
     assert_eq!(body.width, Some(0.021));
     assert_eq!(case.points[0].node, PointNode::Kept(KeptNodes::Set("end-lower".to_owned())));
-    let marches = case.analyses.iter().filter_map(|analysis| analysis.settings::<March>());
+    let marches = case.analyses.iter().filter_map(|analysis| analysis.settings::<MarchAnalysis>());
     let steps: Vec<_> = marches.map(|march| march.step).collect();
     assert_eq!(steps, [Some(3e-7), Some(2e-7), Some(3e-7), None]);
 }
@@ -134,13 +134,13 @@ fn structures_points_and_analyses_go_by_their_names() {
 fn friction_may_fall_with_the_speed() {
     let table = "friction_coefficient = { velocity = [\"0 mm/s\", \"10 mm/s\"], coefficient = [0.4, 0.3] }";
     let case = sliding(&with_analyses("").replace("friction_coefficient = 0.3", &format!("{table} #")), &[]);
-    let expected = FrictionTable { velocity: vec![0.0, 0.01], coefficient: vec![0.4, 0.3] };
+    let expected = FrictionTableSettings { velocity: vec![0.0, 0.01], coefficient: vec![0.4, 0.3] };
     assert_eq!(case.contact.friction, FrictionCoefficient::Table(expected));
 }
 
 #[test]
 fn a_locus_follows_the_path_where_nothing_is_said() {
-    let locus: Locus = analysis("kind = \"locus\"");
+    let locus: LocusAnalysis = analysis("kind = \"locus\"");
     assert_eq!((locus.configuration, locus.damping, locus.count), (Configuration::Undeformed, true, 20));
     let Along::Positions(positions) = locus.along else { panic!("positions") };
     assert_eq!((positions.from, positions.to, positions.points), (0.01, 0.0985, 1000));
@@ -153,13 +153,13 @@ fn every_value_of_a_swept_key_is_a_case() {
          sweep = { key = \"structure.oblique.beam.angle\", from = \"-40 deg\", to = \"-20 deg\", points = 3 }\n",
     );
     let case = sliding(&text, &[]);
-    let locus: &Locus = case.analyses[0].settings().unwrap();
+    let locus: &LocusAnalysis = case.analyses[0].settings().unwrap();
     let Along::Key { at, sweep } = &locus.along else { panic!("a key") };
     assert_eq!(*at, 0.074);
     for (value, degrees) in sweep.values.iter().zip([-40.0, -30.0, -20.0]) {
         let swept = case.at(sweep, *value).unwrap();
         let StructureSource::Body(body) = &swept.slider().source else { panic!("a body") };
-        let Geometry::Beam(beam) = &body.geometry else { panic!("a beam") };
+        let BodyGeometry::Beam(beam) = &body.geometry else { panic!("a beam") };
         assert_eq!(beam.angle, *value);
         assert!((value / TAU * 360.0 - degrees).abs() < 1e-12);
         assert_eq!(swept.motion, case.motion);
@@ -175,7 +175,7 @@ fn counts_and_defaults_are_swept_too() {
             "[[analysis]]\nkind = \"locus\"\nat = \"74 mm\"\nsweep = {{ key = \"{key}\", values = {values} }}\n"
         ));
         let case = sliding(&text, &[]);
-        let locus: &Locus = case.analyses[0].settings().unwrap();
+        let locus: &LocusAnalysis = case.analyses[0].settings().unwrap();
         let Along::Key { sweep, .. } = &locus.along else { panic!("a key") };
         let [first, last] = [0, 1].map(|index| case.at(sweep, sweep.values[index]).unwrap());
         assert_eq!(
@@ -191,18 +191,18 @@ fn counts_and_defaults_are_swept_too() {
 
 #[test]
 fn a_march_takes_the_whole_path_and_chooses_its_step() {
-    let march: March = analysis("kind = \"march\"\nmethod = \"ensubs\"");
+    let march: MarchAnalysis = analysis("kind = \"march\"\nmethod = \"ensubs\"");
     assert_eq!((march.from, march.to, march.step), (0.01, 0.0985, None));
     assert!((march.signals.sample_rate.0 - 400e3).abs() < 1e-6);
     assert!((march.signals.pass_band / TAU - 50e3).abs() < 1e-6);
-    let vertical = Signal::Point { point: 0, axis: Axis::Y, quantity: PointQuantity::Acceleration };
+    let vertical = Signal::Point { point: 0, axis: PlaneAxis::Y, quantity: PointQuantity::Acceleration };
     assert_eq!((march.method(), *march.signal), (ContactMethod::EnSubs, vertical));
 }
 
 #[test]
 fn what_belongs_to_a_method_is_read_with_it() {
     let method = |text: &str| {
-        let march: March = analysis(text);
+        let march: MarchAnalysis = analysis(text);
         (march.method(), march.step)
     };
     let found = method("kind = \"march\"\nmethod = \"subs\"\nslope = \"static\"");
@@ -210,7 +210,7 @@ fn what_belongs_to_a_method_is_read_with_it() {
     let (found, step) = method("kind = \"march\"\nmethod = \"residual-flexibility\"\ncut_off = \"100 kHz\"");
     assert!(matches!(found, ContactMethod::ResidualFlexibility { cut_off } if (cut_off - 1e5).abs() < 1e-6));
     assert_eq!(step, None);
-    let growth: Growth = analysis(
+    let growth: GrowthAnalysis = analysis(
         "kind = \"growth\"\nmethod = \"film\"\nposition = \"82 mm\"\nfrequency = \"3.5 kHz\"\nstep = \"2e-7 s\"",
     );
     assert_eq!((growth.method(), growth.step), (ContactMethod::Film, Some(2e-7)));
@@ -225,7 +225,7 @@ fn the_predictor_is_that_under_the_last_force_where_nothing_is_said() {
         ("method = \"subs\"", None),
         ("method = \"residual-flexibility\"", None),
     ] {
-        let march: March = analysis(&format!("kind = \"march\"\n{settings}"));
+        let march: MarchAnalysis = analysis(&format!("kind = \"march\"\n{settings}"));
         assert_eq!(march.predictor, expected, "{settings}");
     }
 }
@@ -237,7 +237,7 @@ fn velocities_displacements_and_sounds_are_kept_on_request() {
             &with_analyses(&format!("[[analysis]]\nkind = \"march\"\nmethod = \"ensubs\"\n{settings}\n")),
             &[],
         );
-        let march: &March = case.analyses[0].settings().unwrap();
+        let march: &MarchAnalysis = case.analyses[0].settings().unwrap();
         let names = |signals: Vec<Signal>| {
             signals.iter().map(|signal| signal.name(&case.points)).collect::<Vec<_>>().join(" ")
         };
@@ -266,9 +266,9 @@ fn a_path_may_run_back() {
         "[[analysis]]\nkind = \"march\"\nmethod = \"ensubs\"\nto = \"50 mm\"\n[[analysis]]\nkind = \"locus\"\n",
     );
     let case = sliding(&text, &["motion.start=98.5 mm", "motion.end=10 mm", "motion.velocity=-30 mm/s"]);
-    let march: &March = case.analyses[0].settings().unwrap();
+    let march: &MarchAnalysis = case.analyses[0].settings().unwrap();
     assert_eq!((march.from, march.to), (0.0985, 0.05));
-    let locus: &Locus = case.analyses[1].settings().unwrap();
+    let locus: &LocusAnalysis = case.analyses[1].settings().unwrap();
     let Along::Positions(positions) = &locus.along else { panic!("positions") };
     assert_eq!((positions.from, positions.to), (0.01, 0.0985));
 }
@@ -287,7 +287,7 @@ fn a_spectrogram_has_the_unit_of_its_signal() {
         ("range = [-60.0, 40]\noverlap = 0", 1.0),
     ] {
         let case = sliding(&with_analyses(&format!("{march}{settings}\n")), &[]);
-        let found: &Spectrogram = case.analyses[1].settings().unwrap();
+        let found: &SpectrogramAnalysis = case.analyses[1].settings().unwrap();
         assert_eq!(
             (found.reference.number, found.window, found.length),
             (reference, SpectrogramWindow::Hann, 5e-3)

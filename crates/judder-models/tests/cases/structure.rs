@@ -1,13 +1,13 @@
 //! Structure cases that are read.
 
 use super::parse;
-use judder_models::structure::case::body::{EndCondition, Geometry};
+use judder_models::structure::case::body::{BodyGeometry, EndCondition};
 use judder_models::structure::case::damping::Damping;
 use judder_models::structure::case::damping::Rayleigh;
 use judder_models::structure::case::reduction::{FixedModes, KeptNodes};
 use judder_models::structure::case::{Matrices, StructureCase, StructureSource};
 use judder_models::structure::eigen_sweep::settings::EigenSweep;
-use judder_models::structure::modes::Modes;
+use judder_models::structure::modes::ModesAnalysis;
 use judder_structure::eigen_sweep::SweepMethod;
 use judder_structure::element::ElementKind;
 use judder_study::model::Case;
@@ -40,7 +40,7 @@ kind = "reduction"
 fn a_beam_has_its_numbers_in_si_units() {
     let case = structure(BEAM);
     let StructureSource::Body(body) = &case.source else { panic!("a body") };
-    let Geometry::Beam(beam) = &body.geometry else { panic!("a beam") };
+    let BodyGeometry::Beam(beam) = &body.geometry else { panic!("a beam") };
     assert_eq!((beam.length, beam.thickness, beam.elements), (0.075, 0.0015, [75, 2]));
     assert_eq!(
         (beam.origin, beam.start, beam.end),
@@ -51,8 +51,8 @@ fn a_beam_has_its_numbers_in_si_units() {
     let reduction = case.reduction.unwrap();
     assert_eq!(reduction.kept[0].nodes, KeptNodes::Set("end".to_owned()));
     assert_eq!(reduction.modes, FixedModes::CutOff(TAU * 20e3));
-    let band = Modes::Band([0.0, TAU * 10e3]);
-    let modes: &Modes = case.analyses[0].settings().unwrap();
+    let band = ModesAnalysis::Band([0.0, TAU * 10e3]);
+    let modes: &ModesAnalysis = case.analyses[0].settings().unwrap();
     assert_eq!(*modes, band);
 }
 
@@ -77,7 +77,7 @@ fn a_block_is_of_quadratic_elements_where_nothing_is_said() {
              material = {{ youngs_modulus = \"1 Pa\", poisson_ratio = 0, density = \"1 kg/m^3\" }}\n"
         ));
         let StructureSource::Body(body) = &case.source else { panic!("a body") };
-        let Geometry::Block(block) = &body.geometry else { panic!("a block") };
+        let BodyGeometry::Block(block) = &body.geometry else { panic!("a block") };
         assert_eq!(block.element(), element);
     }
 }

@@ -8,7 +8,7 @@ use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::schema;
 use judder_models::template::template;
-use judder_study::case::scale::Scale;
+use judder_study::case::scale::Spacing;
 use judder_study::case::study_sweep::quantity_path::QuantitySource;
 use judder_study::case::study_sweep::{Design, StudySweep, SweptKey, SweptValues};
 use proptest::prelude::*;
@@ -42,7 +42,7 @@ fn a_sobol_sweep_with_its_defaults() {
     assert_eq!((sweep.points(), sweep.shape(), sweep.row()), (16, &[16][..], 1));
     assert_eq!(sweep.dimensions(), ["sample"]);
     let velocity = &sweep.axes[0];
-    assert_eq!((velocity.dimension, velocity.scale), (Dimension::SPEED, Scale::Log));
+    assert_eq!((velocity.dimension, velocity.scale), (Dimension::SPEED, Spacing::Log));
     assert_eq!(velocity.values, SweptValues::Between { from: 1e-4, to: 0.01 });
     assert_eq!(key_of(velocity), (OscillatorKey::Velocity, Form::Si));
     assert_eq!(key_of(&sweep.axes[1]), (OscillatorKey::ShearStrength, Form::Group));

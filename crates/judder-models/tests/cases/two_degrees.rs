@@ -2,7 +2,7 @@
 
 use super::parse;
 use judder_keys::cause::Cause;
-use judder_models::sweep::{ParameterKey, StabilityMap};
+use judder_models::sweep::{ParameterKey, StabilityMapAnalysis};
 use judder_models::two_degrees::case::TwoDegreesCase;
 use judder_models::two_degrees::critical::ParameterThresholds;
 
@@ -43,7 +43,7 @@ fn matrices_follow_the_parameters() {
     assert_eq!(matrices.mass, [[1.0, 0.0], [0.0, 1.0]]);
     assert_eq!(matrices.damping, [[0.02, 0.0], [0.0, 0.01]]);
     assert_eq!(matrices.stiffness, [[2.0, 0.0], [1.0, 2.4]]);
-    let map = case.analyses[1].settings::<StabilityMap<ParameterKey>>().unwrap();
+    let map = case.analyses[1].settings::<StabilityMapAnalysis<ParameterKey>>().unwrap();
     assert_eq!((map.x.key.index(), map.y.key.index()), (0, 1));
 }
 

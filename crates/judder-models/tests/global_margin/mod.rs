@@ -1,7 +1,7 @@
 //! How far below a threshold a knock reaches: thresholds with their folds, maps with a third region.
 
 use crate::{number, run_into};
-use judder_store::{Data, StudyFolder};
+use judder_store::{StudyFolder, VariableValues};
 use judder_study::case::file::CaseFile;
 use serde_json::{Map, Value};
 use std::path::Path;
@@ -110,7 +110,7 @@ fn loads_have_margins_on_both_sides() {
 fn codes(folder: &Path, name: &str) -> Vec<u8> {
     let dataset = StudyFolder::open(folder).unwrap().read_dataset("a").unwrap();
     match &dataset.variable(name).unwrap().data {
-        Data::U8(codes) => codes.clone(),
+        VariableValues::U8(codes) => codes.clone(),
         _ => Vec::new(),
     }
 }

@@ -7,9 +7,9 @@ use judder_models::law_cache::{LawCache, law_surface};
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::oscillator::{BoundaryKind, boundary_curves};
-use judder_models::sweep::StabilityMap;
+use judder_models::sweep::StabilityMapAnalysis;
 use judder_models::{ModelError, bridge, point};
-use judder_store::{Data, Dataset};
+use judder_store::{Dataset, VariableValues};
 use judder_study::analyses::{self, run_watched};
 use judder_study::case::file::CaseFile;
 use judder_study::model::SampleBlock;
@@ -26,7 +26,7 @@ fn oscillator(text: &str) -> OscillatorCase {
 }
 
 fn floats<'a>(dataset: &'a Dataset, name: &str) -> &'a [f64] {
-    let Data::F64(values) = &dataset.variable(name).unwrap().data else { panic!("{name}") };
+    let VariableValues::F64(values) = &dataset.variable(name).unwrap().data else { panic!("{name}") };
     values
 }
 
@@ -75,7 +75,7 @@ fn boundaries_one_by_one_are_the_overlays_of_the_map() {
     let file = parsed(MAP);
     let outcome = analyses::run(&file.case, 0, &Silent).unwrap();
     let case = file.case.of::<OscillatorCase>().unwrap();
-    let settings = case.analyses[0].settings::<StabilityMap<OscillatorKey>>().unwrap();
+    let settings = case.analyses[0].settings::<StabilityMapAnalysis<OscillatorKey>>().unwrap();
     let contact = bridge::contact_of(case, &Silent).unwrap().contact;
     for kind in BoundaryKind::ALL {
         let curves = boundary_curves(kind, case, &contact, settings).unwrap();
@@ -95,7 +95,7 @@ fn nothing_is_without_the_coupling_that_is_swept() {
         "operation.velocity\", from = 1e-8, to = 1e2",
         "oscillator.coupling\", from = 0.1, to = 1.0",
     ));
-    let settings = case.analyses[0].settings::<StabilityMap<OscillatorKey>>().unwrap();
+    let settings = case.analyses[0].settings::<StabilityMapAnalysis<OscillatorKey>>().unwrap();
     let contact = bridge::contact_of(&case, &Silent).unwrap().contact;
     assert_eq!(boundary_curves(BoundaryKind::Decoupled, &case, &contact, settings), None);
 }
@@ -146,7 +146,7 @@ fn a_watched_motion_is_the_motion() {
             assert_eq!(bits(&values), bits(floats(&watched.dataset, name)));
         }
         let states: Vec<u8> = blocks.iter().flat_map(|block| block.classes.iter().copied()).collect();
-        assert_eq!(Data::U8(states), alone.dataset.variable("contact_state").unwrap().data);
+        assert_eq!(VariableValues::U8(states), alone.dataset.variable("contact_state").unwrap().data);
     }
 }
 
@@ -323,7 +323,7 @@ fn a_law_over_speeds_and_depths_is_the_law_at_each() {
                 assert!(found.iter().all(|value| value.is_nan()));
                 continue;
             }
-            let point = judder_contact::ContactPoint::new(*velocity, *depth);
+            let point = judder_contact::LawPoint::new(*velocity, *depth);
             let response = judder_contact::ContactLaw::evaluate(&contact.law, &point);
             assert_eq!(found, [response.force.value, response.area.value, response.friction.value]);
         }

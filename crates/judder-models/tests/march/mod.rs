@@ -138,7 +138,7 @@ fn samples_follow_the_motion() {
     let (_folder, report) = studied(&march("ensubs", "method = \"ensubs\"\nsignal = \"T.y.velocity\""));
     let dataset = StudyFolder::open(&report.folder).unwrap().read_dataset("ensubs").unwrap();
     let values = |name: &str| match &dataset.variable(name).unwrap().data {
-        judder_store::Data::F64(values) => values.clone(),
+        judder_store::VariableValues::F64(values) => values.clone(),
         _ => panic!("{name}"),
     };
     let (time, position) = (values("time"), values("position"));
@@ -301,7 +301,7 @@ fn velocities_and_displacements_are_kept_on_request() {
     assert!(heard("usual").is_empty());
     let dataset = study.read_dataset("all").unwrap();
     let values = |name: &str| match &dataset.variable(name).unwrap().data {
-        judder_store::Data::F64(values) => values.clone(),
+        judder_store::VariableValues::F64(values) => values.clone(),
         _ => panic!("{name}"),
     };
     let (time, moved, velocity) = (values("time"), values("T.y.displacement"), values("T.y.velocity"));

@@ -8,7 +8,7 @@ mod structure;
 pub(super) use motion::diagram;
 
 use contact::{contact, contact_law, fit, modulus, transient};
-use judder_store::{Data, Dataset, Variable};
+use judder_store::{Dataset, Variable, VariableValues};
 use motion::{basin, bifurcation, engines, limit_cycle, motion};
 use num_complex::Complex64;
 use oscillator::{critical, equivalent_damping, spectrum, stability_map};
@@ -98,12 +98,12 @@ fn steps(count: usize) -> Vec<f64> {
     (0..count).map(|k| 1.0 + k as f64).collect()
 }
 
-fn along(name: &str, dimension: &str, values: impl Into<Data>) -> Variable {
+fn along(name: &str, dimension: &str, values: impl Into<VariableValues>) -> Variable {
     let values = values.into();
     Variable::new(name, &[dimension], &[values.len()], values)
 }
 
-fn over(name: &str, dimensions: &[&str], shape: &[usize], values: impl Into<Data>) -> Variable {
+fn over(name: &str, dimensions: &[&str], shape: &[usize], values: impl Into<VariableValues>) -> Variable {
     Variable::new(name, dimensions, shape, values)
 }
 

@@ -3,7 +3,7 @@
 use crate::{case, number, run_into};
 use judder_models::ModelError;
 use judder_models::sliding_shapes::{ShapedPair, SlidingShapes, sliding_shapes};
-use judder_store::{Data, Dataset, Status, StoreError, StudyFolder, Variable};
+use judder_store::{Dataset, Status, StoreError, StudyFolder, Variable, VariableValues};
 use judder_study::StudyError;
 use judder_study::case::file::CaseFile;
 use judder_study::study_view::{MOST_VALUES, RowWindow, StudyView};
@@ -70,9 +70,11 @@ fn a_listing_tells_what_a_study_holds() {
 }
 
 /// NaN is itself here.
-fn bits(data: &Data) -> String {
+fn bits(data: &VariableValues) -> String {
     match data {
-        Data::F64(values) => format!("{:?}", values.iter().map(|value| value.to_bits()).collect::<Vec<_>>()),
+        VariableValues::F64(values) => {
+            format!("{:?}", values.iter().map(|value| value.to_bits()).collect::<Vec<_>>())
+        }
         data => format!("{data:?}"),
     }
 }
@@ -100,7 +102,7 @@ fn windows_and_extremes_are_those_of_the_whole() {
     );
     let rows = 2_200_000 - 1_000_003;
     for (variable, whole) in found.iter().zip([&time, &signal]) {
-        let Data::F64(values) = &variable.data else { panic!() };
+        let VariableValues::F64(values) = &variable.data else { panic!() };
         for (bin, pair) in values.chunks(2).enumerate() {
             let end = |k: usize| 1_000_003 + k * rows / 500;
             let of = &whole[end(bin)..end(bin + 1)];
@@ -109,7 +111,10 @@ fn windows_and_extremes_are_those_of_the_whole() {
         }
     }
     let few = RowWindow { from: Some(5), to: Some(8), most: Some(1000) };
-    assert_eq!(view.arrays("motion", &names[..1], &few).unwrap()[0].data, Data::F64(vec![5.0, 6.0, 7.0]));
+    assert_eq!(
+        view.arrays("motion", &names[..1], &few).unwrap()[0].data,
+        VariableValues::F64(vec![5.0, 6.0, 7.0])
+    );
     let beyond = RowWindow { from: Some(usize::MAX), to: Some(3), most: Some(0) };
     assert!(view.arrays("motion", &names[..1], &beyond).unwrap()[0].data.is_empty());
     assert!(MOST_VALUES > count as usize);

@@ -3,7 +3,7 @@
 use crate::{case, number, run_into};
 use judder_exchange::matrix::Matrix;
 use judder_exchange::matrix_market::write_matrix_market;
-use judder_store::{Data, StudyFolder};
+use judder_store::{StudyFolder, VariableValues};
 use judder_structure::assembly::{Assembled, assemble};
 use judder_structure::beam::Beam;
 use judder_structure::freedom::{Direction, Numbering, Supports};
@@ -73,7 +73,7 @@ fn growth_with_the_contact_held() {
     // the history that it was measured in, a quarter further, and its picture
     let dataset = StudyFolder::open(folder.path()).unwrap().read_dataset("growth").unwrap();
     let values = |name: &str| match &dataset.variable(name).unwrap().data {
-        Data::F64(values) => values.clone(),
+        VariableValues::F64(values) => values.clone(),
         _ => panic!("{name}"),
     };
     let (time, amplitude) = (values("time"), values("amplitude"));

@@ -70,7 +70,7 @@ fn the_receptance_of_a_cantilever() {
     let values = |name: &str| {
         let dataset = study.read_dataset(name).unwrap();
         match &dataset.variable("receptance").unwrap().data {
-            judder_store::Data::Complex(values) => values.clone(),
+            judder_store::VariableValues::Complex(values) => values.clone(),
             _ => panic!("complex numbers"),
         }
     };

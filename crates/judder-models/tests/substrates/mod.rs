@@ -131,7 +131,9 @@ fn a_sweep_with_measured_moduli_is_its_points_alone() {
         assert!(report.complete, "{:?}", report.messages);
         let store = judder_store::StudyFolder::open(own.path().join("out")).unwrap();
         let stored = store.read_dataset("s").unwrap();
-        let judder_store::Data::F64(found) = &stored.variable("values").unwrap().data else { panic!() };
+        let judder_store::VariableValues::F64(found) = &stored.variable("values").unwrap().data else {
+            panic!()
+        };
         for (value, found) in values.iter().zip(found.chunks_exact(2)) {
             let set = [format!("{key}=\"{value}\"")];
             let file = judder_models::read(own.path().join("case.toml"), &set).unwrap();

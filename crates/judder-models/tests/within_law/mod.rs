@@ -3,14 +3,14 @@
 use crate::{number, run_into};
 use judder_contact::law::file::to_json;
 use judder_contact::law::{LawSamples, PerQuantity, SampledLaw};
-use judder_contact::{ContactLaw, ContactPoint, ContactResponse, FittedLaw, Law};
+use judder_contact::{ContactLaw, ContactResponse, FittedLaw, Law, LawPoint};
 use judder_models::bridge;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::inputs::OscillatorInputs;
-use judder_models::point::{Point, SteadyPoint, point};
+use judder_models::point::{AnalysedPoint, SteadyPoint, point};
 use judder_oscillator::mechanism::StabilityClass;
 use judder_oscillator::{Contact, Groups};
-use judder_store::{Data, StudyFolder};
+use judder_store::{StudyFolder, VariableValues};
 use judder_study::Silent;
 use judder_study::case::file::CaseFile;
 use std::path::{Path, PathBuf};
@@ -35,7 +35,7 @@ pub(crate) fn law_file(folder: &Path, error: f64, [speeds, depths]: [usize; 2]) 
     let law = FittedLaw::oscillator_paper();
     let responses: Vec<ContactResponse> = indentations
         .iter()
-        .flat_map(|y| velocities.iter().map(|v| law.evaluate(&ContactPoint::new(*v, *y))))
+        .flat_map(|y| velocities.iter().map(|v| law.evaluate(&LawPoint::new(*v, *y))))
         .collect();
     let of = |quantity: usize, value: fn(&ContactResponse) -> f64| {
         let off = |(k, r): (usize, &ContactResponse)| value(r) * (1.0 + error * noise(3 * k + quantity));
@@ -63,7 +63,7 @@ pub(crate) fn from_file(path: &Path) -> String {
     format!("{{ file = {:?} }}", path.display().to_string())
 }
 
-fn point_of(law: &str, velocity: f64, shear_strength: f64) -> Point {
+fn point_of(law: &str, velocity: f64, shear_strength: f64) -> AnalysedPoint {
     let rest = format!("shear_strength = {shear_strength}\n[operation]\nvelocity = {velocity}\n");
     point(case(law, &rest).case.of::<OscillatorCase>().unwrap()).unwrap()
 }
@@ -246,7 +246,7 @@ fn a_map_of_a_formula_is_as_it_was() {
 fn codes(study: &Path, name: &str) -> Vec<u8> {
     let dataset = StudyFolder::open(study).unwrap().read_dataset("map").unwrap();
     let codes = match &dataset.variable(name).unwrap().data {
-        Data::U8(codes) => Some(codes.clone()),
+        VariableValues::U8(codes) => Some(codes.clone()),
         _ => None,
     };
     codes.unwrap()

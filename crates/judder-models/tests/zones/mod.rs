@@ -2,7 +2,7 @@
 
 use crate::{number, run_into};
 use judder_report::Layer;
-use judder_store::{Data, StudyFolder};
+use judder_store::{StudyFolder, VariableValues};
 use std::f64::consts::TAU;
 use std::path::Path;
 
@@ -127,10 +127,12 @@ fn zones_are_drawn_with_the_growth_that_they_have() {
     assert!(report.complete, "{:?}", report.messages);
     let dataset = StudyFolder::open(folder.path()).unwrap().read_dataset("locus").unwrap();
     let reals = |name: &str| match &dataset.variable(name).unwrap().data {
-        Data::F64(values) => values.clone(),
+        VariableValues::F64(values) => values.clone(),
         other => panic!("{other:?}"),
     };
-    let Data::Complex(values) = &dataset.variable("zone_path_eigenvalue").unwrap().data else { panic!() };
+    let VariableValues::Complex(values) = &dataset.variable("zone_path_eigenvalue").unwrap().data else {
+        panic!()
+    };
     let hertz = values.iter().filter(|s| s.re > 0.0).map(|s| s.im / TAU);
     let zones: Vec<(f64, f64)> = reals("zone_from").into_iter().zip(reals("zone_to")).collect();
     let wide =

@@ -26,12 +26,12 @@ pub struct LatinHypercube {
     points: u64,
     /// Half the bits on which the permutation works.
     half: u32,
-    keys: Vec<Keys>,
+    keys: Vec<PermutationKeys>,
 }
 
 /// What makes one dimension: the keys of the rounds of its permutation, and that of the places within cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Keys {
+struct PermutationKeys {
     rounds: [u64; ROUNDS],
     place: u64,
 }
@@ -51,7 +51,7 @@ impl LatinHypercube {
         let half = bits_of(points - 1).div_ceil(2).max(1);
         let keys = (0..dimensions as u64).map(|dimension| {
             let key = |k: usize| counter::bits(counter::bits(seed, dimension), k as u64);
-            Keys { rounds: std::array::from_fn(key), place: key(ROUNDS) }
+            PermutationKeys { rounds: std::array::from_fn(key), place: key(ROUNDS) }
         });
         let keys = keys.collect();
         Ok(Self { points, half, keys })

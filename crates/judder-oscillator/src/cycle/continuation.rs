@@ -8,7 +8,7 @@ mod place;
 mod touching;
 
 use super::CycleError;
-use super::newton::{Guess, Shooting, scaled};
+use super::newton::{CycleGuess, Shooting, scaled};
 use super::return_map::{Return, return_map, returned_state};
 use super::shooting::{Cycle, finished, shoot};
 use crate::motion::{ContactState, SlidingSystem};
@@ -295,7 +295,7 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError>, const N: usize> W
             residual = missed.iter().fold(0.0, |largest: f64, m| largest.max(m.abs()));
             if residual <= shooting.tolerance {
                 let tangent = self.tangent(&at, &around, &from.tangent)?;
-                let guess = Guess { start: self.state(&at), around, residual };
+                let guess = CycleGuess { start: self.state(&at), around, residual };
                 let cycle = finished(&system, self.oscillations, guess, iteration)?;
                 let point = BranchPoint { parameter: self.parameter(&at), cycle, slope: tangent[N] };
                 return Ok((point, BranchPlace { at, tangent }));

@@ -89,7 +89,7 @@ pub enum SearchEnd {
 }
 
 /// A motion that was found: where it is known, and its state at the end away from the threshold.
-struct Known<const N: usize> {
+struct KnownMotion<const N: usize> {
     from: f64,
     to: f64,
     state: [f64; N],
@@ -153,7 +153,7 @@ impl Exploration {
         quiet.last().map(|look| look.parameter).filter(|_| self.end != SearchEnd::Rounds)
     }
 
-    fn add<const N: usize>(&mut self, known: &Known<N>, side: f64, gap: f64) {
+    fn add<const N: usize>(&mut self, known: &KnownMotion<N>, side: f64, gap: f64) {
         self.moves += 1;
         self.farthest = known.to;
         // followed back to the known ones, but for what the steps of the search leave
@@ -282,7 +282,7 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, const N: u
     }
 
     /// The motion away from the threshold to its end, and back as far as to `known`.
-    fn follow(&self, place: f64, attractor: &Attractor<N>, known: f64) -> Result<Known<N>, CycleError> {
+    fn follow(&self, place: f64, attractor: &Attractor<N>, known: f64) -> Result<KnownMotion<N>, CycleError> {
         let (from, _) = self.carry(place, attractor, -self.side, known)?;
         let (from_end, to_end) = self.options.range;
         let end = if self.side > 0.0 { to_end } else { from_end };
@@ -292,7 +292,7 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, const N: u
             true => (end, carried.state),
             false => self.turn(last, &carried)?.unwrap_or((last, carried.state)),
         };
-        Ok(Known { from, to: to.clamp(from_end, to_end), state })
+        Ok(KnownMotion { from, to: to.clamp(from_end, to_end), state })
     }
 
     /// A motion carried on step by step, up to `end` at most: the last place at which it moves, and what it is there.

@@ -4,7 +4,7 @@
 //! one. Newton's method on two of them then finds the cycle walked twice, with the squares of its multipliers.
 
 use super::CycleError;
-use super::newton::{Converged, Guess, Shooting, converge, newton_step};
+use super::newton::{Converged, CycleGuess, Shooting, converge, newton_step};
 use super::return_map::return_map;
 use crate::motion::SlidingSystem;
 use crate::motion::attractor::distance;
@@ -27,7 +27,7 @@ pub(super) fn shortest<const N: usize>(
 }
 
 /// How far from the true cycle, in scales, a start may lie from which Newton's method has ended.
-fn uncertainty<const N: usize>(guess: &Guess<N>, scales: &[f64; N], shooting: &Shooting<N>) -> f64 {
+fn uncertainty<const N: usize>(guess: &CycleGuess<N>, scales: &[f64; N], shooting: &Shooting<N>) -> f64 {
     /// Over the next step of Newton's method, which is the first order of the distance.
     const BEYOND: f64 = 2.0;
     let next = newton_step(guess, scales).map_or(0.0, |step| distance(&step, &[0.0; N], scales));
@@ -47,7 +47,7 @@ fn shorter<const N: usize>(
     let first_step = || -> Result<f64, CycleError> {
         let around = return_map(system, *start, oscillations, shooting.settings, shooting.longest)?;
         let residual = distance(&around.state, start, &scales);
-        let step = newton_step(&Guess { start: *start, around, residual }, &scales)?;
+        let step = newton_step(&CycleGuess { start: *start, around, residual }, &scales)?;
         Ok(distance(&step, &[0.0; N], &scales))
     };
     // one flight tells most cycles from a shorter one; Newton's method need not go all the way to another

@@ -24,7 +24,7 @@ pub struct Shooting<const N: usize> {
 
 /// What Newton's method came to.
 pub(super) struct Converged<const N: usize> {
-    pub(super) guess: Guess<N>,
+    pub(super) guess: CycleGuess<N>,
     pub(super) oscillations: usize,
     pub(super) iterations: usize,
 }
@@ -39,7 +39,7 @@ pub(super) fn converge<const N: usize>(
     let scales = system.scales();
     let around = return_map(system, start, oscillations, shooting.settings, shooting.longest)?;
     let residual = distance(&around.state, &start, &scales);
-    let mut guess = Guess { start, around, residual };
+    let mut guess = CycleGuess { start, around, residual };
     for iterations in 0..=shooting.iterations {
         if guess.residual <= shooting.tolerance {
             return Ok(Converged { guess, oscillations, iterations });
@@ -51,7 +51,7 @@ pub(super) fn converge<const N: usize>(
 }
 
 /// A start and what comes back from it.
-pub(super) struct Guess<const N: usize> {
+pub(super) struct CycleGuess<const N: usize> {
     pub(super) start: [f64; N],
     pub(super) around: Return<N>,
     /// Distance of the return from the start, in scales.
@@ -60,7 +60,7 @@ pub(super) struct Guess<const N: usize> {
 
 /// (∂P/∂u − I)⁻¹ (u − P(u)), computed in scaled components.
 pub(super) fn newton_step<const N: usize>(
-    guess: &Guess<N>,
+    guess: &CycleGuess<N>,
     scales: &[f64; N],
 ) -> Result<[f64; N], CycleError> {
     let derivative = scaled(&guess.around.derivative, scales);
@@ -79,11 +79,11 @@ pub(super) fn scaled<const N: usize>(derivative: &SquareMatrix<N>, scales: &[f64
 /// A Newton step, shortened until it brings the return nearer to its start.
 fn damped<const N: usize>(
     system: &impl SlidingSystem<N>,
-    guess: &Guess<N>,
+    guess: &CycleGuess<N>,
     step: &[f64; N],
     oscillations: usize,
     shooting: &Shooting<N>,
-) -> Result<Guess<N>, CycleError> {
+) -> Result<CycleGuess<N>, CycleError> {
     const HALVINGS: i32 = 8;
     let scales = system.scales();
     let mut smallest = guess.residual;
@@ -95,7 +95,7 @@ fn damped<const N: usize>(
         };
         let residual = distance(&around.state, &start, &scales);
         if residual < guess.residual {
-            return Ok(Guess { start, around, residual });
+            return Ok(CycleGuess { start, around, residual });
         }
         smallest = smallest.min(residual);
     }

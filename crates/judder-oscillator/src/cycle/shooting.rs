@@ -2,7 +2,7 @@
 
 use super::CycleError;
 use super::least_period::shortest;
-use super::newton::{Guess, converge, scaled};
+use super::newton::{CycleGuess, converge, scaled};
 use super::return_map::Return;
 use crate::motion::attractor::{Patience, Settled, distance, settle};
 use crate::motion::{ContactState, Interrupted, SlidingSystem};
@@ -108,10 +108,10 @@ pub fn shoot<const N: usize>(
 pub(super) fn finished<const N: usize>(
     system: &impl SlidingSystem<N>,
     oscillations: usize,
-    guess: Guess<N>,
+    guess: CycleGuess<N>,
     iterations: usize,
 ) -> Result<Cycle<N>, CycleError> {
-    let Guess { start, around, residual } = guess;
+    let CycleGuess { start, around, residual } = guess;
     let scales = system.scales();
     let multipliers = multipliers(&scaled(&around.derivative, &scales))?;
     let velocity = system.field(system.contact_state(&start), &start);

@@ -6,11 +6,11 @@ use super::ContactState;
 use crate::Contact;
 use crate::friction::friction_force;
 use crate::groups::Coefficients;
-use judder_contact::{ContactLaw, ContactPoint, ContactResponse, WithDerivatives};
+use judder_contact::{ContactLaw, ContactResponse, LawPoint, WithDerivatives};
 
 /// The contact's forces on the oscillator over F_n, with derivatives by v̂ and ŷ.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct ContactForces {
+pub(super) struct RelativeForces {
     /// |F_μ|.
     pub(super) friction: WithDerivatives,
     /// F_k.
@@ -33,7 +33,7 @@ pub fn accelerations(contact: &Contact, c: &Coefficients, state: &[f64; 4]) -> [
 pub(super) fn balance(
     c: &Coefficients,
     direction: f64,
-    forces: &ContactForces,
+    forces: &RelativeForces,
     state: &[f64; 4],
 ) -> [f64; 2] {
     let structure = structure_forces(c, state);
@@ -47,13 +47,13 @@ pub(super) fn structure_forces(c: &Coefficients, [x, y, velocity_x, velocity_y]:
 
 /// The contact law at a speed |ṽ_rel| and a depth ỹ, none of them negative.
 pub(super) fn response(contact: &Contact, c: &Coefficients, speed: f64, depth: f64) -> ContactResponse {
-    contact.law.evaluate(&ContactPoint::new(speed * c.retardation_time / c.radius(), depth / c.radius()))
+    contact.law.evaluate(&LawPoint::new(speed * c.retardation_time / c.radius(), depth / c.radius()))
 }
 
 /// The contact's forces at a speed |ṽ_rel| and a depth ỹ: none off the substrate.
-pub(super) fn contact_forces(contact: &Contact, c: &Coefficients, speed: f64, depth: f64) -> ContactForces {
+pub(super) fn contact_forces(contact: &Contact, c: &Coefficients, speed: f64, depth: f64) -> RelativeForces {
     if depth <= 0.0 {
-        return ContactForces::default();
+        return RelativeForces::default();
     }
     let response = response(contact, c, speed, depth);
     let per_load = |q: WithDerivatives| WithDerivatives {
@@ -61,7 +61,7 @@ pub(super) fn contact_forces(contact: &Contact, c: &Coefficients, speed: f64, de
         by_velocity: q.by_velocity / c.normal_load,
         by_indentation: q.by_indentation / c.normal_load,
     };
-    ContactForces {
+    RelativeForces {
         friction: per_load(friction_force(contact.friction_load, c, &response)),
         normal: per_load(response.force),
     }

@@ -5,7 +5,7 @@
 //! lift-off F̃_k, μ_visc and Ã vanish together, and (13) holds.
 
 use super::ContactState;
-use super::equations::{self, ContactForces, balance, contact_forces, structure_forces};
+use super::equations::{self, RelativeForces, balance, contact_forces, structure_forces};
 use super::measures::{Measures, Powers};
 use super::sliding_system::SlidingSystem;
 use crate::equilibrium::equilibrium;
@@ -51,9 +51,9 @@ impl StickSlip {
         equations::response(&self.contact, c, speed, state[1].max(0.0))
     }
 
-    fn forces(&self, contact_state: ContactState, state: &[f64; 4]) -> ContactForces {
+    fn forces(&self, contact_state: ContactState, state: &[f64; 4]) -> RelativeForces {
         if contact_state == ContactState::LiftOff {
-            return ContactForces::default();
+            return RelativeForces::default();
         }
         let c = &self.coefficients;
         contact_forces(&self.contact, c, equations::speed(c, contact_state, state), state[1])
@@ -99,7 +99,7 @@ impl PiecewiseSmooth<4> for StickSlip {
 
     fn jacobian(&self, mode: ContactState, state: &[f64; 4]) -> SquareMatrix<4> {
         let c = &self.coefficients;
-        let ContactForces { friction, normal } = self.forces(mode, state);
+        let RelativeForces { friction, normal } = self.forces(mode, state);
         let (per_depth, per_speed) = (1.0 / c.radius(), c.retardation_time / c.radius());
         let direction = mode.direction();
         let row_x = if mode == ContactState::Stick {

@@ -5,7 +5,7 @@
 //! out of the inclusion and not of a mode. First order in the step.
 
 use super::ContactState;
-use super::equations::{ContactForces, contact_forces};
+use super::equations::{RelativeForces, contact_forces};
 use crate::groups::Coefficients;
 use crate::{Contact, OscillatorError};
 
@@ -59,7 +59,7 @@ impl TimeStepping {
         [x + 0.5 * h * velocity_x, y + 0.5 * h * velocity_y, velocity_x, velocity_y]
     }
 
-    fn forces(&self, speed: f64, y: f64) -> ContactForces {
+    fn forces(&self, speed: f64, y: f64) -> RelativeForces {
         contact_forces(&self.contact, &self.coefficients, speed, y)
     }
 

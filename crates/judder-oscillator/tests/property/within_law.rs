@@ -1,7 +1,7 @@
 //! What a law says of its own errors covers what they do to steady sliding: a law in closed form, and laws through values of it that are off.
 
 use judder_contact::law::{LawSamples, PerQuantity, SampledLaw};
-use judder_contact::{ContactLaw, ContactPoint, ContactResponse, FittedLaw, Law};
+use judder_contact::{ContactLaw, ContactResponse, FittedLaw, Law, LawPoint};
 use judder_oscillator::characteristic::Characteristic;
 use judder_oscillator::critical::{ParameterRange, RangeScale, thresholds};
 use judder_oscillator::equilibrium::equilibrium;
@@ -35,7 +35,7 @@ fn noisy(error: f64, seed: u64) -> Contact {
     };
     let (velocities, indentations) = (logarithmic(1e-9, 1e3, 61), logarithmic(1e-9, 1e-1, 33));
     let law = FittedLaw::oscillator_paper();
-    let points = indentations.iter().flat_map(|y| velocities.iter().map(move |v| ContactPoint::new(*v, *y)));
+    let points = indentations.iter().flat_map(|y| velocities.iter().map(move |v| LawPoint::new(*v, *y)));
     let responses: Vec<ContactResponse> = points.map(|at| law.evaluate(&at)).collect();
     let of = |quantity: usize, value: fn(&ContactResponse) -> f64| {
         let off =

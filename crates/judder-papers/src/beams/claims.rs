@@ -1,20 +1,20 @@
 //! The numbers and claims of the beams paper, each with the way it is measured.
 
-use super::found::Found;
-use super::passage::Zone;
-use crate::claim::{Claim, Kind, measured, short, statement};
+use super::found::StoredResults;
+use super::passage::PassedZone;
+use crate::claim::{ClaimKind, MeasuredClaim, measured, short, statement};
 use crate::claim::{ClaimLine, Measured};
 
 /// Every claim, measured.
-pub(super) fn lines(found: &Found) -> Vec<ClaimLine> {
+pub(super) fn lines(found: &StoredResults) -> Vec<ClaimLine> {
     CLAIMS.iter().map(|claim| line(claim, found)).collect()
 }
 
-fn line(claim: &Claim<Found>, found: &Found) -> ClaimLine {
+fn line(claim: &MeasuredClaim<StoredResults>, found: &StoredResults) -> ClaimLine {
     let Measured { ours, holds } = (claim.measure)(found);
     let verdict = match (claim.kind, holds) {
-        (Kind::Statement, true) => "agrees",
-        (Kind::Misprint, true) => "misprint",
+        (ClaimKind::Statement, true) => "agrees",
+        (ClaimKind::Misprint, true) => "misprint",
         _ => "open",
     };
     ClaimLine {
@@ -29,12 +29,12 @@ fn line(claim: &Claim<Found>, found: &Found) -> ClaimLine {
 }
 
 /// Zones about a frequency in Hz.
-fn about(zones: &[Zone], frequency: f64) -> Vec<Zone> {
+fn about(zones: &[PassedZone], frequency: f64) -> Vec<PassedZone> {
     zones.iter().copied().filter(|zone| (zone.frequency / frequency - 1.0).abs() < 0.02).collect()
 }
 
 /// A list of zones for a reader: how many, where, how fast the fastest grows.
-fn told(zones: &[Zone]) -> String {
+fn told(zones: &[PassedZone]) -> String {
     let Some(fastest) = zones.iter().max_by(|a, b| a.growth.total_cmp(&b.growth)) else {
         return "none".to_owned();
     };
@@ -48,7 +48,7 @@ fn told(zones: &[Zone]) -> String {
     )
 }
 
-const DEGREES: Claim<Found> = statement(
+const DEGREES: MeasuredClaim<StoredResults> = statement(
     "§2.3",
     "Reduced to 20 fixed-interface modes each and the freedoms of boundary and contact: 243",
     |found| {
@@ -58,7 +58,7 @@ const DEGREES: Claim<Found> = statement(
     "100 free top nodes twice, C twice, the end A along y, 2 × 20 modes.",
 );
 
-const SOME_UNSTABLE: Claim<Found> = statement(
+const SOME_UNSTABLE: MeasuredClaim<StoredResults> = statement(
     "§2.3, Fig. 2",
     "The real part of some of the 20 lowest eigenvalues becomes positive at some positions",
     |found| {
@@ -69,7 +69,7 @@ const SOME_UNSTABLE: Claim<Found> = statement(
     "Zones of the undeformed pair, located by roots of the growth rate.",
 );
 
-const SEVEN: Claim<Found> = statement(
+const SEVEN: MeasuredClaim<StoredResults> = statement(
     "§2.3, Fig. 2",
     "Instabilities may occur around 7 kHz",
     |found| {
@@ -79,7 +79,7 @@ const SEVEN: Claim<Found> = statement(
     "Two frequencies must agree within 0.4 %: on a coarser mesh these zones move or vanish.",
 );
 
-const TEN: Claim<Found> = statement(
+const TEN: MeasuredClaim<StoredResults> = statement(
     "§2.3, Fig. 2",
     "… and 10.5 kHz",
     |found| {
@@ -89,14 +89,14 @@ const TEN: Claim<Found> = statement(
     "The axial mode of the horizontal beam and a bending mode of the pair.",
 );
 
-const ONLY_THERE: Claim<Found> = statement(
+const ONLY_THERE: MeasuredClaim<StoredResults> = statement(
     "§2.3, Fig. 2",
     "Specifically around these two frequencies, and nowhere else",
     |found| {
-        let others = |locus: &str| -> Vec<Zone> {
+        let others = |locus: &str| -> Vec<PassedZone> {
             let zones = found.zones(locus);
             let elsewhere =
-                |zone: &Zone| [6.9e3, 10.5e3].iter().all(|f| (zone.frequency / f - 1.0).abs() >= 0.02);
+                |zone: &PassedZone| [6.9e3, 10.5e3].iter().all(|f| (zone.frequency / f - 1.0).abs() >= 0.02);
             zones.into_iter().filter(elsewhere).collect()
         };
         let (undeformed, deformed) = (others("locus"), others("locus-deformed"));
@@ -112,7 +112,7 @@ const ONLY_THERE: Claim<Found> = statement(
 /// A march without bursts stays below this share of one with them.
 const QUIET: f64 = 0.1;
 
-const SUBS_QUIET: Claim<Found> = statement(
+const SUBS_QUIET: MeasuredClaim<StoredResults> = statement(
     "§2.3, Figs. 3, 4",
     "Subs does not show the bursts",
     |found| {
@@ -123,13 +123,13 @@ const SUBS_QUIET: Claim<Found> = statement(
     "Peaks of the vertical acceleration of T below 50 kHz, after the ramps; agreement asks for less than a tenth.",
 );
 
-const FILM_BURSTS: Claim<Found> = statement(
+const FILM_BURSTS: MeasuredClaim<StoredResults> = statement(
     "§2.3, Figs. 3, 4",
     "FiLM shows bursts where an instability region is crossed",
     |found| {
         let bursts = found.bursts("film");
         let zones = found.zones("locus-deformed");
-        let within = |burst: &&super::found::Burst| {
+        let within = |burst: &&super::found::StoredBurst| {
             zones.iter().any(|zone| {
                 (zone.frequency / burst.frequency - 1.0).abs() < 0.02
                     && burst.position > zone.from
@@ -160,7 +160,7 @@ const AFTER: f64 = 1e-3;
 /// What measured and promised growth through a zone may differ by, over the promise.
 const GROWN: f64 = 0.1;
 
-const EXPONENTIAL: Claim<Found> = statement(
+const EXPONENTIAL: MeasuredClaim<StoredResults> = statement(
     "§2.3",
     "In an instability region the amplitude grows exponentially",
     |found| {
@@ -173,13 +173,13 @@ const EXPONENTIAL: Claim<Found> = statement(
 );
 
 /// Measured exponents of zones beside those promised, where they are judged.
-fn exponents(passages: &[(Zone, f64)]) -> Measured {
+fn exponents(passages: &[(PassedZone, f64)]) -> Measured {
     let judged = passages.iter().filter(|(zone, _)| zone.nepers >= STRONG);
-    let told = judged.clone().map(|(Zone { from, to, nepers, .. }, own)| {
+    let told = judged.clone().map(|(PassedZone { from, to, nepers, .. }, own)| {
         format!("e^{{{own:.2}}} at {:.0} mm, promised e^{{{nepers:.2}}}", 500.0 * (from + to))
     });
     let told: Vec<String> = told.collect();
-    let is_near = |(zone, own): &(Zone, f64)| (own / zone.nepers - 1.0).abs() <= GROWN;
+    let is_near = |(zone, own): &(PassedZone, f64)| (own / zone.nepers - 1.0).abs() <= GROWN;
     if told.is_empty() {
         return measured("no zone that promises two nepers was passed whole", false);
     }
@@ -191,7 +191,7 @@ const STRONG: f64 = 2.0;
 /// What of the largest amplitude is left behind a zone that has extinguished.
 const LEFT: f64 = 0.5;
 
-const EXTINGUISHED: Claim<Found> = statement(
+const EXTINGUISHED: MeasuredClaim<StoredResults> = statement(
     "§2.3",
     "… and extinguishes when the region is overcome",
     |found| {
@@ -212,28 +212,28 @@ const EXTINGUISHED: Claim<Found> = statement(
 );
 
 /// The largest disagreement of growth rates, with both of the one where it is.
-fn growth(found: &Found, method: &str) -> Measured {
+fn growth(found: &StoredResults, method: &str) -> Measured {
     let growths = found.growths(method);
     let worst = growths.iter().map(|(m, p)| (m / p - 1.0).abs()).fold(0.0, f64::max);
     let holds = growths.len() >= 4 && worst <= 0.01;
     measured(format!("{} places, at most {} apart", growths.len(), short(worst)), holds)
 }
 
-const SUBS_DYNAMICS: Claim<Found> = statement(
+const SUBS_DYNAMICS: MeasuredClaim<StoredResults> = statement(
     "§2.3",
     "Subs detects the changes of the global dynamics",
     |found| growth(found, "subs"),
     "Growth rates of Subs with the contact held, against the eigenvalues of the undeformed locus there: 1 % asked.",
 );
 
-const ENSUBS_DYNAMICS: Claim<Found> = statement(
+const ENSUBS_DYNAMICS: MeasuredClaim<StoredResults> = statement(
     "§3",
     "EnSubs retraces the instability on the deformed geometry",
     |found| growth(found, "ensubs"),
     "Growth rates of EnSubs with the contact held, against the eigenvalues of the deformed locus there: 1 % asked.",
 );
 
-const THE_REASON: Claim<Found> = statement(
+const THE_REASON: MeasuredClaim<StoredResults> = statement(
     "§2.3",
     "Subs has no bursts because its coupling does not account for the deformation",
     |found| {
@@ -248,7 +248,7 @@ const THE_REASON: Claim<Found> = statement(
     "The static slope of the track alone makes Subs burst: of the deformation it is the static part that decides.",
 );
 
-const SAME: Claim<Found> = statement(
+const SAME: MeasuredClaim<StoredResults> = statement(
     "§3.1, Fig. 5",
     "EnSubs and FiLM are substantially superposed",
     |found| {
@@ -258,7 +258,7 @@ const SAME: Claim<Found> = statement(
     "Acceleration of T after the ramps.",
 );
 
-const SLIDING: Claim<Found> = statement(
+const SLIDING: MeasuredClaim<StoredResults> = statement(
     "§3.1, Fig. 6",
     "The contact slides for all the simulation time",
     |found| {
@@ -280,7 +280,7 @@ const SLIDING: Claim<Found> = statement(
     "Extremes and states of every step after the ramps.",
 );
 
-const CHEAPER: Claim<Found> = statement(
+const CHEAPER: MeasuredClaim<StoredResults> = statement(
     "§3.1",
     "EnSubs takes 30 % less time than FiLM",
     |found| {
@@ -311,7 +311,7 @@ const SAVED: (f64, f64) = (0.2, 0.4);
 /// What peak and envelope of our own march may be off by.
 const OFF: f64 = 0.02;
 
-const OURS: Claim<Found> = statement(
+const OURS: MeasuredClaim<StoredResults> = statement(
     "beside the paper",
     "The march with residual flexibility has the same burst (ours)",
     |found| {
@@ -331,7 +331,7 @@ const OURS: Claim<Found> = statement(
 );
 
 /// All claims, in the order of the paper.
-const CLAIMS: [Claim<Found>; 16] = [
+const CLAIMS: [MeasuredClaim<StoredResults>; 16] = [
     DEGREES,
     SOME_UNSTABLE,
     SEVEN,

@@ -1,7 +1,7 @@
 //! What the claims of the beams paper are measured on: summaries and signals of a study folder.
 
 use super::figures::SIGNAL;
-use super::passage::{Passage, Zone, passages};
+use super::passage::{Passage, PassedZone, passages};
 use crate::summary::is_done;
 use judder_models::band::Band;
 use judder_store::{Dataset, StudyFolder, Summary};
@@ -11,7 +11,7 @@ use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 
 /// Stored results of the reproduction.
-pub(super) struct Found {
+pub(super) struct StoredResults {
     results: BTreeMap<String, Map<String, Value>>,
     ensubs: Option<Dataset>,
     film: Option<Dataset>,
@@ -26,13 +26,13 @@ const LOUD: f64 = 0.1;
 
 /// A burst of a march.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Burst {
+pub(super) struct StoredBurst {
     pub(super) position: f64,
     pub(super) frequency: f64,
     pub(super) peak: f64,
 }
 
-impl Found {
+impl StoredResults {
     /// From a study folder.
     pub(super) fn stored(store: &StudyFolder, summary: &Summary) -> Result<Self, StudyError> {
         let read = |name: &str| is_done(summary, name).then(|| store.read_dataset(name)).transpose();
@@ -68,7 +68,7 @@ impl Found {
     }
 
     /// The unstable zones of a locus.
-    pub(super) fn zones(&self, locus: &str) -> Vec<Zone> {
+    pub(super) fn zones(&self, locus: &str) -> Vec<PassedZone> {
         Self::zones_of(&self.results, locus, "unstable")
     }
 
@@ -77,10 +77,10 @@ impl Found {
         results: &BTreeMap<String, Map<String, Value>>,
         analysis: &str,
         key: &str,
-    ) -> Vec<Zone> {
+    ) -> Vec<PassedZone> {
         let of = |zone: &Value| {
             let number = |key: &str| zone[key].as_f64().unwrap_or(f64::NAN);
-            Zone {
+            PassedZone {
                 from: number("from_m"),
                 to: number("to_m"),
                 peak: number("peak_m"),
@@ -101,16 +101,20 @@ impl Found {
     }
 
     /// The bursts of a march.
-    pub(super) fn bursts(&self, march: &str) -> Vec<Burst> {
+    pub(super) fn bursts(&self, march: &str) -> Vec<StoredBurst> {
         let of = |burst: &Value| {
             let number = |key: &str| burst[key].as_f64().unwrap_or(f64::NAN);
-            Burst { position: number("position_m"), frequency: number("frequency_hz"), peak: number("peak") }
+            StoredBurst {
+                position: number("position_m"),
+                frequency: number("frequency_hz"),
+                peak: number("peak"),
+            }
         };
         self.value(march, &["bursts"]).as_array().into_iter().flatten().map(of).collect()
     }
 
     /// The burst of a march with the highest peak.
-    pub(super) fn loudest(&self, march: &str) -> Option<Burst> {
+    pub(super) fn loudest(&self, march: &str) -> Option<StoredBurst> {
         self.bursts(march).into_iter().max_by(|a, b| a.peak.total_cmp(&b.peak))
     }
 

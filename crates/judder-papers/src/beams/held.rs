@@ -1,6 +1,6 @@
 //! Where the contact is held: at the peaks of the zones that the loci have found.
 
-use super::passage::Zone;
+use super::passage::PassedZone;
 use std::fmt::Write as _;
 
 /// How many zones of each locus: those that grow fastest.
@@ -9,7 +9,7 @@ const ZONES: usize = 4;
 const BESIDE: f64 = 1e-6;
 
 /// The growth analyses of a method in the zones of its locus, as a case file has them, numbered along the path.
-pub(super) fn analyses(method: &str, mut zones: Vec<Zone>) -> String {
+pub(super) fn analyses(method: &str, mut zones: Vec<PassedZone>) -> String {
     zones.retain(|zone| zone.peak.is_finite() && zone.frequency > 0.0);
     zones.sort_by(|a, b| b.growth.total_cmp(&a.growth));
     zones.truncate(ZONES);
@@ -28,7 +28,7 @@ pub(super) fn analyses(method: &str, mut zones: Vec<Zone>) -> String {
 }
 
 /// Beside the peak of a zone, within it.
-fn place(zone: &Zone) -> f64 {
+fn place(zone: &PassedZone) -> f64 {
     let inwards = 0.5 * (zone.from + zone.to) - zone.peak;
     zone.peak + inwards.clamp(-BESIDE, BESIDE)
 }
@@ -37,8 +37,8 @@ fn place(zone: &Zone) -> f64 {
 mod tests {
     use super::*;
 
-    fn zone(from: f64, peak: f64, growth: f64) -> Zone {
-        Zone { from, to: from + 1e-3, peak, frequency: 3523.0, growth, nepers: f64::NAN }
+    fn zone(from: f64, peak: f64, growth: f64) -> PassedZone {
+        PassedZone { from, to: from + 1e-3, peak, frequency: 3523.0, growth, nepers: f64::NAN }
     }
 
     /// The four fastest, in the order of the path, held inside their zones wherever the peak lies.
@@ -62,7 +62,7 @@ mod tests {
             assert!(zone.from < *position && *position < zone.to, "{position} {zone:?}");
             assert!((position - zone.peak).abs() <= BESIDE * (1.0 + 1e-9), "{position} {zone:?}");
         }
-        let untold = Zone { peak: f64::NAN, ..zones[0] };
+        let untold = PassedZone { peak: f64::NAN, ..zones[0] };
         assert_eq!(analyses("subs", vec![untold]), "");
     }
 }

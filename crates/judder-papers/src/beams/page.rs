@@ -1,7 +1,7 @@
 //! The report of the beams paper.
 
 use super::figures::{self, SIGNAL};
-use super::found::Found;
+use super::found::StoredResults;
 use super::passage::passages;
 use crate::claim::{self, ClaimLine};
 use crate::summary::{KEY, is_done, tally};
@@ -128,7 +128,7 @@ fn drawn(stored: &Stored<'_>) -> Result<Vec<(&'static str, Vec<Figure>)>, StudyE
 fn zones(stored: &Stored<'_>, ensubs: Option<&Dataset>) -> Result<Option<Figure>, StudyError> {
     let Some(ensubs) = ensubs else { return Ok(None) };
     let locus = stored.dataset("locus-deformed")?;
-    let zones = Found::zones_of(&stored.summary.results, "ensubs", "zones");
+    let zones = StoredResults::zones_of(&stored.summary.results, "ensubs", "zones");
     Ok(figures::zones(&passages(ensubs, SIGNAL, &zones, locus.as_ref())))
 }
 

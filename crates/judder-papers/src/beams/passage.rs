@@ -16,7 +16,7 @@ const BEYOND: f64 = 0.75;
 
 /// An unstable zone of a locus.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Zone {
+pub(super) struct PassedZone {
     pub(super) from: f64,
     pub(super) to: f64,
     /// Where it grows fastest; NaN where that is not told.
@@ -30,7 +30,7 @@ pub(super) struct Zone {
 /// A zone that a march has passed, with the amplitude of its mode.
 pub(super) struct Passage {
     /// The zone.
-    pub(super) zone: Zone,
+    pub(super) zone: PassedZone,
     /// Positions, m, and the amplitude of the signal in a band about the frequency of the zone.
     amplitudes: Vec<(f64, f64)>,
     /// ln of the amplitude at the end of the zone over that at its start.
@@ -43,7 +43,7 @@ pub(super) struct Passage {
 pub(super) fn passages(
     march: &Dataset,
     signal: &str,
-    zones: &[Zone],
+    zones: &[PassedZone],
     locus: Option<&Dataset>,
 ) -> Vec<Passage> {
     let profiles = locus.map(zone_profiles).unwrap_or_default();
@@ -51,7 +51,7 @@ pub(super) fn passages(
     worth.filter_map(|zone| passage(march, signal, *zone, &profiles)).collect()
 }
 
-fn passage(march: &Dataset, signal: &str, zone: Zone, profiles: &[Vec<(f64, f64)>]) -> Option<Passage> {
+fn passage(march: &Dataset, signal: &str, zone: PassedZone, profiles: &[Vec<(f64, f64)>]) -> Option<Passage> {
     let (time, position, values) = (reals(march, "time")?, reals(march, "position")?, reals(march, signal)?);
     let settled = march.attributes().get("settled_s").and_then(Value::as_f64)?;
     let first = time.partition_point(|own| *own <= settled);
@@ -103,7 +103,7 @@ impl Passage {
     /// Measured and promised amplitude over the position.
     pub(super) fn panel(&self, quantity: &str) -> Panel {
         let lines = |points: &[(f64, f64)]| points.iter().map(|(at, value)| (1e3 * at, *value)).unzip();
-        let Zone { from, to, frequency, nepers, .. } = self.zone;
+        let PassedZone { from, to, frequency, nepers, .. } = self.zone;
         let (x, y): (Vec<f64>, Vec<f64>) = lines(&self.amplitudes);
         let (promised_x, promised_y) = lines(&self.promised);
         let zone = ShadedRegion {
@@ -134,8 +134,14 @@ mod tests {
     #[test]
     fn growth_is_measured_under_clicks() {
         let (interval, speed) = (5e-6, 0.03);
-        let zone =
-            Zone { from: 3.6e-3, to: 5.1e-3, peak: 4.35e-3, frequency: 3.5e3, growth: 141.0, nepers: 4.5 };
+        let zone = PassedZone {
+            from: 3.6e-3,
+            to: 5.1e-3,
+            peak: 4.35e-3,
+            frequency: 3.5e3,
+            growth: 141.0,
+            nepers: 4.5,
+        };
         let times: Vec<f64> = (0..50_000).map(|k| f64::from(k) * interval).collect();
         let position: Vec<f64> = times.iter().map(|t| speed * t).collect();
         let value = |(k, t): (usize, &f64)| {
@@ -156,8 +162,8 @@ mod tests {
         let found = passages(&march, "T.y", &[zone], None);
         assert_eq!(found.len(), 1);
         assert!((found[0].measured - 4.5).abs() < 0.1, "{}", found[0].measured);
-        let weak = Zone { nepers: 0.5, ..zone };
-        let too_early = Zone { from: 0.6e-3, ..zone };
+        let weak = PassedZone { nepers: 0.5, ..zone };
+        let too_early = PassedZone { from: 0.6e-3, ..zone };
         assert!(passages(&march, "T.y", &[weak, too_early], None).is_empty());
     }
 }

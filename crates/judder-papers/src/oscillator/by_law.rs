@@ -2,7 +2,7 @@
 
 mod thresholds;
 
-use super::exhibits::{EXHIBITS, Source};
+use super::exhibits::{EXHIBITS, PanelSource};
 use super::readings::{READINGS, ReadLaw, Reading};
 use super::{analysis_name, computed_for};
 use crate::summary::is_done;
@@ -10,7 +10,7 @@ use judder_oscillator::mechanism::StabilityClass;
 use judder_report::figure::{Class, ClassMap};
 use judder_report::page::PageTable;
 use judder_report::{Figure, Layer, PageBlock, PageSection, Panel, Role};
-use judder_store::{Data, Dataset, StudyFolder, Summary};
+use judder_store::{Dataset, StudyFolder, Summary, VariableValues};
 use judder_study::StudyError;
 use judder_study::pictures::{axis, reals};
 use judder_study::report::write_figure;
@@ -31,7 +31,7 @@ pub(super) fn section(store: &StudyFolder, summary: &Summary) -> Result<PageSect
     let mut changes = Vec::new();
     for source in maps() {
         for load in LOADS {
-            changes.extend(Change::of(store, summary, source, load)?);
+            changes.extend(ChangedMap::of(store, summary, source, load)?);
         }
     }
     let mut blocks = vec![PageBlock::text(lead(&changes, computed_for(summary)))];
@@ -39,7 +39,7 @@ pub(super) fn section(store: &StudyFolder, summary: &Summary) -> Result<PageSect
         blocks.push(PageBlock::Table(table(&changes)));
         for load in LOADS {
             let of_load = changes.iter().filter(|change| change.load == load);
-            let panels: Vec<Panel> = of_load.filter_map(Change::panel).collect();
+            let panels: Vec<Panel> = of_load.filter_map(ChangedMap::panel).collect();
             if !panels.is_empty() {
                 blocks.push(write_figure(store, map_figure(panels, load))?);
             }
@@ -55,11 +55,11 @@ pub(super) fn section(store: &StudyFolder, summary: &Summary) -> Result<PageSect
     Ok(PageSection::new("How much of the map is the fit's?", blocks))
 }
 
-fn sources() -> impl Iterator<Item = &'static Source> {
+fn sources() -> impl Iterator<Item = &'static PanelSource> {
     EXHIBITS.iter().flat_map(|exhibit| exhibit.sources)
 }
 
-fn maps() -> impl Iterator<Item = &'static Source> {
+fn maps() -> impl Iterator<Item = &'static PanelSource> {
     sources().filter(|source| source.name.starts_with("fig-9") || source.name.starts_with("fig-10"))
 }
 
@@ -76,7 +76,7 @@ fn reading(law: ReadLaw, load: &str) -> Option<&'static Reading> {
 fn stored(
     store: &StudyFolder,
     summary: &Summary,
-    source: &Source,
+    source: &PanelSource,
     law: ReadLaw,
     load: &str,
 ) -> Result<Option<Dataset>, StudyError> {
@@ -87,8 +87,8 @@ fn stored(
 }
 
 /// One map with the three laws.
-struct Change {
-    source: &'static Source,
+struct ChangedMap {
+    source: &'static PanelSource,
     load: &'static str,
     /// Any of the three: they have the same axes.
     plane: Dataset,
@@ -96,11 +96,11 @@ struct Change {
     classes: [Vec<StabilityClass>; 3],
 }
 
-impl Change {
+impl ChangedMap {
     fn of(
         store: &StudyFolder,
         summary: &Summary,
-        source: &'static Source,
+        source: &'static PanelSource,
         load: &'static str,
     ) -> Result<Option<Self>, StudyError> {
         let mut all = Vec::new();
@@ -166,12 +166,14 @@ impl Change {
 
 fn classes(dataset: &Dataset) -> Option<Vec<StabilityClass>> {
     match &dataset.variable("stability")?.data {
-        Data::U8(codes) => Some(codes.iter().map(|code| StabilityClass::from_code(*code)).collect()),
+        VariableValues::U8(codes) => {
+            Some(codes.iter().map(|code| StabilityClass::from_code(*code)).collect())
+        }
         _ => None,
     }
 }
 
-fn lead(changes: &[Change], computed_for: &str) -> String {
+fn lead(changes: &[ChangedMap], computed_for: &str) -> String {
     let between = |laws: [usize; 2]| {
         let shares: Vec<f64> = changes.iter().map(|change| 100.0 * change.verdict_changes(laws)).collect();
         let least = shares.iter().copied().fold(f64::INFINITY, f64::min);
@@ -191,9 +193,9 @@ fn lead(changes: &[Change], computed_for: &str) -> String {
     )
 }
 
-fn table(changes: &[Change]) -> PageTable {
+fn table(changes: &[ChangedMap]) -> PageTable {
     let per_cent = |share: f64| format!("{:.1}", 100.0 * share);
-    let row = |change: &Change| {
+    let row = |change: &ChangedMap| {
         let mut row = vec![change.source.name.replace("fig-", "Fig. "), friction(change.load).to_owned()];
         row.extend([0, 1, 2].map(|law| per_cent(change.unstable(law))));
         row.extend([[0, 2], [0, 1], [1, 2]].map(|laws| per_cent(change.verdict_changes(laws))));

@@ -8,11 +8,11 @@ mod maps;
 pub(super) mod motion;
 mod thresholds;
 
-use crate::claim::Claim;
+use crate::claim::MeasuredClaim;
 use judder_oscillator::Contact;
 
 /// All claims of the sections, in the order of the paper.
-pub(super) const CLAIMS: [Claim<Contact>; 31] = [
+pub(super) const CLAIMS: [MeasuredClaim<Contact>; 31] = [
     equations::HERTZ_LIMIT,
     equations::AREA_HAS_A_MINIMUM,
     equations::FRICTION_OVER_DEPTH,

@@ -5,7 +5,7 @@ use super::evidence::{CORRECTED, r_squared};
 use super::exhibits::{FIT, LAW, MODULUS};
 use crate::summary::is_done;
 use judder_contact::law::PerQuantity;
-use judder_contact::{ContactLaw, ContactPoint, FittedLaw};
+use judder_contact::{ContactLaw, FittedLaw, LawPoint};
 use judder_report::figure::ValueMap;
 use judder_report::page::PageTable;
 use judder_report::palette::ColourMap;
@@ -23,27 +23,27 @@ const ROWS: usize = 4;
 const DRAWN: usize = 14;
 
 /// A quantity of the contact, in the order of Fig. 3, with its label and its colour scale.
-struct Quantity {
+struct ContactQuantity {
     name: &'static str,
     label: &'static str,
     pick: fn(PerQuantity<f64>) -> f64,
     is_logarithmic: bool,
 }
 
-const QUANTITIES: [Quantity; 3] = [
-    Quantity {
+const QUANTITIES: [ContactQuantity; 3] = [
+    ContactQuantity {
         name: "friction",
         label: "Friction $μ_{visc}$ (−)",
         pick: |values| values.friction,
         is_logarithmic: false,
     },
-    Quantity {
+    ContactQuantity {
         name: "area",
         label: "Contact area $Ã$ (−)",
         pick: |values| values.area,
         is_logarithmic: true,
     },
-    Quantity {
+    ContactQuantity {
         name: "force",
         label: "Contact force $F̃_{k}$ (−)",
         pick: |values| values.force,
@@ -51,7 +51,7 @@ const QUANTITIES: [Quantity; 3] = [
     },
 ];
 
-impl Quantity {
+impl ContactQuantity {
     fn axis(&self) -> Axis {
         if self.is_logarithmic { Axis::log(self.label) } else { Axis::linear(self.label) }
     }
@@ -119,7 +119,7 @@ fn fitted(summary: &Summary) -> Option<FittedLaw> {
 }
 
 fn values(law: &FittedLaw, velocity: f64, indentation: f64) -> PerQuantity<f64> {
-    let found = law.evaluate(&ContactPoint::new(velocity, indentation));
+    let found = law.evaluate(&LawPoint::new(velocity, indentation));
     PerQuantity { force: found.force.value, area: found.area.value, friction: found.friction.value }
 }
 

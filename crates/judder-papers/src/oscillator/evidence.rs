@@ -7,12 +7,12 @@ use judder_contact::law::file::from_json;
 use judder_contact::law::{LawIndenter, PerQuantity};
 use judder_contact::material::CreepSpectrum;
 use judder_contact::steady::MEMORY;
-use judder_contact::{ContactLaw, ContactPoint, FittedLaw, Law};
+use judder_contact::{ContactLaw, FittedLaw, Law, LawPoint};
 use judder_models::ModelError;
 use judder_models::computed_law::{self, NO_POINTS};
 use judder_models::contact::Exciting;
 use judder_models::contact::case::ContactCase;
-use judder_models::contact::law::Plane;
+use judder_models::contact::law::LawPlane;
 use judder_models::contact::settings::{FitSettings, LawSettings};
 use judder_models::material::ContactScales;
 use judder_store::StudyFolder;
@@ -70,7 +70,7 @@ impl Evidence {
         let (case, settings) = contact_case(FIT, quick)?;
         let scales = ContactScales::new(&case)?;
         let curve = computed_law::of_paraboloid(&scales.material, settings.accuracy, NO_POINTS, progress)?;
-        let plane = Plane::new(&settings, &scales);
+        let plane = LawPlane::new(&settings, &scales);
         let fit = |law: &Law, scale: f64| {
             plane.fit(law, scale).map_err(|error| ModelError::Unsupported(error.to_string()))
         };
@@ -115,7 +115,7 @@ pub(super) fn r_squared(values: &[f64], functions: &[f64]) -> f64 {
 
 /// F̃, Ã, μ of a law where a sample is.
 pub(super) fn values(law: &impl ContactLaw, sample: &FitSample) -> PerQuantity<f64> {
-    let found = law.evaluate(&ContactPoint::new(sample.velocity, sample.indentation));
+    let found = law.evaluate(&LawPoint::new(sample.velocity, sample.indentation));
     PerQuantity { force: found.force.value, area: found.area.value, friction: found.friction.value }
 }
 

@@ -4,16 +4,16 @@ use judder_keys::numeric_key::{Form, Value};
 use judder_keys::span::Span;
 use judder_models::contact::case::ContactCase;
 use judder_models::contact::settings::{FitSettings, LawMethod, LawSettings};
-use judder_models::contact::shape::Shape;
-use judder_models::motion::Motion;
+use judder_models::contact::shape::ShapeSettings;
+use judder_models::motion::MotionAnalysis;
 use judder_models::motion::bifurcation::Bifurcation;
-use judder_models::motion::history::History;
+use judder_models::motion::history::HistoryAnalysis;
 use judder_models::motion::limit_cycle::LimitCycle;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::engines::settings::EnginesSettings;
 use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::oscillator::settings::{CriticalThresholds, DampingCurves, SpectrumCurves};
-use judder_models::sweep::StabilityMap;
+use judder_models::sweep::StabilityMapAnalysis;
 use judder_study::model::Case;
 
 /// A figure of the paper.
@@ -25,11 +25,11 @@ pub(super) struct Exhibit {
     /// What stands under it.
     pub(super) caption: &'static str,
     /// The cases that make its panels.
-    pub(super) sources: &'static [Source],
+    pub(super) sources: &'static [PanelSource],
 }
 
 /// A panel of the paper: a case with a few keys set on top.
-pub(super) struct Source {
+pub(super) struct PanelSource {
     /// Beginning of the names of its analyses.
     pub(super) name: &'static str,
     /// Name of the case.
@@ -50,12 +50,12 @@ macro_rules! case {
 
 pub(super) use case;
 
-const fn source(name: &'static str, case: &'static str, label: &'static str) -> Source {
-    Source { name, case_name: name, case, overrides: &[], label }
+const fn source(name: &'static str, case: &'static str, label: &'static str) -> PanelSource {
+    PanelSource { name, case_name: name, case, overrides: &[], label }
 }
 
-const fn fig_4(name: &'static str, overrides: &'static [&'static str], label: &'static str) -> Source {
-    Source { name, case_name: "fig-4", case: case!("fig-4"), overrides, label }
+const fn fig_4(name: &'static str, overrides: &'static [&'static str], label: &'static str) -> PanelSource {
+    PanelSource { name, case_name: "fig-4", case: case!("fig-4"), overrides, label }
 }
 
 /// The contact computation, Figs. 3, 13 and 14: names and texts of the cases. The first leaves the law that the others use.
@@ -158,7 +158,7 @@ fn thin_out_contact(case: &mut ContactCase) {
         } else {
             continue;
         }
-        case.shape = Shape::Paraboloid;
+        case.shape = ShapeSettings::Paraboloid;
     }
 }
 
@@ -174,14 +174,14 @@ fn thin_out_oscillator(case: &mut OscillatorCase) {
             sweep.points = sweep.points.min(CURVE);
         } else if let Some(CriticalThresholds { sweep, .. }) = analysis.settings_mut() {
             sweep.points = sweep.points.min(THRESHOLDS);
-        } else if let Some(map) = analysis.settings_mut::<StabilityMap<OscillatorKey>>() {
+        } else if let Some(map) = analysis.settings_mut::<StabilityMapAnalysis<OscillatorKey>>() {
             map.x.points = map.x.points.min(MAP);
             map.y.points = map.y.points.min(MAP);
-        } else if let Some(Motion(diagram)) = analysis.settings_mut() {
+        } else if let Some(MotionAnalysis(diagram)) = analysis.settings_mut() {
             thin_out_diagram(diagram);
-        } else if let Some(Motion(history)) = analysis.settings_mut() {
+        } else if let Some(MotionAnalysis(history)) = analysis.settings_mut() {
             thin_out_history(history);
-        } else if let Some(Motion(LimitCycle { duration, .. })) = analysis.settings_mut() {
+        } else if let Some(MotionAnalysis(LimitCycle { duration, .. })) = analysis.settings_mut() {
             duration.number = duration.number.min(CYCLE);
         } else if let Some(settings) = analysis.settings_mut() {
             thin_out_engines(settings);
@@ -198,7 +198,7 @@ fn thin_out_diagram(Bifurcation { sweep, diagram }: &mut Bifurcation<OscillatorK
 }
 
 /// A shorter motion, as dense as before.
-fn thin_out_history(history: &mut History) {
+fn thin_out_history(history: &mut HistoryAnalysis) {
     const LONGEST: f64 = 1000.0;
     let longer = history.duration.number;
     shorten(&mut history.duration, &mut history.transient, LONGEST);
@@ -237,7 +237,7 @@ mod tests {
             assert_eq!(held.resolved(), full, "what others hold of it stays");
             let Some(case) = case.of::<ContactCase>() else { panic!("{name}") };
             let law = law_of(&case.analyses[0]).unwrap();
-            assert_eq!((&case.shape, law.method), (&Shape::Paraboloid, LawMethod::Collapse));
+            assert_eq!((&case.shape, law.method), (&ShapeSettings::Paraboloid, LawMethod::Collapse));
             assert!(law.velocity.points * law.indentation.points < 200);
         }
     }

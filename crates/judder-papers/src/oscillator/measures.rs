@@ -1,7 +1,7 @@
 //! What the claims are measured with.
 
 use judder_contact::ContactLaw;
-use judder_contact::ContactPoint;
+use judder_contact::LawPoint;
 use judder_oscillator::critical::{ParameterRange, RangeScale, Thresholds, thresholds};
 use judder_oscillator::equilibrium::{Equilibrium, equilibrium};
 use judder_oscillator::linearisation::Linearisation;
@@ -63,7 +63,7 @@ pub(super) fn loads(contact: &Contact, velocity: f64, shear_strength: f64) -> Th
 
 /// A panel of Figs. 9 and 10.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Panel {
+pub(super) enum PaperPanel {
     /// F̃_n = 1e-6.
     NineA,
     /// F̃_n = 1e-3.
@@ -74,7 +74,7 @@ pub(super) enum Panel {
     TenB,
 }
 
-impl Panel {
+impl PaperPanel {
     /// The plane of a panel on a grid of `side` × `side` points, with the coupling η.
     pub(super) fn plane(self, side: usize, coupling: f64) -> CoefficientPlane {
         let velocities = log_grid(1e-8, 1e2, side);
@@ -105,5 +105,5 @@ pub(super) fn response(
     velocity: f64,
     indentation: f64,
 ) -> judder_contact::ContactResponse {
-    contact.law.evaluate(&ContactPoint::new(velocity, indentation))
+    contact.law.evaluate(&LawPoint::new(velocity, indentation))
 }

@@ -11,7 +11,7 @@ pub(super) const LOAD: f64 = 7.5e-4;
 pub(super) const STRENGTHS: [f64; 2] = [1e-4, 5e-2];
 
 /// One way to read section 5: a speed and a friction load, with the printed law.
-pub(super) struct Way {
+pub(super) struct ReadingWay {
     /// Ending of names.
     pub(super) slug: &'static str,
     /// v̂_d.
@@ -27,8 +27,8 @@ pub(super) struct Way {
 }
 
 /// The captions' ṽ_d = 5e-3, which is v̂_d = ṽ_d τ̃/R̃ = 4e-4, with either load; then the text's v̂_d = 5e-3.
-pub(super) const WAYS: [Way; 4] = [
-    Way {
+pub(super) const WAYS: [ReadingWay; 4] = [
+    ReadingWay {
         slug: "captions-normal-load",
         velocity: 4e-4,
         overrides: ["operation.velocity=4e-4", "contact.friction_load=normal-load"],
@@ -36,7 +36,7 @@ pub(super) const WAYS: [Way; 4] = [
         label: "$ṽ_{d}$ = 5 × 10^{−3}, $F_{n} μ_{visc}$",
         plain: "ṽ_d = 5e-3, F_n μ",
     },
-    Way {
+    ReadingWay {
         slug: "captions-contact-force",
         velocity: 4e-4,
         overrides: ["operation.velocity=4e-4", "contact.friction_load=contact-force"],
@@ -44,7 +44,7 @@ pub(super) const WAYS: [Way; 4] = [
         label: "$ṽ_{d}$ = 5 × 10^{−3}, $F_{k} μ_{visc}$",
         plain: "ṽ_d = 5e-3, F_k μ",
     },
-    Way {
+    ReadingWay {
         slug: "text-normal-load",
         velocity: 5e-3,
         overrides: ["operation.velocity=5e-3", "contact.friction_load=normal-load"],
@@ -52,7 +52,7 @@ pub(super) const WAYS: [Way; 4] = [
         label: "$v̂_{d}$ = 5 × 10^{−3}, $F_{n} μ_{visc}$",
         plain: "v̂_d = 5e-3, F_n μ",
     },
-    Way {
+    ReadingWay {
         slug: "text-contact-force",
         velocity: 5e-3,
         overrides: ["operation.velocity=5e-3", "contact.friction_load=contact-force"],
@@ -64,7 +64,7 @@ pub(super) const WAYS: [Way; 4] = [
 /// The ways with the captions' speed stand first.
 pub(super) const OF_CAPTIONS: usize = 2;
 
-impl Way {
+impl ReadingWay {
     /// The contact of this way.
     pub(super) fn contact(&self) -> Contact {
         Contact { law: Law::Fitted(FittedLaw::oscillator_paper()), friction_load: self.friction_load }
@@ -73,7 +73,7 @@ impl Way {
 
 /// What is computed with a way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum ComputedPart {
     /// Fig. 11.
     Diagram,
     /// Fig. 12 at τ̃0 = 1e-4.
@@ -84,7 +84,7 @@ pub(super) enum Part {
     Cycle,
 }
 
-impl Part {
+impl ComputedPart {
     const ALL: [Self; 4] = [Self::Diagram, Self::Weak, Self::Strong, Self::Cycle];
 
     /// Beginning of names; case, its analysis, and what is set on top of it.
@@ -98,7 +98,7 @@ impl Part {
     }
 
     /// The name of what is kept of it.
-    pub(super) fn name(self, way: &Way) -> String {
+    pub(super) fn name(self, way: &ReadingWay) -> String {
         format!("{}-{}", self.source().0, way.slug)
     }
 }
@@ -124,8 +124,8 @@ pub(super) fn runs() -> Vec<MotionRun> {
     let mut runs = Vec::new();
     for (case_name, case) in MOTION_CASES {
         for (index, way) in WAYS.iter().enumerate() {
-            for part in Part::ALL.into_iter().filter(|part| part.source().1 == case_name) {
-                if part == Part::Cycle && index >= OF_CAPTIONS {
+            for part in ComputedPart::ALL.into_iter().filter(|part| part.source().1 == case_name) {
+                if part == ComputedPart::Cycle && index >= OF_CAPTIONS {
                     continue;
                 }
                 let (_, _, analysis, on_top) = part.source();

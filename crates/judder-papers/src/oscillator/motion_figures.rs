@@ -1,6 +1,6 @@
 //! Figs. 11 and 12 with every way to read section 5, and the engines against each other, from what is stored.
 
-use super::motion_exhibits::{ENGINES, LOAD, OF_CAPTIONS, Part, WAYS, Way};
+use super::motion_exhibits::{ComputedPart, ENGINES, LOAD, OF_CAPTIONS, ReadingWay, WAYS};
 use crate::claim::ClaimLine;
 use crate::summary::is_done;
 use judder_models::motion::pictures::ending;
@@ -63,21 +63,21 @@ pub(super) fn sections(store: &StudyFolder, summary: &Summary) -> Result<Vec<Pag
 fn stored(
     store: &StudyFolder,
     summary: &Summary,
-    part: Part,
-    way: &Way,
+    part: ComputedPart,
+    way: &ReadingWay,
 ) -> Result<Option<Dataset>, StudyError> {
     let name = part.name(way);
     if is_done(summary, &name) { Ok(Some(store.read_dataset(&name)?)) } else { Ok(None) }
 }
 
 /// One curve of Fig. 11 with its colour.
-struct Diagram {
-    way: &'static Way,
+struct DiagramCurve {
+    way: &'static ReadingWay,
     role: Role,
     dataset: Dataset,
 }
 
-impl Diagram {
+impl DiagramCurve {
     /// A quantity along τ̃0, upwards (0) or downwards (1).
     fn along(&self, name: &str, direction: usize) -> Option<(Vec<f64>, Vec<f64>)> {
         let variable = self.dataset.variable(name)?;
@@ -98,8 +98,8 @@ impl Diagram {
 fn figure_11(store: &StudyFolder, summary: &Summary) -> Result<Option<Figure>, StudyError> {
     let mut diagrams = Vec::new();
     for (k, way) in WAYS.iter().enumerate() {
-        if let Some(dataset) = stored(store, summary, Part::Diagram, way)? {
-            diagrams.push(Diagram { way, role: Role::Series(k), dataset });
+        if let Some(dataset) = stored(store, summary, ComputedPart::Diagram, way)? {
+            diagrams.push(DiagramCurve { way, role: Role::Series(k), dataset });
         }
     }
     let Some(first) = diagrams.first() else { return Ok(None) };
@@ -130,14 +130,14 @@ fn figure_11(store: &StudyFolder, summary: &Summary) -> Result<Option<Figure>, S
 fn figure_12(
     store: &StudyFolder,
     summary: &Summary,
-    ways: &[Way],
+    ways: &[ReadingWay],
     name: &str,
     title: &str,
 ) -> Result<Option<Figure>, StudyError> {
     let mut columns = Vec::new();
     for way in ways {
-        let strong = stored(store, summary, Part::Strong, way)?;
-        let weak = stored(store, summary, Part::Weak, way)?;
+        let strong = stored(store, summary, ComputedPart::Strong, way)?;
+        let weak = stored(store, summary, ComputedPart::Weak, way)?;
         if let Some(panels) = strong.zip(weak).and_then(|(strong, weak)| both(&strong, &weak, way)) {
             columns.push(panels);
         }
@@ -155,7 +155,7 @@ fn figure_12(
 }
 
 /// The panels of one way: the strong motion, and over its histories the weak one.
-fn both(strong: &Dataset, weak: &Dataset, way: &Way) -> Option<Vec<Panel>> {
+fn both(strong: &Dataset, weak: &Dataset, way: &ReadingWay) -> Option<Vec<Panel>> {
     let mut panels = ending(strong, SHOWN)?;
     for (panel, quantity) in panels.iter_mut().zip(["x", "relative_velocity", "contact_area"]) {
         let (from, to) = panel.x.range?;

@@ -5,7 +5,7 @@ use super::claims::{CLAIMS, contact};
 use super::evidence::Evidence;
 use super::motion_exhibits::{OF_CAPTIONS, WAYS};
 use super::readings::READINGS;
-use crate::claim::{Claim, ClaimLine, Kind, Measured};
+use crate::claim::{ClaimKind, ClaimLine, Measured, MeasuredClaim};
 use judder_study::Progress;
 use judder_study::StudyError;
 use rayon::prelude::*;
@@ -43,7 +43,7 @@ const OTHER_SPEEDS: [(usize, &str); 1] = [(OF_CAPTIONS, "the text's $v̂_{d}$ = 
 /// The claims about motions, judged with the captions' speed.
 pub(super) fn of_motions(motions: &[Option<Motions>]) -> Vec<ClaimLine> {
     let columns: Vec<String> = WAYS.iter().map(|way| way.plain.to_owned()).collect();
-    let of = |claim: &Claim<Motions>| {
+    let of = |claim: &MeasuredClaim<Motions>| {
         let measure = |found: &Option<Motions>| found.as_ref().map_or_else(missing, claim.measure);
         let measured = motions.iter().map(measure).collect();
         ClaimLine { columns: columns.clone(), ..line(claim, measured, &OTHER_SPEEDS) }
@@ -52,22 +52,22 @@ pub(super) fn of_motions(motions: &[Option<Motions>]) -> Vec<ClaimLine> {
 }
 
 /// A claim with what becomes of it: judged by the first two numbers, one for either friction load; `others` name further pairs.
-fn line<T>(claim: &Claim<T>, measured: Vec<Measured>, others: &[(usize, &'static str)]) -> ClaimLine {
+fn line<T>(claim: &MeasuredClaim<T>, measured: Vec<Measured>, others: &[(usize, &'static str)]) -> ClaimLine {
     let holds: Vec<bool> = measured.iter().map(|m| m.holds).collect();
     let (verdict, with) = match (claim.kind, holds[0], holds[1]) {
-        (Kind::Misprint, true, true) => ("misprint", ""),
-        (Kind::Misprint, _, _) | (Kind::Statement, false, false) => ("open", ""),
-        (Kind::Statement, true, true) => ("agrees", ""),
-        (Kind::Statement, true, false) => ("agrees", "Only with $F_{n} μ_{visc}$. "),
-        (Kind::Statement, false, true) => ("agrees", "Only with $F_{k} μ_{visc}$. "),
+        (ClaimKind::Misprint, true, true) => ("misprint", ""),
+        (ClaimKind::Misprint, _, _) | (ClaimKind::Statement, false, false) => ("open", ""),
+        (ClaimKind::Statement, true, true) => ("agrees", ""),
+        (ClaimKind::Statement, true, false) => ("agrees", "Only with $F_{n} μ_{visc}$. "),
+        (ClaimKind::Statement, false, true) => ("agrees", "Only with $F_{k} μ_{visc}$. "),
     };
     let named = |wanted: bool| -> Vec<&str> {
         let with = |first: usize| holds[first] || holds[first + 1];
         others.iter().filter(|(first, _)| with(*first) == wanted).map(|(_, name)| *name).collect()
     };
     let beside = match (claim.kind, verdict) {
-        (Kind::Statement, "agrees") => added(" Not so with ", &named(false), " or "),
-        (Kind::Statement, "open") => added(" It holds with ", &named(true), " and "),
+        (ClaimKind::Statement, "agrees") => added(" Not so with ", &named(false), " or "),
+        (ClaimKind::Statement, "open") => added(" It holds with ", &named(true), " and "),
         _ => String::new(),
     };
     ClaimLine {

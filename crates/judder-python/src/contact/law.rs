@@ -7,7 +7,7 @@ use crate::watched::{Manner, watched};
 use judder_contact::law::file::{from_json, to_json};
 use judder_contact::law::sampled::{SampleRequest, sampled};
 use judder_contact::law::{KnotValues, LawSamples, PerQuantity, SampledLaw};
-use judder_contact::{ContactLaw, ContactPoint, ContactResponse, Law, LawError};
+use judder_contact::{ContactLaw, ContactResponse, Law, LawError, LawPoint};
 use judder_models::bridge;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::law_name::LawName;
@@ -242,7 +242,7 @@ impl PyLaw {
         }
         let responses: Vec<ContactResponse> = py.detach(|| {
             let points = velocities.iter().zip(&indentations);
-            points.map(|(v, y)| self.law.evaluate(&ContactPoint::new(*v, *y))).collect()
+            points.map(|(v, y)| self.law.evaluate(&LawPoint::new(*v, *y))).collect()
         });
         let result = PyDict::new(py);
         let put = |name: &str, of: &dyn Fn(&ContactResponse) -> f64| -> PyResult<()> {

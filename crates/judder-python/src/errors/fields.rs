@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// An error with named fields.
-pub(super) trait Fields {
+pub(super) trait ErrorFields {
     /// Puts them into a dictionary.
     fn put(&self, fields: &Bound<'_, PyDict>) -> PyResult<()>;
 }
@@ -19,7 +19,7 @@ pub(super) trait Fields {
 /// The fields of each variant by their names; those of other variants are left to their message.
 macro_rules! fields {
     ($error:ident { $($variant:ident { $($field:ident),* }),* $(,)? }) => {
-        impl Fields for $error {
+        impl ErrorFields for $error {
             fn put(&self, fields: &Bound<'_, PyDict>) -> PyResult<()> {
                 match self {
                     $($error::$variant { $($field,)* .. } => {

@@ -17,7 +17,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyString};
 
 /// An oscillator as keyword arguments describe it.
-pub(crate) struct Asked {
+pub(crate) struct AskedOscillator {
     /// The case: values of all keys, law, friction load.
     pub(crate) case: OscillatorCase,
     /// The law where it was given as one.
@@ -43,7 +43,7 @@ fn value(key: OscillatorKey, given: &Bound<'_, PyAny>) -> PyResult<judder_keys::
     }
 }
 
-impl Asked {
+impl AskedOscillator {
     /// The oscillator paper's values, law and friction load, where nothing else is given.
     pub(crate) fn new(law: Option<&Bound<'_, PyAny>>, friction_load: Option<&str>) -> PyResult<Self> {
         let mut asked = Self { case: OscillatorCase::default(), law: None };

@@ -1,6 +1,6 @@
 //! A plane of operating points.
 
-use super::keys::{Asked, key};
+use super::keys::{AskedOscillator, key};
 use crate::arrays;
 use crate::choice::named;
 use crate::errors;
@@ -22,9 +22,9 @@ use std::time::Instant;
 const STRETCH: usize = 1 << 22;
 
 /// A key, its values, and their unit where they have one.
-type Side<'py> = (String, Bound<'py, PyAny>, Option<String>);
+type MapSide<'py> = (String, Bound<'py, PyAny>, Option<String>);
 
-fn axis(argument: &str, side: &Side<'_>) -> PyResult<KeyAxis> {
+fn axis(argument: &str, side: &MapSide<'_>) -> PyResult<KeyAxis> {
     let (name, values, unit) = side;
     let key = key(name)?;
     let values = arrays::vector(argument, values)?;
@@ -62,8 +62,8 @@ fn in_si(key: OscillatorKey, argument: &str, unit: &str, values: &[f64]) -> PyRe
 #[allow(clippy::too_many_arguments, reason = "the arguments of `judder.oscillator.stability_map`")]
 pub(crate) fn oscillator_map<'py>(
     py: Python<'py>,
-    x: Side<'py>,
-    y: Side<'py>,
+    x: MapSide<'py>,
+    y: MapSide<'py>,
     method: &str,
     growth_rate: bool,
     law: Option<&Bound<'py, PyAny>>,
@@ -77,7 +77,7 @@ pub(crate) fn oscillator_map<'py>(
         method,
         &[("every-point", DecisionMethod::EveryPoint), ("adaptive", DecisionMethod::Adaptive)],
     )?;
-    let mut asked = Asked::new(law, friction_load)?;
+    let mut asked = AskedOscillator::new(law, friction_load)?;
     asked.set(keys.iter())?;
     let (x, y) = (axis("x", &x)?, axis("y", &y)?);
     if x.key == y.key {

@@ -1,6 +1,6 @@
 //! One operating point.
 
-use super::keys::Asked;
+use super::keys::AskedOscillator;
 use crate::contact::PyLaw;
 use crate::errors;
 use crate::watched::Manner;
@@ -10,7 +10,7 @@ use judder_models::bridge;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::inputs::TimeForm;
 use judder_models::oscillator::keys::OscillatorKey;
-use judder_models::point::{Point, SteadyPoint, point_with};
+use judder_models::point::{AnalysedPoint, SteadyPoint, point_with};
 use judder_oscillator::mechanism::Mechanism;
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
@@ -28,11 +28,11 @@ pub(crate) struct OscillatorPoint {
     law: Option<Py<PyLaw>>,
     steady: SteadyPoint,
     /// Thresholds, shares and warnings: what takes longer than the rest, when first asked for.
-    whole: OnceLock<Point>,
+    whole: OnceLock<AnalysedPoint>,
 }
 
 /// What [`rebuilt_point`] takes.
-type State = (Vec<(f64, bool)>, bool, Py<PyAny>, &'static str);
+type PickledPoint = (Vec<(f64, bool)>, bool, Py<PyAny>, &'static str);
 
 /// Analyses one operating point of the oscillator of the oscillator paper.
 ///
@@ -65,12 +65,12 @@ pub(crate) fn point(
     friction_load: Option<&str>,
     keys: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<OscillatorPoint> {
-    let mut asked = Asked::new(law, friction_load)?;
+    let mut asked = AskedOscillator::new(law, friction_load)?;
     asked.set(keys.into_iter().flatten())?;
     solved(py, asked)
 }
 
-fn solved(py: Python<'_>, asked: Asked) -> PyResult<OscillatorPoint> {
+fn solved(py: Python<'_>, asked: AskedOscillator) -> PyResult<OscillatorPoint> {
     let contact = match asked.contact_at_hand() {
         Some(contact) => contact,
         None => asked.contact(py, &Manner::default())?.contact,
@@ -89,7 +89,7 @@ pub(crate) fn rebuilt_point(
     law: &Bound<'_, PyAny>,
     friction_load: &str,
 ) -> PyResult<OscillatorPoint> {
-    let mut asked = Asked::new(Some(law), Some(friction_load))?;
+    let mut asked = AskedOscillator::new(Some(law), Some(friction_load))?;
     let time = if is_relaxation { OscillatorKey::RetardationTime } else { OscillatorKey::RelaxationTime };
     for (entry, (number, is_si)) in
         OscillatorKey::ALL.iter().zip(values).filter(|(entry, _)| entry.key != time)
@@ -104,7 +104,7 @@ pub(crate) fn rebuilt_point(
 /// The growth rate of a point solved `times` over: the work of `point` without the call, for benchmarks.
 #[pyfunction]
 pub(crate) fn repeated_points(py: Python<'_>, times: usize) -> PyResult<f64> {
-    let asked = Asked::new(None, None)?;
+    let asked = AskedOscillator::new(None, None)?;
     let contact = asked.contact_at_hand().ok_or_else(errors::fault)?;
     let mut sum = 0.0;
     py.detach(|| {
@@ -125,12 +125,12 @@ fn square<T: numpy::Element + Copy>(
 }
 
 impl OscillatorPoint {
-    fn whole(&self, py: Python<'_>) -> PyResult<&Point> {
+    fn whole(&self, py: Python<'_>) -> PyResult<&AnalysedPoint> {
         if let Some(whole) = self.whole.get() {
             return Ok(whole);
         }
         let law = self.law.as_ref().map(|law| law.clone_ref(py));
-        let asked = Asked { case: self.case.clone(), law };
+        let asked = AskedOscillator { case: self.case.clone(), law };
         let contact = asked.contact(py, &Manner::default())?;
         let whole = py.detach(|| point_with(&self.case, &contact)).map_err(|error| errors::model(&error))?;
         Ok(self.whole.get_or_init(|| whole))
@@ -284,7 +284,7 @@ impl OscillatorPoint {
             && self.case.friction_load == other.case.friction_load
     }
 
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, State)> {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, PickledPoint)> {
         let rebuild = py.import("judder._judder")?.getattr("rebuilt_point")?;
         let values = OscillatorKey::ALL.iter().map(|entry| self.case.inputs.get(entry.key));
         let values = values.map(|value| (value.number, value.form == Form::Si)).collect();

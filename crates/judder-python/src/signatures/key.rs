@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 const COLUMNS: usize = 140;
 
 /// A key and what is said of it.
-pub(crate) struct Key {
+pub(crate) struct SignatureKey {
     /// Its name in a case file.
     pub(crate) name: String,
     /// Whether it must be given, whatever else is.
@@ -15,32 +15,32 @@ pub(crate) struct Key {
     /// Its schema.
     pub(crate) schema: Json,
     /// What is said of it.
-    pub(crate) told: Told,
+    pub(crate) told: KeyDocumentation,
 }
 
 /// What docstrings say of a key.
-pub(crate) struct Told {
+pub(crate) struct KeyDocumentation {
     name: String,
     /// In one line.
     pub(crate) words: String,
-    keys: Vec<Told>,
+    keys: Vec<KeyDocumentation>,
 }
 
-impl Key {
+impl SignatureKey {
     /// A key as it is declared.
     pub(crate) fn declared(declaration: &Declaration) -> Self {
         Self {
             name: declaration.name.to_owned(),
             is_required: declaration.must_stand(),
             schema: declaration.schema(),
-            told: Told::declared(&declaration.document()),
+            told: KeyDocumentation::declared(&declaration.document()),
         }
     }
 
     /// A key of a table of which only the schema is known.
     pub(crate) fn of_schema(name: &str, schema: &Json, table: &Json, definitions: &Json) -> Self {
         let schema = resolved(schema, definitions).clone();
-        let told = Told::of_schema(name, &schema, definitions);
+        let told = KeyDocumentation::of_schema(name, &schema, definitions);
         Self { name: name.to_owned(), is_required: is_required(name, table), schema, told }
     }
 
@@ -72,7 +72,7 @@ fn resolved<'a>(schema: &'a Json, definitions: &'a Json) -> &'a Json {
     }
 }
 
-impl Told {
+impl KeyDocumentation {
     fn declared(document: &Json) -> Self {
         let text = |key: &str| document[key].as_str().unwrap_or_default();
         let doc = match (text("symbol"), text("doc")) {

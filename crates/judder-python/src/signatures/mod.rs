@@ -6,7 +6,7 @@ pub(crate) mod key;
 
 use judder_models::{kinds_of, schema};
 use judder_study::case::analysis::KindEntry;
-use key::{Key, capitalised, wrapped};
+use key::{SignatureKey, capitalised, wrapped};
 use serde_json::{Value as Json, json};
 
 /// A class, or a method.
@@ -18,13 +18,13 @@ pub(crate) struct Callable {
     /// Its docs: what it is, in a sentence, then what it takes.
     pub(crate) doc: String,
     /// What it takes besides what all take.
-    pub(crate) parameters: Vec<Parameter>,
+    pub(crate) parameters: Vec<KeywordArgument>,
     /// The methods of a class.
     pub(crate) methods: Vec<Callable>,
 }
 
 /// A key as a keyword argument.
-pub(crate) struct Parameter {
+pub(crate) struct KeywordArgument {
     /// Its name in Python.
     pub(crate) name: String,
     /// Its name in a case file.
@@ -50,8 +50,8 @@ const CASE: &str = "        case: what the case begins with: a path, the text of
 fn class(case: &Json, definitions: &Json) -> Callable {
     let model = case["properties"]["model"]["const"].as_str().unwrap_or_default();
     let properties = case["properties"].as_object().into_iter().flatten().filter(|(key, _)| *key != "model");
-    let sections: Vec<Key> =
-        properties.map(|(key, schema)| Key::of_schema(key, schema, case, definitions)).collect();
+    let sections: Vec<SignatureKey> =
+        properties.map(|(key, schema)| SignatureKey::of_schema(key, schema, case, definitions)).collect();
     let told: String = sections.iter().map(|section| section.entry(8)).collect();
     let summary = format!("{}.", capitalised(case["description"].as_str().unwrap_or_default()));
     Callable {
@@ -65,7 +65,7 @@ fn class(case: &Json, definitions: &Json) -> Callable {
 }
 
 fn method(kind: &KindEntry, definitions: &Json) -> Callable {
-    let keys: Vec<Key> = (kind.declared)().iter().map(Key::declared).collect();
+    let keys: Vec<SignatureKey> = (kind.declared)().iter().map(SignatureKey::declared).collect();
     let told: String = keys.iter().map(|key| key.entry(12)).collect();
     let summary = format!("{}.", capitalised(kind.doc));
     let head = wrapped(&summary, 8, 8);
@@ -80,9 +80,9 @@ fn method(kind: &KindEntry, definitions: &Json) -> Callable {
     }
 }
 
-fn parameter(key: &Key, is_required: bool, definitions: &Json) -> Parameter {
+fn parameter(key: &SignatureKey, is_required: bool, definitions: &Json) -> KeywordArgument {
     let annotation = annotation::of(&key.schema, definitions);
-    Parameter {
+    KeywordArgument {
         name: key.parameter(),
         key: key.name.clone(),
         annotation: if is_required { annotation } else { format!("{annotation} | None") },
@@ -93,7 +93,7 @@ fn parameter(key: &Key, is_required: bool, definitions: &Json) -> Parameter {
 impl Callable {
     /// As a document.
     pub(crate) fn document(&self) -> Json {
-        let parameter = |own: &Parameter| json!([own.name, own.key, own.annotation, own.is_required]);
+        let parameter = |own: &KeywordArgument| json!([own.name, own.key, own.annotation, own.is_required]);
         json!({
             "name": self.name, "of": self.of, "doc": self.doc,
             "parameters": self.parameters.iter().map(parameter).collect::<Vec<_>>(),

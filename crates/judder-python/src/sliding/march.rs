@@ -62,7 +62,7 @@ impl GivenMotion {
 
 /// What is kept of a march.
 #[derive(Default)]
-struct Kept {
+struct KeptMarch {
     /// time, position, normal and tangential force, sliding velocity, gap, friction.
     columns: [Vec<f64>; 7],
     states: Vec<u8>,
@@ -70,7 +70,7 @@ struct Kept {
     seen: u64,
 }
 
-impl Kept {
+impl KeptMarch {
     fn take(&mut self, sample: &MarchSample, accelerations: &[f64], every: u64) {
         self.seen += 1;
         if !(self.seen - 1).is_multiple_of(every) {
@@ -163,11 +163,11 @@ fn marched(
     mut march: March<'_>,
     every: u64,
     progress: &dyn Progress,
-) -> Result<(Kept, Reached), SlidingError> {
+) -> Result<(KeptMarch, Reached), SlidingError> {
     let all = march.all_steps();
     let stretch = (all / TOLD).clamp(1, STRETCH);
     progress.begin("march", usize::try_from(all.div_ceil(stretch)).unwrap_or(usize::MAX));
-    let mut kept = Kept::default();
+    let mut kept = KeptMarch::default();
     loop {
         if progress.interrupted() {
             return Err(SlidingError::Interrupted);
@@ -183,7 +183,7 @@ fn marched(
     }
 }
 
-fn told(py: Python<'_>, kept: Kept, reached: Reached, step: f64) -> PyResult<Bound<'_, PyDict>> {
+fn told(py: Python<'_>, kept: KeptMarch, reached: Reached, step: f64) -> PyResult<Bound<'_, PyDict>> {
     let result = PyDict::new(py);
     let count = kept.states.len();
     let names =

@@ -1,16 +1,16 @@
 //! A slider on its track.
 
 use crate::arrays;
-use crate::cases::Source;
+use crate::cases::CaseSource;
 use crate::choice::named;
 use crate::errors;
 use crate::watched::{Manner, watched};
 use judder_models::coupled_pair::{CoupledPair, coupled_pair};
 use judder_sliding::body::{Body, ModalPoint};
 use judder_sliding::edge::Interpolation;
-use judder_sliding::friction::Friction;
+use judder_sliding::friction::SlidingFriction;
 use judder_sliding::motion::Motion;
-use judder_sliding::pair::{Observed, Pair, PairSide, Slider, Track};
+use judder_sliding::pair::{Observed, Pair, PairSide, Slider, TrackBody};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
@@ -46,10 +46,10 @@ enum GivenFriction<'py> {
 }
 
 impl GivenFriction<'_> {
-    fn friction(&self) -> PyResult<Friction> {
+    fn friction(&self) -> PyResult<SlidingFriction> {
         let friction = match self {
-            Self::Constant(coefficient) => Friction::constant(*coefficient),
-            Self::Table(speeds, coefficients) => Friction::table(
+            Self::Constant(coefficient) => SlidingFriction::constant(*coefficient),
+            Self::Table(speeds, coefficients) => SlidingFriction::table(
                 arrays::vector("friction", speeds)?,
                 arrays::vector("friction", coefficients)?,
             ),
@@ -107,7 +107,7 @@ fn slider(object: &Bound<'_, PyAny>) -> PyResult<Slider> {
     Ok(Slider { body, contact, load, inertia })
 }
 
-fn track(object: &Bound<'_, PyAny>) -> PyResult<Track> {
+fn track(object: &Bound<'_, PyAny>) -> PyResult<TrackBody> {
     let body = body("track", object)?;
     let (places, shape) = shaped("track.nodes", &object.getattr("nodes")?, &[None, Some(2)])?;
     let expected = [Some(shape[0]), Some(2), Some(body.modes())];
@@ -115,7 +115,7 @@ fn track(object: &Bound<'_, PyAny>) -> PyResult<Track> {
     let nodes = places.chunks_exact(2).zip(own.chunks_exact(2 * body.modes()));
     let nodes =
         nodes.map(|(place, own)| ModalPoint { place: [place[0], place[1]], rows: rows(own) }).collect();
-    Ok(Track { body, nodes })
+    Ok(TrackBody { body, nodes })
 }
 
 fn observed(object: &Bound<'_, PyAny>) -> PyResult<Observed> {
@@ -147,7 +147,7 @@ impl PyPair {
 
     /// The pair of a sliding case; see :func:`judder.sliding.load_pair`.
     #[staticmethod]
-    fn from_source(py: Python<'_>, case: Source, overrides: Vec<String>) -> PyResult<Self> {
+    fn from_source(py: Python<'_>, case: CaseSource, overrides: Vec<String>) -> PyResult<Self> {
         let file = case.read(&overrides)?;
         let done = watched(py, &Manner::default(), |_| coupled_pair(&file))?;
         let CoupledPair { pair, motion, warnings } = done.settled(|error| errors::model(&error))?;

@@ -3,7 +3,7 @@
 use super::PySweep;
 use crate::errors;
 use crate::pool;
-use crate::watched::{Manner, Watch, Watched, is_ctrl_c, watched};
+use crate::watched::{Manner, Watched, WorkWatch, is_ctrl_c, watched};
 use judder_study::StudyError;
 use judder_study::run::{RunOptions, SweepWork, run};
 use judder_study::sweep::Evaluator;
@@ -23,7 +23,7 @@ impl PySweep {
         &self,
         py: Python<'_>,
         stop: Option<Py<PyAny>>,
-        work: impl FnOnce(&Watch) -> Result<T, StudyError> + Send,
+        work: impl FnOnce(&WorkWatch) -> Result<T, StudyError> + Send,
     ) -> PyResult<T> {
         let pool = self.pool.clone().map_or_else(|| pool::of(0).map(Arc::new), Ok);
         let manner = Manner { pool: Some(pool.map_err(errors::system)?), stop, ..Manner::default() };

@@ -1,7 +1,7 @@
 //! `judder._keys`: what functions on arrays take that are keys of a case.
 
 use crate::signatures::annotation;
-use crate::signatures::key::{Key, capitalised, wrapped};
+use crate::signatures::key::{SignatureKey, capitalised, wrapped};
 use judder_keys::keys::Keys;
 use judder_keys::memory::Memory;
 use judder_models::oscillator::keys::OscillatorKey;
@@ -45,7 +45,7 @@ pub(super) fn module() -> String {
     let numbers = SECTIONS.iter().flat_map(of_section);
     let fields: String = numbers
         .map(|(name, schema)| {
-            let key = Key::of_schema(name, schema, &Json::Null, definitions);
+            let key = SignatureKey::of_schema(name, schema, &Json::Null, definitions);
             let doc = format!("\"\"\"{}.\"\"\"", key.told.words);
             format!("    {name}: {}\n{}", annotation::of(&key.schema, definitions), wrapped(&doc, 4, 4))
         })

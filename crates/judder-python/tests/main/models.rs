@@ -1,6 +1,6 @@
 //! `judder.models`, as type checkers and editors see it.
 
-use crate::signatures::{Callable, Parameter, classes};
+use crate::signatures::{Callable, KeywordArgument, classes};
 
 const HEAD: &str = r#""""The models, a class each, and in it a method for every kind of analysis; `help` tells every key.
 
@@ -54,7 +54,7 @@ fn summary(own: &Callable) -> String {
 }
 
 /// One that may be left out is `None` then.
-fn parameter(own: &Parameter) -> String {
+fn parameter(own: &KeywordArgument) -> String {
     let absent = if own.is_required { "" } else { " = None" };
     format!("        {}: {}{absent},\n", own.name, own.annotation)
 }

@@ -4,7 +4,7 @@ use super::March;
 use super::view::MarchView;
 use crate::SlidingError;
 use crate::edge::{EdgePoint, STENCIL};
-use crate::plane::Vector;
+use crate::plane::PlaneVector;
 use serde::{Deserialize, Serialize};
 
 /// Where a march is, to the bit: what it goes on from after an interruption.
@@ -15,11 +15,11 @@ pub struct Checkpoint {
     segment: usize,
     slider: [Vec<f64>; 3],
     track: [Vec<f64>; 3],
-    contact: Vector,
-    nodes: [Vector; STENCIL],
+    contact: PlaneVector,
+    nodes: [PlaneVector; STENCIL],
     observed: Vec<[f64; 2]>,
     velocity: f64,
-    forces: [Vector; 2],
+    forces: [PlaneVector; 2],
     tuned: f64,
 }
 

@@ -2,23 +2,23 @@
 
 use crate::edge::{STENCIL, Touch};
 use crate::pair::{Pair, PairSide};
-use crate::plane::{Vector, dot};
+use crate::plane::{PlaneVector, dot};
 
 /// A matrix of the plane by rows.
-pub(super) type PlaneMatrix = [Vector; 2];
+pub(super) type PlaneMatrix = [PlaneVector; 2];
 
 /// Neighbours of a node that a stencil can pair it with.
 const NEIGHBOURS: usize = STENCIL;
 
 /// Displacements by unit forces, m/N: Σ g φ φᵀ over the modes, where g is what a unit modal force does to its mode at once.
 #[derive(Debug, Clone)]
-pub(super) struct Compliance {
+pub(super) struct ModalCompliance {
     /// Of C by a force at C.
     contact: PlaneMatrix,
     /// Of node k by a force at node k + j.
     nodes: Vec<[PlaneMatrix; NEIGHBOURS]>,
     /// Of each observed displacement by a force at C, or at each node.
-    observed: Vec<Vec<Vector>>,
+    observed: Vec<Vec<PlaneVector>>,
 }
 
 /// The blocks of one stencil.
@@ -28,7 +28,7 @@ pub(super) struct StencilCompliance {
     blocks: [[PlaneMatrix; STENCIL]; STENCIL],
 }
 
-impl Compliance {
+impl ModalCompliance {
     /// With the factors g of all modes, those of the slider first.
     pub(super) fn new(pair: &Pair, factors: &[f64]) -> Self {
         let (of_slider, of_track) = factors.split_at(pair.slider().body.modes());
@@ -70,7 +70,7 @@ impl Compliance {
 
     /// Displacement of C by a force at C.
     #[inline]
-    pub(super) fn of_contact(&self, force: Vector) -> Vector {
+    pub(super) fn of_contact(&self, force: PlaneVector) -> PlaneVector {
         times(&self.contact, force)
     }
 
@@ -82,9 +82,9 @@ impl Compliance {
         first: usize,
         count: usize,
         touch: &Touch,
-        force: Vector,
+        force: PlaneVector,
     ) -> f64 {
-        let along = |row: &Vector| row[0] * force[0] + row[1] * force[1];
+        let along = |row: &PlaneVector| row[0] * force[0] + row[1] * force[1];
         match &self.observed[number][..] {
             [own] => along(own),
             nodes => -nodes[first..first + count]
@@ -97,7 +97,7 @@ impl Compliance {
 
     /// What an observed displacement of the slider gains by a force on C alone; nothing where it is one of the track.
     #[inline]
-    pub(super) fn of_observed_on_slider(&self, number: usize, force: Vector) -> f64 {
+    pub(super) fn of_observed_on_slider(&self, number: usize, force: PlaneVector) -> f64 {
         match &self.observed[number][..] {
             [own] => own[0] * force[0] + own[1] * force[1],
             _ => 0.0,
@@ -124,7 +124,7 @@ impl Compliance {
 impl StencilCompliance {
     /// What each node gains by the contact's force on the slider, whose opposite acts on the track.
     #[inline]
-    pub(super) fn of_nodes(&self, weights: &[f64; STENCIL], force: Vector) -> [Vector; STENCIL] {
+    pub(super) fn of_nodes(&self, weights: &[f64; STENCIL], force: PlaneVector) -> [PlaneVector; STENCIL] {
         let mut moved = [[0.0; 2]; STENCIL];
         for (i, moved) in moved.iter_mut().enumerate().take(self.count) {
             for (block, weight) in self.blocks[i].iter().zip(weights).take(self.count) {
@@ -138,7 +138,7 @@ impl StencilCompliance {
 }
 
 #[inline(always)]
-pub(super) fn times(block: &PlaneMatrix, v: Vector) -> Vector {
+pub(super) fn times(block: &PlaneMatrix, v: PlaneVector) -> PlaneVector {
     [block[0][0] * v[0] + block[0][1] * v[1], block[1][0] * v[0] + block[1][1] * v[1]]
 }
 

@@ -3,7 +3,7 @@
 use super::March;
 use crate::SlidingError;
 use crate::edge::{EdgePoint, RunOff};
-use crate::plane::{Vector, length, minus, plus};
+use crate::plane::{PlaneVector, length, minus, plus};
 
 /// Share of its way that growth without bound covers in a step; what flies freely, or slides, takes many more.
 const LEAP: f64 = 1e-3;
@@ -25,7 +25,12 @@ impl March<'_> {
 
     /// What it means that C is beyond an end of the track while its frame is where it is.
     #[cold]
-    pub(super) fn beyond(&self, end: RunOff, position: f64, rigid: Vector) -> Result<RunOff, SlidingError> {
+    pub(super) fn beyond(
+        &self,
+        end: RunOff,
+        position: f64,
+        rigid: PlaneVector,
+    ) -> Result<RunOff, SlidingError> {
         let track = self.pair.length();
         let (left, fraction) = match end {
             RunOff::First => (position, 0.0),

@@ -1,16 +1,16 @@
 //! Where a slider locks, and why.
 
-use super::compliance::{Compliance, in_frame};
+use super::compliance::{ModalCompliance, in_frame};
 use super::reaction::Locked;
 use crate::SlidingError;
-use crate::coupling::{Coupling, Sliding};
+use crate::coupling::{Coupling, SteadyFriction};
 use crate::edge::{EdgePoint, Touch};
 use crate::pair::Pair;
 
 /// Where forces that change their sign from step to step do not die out on a path, if anywhere: with these factors of all modes,
 /// n·G(n ∓ μ t) must be positive.
 pub(super) fn first_lock(pair: &Pair, [start, end]: [f64; 2], factors: &[f64]) -> Option<SliderLock> {
-    let compliance = Compliance::new(pair, factors);
+    let compliance = ModalCompliance::new(pair, factors);
     let friction = pair.friction().largest();
     let place = |position: f64| pair.edge_point(position).map_or(0, |at| at.segment);
     let (from, to) = (start.min(end), start.max(end));
@@ -45,7 +45,7 @@ impl SliderLock {
     #[cold]
     pub(super) fn error(&self, pair: &Pair) -> SlidingError {
         let Self { ref touch, position, friction, locked: Locked { compliance, direction } } = *self;
-        let coupling = Coupling::new(pair, touch, Sliding { friction, slope: 0.0, direction });
+        let coupling = Coupling::new(pair, touch, SteadyFriction { friction, slope: 0.0, direction });
         match coupling.check(position, friction) {
             Err(sprag_slip) => sprag_slip,
             Ok(()) => SlidingError::LocksAtOnce { position, compliance, friction },

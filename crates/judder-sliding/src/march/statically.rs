@@ -1,9 +1,9 @@
 //! The deformation of steady sliding along a path, tabulated: what Subs with the static slope takes its geometry from.
 
 use crate::SlidingError;
-use crate::coupling::Sliding;
+use crate::coupling::SteadyFriction;
 use crate::pair::Pair;
-use crate::plane::{Vector, plus};
+use crate::plane::{PlaneVector, plus};
 use crate::statics::PairEquilibrium;
 
 /// Samples in a segment: the deformation is smooth within one.
@@ -13,8 +13,8 @@ const SAMPLES: usize = 8;
 #[derive(Debug, Clone)]
 pub(super) struct StaticPath {
     positions: Vec<f64>,
-    contact: Vec<Vector>,
-    nodes: Vec<Vec<Vector>>,
+    contact: Vec<PlaneVector>,
+    nodes: Vec<Vec<PlaneVector>>,
 }
 
 impl StaticPath {
@@ -23,7 +23,7 @@ impl StaticPath {
         pair: &Pair,
         ends: [f64; 2],
         load: f64,
-        sliding: Sliding,
+        sliding: SteadyFriction,
     ) -> Result<Self, SlidingError> {
         let [from, to] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
         let between = |pair: &[f64]| {
@@ -54,18 +54,18 @@ impl StaticPath {
     }
 
     /// Displacement of C at a position.
-    pub(super) fn of_contact(&self, position: f64) -> Vector {
+    pub(super) fn of_contact(&self, position: f64) -> PlaneVector {
         let (below, share) = self.place(position);
         between(self.contact[below], self.contact[below + 1], share)
     }
 
     /// Displacement of a node at a position.
-    pub(super) fn of_node(&self, position: f64, node: usize) -> Vector {
+    pub(super) fn of_node(&self, position: f64, node: usize) -> PlaneVector {
         let (below, share) = self.place(position);
         between(self.nodes[below][node], self.nodes[below + 1][node], share)
     }
 }
 
-fn between(a: Vector, b: Vector, share: f64) -> Vector {
+fn between(a: PlaneVector, b: PlaneVector, share: f64) -> PlaneVector {
     plus([a[0] * (1.0 - share), a[1] * (1.0 - share)], share, b)
 }

@@ -1,6 +1,6 @@
 //! One step of a march after the other.
 
-use super::compliance::{Compliance, in_frame};
+use super::compliance::{ModalCompliance, in_frame};
 use super::lock::SliderLock;
 use super::oscillators::ROWS;
 use super::reaction::{Approach, Reaction, projected, sliding};
@@ -10,7 +10,7 @@ use crate::SlidingError;
 use crate::edge::{RunOff, STENCIL, Touch, combined};
 use crate::motion::Drive;
 use crate::pair::PairSide;
-use crate::plane::{Vector, dot, minus, plus, turned};
+use crate::plane::{PlaneVector, dot, minus, plus, turned};
 
 /// How much of the initial damping may go before the exact recurrences are tuned anew.
 const STAIR: f64 = 0.002;
@@ -109,7 +109,7 @@ impl March<'_> {
 
     /// The random force on C, which the prediction of its displacement takes in.
     #[inline]
-    fn disturb(&mut self, noise: f64) -> Vector {
+    fn disturb(&mut self, noise: f64) -> PlaneVector {
         if noise == 0.0 {
             return [0.0; 2];
         }
@@ -152,7 +152,7 @@ impl March<'_> {
         &mut self,
         drive: &Drive,
         friction: f64,
-        guess: Vector,
+        guess: PlaneVector,
     ) -> Result<Result<(Touch, Approach, Reaction), RunOff>, SlidingError> {
         let rigid = self.pair.rigid_place(drive.position);
         let touch = match self.touch(drive, rigid, guess) {
@@ -191,7 +191,7 @@ impl March<'_> {
 
     /// The touch on the geometry that the method sees.
     #[inline]
-    fn touch(&mut self, drive: &Drive, rigid: Vector, guess: Vector) -> Result<Touch, RunOff> {
+    fn touch(&mut self, drive: &Drive, rigid: PlaneVector, guess: PlaneVector) -> Result<Touch, RunOff> {
         let Self { pair, track, view, compliance, contact, at, static_path, .. } = self;
         let edge = pair.edge();
         match (self.settings.method, static_path) {
@@ -228,7 +228,7 @@ impl March<'_> {
 
     /// Accelerations of what is observed, by central differences.
     #[inline]
-    fn watch(&mut self, touch: &Touch, force: Vector, rigid: f64) {
+    fn watch(&mut self, touch: &Touch, force: PlaneVector, rigid: f64) {
         let square = self.settings.step * self.settings.step;
         let (first, count) = (self.view.first, self.view.count);
         for (k, [before, now, predicted]) in self.observed.iter_mut().enumerate() {
@@ -285,7 +285,7 @@ impl March<'_> {
 
     /// Both bodies to the next step under the contact's force, and what is seen of them then.
     #[inline]
-    fn move_on(&mut self, touch: &Touch, force: Vector, disturbance: Vector) {
+    fn move_on(&mut self, touch: &Touch, force: PlaneVector, disturbance: PlaneVector) {
         let weights = &touch.weights.value;
         let (on_slider, on_track) = rows_of(force, disturbance, &self.view, weights);
         let moved = self.view.compliance.of_nodes(weights, force);
@@ -302,7 +302,7 @@ impl March<'_> {
 
     /// The displacement of C by the rows of its moving modes, with what load and inertia do to the others; both change slowly.
     #[inline]
-    pub(super) fn with_yielding(&self, seen: &[f64; ROWS]) -> Vector {
+    pub(super) fn with_yielding(&self, seen: &[f64; ROWS]) -> PlaneVector {
         let Drive { load, acceleration, .. } = self.drive;
         [0, 1].map(|k| {
             let [by_load, by_acceleration] = self.contact_yielding[k];
@@ -324,8 +324,9 @@ impl March<'_> {
     /// Starts from a state at this time, with its prediction.
     pub(super) fn begin(&mut self, start: &MarchStart) {
         self.set_push(&self.drive.clone());
-        let at_rows =
-            |force: Vector| rows_of(force, [0.0; 2], &self.view, &self.pair.edge().weights(self.at).value);
+        let at_rows = |force: PlaneVector| {
+            rows_of(force, [0.0; 2], &self.view, &self.pair.edge().weights(self.at).value)
+        };
         let [(slider_now, track_now), (slider_before, track_before)] = start.forces.map(at_rows);
         let of_slider = self.pair.slider().body.modes();
         let [now, before] = [&start.now, &start.before].map(|state| state.split_at(of_slider));
@@ -347,8 +348,8 @@ impl March<'_> {
 /// Forces at the rows of slider and track, of the contact on the slider and of a disturbance on C.
 #[inline(always)]
 fn rows_of(
-    force: Vector,
-    disturbance: Vector,
+    force: PlaneVector,
+    disturbance: PlaneVector,
     view: &MarchView,
     weights: &[f64; STENCIL],
 ) -> ([f64; ROWS], [f64; ROWS]) {
@@ -366,7 +367,7 @@ fn look(
     view: &mut MarchView,
     pair: &crate::pair::Pair,
     track: &mut super::oscillators::Oscillators,
-    compliance: &Compliance,
+    compliance: &ModalCompliance,
     segment: usize,
 ) {
     if view.segment != segment {

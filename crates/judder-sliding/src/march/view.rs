@@ -1,10 +1,10 @@
 //! What a march sees of the track: the nodes about the contact.
 
-use super::compliance::{Compliance, StencilCompliance};
+use super::compliance::{ModalCompliance, StencilCompliance};
 use super::oscillators::{Oscillators, ROWS};
 use crate::edge::STENCIL;
 use crate::pair::Pair;
-use crate::plane::{Vector, plus};
+use crate::plane::{PlaneVector, plus};
 
 /// The nodes of one segment's stencil, whose rows the track's modes are watched through.
 #[derive(Debug, Clone)]
@@ -14,16 +14,21 @@ pub(super) struct MarchView {
     pub(super) count: usize,
     pub(super) compliance: StencilCompliance,
     /// Undeformed.
-    pub(super) places: [Vector; STENCIL],
+    pub(super) places: [PlaneVector; STENCIL],
     /// Displacements now.
-    pub(super) now: [Vector; STENCIL],
+    pub(super) now: [PlaneVector; STENCIL],
     /// Displacements of the next step without contact.
-    pub(super) predicted: [Vector; STENCIL],
+    pub(super) predicted: [PlaneVector; STENCIL],
 }
 
 impl MarchView {
     /// Watches the track about a segment.
-    pub(super) fn new(pair: &Pair, track: &mut Oscillators, compliance: &Compliance, segment: usize) -> Self {
+    pub(super) fn new(
+        pair: &Pair,
+        track: &mut Oscillators,
+        compliance: &ModalCompliance,
+        segment: usize,
+    ) -> Self {
         let (first, count) = (pair.edge().first_node(segment), pair.edge().stencil_nodes());
         for (k, node) in pair.track().nodes[first..first + count].iter().enumerate() {
             track.set_row(2 * k, &node.rows[0]);
@@ -43,13 +48,13 @@ impl MarchView {
 
     /// Where the nodes are when displaced so far.
     #[inline]
-    pub(super) fn displaced(&self, by: &[Vector; STENCIL]) -> [Vector; STENCIL] {
+    pub(super) fn displaced(&self, by: &[PlaneVector; STENCIL]) -> [PlaneVector; STENCIL] {
         std::array::from_fn(|k| plus(self.places[k], 1.0, by[k]))
     }
 }
 
 /// The displacements of a stencil among what rows see.
 #[inline(always)]
-pub(super) fn vectors(seen: &[f64; ROWS], count: usize) -> [Vector; STENCIL] {
+pub(super) fn vectors(seen: &[f64; ROWS], count: usize) -> [PlaneVector; STENCIL] {
     std::array::from_fn(|k| if k < count { [seen[2 * k], seen[2 * k + 1]] } else { [0.0; 2] })
 }

@@ -3,9 +3,9 @@
 use super::{ContactMethod, March, MarchSample, MarchSettings, Predictor};
 use crate::body::{Body, ModalPoint};
 use crate::edge::Interpolation;
-use crate::friction::Friction;
+use crate::friction::SlidingFriction;
 use crate::motion::{Motion, Noise, Ramps};
-use crate::pair::{Observed, Pair, PairSide, Slider, Track};
+use crate::pair::{Observed, Pair, PairSide, Slider, TrackBody};
 use crate::vectors::widths;
 use judder_numerics::counter::uniform;
 use pulp::Arch;
@@ -27,10 +27,10 @@ fn pair(interpolation: Interpolation) -> Pair {
     let load = contact.rows[1].clone();
     let slider = Slider { body: body(13), contact, load, inertia: vec![0.1; 13] };
     let nodes = (0..6).map(|k| point(1e-3 * k as f64, 10 + 2 * k, 37)).collect();
-    let track = Track { body: body(37), nodes };
+    let track = TrackBody { body: body(37), nodes };
     let observed = [(PairSide::Slider, 3, 13), (PairSide::Track, 4, 37)]
         .map(|(side, stream, modes)| Observed { side, row: row(stream, modes), rigid: 0.0 });
-    let friction = Friction::constant(0.1).unwrap();
+    let friction = SlidingFriction::constant(0.1).unwrap();
     Pair::new(slider, track, interpolation, true, friction, observed.to_vec()).unwrap()
 }
 

@@ -6,7 +6,7 @@
 use super::{ITERATIONS, Loaded, PairEquilibrium, place_change};
 use crate::SlidingError;
 use crate::edge::{EdgePoint, Touch};
-use crate::plane::{Vector, dot, minus, plus, turned};
+use crate::plane::{PlaneVector, dot, minus, plus, turned};
 
 /// The equilibrium about the node that a segment ends with.
 pub(super) fn about(loaded: &Loaded<'_>, segment: usize) -> Result<PairEquilibrium, SlidingError> {
@@ -93,7 +93,11 @@ fn turned_to(
 }
 
 /// Where a state puts C and the nodes of a segment.
-fn displaced(loaded: &Loaded<'_>, segment: usize, state: &[f64]) -> (Vector, [Vector; crate::edge::STENCIL]) {
+fn displaced(
+    loaded: &Loaded<'_>,
+    segment: usize,
+    state: &[f64],
+) -> (PlaneVector, [PlaneVector; crate::edge::STENCIL]) {
     let pair = loaded.pair;
     let (of_slider, of_track) = state.split_at(pair.slider().body.modes());
     let point = plus(pair.rigid_place(loaded.position), 1.0, pair.slider().contact.displacement(of_slider));

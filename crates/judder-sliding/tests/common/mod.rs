@@ -3,9 +3,9 @@
 
 use judder_sliding::body::ModalPoint;
 use judder_sliding::edge::Interpolation;
-use judder_sliding::friction::Friction;
+use judder_sliding::friction::SlidingFriction;
 use judder_sliding::motion::{InitialDamping, Motion, Noise, Ramps};
-use judder_sliding::pair::{Observed, Pair, PairSide, Slider, Track};
+use judder_sliding::pair::{Observed, Pair, PairSide, Slider, TrackBody};
 use judder_sliding::reduced::Reduced;
 use judder_structure::assembly::{assemble, inertia_load};
 use judder_structure::beam::Beam;
@@ -39,11 +39,11 @@ pub(crate) fn motion() -> Motion {
 
 /// The paper's pair.
 pub(crate) fn pair() -> Pair {
-    pair_with(Interpolation::Linear, Friction::constant(FRICTION).unwrap(), 20)
+    pair_with(Interpolation::Linear, SlidingFriction::constant(FRICTION).unwrap(), 20)
 }
 
 /// The paper's pair with another interpolation, friction, number of fixed-interface modes.
-pub(crate) fn pair_with(interpolation: Interpolation, friction: Friction, modes: usize) -> Pair {
+pub(crate) fn pair_with(interpolation: Interpolation, friction: SlidingFriction, modes: usize) -> Pair {
     let (track, observed) = horizontal(modes);
     Pair::new(oblique(modes), track, interpolation, true, friction, vec![observed]).unwrap()
 }
@@ -73,7 +73,7 @@ fn oblique(modes: usize) -> Slider {
     Slider { body: reduced.body.clone(), contact, load: row(0), inertia: reduced.inertia() }
 }
 
-fn horizontal(modes: usize) -> (Track, Observed) {
+fn horizontal(modes: usize) -> (TrackBody, Observed) {
     let beam = Beam { length: 0.100, thickness: 0.002, elements: [100, 2], origin: [0.0; 2], angle: 0.0 };
     let mesh = beam.mesh("m").unwrap();
     let start = mesh.node_sets["start"].clone();
@@ -92,7 +92,7 @@ fn horizontal(modes: usize) -> (Track, Observed) {
     };
     let nodes: Vec<ModalPoint> = edge.iter().enumerate().map(point).collect();
     let observed = Observed { side: PairSide::Track, row: nodes[100].rows[1].clone(), rigid: 0.0 };
-    (Track { body: reduced.body.clone(), nodes }, observed)
+    (TrackBody { body: reduced.body.clone(), nodes }, observed)
 }
 
 fn reduce(

@@ -3,26 +3,26 @@
 use crate::common;
 use judder_numerics::words::plain;
 use judder_sliding::SlidingError;
-use judder_sliding::coupling::Sliding;
+use judder_sliding::coupling::SteadyFriction;
 use judder_sliding::edge::{Interpolation, RunOff};
-use judder_sliding::friction::Friction;
+use judder_sliding::friction::SlidingFriction;
 use judder_sliding::march::{
     ContactMethod, ContactState, March, MarchSample, MarchSettings, Predictor, Reached,
 };
 use judder_sliding::motion::{Motion, Ramps};
-use judder_sliding::pair::{Pair, Slider, Track};
+use judder_sliding::pair::{Pair, Slider, TrackBody};
 use judder_sliding::statics::PairEquilibrium;
 
 const STEP: f64 = 3e-7;
 
-fn built(pair: &Pair, change: impl FnOnce(&mut Slider, &mut Track)) -> Result<Pair, SlidingError> {
+fn built(pair: &Pair, change: impl FnOnce(&mut Slider, &mut TrackBody)) -> Result<Pair, SlidingError> {
     let (mut slider, mut track) = (pair.slider().clone(), pair.track().clone());
     change(&mut slider, &mut track);
     let interpolation = Interpolation::Linear;
     Pair::new(slider, track, interpolation, true, pair.friction().clone(), pair.observed().to_vec())
 }
 
-fn refused(pair: &Pair, change: impl FnOnce(&mut Slider, &mut Track)) -> String {
+fn refused(pair: &Pair, change: impl FnOnce(&mut Slider, &mut TrackBody)) -> String {
     built(pair, change).unwrap_err().to_string()
 }
 
@@ -35,7 +35,7 @@ fn marched(pair: &Pair, method: ContactMethod, step: f64, motion: Motion) -> Res
 #[test]
 fn a_contact_point_beside_the_track_is_told_with_its_position() {
     let pair = common::pair();
-    let sliding = Sliding::at(pair.friction(), common::SPEED);
+    let sliding = SteadyFriction::at(pair.friction(), common::SPEED);
     let motion = common::motion();
     let errors = [
         pair.undeformed(-1e-3).map(|_| ()),
@@ -101,13 +101,13 @@ fn a_march_that_cannot_go_on_says_where() {
     let pair = common::pair();
     let over = marched(&pair, ContactMethod::EnSubs, 1e-6, common::motion()).unwrap_err();
     assert!(over.to_string().contains("step of 1e-6 s is over its limit of 3.6"), "{over}");
-    let friction = Friction::constant(30.0).unwrap();
+    let friction = SlidingFriction::constant(30.0).unwrap();
     let locking = common::pair_with(Interpolation::Linear, friction, 20);
     let at_once = Ramps { friction: 0.0, ..common::motion().ramps };
     let motion = Motion { start: 0.02, ramps: at_once, ..common::motion() };
     let locked = marched(&locking, ContactMethod::EnSubs, STEP, motion).unwrap_err();
     assert!(locked.to_string().contains("sprag-slip at 0.02 m"), "{locked}");
-    let sliding = Sliding::at(pair.friction(), common::SPEED);
+    let sliding = SteadyFriction::at(pair.friction(), common::SPEED);
     let lifted = PairEquilibrium::new(&pair, 0.02, -common::LOAD, sliding).unwrap_err();
     let expected = "nothing holds the pair at rest at 0.02 m: the load pulls the slider off the track";
     assert_eq!(lifted.to_string(), expected);
@@ -160,7 +160,7 @@ fn a_slider_that_flies_away_has_lifted_off() {
 /// the frame is far from it, and also near it, where C leaps. A frame that comes to the end runs off there, and which end it was is told.
 #[test]
 fn growth_without_bound_is_not_the_end_of_the_track() {
-    let rough = common::pair_with(Interpolation::Linear, Friction::constant(9.0).unwrap(), 20);
+    let rough = common::pair_with(Interpolation::Linear, SlidingFriction::constant(9.0).unwrap(), 20);
     let marched = |pair: &Pair, motion: Motion| {
         let settings = MarchSettings {
             method: ContactMethod::EnSubs,
@@ -191,7 +191,7 @@ fn growth_without_bound_is_not_the_end_of_the_track() {
 #[test]
 fn an_initial_gap_is_never_a_kick() {
     for interpolation in [Interpolation::Linear, Interpolation::Hermite] {
-        let friction = Friction::constant(common::FRICTION).unwrap();
+        let friction = SlidingFriction::constant(common::FRICTION).unwrap();
         let pair = common::pair_with(interpolation, friction, 20);
         for (gap, duration) in [(1e-6, 0.1), (-1e-6, 0.1), (1e-6, 3e-3), (-1e-6, 3e-3)] {
             let ramps = Ramps { gap: duration, ..common::motion().ramps };

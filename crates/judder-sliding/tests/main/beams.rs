@@ -1,6 +1,6 @@
 //! The pair of the beams paper at rest.
 use crate::common;
-use judder_sliding::coupling::Sliding;
+use judder_sliding::coupling::SteadyFriction;
 use judder_sliding::statics::PairEquilibrium;
 use std::f64::consts::TAU;
 
@@ -24,7 +24,7 @@ fn the_pair_of_the_paper_has_243_modes() {
 #[test]
 fn the_deformed_state_is_in_balance() {
     let pair = common::pair();
-    let sliding = Sliding::at(pair.friction(), common::SPEED);
+    let sliding = SteadyFriction::at(pair.friction(), common::SPEED);
     for position in [0.01, 0.0405, 0.074, 0.098] {
         let rest = PairEquilibrium::new(&pair, position, common::LOAD, sliding).unwrap();
         assert!(rest.touch.gap.abs() < 1e-16, "{position}: {}", rest.touch.gap);

@@ -1,11 +1,11 @@
 //! States of rest on and about the nodes of a track, where the normal of a straight edge jumps.
 
 use crate::common;
-use judder_sliding::coupling::Sliding;
+use judder_sliding::coupling::SteadyFriction;
 use judder_sliding::edge::{Interpolation, Touch};
-use judder_sliding::friction::Friction;
-use judder_sliding::pair::{Pair, Track};
-use judder_sliding::plane::Vector;
+use judder_sliding::friction::SlidingFriction;
+use judder_sliding::pair::{Pair, TrackBody};
+use judder_sliding::plane::PlaneVector;
 use judder_sliding::statics::PairEquilibrium;
 use proptest::prelude::*;
 use std::sync::LazyLock;
@@ -19,17 +19,17 @@ static PAIRS: LazyLock<Vec<Pair>> = LazyLock::new(|| {
 });
 
 fn pair(interpolation: Interpolation, every: usize) -> Pair {
-    let whole = common::pair_with(interpolation, Friction::constant(common::FRICTION).unwrap(), 20);
+    let whole = common::pair_with(interpolation, SlidingFriction::constant(common::FRICTION).unwrap(), 20);
     let nodes = whole.track().nodes.iter().step_by(every).cloned().collect();
-    let track = Track { body: whole.track().body.clone(), nodes };
+    let track = TrackBody { body: whole.track().body.clone(), nodes };
     let friction = whole.friction().clone();
     Pair::new(whole.slider().clone(), track, interpolation, true, friction, Vec::new()).unwrap()
 }
 
 /// C and the nodes of a segment where a state has moved them.
-fn places(pair: &Pair, position: f64, state: &[f64], segment: usize) -> (Vector, [Vector; 2]) {
+fn places(pair: &Pair, position: f64, state: &[f64], segment: usize) -> (PlaneVector, [PlaneVector; 2]) {
     let (of_slider, of_track) = state.split_at(pair.slider().body.modes());
-    let sum = |a: Vector, b: Vector| [a[0] + b[0], a[1] + b[1]];
+    let sum = |a: PlaneVector, b: PlaneVector| [a[0] + b[0], a[1] + b[1]];
     let node = |k: usize| {
         let node = &pair.track().nodes[k];
         sum(node.place, node.displacement(of_track))
@@ -43,8 +43,8 @@ fn places(pair: &Pair, position: f64, state: &[f64], segment: usize) -> (Vector,
 fn residual(pair: &Pair, position: f64, rest: &PairEquilibrium) -> f64 {
     let Touch { at, tangent, weights, stretch, .. } = rest.touch;
     let (point, [first, second]) = places(pair, position, &rest.state, at.segment);
-    let angle = |[x, y]: Vector| y.atan2(x);
-    let of_chord = |a: Vector, b: Vector| angle([b[0] - a[0], b[1] - a[1]]);
+    let angle = |[x, y]: PlaneVector| y.atan2(x);
+    let of_chord = |a: PlaneVector, b: PlaneVector| angle([b[0] - a[0], b[1] - a[1]]);
     if pair.edge().interpolation == Interpolation::Hermite {
         let found = pair.deformed(position, &rest.state).unwrap();
         let along = (found.at.segment as f64 + found.at.fraction) - (at.segment as f64 + at.fraction);
@@ -66,7 +66,7 @@ fn residual(pair: &Pair, position: f64, rest: &PairEquilibrium) -> f64 {
 }
 
 /// Where C must be, undeformed, for its deformed contact to lie at a node, to a rounding or a hair beside it.
-fn meeting(pair: &Pair, node: f64, load: f64, sliding: Sliding) -> f64 {
+fn meeting(pair: &Pair, node: f64, load: f64, sliding: SteadyFriction) -> f64 {
     let arc = pair.node_positions();
     (0..6).fold(node, |position, _| {
         let at = PairEquilibrium::new(pair, position, load, sliding).unwrap().touch.at;
@@ -90,7 +90,7 @@ proptest! {
         load in prop::sample::select(vec![0.02, 0.2, 2.0]),
     ) {
         let pair = &PAIRS[of];
-        let sliding = Sliding { friction, slope: 0.0, direction: if backwards { -1.0 } else { 1.0 } };
+        let sliding = SteadyFriction { friction, slope: 0.0, direction: if backwards { -1.0 } else { 1.0 } };
         let nodes = pair.node_positions();
         let last = nodes.len() - 1;
         let node = nodes[((place * last as f64) as usize).clamp(1, last - 1)];

@@ -1,9 +1,9 @@
 //! Growth with the contact held, measured in marches, against eigenvalues.
 use crate::common;
 use judder_sliding::SlidingError;
-use judder_sliding::coupling::Sliding;
+use judder_sliding::coupling::SteadyFriction;
 use judder_sliding::edge::{Interpolation, RunOff};
-use judder_sliding::friction::Friction;
+use judder_sliding::friction::SlidingFriction;
 use judder_sliding::growth::{GrowthSettings, Held, frozen_growth};
 use judder_sliding::locus::{Conditions, Configuration, LocusSettings, locus, spectrum};
 use judder_sliding::march::{ContactMethod, March, MarchSettings, MarchStart, Predictor};
@@ -91,7 +91,7 @@ fn residual_flexibility_grows_as_the_deformed_eigenvalue() {
 /// So it does on a smooth edge, straight and curved: the bulge of 0.1 mm lies in C's way before the load deforms anything.
 #[test]
 fn growth_agrees_on_a_smooth_edge() {
-    let friction = Friction::constant(common::FRICTION).unwrap();
+    let friction = SlidingFriction::constant(common::FRICTION).unwrap();
     let straight = common::pair_with(Interpolation::Hermite, friction, 20);
     let curved = common::bulging(&straight, 1e-4);
     assert!(curved.undeformed(0.074).unwrap().gap < -5e-5);
@@ -125,7 +125,7 @@ fn growth_of_nothing_is_refused() {
 #[test]
 fn a_contact_that_swings_off_the_track_is_named() {
     let pair = common::pair();
-    let sliding = Sliding::at(pair.friction(), common::SPEED);
+    let sliding = SteadyFriction::at(pair.friction(), common::SPEED);
     let nodes = pair.node_positions();
     let reached = |position: f64| {
         let at = PairEquilibrium::new(&pair, position, common::LOAD, sliding).unwrap().touch.at;

@@ -2,9 +2,9 @@
 use crate::common;
 use judder_numerics::signal::Decimation;
 use judder_numerics::signal::decimate::Decimator;
-use judder_sliding::coupling::{Coupling, Sliding};
+use judder_sliding::coupling::{Coupling, SteadyFriction};
 use judder_sliding::edge::{Interpolation, RunOff};
-use judder_sliding::friction::Friction;
+use judder_sliding::friction::SlidingFriction;
 use judder_sliding::march::{
     ContactMethod, ContactState, March, MarchSample, MarchSettings, MarchStart, Predictor, Reached,
 };
@@ -127,11 +127,11 @@ fn the_shadow_energy_stays_for_ten_million_steps() {
 }
 
 fn shadow_energy(steps: u64) {
-    let frictionless = Friction::constant(0.0).unwrap();
+    let frictionless = SlidingFriction::constant(0.0).unwrap();
     let damped = common::pair_with(Interpolation::Linear, frictionless, 20);
     let pair = common::without_damping(&damped);
     let position = 0.0405;
-    let sliding = Sliding::at(pair.friction(), common::SPEED);
+    let sliding = SteadyFriction::at(pair.friction(), common::SPEED);
     let rest = PairEquilibrium::undeformed(&pair, position, common::LOAD, sliding).unwrap();
     // a disturbance of every mode that keeps the contact closed: the structures' weightless state
     let start = MarchStart {
@@ -261,7 +261,7 @@ fn a_foreign_checkpoint_changes_nothing() {
 fn locking_is_the_same_quantity_in_every_march() {
     let friction = 30.0;
     let locked = |friction: f64, method, step| {
-        let pair = common::pair_with(Interpolation::Linear, Friction::constant(friction).unwrap(), 20);
+        let pair = common::pair_with(Interpolation::Linear, SlidingFriction::constant(friction).unwrap(), 20);
         let ramps = Ramps { friction: 0.0, ..common::motion().ramps };
         let motion = Motion { start: 0.0505, ramps, ..common::motion() };
         let settings = MarchSettings { method, predictor: Predictor::WithForce, step, motion };
@@ -271,7 +271,7 @@ fn locking_is_the_same_quantity_in_every_march() {
     let pair = common::pair();
     let expected = |position: f64| {
         let touch = pair.undeformed(position).unwrap();
-        Coupling::new(&pair, &touch, Sliding { friction, slope: 0.0, direction: 1.0 }).mobility()
+        Coupling::new(&pair, &touch, SteadyFriction { friction, slope: 0.0, direction: 1.0 }).mobility()
     };
     let subs = ContactMethod::Subs { static_slope: false };
     let residual = ContactMethod::ResidualFlexibility { cut_off: 60e3 };
@@ -294,7 +294,7 @@ fn locking_is_the_same_quantity_in_every_march() {
 /// breaks Signorini's or Coulomb's law.
 #[test]
 fn film_sticks_and_lifts_off() {
-    let pair = common::pair_with(Interpolation::Linear, Friction::constant(0.3).unwrap(), 20);
+    let pair = common::pair_with(Interpolation::Linear, SlidingFriction::constant(0.3).unwrap(), 20);
     // a slow start under the whole load sticks; noise of the load's own size tears it off
     let motion = Motion {
         start: 0.09,
@@ -355,7 +355,7 @@ fn wrong_marches_are_named() {
     };
     let kick = at(kick).err();
     assert!(matches!(kick, Some(SlidingError::OpenAtStart { .. })), "{kick:?}");
-    let locking = common::pair_with(Interpolation::Linear, Friction::constant(30.0).unwrap(), 20);
+    let locking = common::pair_with(Interpolation::Linear, SlidingFriction::constant(30.0).unwrap(), 20);
     let settings = MarchSettings {
         method: ContactMethod::EnSubs,
         predictor: Predictor::WithForce,
@@ -374,7 +374,7 @@ fn wrong_marches_are_named() {
 /// as smoothly as without that force in the geometry.
 #[test]
 fn a_smooth_node_is_crossed_without_a_click() {
-    let friction = Friction::constant(common::FRICTION).unwrap();
+    let friction = SlidingFriction::constant(common::FRICTION).unwrap();
     let pair = common::pair_with(Interpolation::Hermite, friction, 20);
     let ramps = Ramps { velocity: 2e-3, load: 4e-3, friction: 4e-3, gap: 0.0 };
     let motion = Motion { start: 0.0501, ramps, ..common::motion() };

@@ -4,10 +4,10 @@ use judder_numerics::counter::uniform;
 use judder_sliding::SlidingError;
 use judder_sliding::body::{Body, ModalPoint};
 use judder_sliding::edge::Interpolation;
-use judder_sliding::friction::Friction;
+use judder_sliding::friction::SlidingFriction;
 use judder_sliding::march::{ContactMethod, ContactState, March, MarchSample, MarchSettings, Predictor};
 use judder_sliding::motion::{Motion, Noise, Ramps};
-use judder_sliding::pair::{Pair, Slider, Track};
+use judder_sliding::pair::{Pair, Slider, TrackBody};
 use proptest::prelude::*;
 
 /// Modes, rows and nodes drawn from a seed: a slider of three modes, a track of six with five nodes about a millimetre apart.
@@ -28,8 +28,8 @@ fn pair(seed: u64, interpolation: Interpolation, friction: f64) -> Pair {
     let contact = ModalPoint { place: [0.0; 2], rows: rows(3, 3) };
     let load = contact.rows[1].clone();
     let slider = Slider { body: body(1, 3), contact, load, inertia: vec![0.1; 3] };
-    let track = Track { body: body(2, 6), nodes: (0..5).map(node).collect() };
-    let friction = Friction::table(vec![0.01, 0.05], vec![friction, 0.8 * friction]).unwrap();
+    let track = TrackBody { body: body(2, 6), nodes: (0..5).map(node).collect() };
+    let friction = SlidingFriction::table(vec![0.01, 0.05], vec![friction, 0.8 * friction]).unwrap();
     Pair::new(slider, track, interpolation, true, friction, Vec::new()).unwrap()
 }
 

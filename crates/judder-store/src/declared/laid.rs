@@ -99,14 +99,14 @@ impl<C: Column> Column for Option<C> {
 
 /// Values along several dimensions, the last varies fastest.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Grid<T> {
+pub struct GridValues<T> {
     /// Length of each axis.
     pub shape: Vec<usize>,
     /// The values.
     pub values: Vec<T>,
 }
 
-impl<T: Element> Array for Grid<T> {
+impl<T: Element> Array for GridValues<T> {
     fn variable(&self, name: &str, dimensions: &[&str]) -> Option<Variable> {
         Some(T::variable(name, dimensions, &self.shape, self.values.clone()))
     }

@@ -11,7 +11,7 @@ use super::layout::{QUANTITY, VALUES};
 use super::points::unravelled;
 use crate::array::ReadFailure;
 use crate::zarr;
-use crate::{Data, Dataset, StoreError, Variable};
+use crate::{Dataset, StoreError, Variable, VariableValues};
 
 /// The chosen positions along each dimension of a sweep.
 type Chosen = Vec<(String, Vec<usize>)>;
@@ -97,11 +97,11 @@ fn thinned(mut variable: Variable, chosen: &Chosen) -> Variable {
     let [dimension] = variable.dimensions.as_slice() else { return variable };
     let Some((_, positions)) = chosen.iter().find(|(name, _)| name == dimension) else { return variable };
     variable.data = match &variable.data {
-        Data::F64(values) => Data::F64(at(values, positions)),
-        Data::Complex(values) => Data::Complex(at(values, positions)),
-        Data::I64(values) => Data::I64(at(values, positions)),
-        Data::U8(values) => Data::U8(at(values, positions)),
-        Data::Text(values) => Data::Text(at(values, positions)),
+        VariableValues::F64(values) => VariableValues::F64(at(values, positions)),
+        VariableValues::Complex(values) => VariableValues::Complex(at(values, positions)),
+        VariableValues::I64(values) => VariableValues::I64(at(values, positions)),
+        VariableValues::U8(values) => VariableValues::U8(at(values, positions)),
+        VariableValues::Text(values) => VariableValues::Text(at(values, positions)),
     };
     variable.shape = vec![variable.data.len()];
     variable

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use judder_store::{Complex64, Data, Dataset, StoreError, StudyFolder, Variable};
+use judder_store::{Complex64, Dataset, StoreError, StudyFolder, Variable, VariableValues};
 use proptest::prelude::*;
 
 fn stored(dataset: &Dataset) -> Dataset {
@@ -53,7 +53,7 @@ proptest! {
             .with(Variable::new("a", &["x"], &[values.len()], values).long_name(&text)).unwrap()
             .with(Variable::new("b", &[], &[], vec![text])).unwrap();
         let read = stored(&dataset);
-        let Data::F64(values) = &read.variable("a").unwrap().data else { panic!("the kind changed") };
+        let VariableValues::F64(values) = &read.variable("a").unwrap().data else { panic!("the kind changed") };
         prop_assert_eq!(values.iter().map(|value| value.to_bits()).collect::<Vec<_>>(), bits);
         prop_assert_eq!(&read.variable("b").unwrap().data, &dataset.variable("b").unwrap().data);
         prop_assert_eq!(&read.variable("a").unwrap().long_name, &dataset.variable("a").unwrap().long_name);

@@ -1,6 +1,6 @@
 //! Results declared once: summary, arrays and table from one struct.
 
-use judder_store::{ByName, Complex64, Dataset, Declared, Grid, Results, Rows, Table, Told, ValueKind};
+use judder_store::{ByName, Complex64, Dataset, Declared, GridValues, Results, Rows, Table, Told, ValueKind};
 use serde_json::{Value, json};
 
 /// A row of a list.
@@ -24,7 +24,7 @@ struct All {
     frequency: Vec<f64>,
     /// shapes of modes
     #[result(hidden, along = "mode point")]
-    shape: Grid<Complex64>,
+    shape: GridValues<Complex64>,
     #[result(rows)]
     bursts: Vec<Burst>,
     #[result(optional)]
@@ -46,7 +46,7 @@ fn all(own: Option<Own>) -> All {
     All {
         method: "film",
         frequency: vec![1.5, f64::INFINITY],
-        shape: Grid { shape: vec![2, 1], values: vec![Complex64::new(0.0, 1.0); 2] },
+        shape: GridValues { shape: vec![2, 1], values: vec![Complex64::new(0.0, 1.0); 2] },
         bursts: vec![burst(0.5, Some(100.0)), burst(1.0, None)],
         ended: None,
         fates: [("cycle".to_owned(), 3)].into_iter().collect(),

@@ -4,7 +4,7 @@ use std::fs;
 use std::os::unix::fs::symlink;
 use std::path::Path;
 
-use judder_store::{Data, Dataset, StoreError, StudyFolder, StudyReader, Summary, Variable};
+use judder_store::{Dataset, StoreError, StudyFolder, StudyReader, Summary, Variable, VariableValues};
 
 /// A study with one long signal, a matrix, a scalar, labels and codes.
 fn study(folder: &Path) -> StudyFolder {
@@ -57,13 +57,13 @@ fn rows_are_read_alone() {
     let _held = study(folder.path());
     let reader = StudyReader::open(folder.path()).unwrap();
     let rows = reader.read_rows("march", "time", 1_499_999..1_500_002).unwrap();
-    assert_eq!(rows.data, Data::F64(vec![1_499_999.0, 1_500_000.0, 1_500_001.0]));
+    assert_eq!(rows.data, VariableValues::F64(vec![1_499_999.0, 1_500_000.0, 1_500_001.0]));
     assert_eq!(rows.shape, [3]);
     let rows = reader.read_rows("march", "matrix", 1..9).unwrap();
-    assert_eq!((rows.data, rows.shape), (Data::F64(vec![3.0, 4.0, 5.0, 6.0]), vec![2, 2]));
+    assert_eq!((rows.data, rows.shape), (VariableValues::F64(vec![3.0, 4.0, 5.0, 6.0]), vec![2, 2]));
     let rows = reader.read_rows("march", "label", 2..3).unwrap();
-    assert_eq!(rows.data, Data::Text(vec!["c".to_owned()]));
-    assert_eq!(reader.read_rows("march", "scalar", 5..6).unwrap().data, Data::F64(vec![7.0]));
+    assert_eq!(rows.data, VariableValues::Text(vec!["c".to_owned()]));
+    assert_eq!(reader.read_rows("march", "scalar", 5..6).unwrap().data, VariableValues::F64(vec![7.0]));
     for nothing in [3_000_000..3_000_001, 7..7, usize::MAX..usize::MAX] {
         assert!(reader.read_rows("march", "signal", nothing).unwrap().data.is_empty());
     }

@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 use std::thread;
 use std::time::Duration;
 
-use judder_store::{Data, Dataset, StoreError, StreamWriter, StudyFolder, Variable};
+use judder_store::{Dataset, StoreError, StreamWriter, StudyFolder, Variable, VariableValues};
 use proptest::prelude::*;
 
 const CHILD_FOLDER: &str = "JUDDER_TEST_KILLED_STREAM";
@@ -39,8 +39,8 @@ fn rest() -> Dataset {
 /// The same in memory.
 fn whole(len: usize) -> Dataset {
     let [mut times, mut forces] = variables();
-    times.data = Data::F64((0..len).map(time).collect());
-    forces.data = Data::F64((0..len).map(force).collect());
+    times.data = VariableValues::F64((0..len).map(time).collect());
+    forces.data = VariableValues::F64((0..len).map(force).collect());
     (times.shape, forces.shape) = (vec![len], vec![len]);
     let mut dataset = Dataset::new().with(times).unwrap().with(forces).unwrap();
     for variable in rest().variables() {

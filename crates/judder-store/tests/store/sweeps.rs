@@ -5,8 +5,8 @@ use std::path::Path;
 use std::sync::Barrier;
 
 use judder_store::{
-    ChunkClaim, ChunkState, ClaimAnswer, Data, PointFailure, SharedStudy, StoreError, StudyFolder,
-    SweepDimension, SweepFailure, SweepLayout, SweepQuantity, SweepStore, Variable,
+    ChunkClaim, ChunkState, ClaimAnswer, PointFailure, SharedStudy, StoreError, StudyFolder, SweepDimension,
+    SweepFailure, SweepLayout, SweepQuantity, SweepStore, Variable, VariableValues,
 };
 use proptest::prelude::*;
 
@@ -50,14 +50,14 @@ fn a_sweep_reads_back_as_one_array() {
     assert_eq!(dataset.attributes()["method"], "grid");
     let values = dataset.variable("values").unwrap();
     assert_eq!((&values.shape[..], &values.dimensions[3][..]), (&[5, 4, 7, 2][..], "quantity"));
-    let Data::F64(values) = &values.data else { panic!("{values:?}") };
+    let VariableValues::F64(values) = &values.data else { panic!("{values:?}") };
     let mut pairs = values.as_chunks::<2>().0.iter();
     for (a, b, c) in (0..5).flat_map(|a| (0..4).flat_map(move |b| (0..7).map(move |c| (a, b, c)))) {
         let place = f64::from(a * 10_000 + b * 100 + c);
         assert_eq!(pairs.next().unwrap(), &[place.sin(), place]);
     }
     let texts = |name| match &dataset.variable(name).unwrap().data {
-        Data::Text(texts) => texts.clone(),
+        VariableValues::Text(texts) => texts.clone(),
         other => panic!("{other:?}"),
     };
     assert_eq!(texts("quantity"), ["growth_rate", "verdict"]);
@@ -69,14 +69,14 @@ fn a_sweep_reads_back_as_one_array() {
     let chosen = chosen.unwrap();
     assert_eq!(
         chosen.variable("a").unwrap().data,
-        Data::F64(vec![1.0, 0.0]),
+        VariableValues::F64(vec![1.0, 0.0]),
         "in the order that was asked for"
     );
     let expected: Vec<f64> = [40_200.0, 40_203.0, 40_206.0, 200.0, 203.0, 206.0]
         .iter()
         .flat_map(|place: &f64| [place.sin(), *place])
         .collect();
-    assert_eq!(chosen.variable("values").unwrap().data, Data::F64(expected));
+    assert_eq!(chosen.variable("values").unwrap().data, VariableValues::F64(expected));
     assert_eq!(chosen.attributes(), dataset.attributes());
     assert_eq!(texts("quantity_units"), ["1/s", ""]);
     assert_eq!(texts("quantity_flag_values"), ["", "0 2"]);

@@ -1,6 +1,6 @@
 //! Discs that cover a region, and what they say of each other.
 
-use super::disc::{Disc, SAME};
+use super::disc::{SAME, SearchedDisc};
 use super::matching::one_to_one;
 use crate::StructureError;
 use crate::quadratic::{Quadratic, Region};
@@ -89,7 +89,7 @@ impl fmt::Display for Gap {
 
 /// Discs over a region.
 pub(super) struct Cover {
-    pub(super) discs: Vec<Disc>,
+    pub(super) discs: Vec<SearchedDisc>,
     /// Each eigenvalue once: its disc, and its place there.
     pub(super) members: Vec<(usize, usize)>,
     pub(super) gaps: Vec<Gap>,
@@ -109,9 +109,9 @@ pub(super) fn cover(problem: &Quadratic, region: &Region) -> Result<Cover, Struc
     let (mut discs, mut gaps, mut searches) = (Vec::new(), Vec::new(), 0);
     let mut parts = region.halves().to_vec();
     for halving in 0..=HALVINGS {
-        let searched: Vec<Disc> = parts
+        let searched: Vec<SearchedDisc> = parts
             .par_iter()
-            .map(|part| Disc::search(problem, part.centre(), MARGIN * part.radius()))
+            .map(|part| SearchedDisc::search(problem, part.centre(), MARGIN * part.radius()))
             .collect::<Result<_, _>>()?;
         searches += parts.len();
         let mut smaller = Vec::new();
@@ -131,21 +131,21 @@ pub(super) fn cover(problem: &Quadratic, region: &Region) -> Result<Cover, Struc
     gaps.extend(
         discs.iter().flat_map(|disc| disc.lonely.iter().map(|value| Gap::OneSided { value: *value })),
     );
-    let known: Vec<Known> = discs.iter().map(Known::of).collect();
+    let known: Vec<KnownDisc> = discs.iter().map(KnownDisc::of).collect();
     let (members, overlaps) = once_each(&known);
     gaps.extend(overlaps);
     Ok(Cover { discs, members, gaps })
 }
 
 /// What a disc knows.
-struct Known {
+struct KnownDisc {
     shift: c64,
     radius: f64,
     values: Vec<c64>,
 }
 
-impl Known {
-    fn of(disc: &Disc) -> Self {
+impl KnownDisc {
+    fn of(disc: &SearchedDisc) -> Self {
         let values = disc.triples.iter().map(|triple| triple.value).collect();
         Self { shift: disc.factor.shift(), radius: disc.radius, values }
     }
@@ -156,7 +156,7 @@ impl Known {
 }
 
 /// Each eigenvalue of overlapping discs once, in the disc that found it first, and what one disc lacks of another.
-fn once_each(discs: &[Known]) -> (Vec<(usize, usize)>, Vec<Gap>) {
+fn once_each(discs: &[KnownDisc]) -> (Vec<(usize, usize)>, Vec<Gap>) {
     let (mut members, mut values, mut gaps) = (Vec::new(), Vec::<c64>::new(), Vec::new());
     for (number, disc) in discs.iter().enumerate() {
         let farthest = disc.values.iter().map(|value| (value - disc.shift).norm()).fold(0.0, f64::max);
@@ -183,9 +183,9 @@ fn once_each(discs: &[Known]) -> (Vec<(usize, usize)>, Vec<Gap>) {
 mod tests {
     use super::*;
 
-    fn disc(shift: f64, values: &[f64]) -> Known {
+    fn disc(shift: f64, values: &[f64]) -> KnownDisc {
         let values = values.iter().map(|v| c64::new(0.0, *v)).collect();
-        Known { shift: c64::new(0.0, shift), radius: 10.0, values }
+        KnownDisc { shift: c64::new(0.0, shift), radius: 10.0, values }
     }
 
     #[test]

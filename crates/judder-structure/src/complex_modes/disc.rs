@@ -1,7 +1,7 @@
 //! The eigenvalues of a disc around a shift, with right and left vectors that belong together.
 
 use super::krylov::{FoundAroundShift, search};
-use super::linearised::Linearised;
+use super::linearised::LinearisedOperator;
 use super::matching::one_to_one;
 use super::shift::ShiftedFactor;
 use super::vectors::{bilinear, column};
@@ -23,7 +23,7 @@ pub(crate) struct Triple {
 
 /// A disc that was searched from both sides.
 #[derive(Debug)]
-pub(super) struct Disc {
+pub(super) struct SearchedDisc {
     pub(super) factor: ShiftedFactor,
     /// Every eigenvalue nearer to the shift was found, but for the lonely ones.
     pub(super) radius: f64,
@@ -43,12 +43,12 @@ const WELL_INSIDE: f64 = 0.98;
 /// Eigenvalues nearer to each other than this share of the radius have vectors that mix.
 const CLUSTER: f64 = 1e-7;
 
-impl Disc {
+impl SearchedDisc {
     /// Searches around a centre, out to the asked radius or as far as one search reaches.
     pub(super) fn search(problem: &Quadratic, centre: c64, asked: f64) -> Result<Self, StructureError> {
         const SEEDS: (u64, u64) = (101, 202);
         let factor = ShiftedFactor::near(problem, centre, asked)?;
-        let of = |side| Linearised { problem, factor: &factor, side, reach: asked };
+        let of = |side| LinearisedOperator { problem, factor: &factor, side, reach: asked };
         let (right, left) = rayon::join(
             || search(&of(MatrixSide::Right), SEEDS.0),
             || search(&of(MatrixSide::Left), SEEDS.1),

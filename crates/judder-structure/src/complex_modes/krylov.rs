@@ -3,7 +3,7 @@
 //! A space grown from b random vectors holds at most b copies of an eigenvalue, however large it grows, and from either side alike. So
 //! it is grown from more than the largest crowd of eigenvalues in it: as long as a crowd is not outnumbered, random vectors are added.
 
-use super::linearised::Linearised;
+use super::linearised::LinearisedOperator;
 use crate::StructureError;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatRef, Par, c64};
@@ -47,7 +47,10 @@ pub(super) struct FoundAroundShift {
 }
 
 /// All eigenvalues within the operator's reach of its shift, or as far out as the largest basis holds.
-pub(super) fn search(operator: &Linearised<'_>, seed: u64) -> Result<FoundAroundShift, StructureError> {
+pub(super) fn search(
+    operator: &LinearisedOperator<'_>,
+    seed: u64,
+) -> Result<FoundAroundShift, StructureError> {
     let asked = operator.reach;
     let mut basis = Basis::start(operator, seed)?;
     let mut seen = None;
@@ -77,7 +80,7 @@ pub(super) fn search(operator: &Linearised<'_>, seed: u64) -> Result<FoundAround
 
 /// An orthonormal basis and the operator on it.
 struct Basis<'a> {
-    operator: &'a Linearised<'a>,
+    operator: &'a LinearisedOperator<'a>,
     seed: u64,
     /// Random vectors that it was grown from.
     starts: usize,
@@ -104,7 +107,7 @@ struct RitzPair {
 }
 
 impl<'a> Basis<'a> {
-    fn start(operator: &'a Linearised<'a>, seed: u64) -> Result<Self, StructureError> {
+    fn start(operator: &'a LinearisedOperator<'a>, seed: u64) -> Result<Self, StructureError> {
         let mut basis = Self {
             operator,
             seed,

@@ -9,7 +9,7 @@ use crate::quadratic::{MatrixSide, Quadratic};
 use faer::{Mat, MatRef, c64};
 
 /// The operator on (x, u), for right vectors or for left ones.
-pub(super) struct Linearised<'a> {
+pub(super) struct LinearisedOperator<'a> {
     pub(super) problem: &'a Quadratic,
     pub(super) factor: &'a ShiftedFactor,
     pub(super) side: MatrixSide,
@@ -17,7 +17,7 @@ pub(super) struct Linearised<'a> {
     pub(super) reach: f64,
 }
 
-impl Linearised<'_> {
+impl LinearisedOperator<'_> {
     /// Length of (x, u).
     pub(super) fn rows(&self) -> usize {
         2 * self.problem.size()

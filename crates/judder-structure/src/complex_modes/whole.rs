@@ -1,6 +1,6 @@
 //! A small problem whole: all its eigenvalues from one dense matrix, and determinants as the proof that they are all.
 //!
-//! With w = (z − σ)/ρ the linear operator A of [`Linearised`] has det Q(z)/det Q(σ) = det(1 − w A) = Π (1 − w θⱼ) over all its
+//! With w = (z − σ)/ρ the linear operator A of [`LinearisedOperator`] has det Q(z)/det Q(σ) = det(1 − w A) = Π (1 − w θⱼ) over all its
 //! eigenvalues, infinite ones (θ = 0) among them. Determinants by elimination around the region are a number of their own: an eigenvalue of
 //! the region that is missing, or there twice, turns the quotient of both sides once around.
 
@@ -8,7 +8,7 @@ use super::SearchedRegion;
 use super::cover::Gap;
 use super::determinant::log_determinant;
 use super::disc::{Triple, biorthogonalise};
-use super::linearised::Linearised;
+use super::linearised::LinearisedOperator;
 use super::matching::one_to_one;
 use super::refine::{Neighbourhood, RefinedEigenvalue};
 use super::shift::ShiftedFactor;
@@ -30,7 +30,7 @@ const CLUSTER: f64 = 1e-7;
 pub(super) fn whole(problem: &Quadratic, region: &Region) -> Result<SearchedRegion, StructureError> {
     let reach = region.radius();
     let factor = ShiftedFactor::near(problem, region.centre(), reach)?;
-    let of = |side| Linearised { problem, factor: &factor, side, reach };
+    let of = |side| LinearisedOperator { problem, factor: &factor, side, reach };
     let (right, left) = rayon::join(
         || WholeSpectrum::of(&of(MatrixSide::Right)),
         || WholeSpectrum::of(&of(MatrixSide::Left)),
@@ -68,7 +68,7 @@ struct WholeSpectrum {
 }
 
 impl WholeSpectrum {
-    fn of(operator: &Linearised<'_>) -> Result<Self, StructureError> {
+    fn of(operator: &LinearisedOperator<'_>) -> Result<Self, StructureError> {
         let rows = operator.rows();
         let matrix = operator.through(Mat::<c64>::identity(rows, rows).as_ref())?;
         let (thetas, vectors) =
@@ -112,7 +112,7 @@ fn refined(
 fn unproved(
     problem: &Quadratic,
     region: &Region,
-    operator: &Linearised<'_>,
+    operator: &LinearisedOperator<'_>,
     thetas: &[c64],
 ) -> Result<Vec<Gap>, StructureError> {
     /// A missing eigenvalue makes 2π of it on the way around.

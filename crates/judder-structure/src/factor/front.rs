@@ -31,7 +31,7 @@ pub(super) struct Front {
 }
 
 /// A block that is being assembled: its columns, and what they will change in the rows below.
-pub(super) struct Assembly {
+pub(super) struct FrontAssembly {
     rows: usize,
     columns: usize,
     lower: Vec<f64>,
@@ -39,7 +39,7 @@ pub(super) struct Assembly {
     pub(super) update: Vec<f64>,
 }
 
-impl Assembly {
+impl FrontAssembly {
     pub(super) fn new(columns: usize, below: usize, size: usize) -> Result<Self, StructureError> {
         let rows = columns + below;
         Ok(Self { rows, columns, lower: zeros(rows * columns, size)?, update: zeros(below * below, size)? })

@@ -1,6 +1,6 @@
 //! Any number of a case that varies: how its values are read, and how one is put back into the case.
 
-use crate::case::scale::Scale;
+use crate::case::scale::Spacing;
 use crate::case::study_sweep::problem::SweepProblem;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
@@ -45,8 +45,8 @@ pub struct VariedKey<const MOST: usize> {
     #[key(rule = Whole { from: 2, to: MOST }, omitted)]
     pub points: Option<usize>,
     /// Spacing of the values.
-    #[key(usual = Scale::Linear, omitted)]
-    pub scale: Option<Scale>,
+    #[key(usual = Spacing::Linear, omitted)]
+    pub scale: Option<Spacing>,
     /// In place of a range.
     #[key(rule = Several { of: (), length: [1, usize::MAX] }, omitted)]
     pub values: Option<Vec<AnyNumber>>,
@@ -95,7 +95,7 @@ pub struct Ends {
     /// Their dimension.
     pub dimension: Dimension,
     /// How the values between are spaced.
-    pub scale: Scale,
+    pub scale: Spacing,
 }
 
 impl<const MOST: usize> VariedKey<MOST> {
@@ -107,11 +107,11 @@ impl<const MOST: usize> VariedKey<MOST> {
         let (from, to) = both(end("from", self.from), end("to", self.to))?;
         same_dimension(&table.path("to"), from, to, table.place_of(&["to"]))?;
         let (scale, [from, to], dimension) =
-            (self.scale.unwrap_or(Scale::Linear), [from.value, to.value], from.dimension);
+            (self.scale.unwrap_or(Spacing::Linear), [from.value, to.value], from.dimension);
         if from == to {
             return Err(Cause::EmptyRange { from }.at(table.place));
         }
-        if scale == Scale::Log && (from == 0.0 || to == 0.0 || (from < 0.0) != (to < 0.0)) {
+        if scale == Spacing::Log && (from == 0.0 || to == 0.0 || (from < 0.0) != (to < 0.0)) {
             return Err(Cause::LogThroughZero { from, to }.at(table.place));
         }
         Ok(Ends { values: [from, to], dimension, scale })

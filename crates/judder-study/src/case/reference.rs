@@ -2,7 +2,7 @@
 
 use crate::case::analysis::KindEntry;
 use crate::case::study_sweep::design::POINTS_LIMIT;
-use crate::case::study_sweep::quantity_path::Reduction;
+use crate::case::study_sweep::quantity_path::ListReduction;
 use crate::case::study_sweep::read::SweepKeys;
 use crate::registry::{ModelKind, Registry};
 use judder_keys::declared::Settings;
@@ -25,7 +25,7 @@ pub fn reference(registry: Registry, within: &str) -> String {
 
 /// The section on sweeps of the whole case.
 fn sweeps() -> String {
-    let reductions = Reduction::ALL.map(|(name, _)| format!("`{name}`")).join(", ");
+    let reductions = ListReduction::ALL.map(|(name, _)| format!("`{name}`")).join(", ");
     include_str!("reference/sweeps.md")
         .replace("{keys}", table(&SweepKeys::declarations()).trim_end())
         .replace("{dimensions}", &DIMENSIONS_LIMIT.to_string())

@@ -5,7 +5,7 @@ use judder_keys::Choice;
 /// How the points of a sweep are spaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
 #[choice(what = "scale")]
-pub enum Scale {
+pub enum Spacing {
     /// Equal steps.
     Linear,
     /// Equal ratios.
@@ -13,9 +13,9 @@ pub enum Scale {
 }
 
 /// The value of point `index` of `points` from one end to the other: the ends exact, and a power of ten as exact as `powf` gives it.
-pub fn spaced(ends: [f64; 2], points: u64, scale: Scale, index: u64) -> f64 {
+pub fn spaced(ends: [f64; 2], points: u64, scale: Spacing, index: u64) -> f64 {
     match scale {
-        Scale::Log if index > 0 && index + 1 < points => {
+        Spacing::Log if index > 0 && index + 1 < points => {
             let exponents = ends.map(|end| end.abs().log10());
             10_f64.powf(evenly(exponents, points, index)).copysign(ends[0])
         }

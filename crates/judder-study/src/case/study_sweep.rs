@@ -20,7 +20,7 @@ pub(crate) use read::read_sweeps;
 pub(crate) use trial::at;
 
 use crate::case::key_sweep;
-use crate::case::scale::Scale;
+use crate::case::scale::Spacing;
 use design::Sampler;
 use judder_keys::Settings;
 use judder_keys::declared::{Number, Whole};
@@ -95,7 +95,7 @@ pub struct SweptKey {
     /// The dimension of its values; a plain number has none, a group neither.
     pub dimension: Dimension,
     /// How values are spaced.
-    pub scale: Scale,
+    pub scale: Spacing,
     /// Its values, in SI units or plain numbers.
     pub values: SweptValues,
 }

@@ -1,6 +1,6 @@
 //! The analyses of a case: what a model says of them, and what follows of that whatever the model.
 
-use super::{OperatingQuantity, Place, Refusal, Task};
+use super::{AnalysisPlace, OperatingQuantity, Refusal, Task};
 use crate::case::analysis::{AsAny, Planned, names};
 use crate::case::text::CaseText;
 use crate::error::StudyError;
@@ -126,7 +126,7 @@ pub trait Analyses {
     fn takes_up(&self, analysis: &str) -> Vec<&str>;
 
     /// The place in the case file of what a run found wrong with an analysis; `None` where no key is to blame.
-    fn blamed(&self, error: &StudyError, place: Place<'_>) -> Option<CaseError>;
+    fn blamed(&self, error: &StudyError, place: AnalysisPlace<'_>) -> Option<CaseError>;
 }
 
 impl<C: Analysed> Analyses for C {
@@ -163,7 +163,7 @@ impl<C: Analysed> Analyses for C {
         found.map_or_else(Vec::new, |found| found.kind.takes_up())
     }
 
-    fn blamed(&self, error: &StudyError, place: Place<'_>) -> Option<CaseError> {
+    fn blamed(&self, error: &StudyError, place: AnalysisPlace<'_>) -> Option<CaseError> {
         let StudyError::Model(fault) = error else { return None };
         let error = (fault.as_ref() as &dyn Any).downcast_ref::<C::Error>()?;
         let own = self.analyses().get(place.index)?;
@@ -176,9 +176,9 @@ pub fn wanted<'a, C: Analysed>(
     case: &'a C,
     file: &'a CaseText,
     is_wanted: &'a dyn Fn(&str) -> bool,
-) -> impl Iterator<Item = (Place<'a>, &'a C::Asked)> {
+) -> impl Iterator<Item = (AnalysisPlace<'a>, &'a C::Asked)> {
     let placed = move |(index, own): (usize, &'a Planned<Arc<C::Asked>>)| {
-        (Place { file, index, name: &own.name }, &*own.kind)
+        (AnalysisPlace { file, index, name: &own.name }, &*own.kind)
     };
     case.analyses().iter().enumerate().filter(|(_, own)| is_wanted(&own.name)).map(placed)
 }

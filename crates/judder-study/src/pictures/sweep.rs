@@ -11,9 +11,9 @@ mod samples;
 mod sensitivity;
 
 use crate::registry::ModelKind;
-use column::{Column, Key};
+use column::{KeyColumn, PointColumn};
 use judder_report::{Figure, Panel};
-use judder_store::{Data, Dataset};
+use judder_store::{Dataset, VariableValues};
 use serde_json::{Map, Value};
 
 /// Whether the arrays with these attributes are those of a sweep.
@@ -53,7 +53,7 @@ pub(crate) fn figures(
     dataset: &Dataset,
     results: &Map<String, Value>,
 ) -> Vec<Figure> {
-    let Some(sweep) = Sweep::of(model, dataset, results) else { return Vec::new() };
+    let Some(sweep) = DrawnSweep::of(model, dataset, results) else { return Vec::new() };
     let (panels, columns, caption) = match sweep.is_grid {
         true => grid::panels(&sweep),
         false => samples::panels(&sweep),
@@ -71,11 +71,11 @@ pub(crate) fn figures(
 type Drawn = (Vec<Panel>, usize, String);
 
 /// A sweep at its drawn points.
-struct Sweep<'a> {
+struct DrawnSweep<'a> {
     dataset: &'a Dataset,
-    keys: Vec<Key>,
+    keys: Vec<KeyColumn>,
     /// The quantities that were asked for.
-    columns: Vec<Column>,
+    columns: Vec<PointColumn>,
     is_grid: bool,
     /// Points along each dimension, of those that were read.
     lengths: Vec<usize>,
@@ -84,13 +84,13 @@ struct Sweep<'a> {
     sensitivity: Option<&'a Map<String, Value>>,
 }
 
-impl<'a> Sweep<'a> {
+impl<'a> DrawnSweep<'a> {
     fn of(model: Option<&ModelKind>, dataset: &'a Dataset, results: &'a Map<String, Value>) -> Option<Self> {
         if !is_sweep(dataset.attributes()) {
             return None;
         }
         let stored = dataset.variable("values")?;
-        let Data::F64(values) = &stored.data else { return None };
+        let VariableValues::F64(values) = &stored.data else { return None };
         let (_, lengths) = stored.shape.split_last()?;
         let is_grid = dataset.attributes().get("method").and_then(Value::as_str) == Some("grid");
         let mut columns = column::columns(model, dataset, values)?;

@@ -24,11 +24,11 @@ pub(crate) fn tables(results: &Map<String, Value>) -> Vec<PageTable> {
     tables
 }
 
-type Told<'a> = (&'a String, &'a Value);
+type ToldScalar<'a> = (&'a String, &'a Value);
 
-fn of_numbers(quantities: &[Told<'_>]) -> PageTable {
+fn of_numbers(quantities: &[ToldScalar<'_>]) -> PageTable {
     let head = ["quantity", "points", "smallest", "largest", "mean", "standard deviation"];
-    let row = |(name, told): &Told<'_>| {
+    let row = |(name, told): &ToldScalar<'_>| {
         let numbers = ["count", "min", "max", "mean", "standard_deviation"];
         std::iter::once((*name).clone()).chain(numbers.iter().map(|key| short(&told[*key]))).collect()
     };
@@ -39,7 +39,7 @@ fn of_numbers(quantities: &[Told<'_>]) -> PageTable {
     }
 }
 
-fn of_classes(quantities: &[Told<'_>]) -> PageTable {
+fn of_classes(quantities: &[ToldScalar<'_>]) -> PageTable {
     let rows = quantities.iter().flat_map(|(name, told)| {
         let points = told["count"].as_f64().unwrap_or(0.0);
         let classes = told["of"].as_object().into_iter().flatten();

@@ -2,7 +2,7 @@
 
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
-use crate::kept::{Kept, Place};
+use crate::kept::{KeptLines, StudyPlace};
 use crate::ledger::VERSION;
 use crate::model::{Case, Prepared, Task, placed};
 use crate::outcome::Outcome;
@@ -41,10 +41,10 @@ impl AnalysisRunner<'_> {
         let keep_shared = |line: &str| {
             let _ = shared.as_ref().map(|shared| shared.keep(line));
         };
-        let place = Place { study: store, analysis: name, hash, all };
-        let own = Kept { lines: scratch.lines(), keep: &keep, place: Some(place) };
+        let place = StudyPlace { study: store, analysis: name, hash, all };
+        let own = KeptLines { lines: scratch.lines(), keep: &keep, place: Some(place) };
         let lines = shared.as_ref().map_or(&[][..], Scratch::lines);
-        let of_shared = Kept { lines, keep: &keep_shared, place: None };
+        let of_shared = KeptLines { lines, keep: &keep_shared, place: None };
         let task = Task { shared: of_shared, own, ..Task::alone(self.prepared, progress) };
         let outcome = file.case.run(index, task);
         progress.end();

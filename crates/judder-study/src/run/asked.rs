@@ -13,7 +13,7 @@ use judder_store::{StudyFolder, content_hash};
 use serde_json::{Value, json};
 
 /// A case with the names and hashes of all that it has, and what of it is wanted.
-pub(crate) struct Asked<'a> {
+pub(crate) struct AskedCase<'a> {
     pub(super) file: &'a CaseFile,
     only: &'a [String],
     /// What the study keeps beside its results.
@@ -28,7 +28,7 @@ pub(crate) struct Asked<'a> {
     files: Vec<KnownFile>,
 }
 
-impl<'a> Asked<'a> {
+impl<'a> AskedCase<'a> {
     /// # Errors
     /// A name in `only` that the case does not have, a file of the case that cannot be read.
     pub(super) fn new(file: &'a CaseFile, options: &'a RunOptions) -> Result<Self, StudyError> {

@@ -1,6 +1,6 @@
 //! The sweeps of a case: chunks by as many processes as there are, then what they say together.
 
-use super::asked::Asked;
+use super::asked::AskedCase;
 use super::{RunOptions, RunReport, SweepWork, compute_in, taken};
 use crate::error::StudyError;
 use crate::ledger::Study;
@@ -19,7 +19,7 @@ struct Earlier {
 
 /// Runs analyses and sweeps. Analyses are run by whoever holds the study alone: at first where nobody else is there, else at the end.
 pub(super) fn run(
-    asked: &Asked<'_>,
+    asked: &AskedCase<'_>,
     prepared: &Prepared,
     plans: &[SweepPlan],
     folder: &Path,
@@ -68,7 +68,7 @@ pub(super) fn run(
 
 /// Runs the analyses where nobody else is at work; gives back what became of earlier results.
 fn begun(
-    asked: &Asked<'_>,
+    asked: &AskedCase<'_>,
     prepared: &Prepared,
     plans: &[SweepPlan],
     folder: &Path,

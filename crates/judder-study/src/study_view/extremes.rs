@@ -1,20 +1,20 @@
 //! The smallest and the largest values of bins of rows.
 
-use judder_store::Data;
+use judder_store::VariableValues;
 use num_complex::Complex64;
 use std::cmp::Ordering;
 use std::ops::Range;
 
 /// Rows in bins, of each of which the extremes are kept, column by column.
-pub(super) struct Extremes {
+pub(super) struct BinnedExtremes {
     rows: Range<usize>,
     bins: usize,
     width: usize,
-    found: Option<Found>,
+    found: Option<FoundExtremes>,
 }
 
 /// Smallest and largest of every bin and column.
-enum Found {
+enum FoundExtremes {
     F64(Vec<Option<[f64; 2]>>),
     Complex(Vec<Option<[Complex64; 2]>>),
     I64(Vec<Option<[i64; 2]>>),
@@ -22,21 +22,21 @@ enum Found {
     Text(Vec<Option<[String; 2]>>),
 }
 
-impl Extremes {
+impl BinnedExtremes {
     /// Of so many bins of about the same length, with `width` values a row.
     pub(super) fn new(rows: Range<usize>, bins: usize, width: usize) -> Self {
         Self { rows, bins: bins.max(1), width, found: None }
     }
 
     /// Takes the rows from `start` on; their values are of one type each time.
-    pub(super) fn add(&mut self, start: usize, data: Data) {
+    pub(super) fn add(&mut self, start: usize, data: VariableValues) {
         let places = self.bins * self.width;
         let found = self.found.get_or_insert_with(|| match data {
-            Data::F64(_) => Found::F64(vec![None; places]),
-            Data::Complex(_) => Found::Complex(vec![None; places]),
-            Data::I64(_) => Found::I64(vec![None; places]),
-            Data::U8(_) => Found::U8(vec![None; places]),
-            Data::Text(_) => Found::Text(vec![None; places]),
+            VariableValues::F64(_) => FoundExtremes::F64(vec![None; places]),
+            VariableValues::Complex(_) => FoundExtremes::Complex(vec![None; places]),
+            VariableValues::I64(_) => FoundExtremes::I64(vec![None; places]),
+            VariableValues::U8(_) => FoundExtremes::U8(vec![None; places]),
+            VariableValues::Text(_) => FoundExtremes::Text(vec![None; places]),
         });
         let place = |index: usize| {
             let row = start + index / self.width - self.rows.start;
@@ -45,28 +45,32 @@ impl Extremes {
             bin * self.width + index % self.width
         };
         match (found, data) {
-            (Found::F64(found), Data::F64(values)) => widen(found, values, place, of_numbers),
-            (Found::Complex(found), Data::Complex(values)) => {
+            (FoundExtremes::F64(found), VariableValues::F64(values)) => {
+                widen(found, values, place, of_numbers);
+            }
+            (FoundExtremes::Complex(found), VariableValues::Complex(values)) => {
                 widen(found, values, place, |a, b| of_numbers(&a.norm(), &b.norm()));
             }
-            (Found::I64(found), Data::I64(values)) => widen(found, values, place, Ord::cmp),
-            (Found::U8(found), Data::U8(values)) => widen(found, values, place, Ord::cmp),
+            (FoundExtremes::I64(found), VariableValues::I64(values)) => widen(found, values, place, Ord::cmp),
+            (FoundExtremes::U8(found), VariableValues::U8(values)) => widen(found, values, place, Ord::cmp),
             // labels have no size: the first and the last stay
-            (Found::Text(found), Data::Text(values)) => widen(found, values, place, |_, _| Ordering::Equal),
+            (FoundExtremes::Text(found), VariableValues::Text(values)) => {
+                widen(found, values, place, |_, _| Ordering::Equal);
+            }
             _ => (),
         }
     }
 
     /// Two rows a bin, the smallest values, then the largest.
-    pub(super) fn finish(self) -> Data {
+    pub(super) fn finish(self) -> VariableValues {
         let width = self.width;
         match self.found {
-            Some(Found::F64(found)) => Data::F64(rows(found, width)),
-            Some(Found::Complex(found)) => Data::Complex(rows(found, width)),
-            Some(Found::I64(found)) => Data::I64(rows(found, width)),
-            Some(Found::U8(found)) => Data::U8(rows(found, width)),
-            Some(Found::Text(found)) => Data::Text(rows(found, width)),
-            None => Data::F64(Vec::new()),
+            Some(FoundExtremes::F64(found)) => VariableValues::F64(rows(found, width)),
+            Some(FoundExtremes::Complex(found)) => VariableValues::Complex(rows(found, width)),
+            Some(FoundExtremes::I64(found)) => VariableValues::I64(rows(found, width)),
+            Some(FoundExtremes::U8(found)) => VariableValues::U8(rows(found, width)),
+            Some(FoundExtremes::Text(found)) => VariableValues::Text(rows(found, width)),
+            None => VariableValues::F64(Vec::new()),
         }
     }
 }
@@ -127,34 +131,38 @@ mod tests {
                 expected.extend([fold(f64::min), fold(f64::max)]);
             }
             for part in [1, 64, 1000] {
-                let mut extremes = Extremes::new(rows.clone(), bins, 1);
+                let mut extremes = BinnedExtremes::new(rows.clone(), bins, 1);
                 for start in rows.clone().step_by(part) {
-                    extremes.add(start, Data::F64(values[start..(start + part).min(1000)].to_vec()));
+                    extremes
+                        .add(start, VariableValues::F64(values[start..(start + part).min(1000)].to_vec()));
                 }
-                assert_eq!(extremes.finish(), Data::F64(expected.clone()), "{from} {bins} {part}");
+                assert_eq!(extremes.finish(), VariableValues::F64(expected.clone()), "{from} {bins} {part}");
             }
         }
     }
 
     #[test]
     fn every_column_and_every_type_has_its_own() {
-        let of = |data: Data, width: usize| {
-            let mut extremes = Extremes::new(0..4, 2, width);
+        let of = |data: VariableValues, width: usize| {
+            let mut extremes = BinnedExtremes::new(0..4, 2, width);
             extremes.add(0, data);
             extremes.finish()
         };
         let columns = vec![1.0, 10.0, 2.0, 9.0, f64::NAN, 5.0, 4.0, 6.0];
-        assert_eq!(of(Data::F64(columns), 2), Data::F64(vec![1.0, 9.0, 2.0, 10.0, 4.0, 5.0, 4.0, 6.0]));
-        assert_eq!(of(Data::I64(vec![3, -1, 7, 8]), 1), Data::I64(vec![-1, 3, 7, 8]));
-        assert_eq!(of(Data::U8(vec![3, 1, 0, 2]), 1), Data::U8(vec![1, 3, 0, 2]));
+        assert_eq!(
+            of(VariableValues::F64(columns), 2),
+            VariableValues::F64(vec![1.0, 9.0, 2.0, 10.0, 4.0, 5.0, 4.0, 6.0])
+        );
+        assert_eq!(of(VariableValues::I64(vec![3, -1, 7, 8]), 1), VariableValues::I64(vec![-1, 3, 7, 8]));
+        assert_eq!(of(VariableValues::U8(vec![3, 1, 0, 2]), 1), VariableValues::U8(vec![1, 3, 0, 2]));
         let (small, large) = (Complex64::new(0.0, 1.0), Complex64::new(-2.0, 0.0));
         assert_eq!(
-            of(Data::Complex(vec![large, small, small, small]), 1),
-            Data::Complex(vec![small, large, small, small])
+            of(VariableValues::Complex(vec![large, small, small, small]), 1),
+            VariableValues::Complex(vec![small, large, small, small])
         );
         let labels = ["b", "a", "d", "c"].map(String::from).to_vec();
-        assert_eq!(of(Data::Text(labels.clone()), 1), Data::Text(labels));
-        let Data::F64(none) = of(Data::F64(vec![f64::NAN; 4]), 1) else { panic!() };
+        assert_eq!(of(VariableValues::Text(labels.clone()), 1), VariableValues::Text(labels));
+        let VariableValues::F64(none) = of(VariableValues::F64(vec![f64::NAN; 4]), 1) else { panic!() };
         assert!(none.len() == 4 && none.iter().all(|value| value.is_nan()));
     }
 }

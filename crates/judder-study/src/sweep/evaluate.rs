@@ -1,6 +1,6 @@
 //! The points of a chunk.
 
-use super::plan::{Column, SweepPlan};
+use super::plan::{StoredColumn, SweepPlan};
 use super::scalars::number_at;
 use crate::analyses::run_alone;
 use crate::error::StudyError;
@@ -38,13 +38,13 @@ pub(super) struct Tried {
 /// A plan, ready to compute points.
 pub struct Evaluator<'a> {
     pub(super) plan: Cow<'a, SweepPlan>,
-    way: Way,
+    way: EvaluationWay,
     /// The quantities of the operating point, in the order of their columns.
     wanted: Vec<OperatingQuantity>,
 }
 
 /// How the operating point comes about.
-enum Way {
+enum EvaluationWay {
     /// The points share what takes time to make.
     Shared(Box<dyn OperatingPoints>),
     /// The case is read anew; what it shares with the case of the file is taken from there.
@@ -87,14 +87,14 @@ impl<'a> Evaluator<'a> {
         let mut failures = Vec::new();
         for (index, row) in values.chunks_exact_mut(width).enumerate() {
             // asking takes longer than an operating point
-            if (index % 64 == 0 || matches!(self.way, Way::Anew(_))) && progress.interrupted() {
+            if (index % 64 == 0 || matches!(self.way, EvaluationWay::Anew(_))) && progress.interrupted() {
                 return Err(StudyError::Interrupted);
             }
             if let Some(reason) = self.point(&points.position(index), row, progress)? {
                 failures.push(PointFailure { index, reason });
             }
         }
-        if let Way::Anew(_) = self.way {
+        if let EvaluationWay::Anew(_) = self.way {
             self.plan.check_files()?;
         }
         Ok(ChunkValues { values, failures })
@@ -136,17 +136,17 @@ impl<'a> Evaluator<'a> {
     ) -> Result<Option<String>, StudyError> {
         let at = self.plan.values_at(position);
         for (column, value) in self.plan.columns.iter().zip(&mut *row) {
-            if let Column::Key(k) = column {
+            if let StoredColumn::Key(k) = column {
                 *value = at[*k];
             }
         }
         // a fault of ours at one point must not take the others with it
         let computed = catch_unwind(AssertUnwindSafe(|| match &self.way {
-            Way::Shared(points) => {
+            EvaluationWay::Shared(points) => {
                 self.fill_points(row, points.at(&at, &self.wanted)?);
-                Ok(Told::default())
+                Ok(ToldOutcome::default())
             }
-            Way::Anew(prepared) => self.anew(prepared, &at, row, progress),
+            EvaluationWay::Anew(prepared) => self.anew(prepared, &at, row, progress),
         }));
         match computed {
             Ok(Ok(told)) => Ok(told.reason()),
@@ -158,7 +158,7 @@ impl<'a> Evaluator<'a> {
 
     fn fill_points(&self, row: &mut [f64], values: Vec<f64>) {
         let columns = self.plan.columns.iter().zip(row);
-        let of_point = columns.filter(|(column, _)| matches!(column, Column::Point(_)));
+        let of_point = columns.filter(|(column, _)| matches!(column, StoredColumn::Point(_)));
         of_point.zip(values).for_each(|((_, place), value)| *place = value);
     }
 
@@ -169,11 +169,11 @@ impl<'a> Evaluator<'a> {
         at: &[f64],
         row: &mut [f64],
         progress: &dyn Progress,
-    ) -> Result<Told, StudyError> {
+    ) -> Result<ToldOutcome, StudyError> {
         let file = self.plan.file.at(&self.plan.sweep, at)?;
-        let mut told = Told::default();
+        let mut told = ToldOutcome::default();
         if !self.wanted.is_empty() {
-            let (values, doubts) = file.case.operating_point(&self.wanted, &Within(progress))?;
+            let (values, doubts) = file.case.operating_point(&self.wanted, &PointProgress(progress))?;
             self.fill_points(row, values);
             told.doubts = doubts;
         }
@@ -185,7 +185,7 @@ impl<'a> Evaluator<'a> {
         let paths: Vec<&str> = self.plan.sweep.axes.iter().map(|axis| axis.path.as_str()).collect();
         let prepared = file.case.preflight_at(&file, &|name| names.contains(&name), prepared, &paths)?;
         for (index, name) in wanted {
-            match run_alone(&file.case, &prepared, index, &Within(progress)) {
+            match run_alone(&file.case, &prepared, index, &PointProgress(progress)) {
                 Ok(outcome) => self.fill_scalars(index, name, &outcome, row, &mut told),
                 Err(error) if is_passing(&error) => return Err(error),
                 // the quantities of the others stand
@@ -199,9 +199,16 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Takes the numbers out of the results of an analysis, and what is to be said of them.
-    fn fill_scalars(&self, own: usize, name: &str, outcome: &Outcome, row: &mut [f64], told: &mut Told) {
+    fn fill_scalars(
+        &self,
+        own: usize,
+        name: &str,
+        outcome: &Outcome,
+        row: &mut [f64],
+        told: &mut ToldOutcome,
+    ) {
         for (column, value) in self.plan.columns.iter().zip(row) {
-            let Column::Scalar { index, steps, .. } = column else { continue };
+            let StoredColumn::Scalar { index, steps, .. } = column else { continue };
             if *index == own {
                 match number_at(&outcome.scalars, steps) {
                     Ok(number) => *value = number,
@@ -216,14 +223,14 @@ impl<'a> Evaluator<'a> {
 impl SweepPlan {
     /// The analyses that are run at every point, by position and name.
     pub(super) fn analyses(&self) -> Vec<(usize, &str)> {
-        let of = |column: &'_ Column| match column {
-            Column::Scalar { index, .. } => Some(*index),
+        let of = |column: &'_ StoredColumn| match column {
+            StoredColumn::Scalar { index, .. } => Some(*index),
             _ => None,
         };
         let wanted: std::collections::BTreeSet<usize> = self.columns.iter().filter_map(of).collect();
         let name = |index: usize| {
             self.columns.iter().find_map(|column| match column {
-                Column::Scalar { index: own, name, .. } if *own == index => Some(name.as_str()),
+                StoredColumn::Scalar { index: own, name, .. } if *own == index => Some(name.as_str()),
                 _ => None,
             })
         };
@@ -233,14 +240,14 @@ impl SweepPlan {
 
 /// What is to be said of a point that has an outcome.
 #[derive(Default)]
-struct Told {
+struct ToldOutcome {
     /// Results that are not there: the point has failed, whatever else it has.
     missing: Vec<String>,
     /// Reasons to doubt those that are.
     doubts: Vec<String>,
 }
 
-impl Told {
+impl ToldOutcome {
     fn take(&mut self, name: &str, outcome: &Outcome) {
         if outcome.missing > 0 {
             self.missing.push(format!("{name}: {} of its results are missing", outcome.missing));
@@ -260,15 +267,15 @@ impl Told {
     }
 }
 
-fn way(plan: &SweepPlan, progress: &dyn Progress) -> Result<Way, StudyError> {
+fn way(plan: &SweepPlan, progress: &dyn Progress) -> Result<EvaluationWay, StudyError> {
     let model = &plan.file.case;
     if plan.analyses().is_empty()
-        && let Some(points) = model.operating_points(&plan.sweep, &Within(progress))?
+        && let Some(points) = model.operating_points(&plan.sweep, &PointProgress(progress))?
     {
-        return Ok(Way::Shared(points));
+        return Ok(EvaluationWay::Shared(points));
     }
     let names: Vec<&str> = plan.analyses().iter().map(|(_, name)| *name).collect();
-    Ok(Way::Anew(model.preflight(&plan.file, &|name| names.contains(&name))?))
+    Ok(EvaluationWay::Anew(model.preflight(&plan.file, &|name| names.contains(&name))?))
 }
 
 /// Whether an error is not of the point: another time it may be computed.
@@ -283,9 +290,9 @@ fn is_passing(error: &StudyError) -> bool {
 }
 
 /// The reason of a point without values; what was computed of it goes too.
-fn failed(columns: &[Column], row: &mut [f64], reason: &str) -> String {
+fn failed(columns: &[StoredColumn], row: &mut [f64], reason: &str) -> String {
     for (column, value) in columns.iter().zip(row) {
-        if !matches!(column, Column::Key(_)) {
+        if !matches!(column, StoredColumn::Key(_)) {
             *value = f64::NAN;
         }
     }
@@ -308,9 +315,9 @@ fn panicked(panic: &(dyn Any + Send)) -> String {
 }
 
 /// The progress of what runs within a point: it can be stopped, and tells nothing.
-struct Within<'a>(&'a dyn Progress);
+struct PointProgress<'a>(&'a dyn Progress);
 
-impl Progress for Within<'_> {
+impl Progress for PointProgress<'_> {
     fn begin(&self, _name: &str, _steps: usize) {}
     fn expect(&self, _steps: usize) {}
     fn advance(&self) {}

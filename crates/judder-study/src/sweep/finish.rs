@@ -2,7 +2,7 @@
 
 use super::evaluate::DOUBTFUL;
 use super::indices::indices;
-use super::plan::{Column, SweepPlan};
+use super::plan::{StoredColumn, SweepPlan};
 use super::statistics::ColumnStatistics;
 use crate::error::StudyError;
 use crate::outcome::Outcome;
@@ -26,7 +26,7 @@ pub(crate) fn finish(
     progress: &dyn Progress,
 ) -> Result<Outcome, StudyError> {
     let law = told_of_law(plan, progress)?;
-    let mut read = Reading::new(plan);
+    let mut read = ChunkReading::new(plan);
     let chunks = plan.layout().chunk_count();
     progress.begin(&format!("{}, summary", plan.layout().name()), chunks);
     let taken = (0..chunks).try_for_each(|chunk| {
@@ -45,7 +45,7 @@ pub(crate) fn finish(
 }
 
 /// The chunks of a sweep as they are read, one after the other.
-struct Reading<'a> {
+struct ChunkReading<'a> {
     plan: &'a SweepPlan,
     columns: Vec<ColumnStatistics>,
     failed: usize,
@@ -57,7 +57,7 @@ struct Reading<'a> {
     keys: Vec<Vec<f64>>,
 }
 
-impl<'a> Reading<'a> {
+impl<'a> ChunkReading<'a> {
     fn new(plan: &'a SweepPlan) -> Self {
         let quantities = plan.layout().quantities();
         let columns = quantities.iter().map(ColumnStatistics::new).collect();
@@ -110,7 +110,7 @@ impl<'a> Reading<'a> {
             .iter()
             .zip(&self.columns)
             .zip(&self.plan.columns)
-            .filter(|(_, column)| !matches!(column, Column::Key(_)))
+            .filter(|(_, column)| !matches!(column, StoredColumn::Key(_)))
             .map(|((quantity, statistics), _)| (quantity.name.clone(), statistics.told(quantity)))
             .collect();
         let mut scalars = Map::new();
@@ -156,7 +156,7 @@ impl<'a> Reading<'a> {
         let columns = self.plan.layout().quantities().iter().zip(&self.plan.columns).zip(&self.kept);
         for ((quantity, column), values) in columns {
             // codes have no mean
-            if matches!(column, Column::Key(_)) || !quantity.flags.is_empty() {
+            if matches!(column, StoredColumn::Key(_)) || !quantity.flags.is_empty() {
                 continue;
             }
             if progress.interrupted() {
@@ -179,7 +179,7 @@ impl<'a> Reading<'a> {
         }
         let columns = self.plan.layout().quantities().iter().zip(&self.plan.columns).zip(&self.kept);
         for ((quantity, column), values) in columns {
-            if !matches!(column, Column::Key(_)) {
+            if !matches!(column, StoredColumn::Key(_)) {
                 let unit = if quantity.units.is_empty() { "1" } else { &quantity.units };
                 table = table.column(&quantity.name, unit, values.clone())?;
             }

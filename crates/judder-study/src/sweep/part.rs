@@ -2,7 +2,7 @@
 
 use super::chunks::damaged;
 use super::evaluate::Evaluator;
-use super::plan::{Column, SweepPlan};
+use super::plan::{StoredColumn, SweepPlan};
 use super::shard::Shard;
 use crate::error::StudyError;
 use crate::progress::Progress;
@@ -116,8 +116,8 @@ impl SweepPlan {
     /// A chunk that is not there.
     pub fn point_without_values(&self, chunk: usize, index: usize) -> Result<Vec<f64>, StudyError> {
         let at = self.values_at(&self.layout().points(chunk)?.position(index));
-        let of = |column: &Column| match column {
-            Column::Key(k) => at[*k],
+        let of = |column: &StoredColumn| match column {
+            StoredColumn::Key(k) => at[*k],
             _ => f64::NAN,
         };
         Ok(self.columns.iter().map(of).collect())

@@ -1,8 +1,8 @@
 //! What a sweep stores, under which hash, in which chunks.
 
-use crate::axis::Axis;
+use crate::axis::SweptAxis;
 use crate::case::file::CaseFile;
-use crate::case::scale::Scale;
+use crate::case::scale::Spacing;
 use crate::case::study_sweep::quantity_path::{QuantityPath, QuantitySource, QuantityStep};
 use crate::case::study_sweep::{Design, StudySweep, SweptValues};
 use crate::error::StudyError;
@@ -26,7 +26,7 @@ const FEWEST_SEARCHES: u64 = 1 << 8;
 
 /// What one column of the stored values is.
 #[derive(Debug, Clone)]
-pub(super) enum Column {
+pub(super) enum StoredColumn {
     /// The value of a swept key, by its position.
     Key(usize),
     /// A quantity of the operating point.
@@ -40,7 +40,7 @@ pub(super) enum Column {
 pub struct SweepPlan {
     pub(super) file: CaseFile,
     pub(super) sweep: StudySweep,
-    pub(super) columns: Vec<Column>,
+    pub(super) columns: Vec<StoredColumn>,
     layout: SweepLayout,
     /// The files of the case, as they are in the hash.
     files: Vec<KnownFile>,
@@ -59,7 +59,7 @@ impl SweepPlan {
     ) -> Result<Self, StudyError> {
         // a grid has its keys as dimensions
         let keys = if sweep.method == Design::Grid { 0 } else { sweep.axes.len() };
-        let mut columns: Vec<Column> = (0..keys).map(Column::Key).collect();
+        let mut columns: Vec<StoredColumn> = (0..keys).map(StoredColumn::Key).collect();
         columns.extend(sweep.quantities.iter().map(column));
         let layout = layout(file, sweep, &columns, hash)?;
         Ok(Self { file: file.clone(), sweep: sweep.clone(), columns, layout, files: files.to_vec() })
@@ -108,24 +108,24 @@ impl SweepPlan {
     }
 
     /// How a swept key is called.
-    pub(super) fn key(&self, k: usize) -> labels::Quantity {
+    pub(super) fn key(&self, k: usize) -> labels::SweptQuantity {
         label(&self.file, &self.sweep, k)
     }
 }
 
-fn column(quantity: &QuantityPath) -> Column {
+fn column(quantity: &QuantityPath) -> StoredColumn {
     match &quantity.source {
         QuantitySource::Analysis { index, name, steps } => {
-            Column::Scalar { index: *index, name: name.clone(), steps: steps.clone() }
+            StoredColumn::Scalar { index: *index, name: name.clone(), steps: steps.clone() }
         }
-        QuantitySource::Point { quantity } => Column::Point(*quantity),
+        QuantitySource::Point { quantity } => StoredColumn::Point(*quantity),
     }
 }
 
 fn layout(
     file: &CaseFile,
     sweep: &StudySweep,
-    columns: &[Column],
+    columns: &[StoredColumn],
     hash: &str,
 ) -> Result<SweepLayout, StudyError> {
     let shape: Vec<usize> = sweep.shape().iter().map(|length| *length as usize).collect();
@@ -162,7 +162,7 @@ fn layout(
 }
 
 /// The points that a chunk should have: decided by the case alone, so that every process cuts alike.
-fn target(file: &CaseFile, sweep: &StudySweep, columns: &[Column]) -> usize {
+fn target(file: &CaseFile, sweep: &StudySweep, columns: &[StoredColumn]) -> usize {
     let part = sweep.points().div_ceil(PARTS);
     let [fewest, most] = points_of_a_chunk(file, sweep, columns);
     let points = sweep.chunk.unwrap_or(part.clamp(fewest, most) as usize).max(1);
@@ -170,8 +170,8 @@ fn target(file: &CaseFile, sweep: &StudySweep, columns: &[Column]) -> usize {
 }
 
 /// The fewest and the most points that a chunk should have, by what a point takes.
-fn points_of_a_chunk(file: &CaseFile, sweep: &StudySweep, columns: &[Column]) -> [u64; 2] {
-    if columns.iter().any(|column| matches!(column, Column::Scalar { .. })) {
+fn points_of_a_chunk(file: &CaseFile, sweep: &StudySweep, columns: &[StoredColumn]) -> [u64; 2] {
+    if columns.iter().any(|column| matches!(column, StoredColumn::Scalar { .. })) {
         return [1, POINTS_OF_ANALYSES];
     }
     match file.case.operating_work(sweep, &operating_quantities(columns)) {
@@ -182,9 +182,9 @@ fn points_of_a_chunk(file: &CaseFile, sweep: &StudySweep, columns: &[Column]) ->
 }
 
 /// The quantities of the operating point among columns, in their order.
-fn operating_quantities(columns: &[Column]) -> Vec<OperatingQuantity> {
-    let of = |column: &Column| match column {
-        Column::Point(quantity) => Some(*quantity),
+fn operating_quantities(columns: &[StoredColumn]) -> Vec<OperatingQuantity> {
+    let of = |column: &StoredColumn| match column {
+        StoredColumn::Point(quantity) => Some(*quantity),
         _ => None,
     };
     columns.iter().filter_map(of).collect()
@@ -207,24 +207,24 @@ fn chunk_shape(shape: &[usize], target: usize) -> Vec<usize> {
 }
 
 /// A column as the store describes it.
-fn described(file: &CaseFile, sweep: &StudySweep, column: &Column, text: &str) -> SweepQuantity {
+fn described(file: &CaseFile, sweep: &StudySweep, column: &StoredColumn, text: &str) -> SweepQuantity {
     match column {
-        Column::Key(k) => {
+        StoredColumn::Key(k) => {
             let quantity = label(file, sweep, *k);
             SweepQuantity::new(text, &quantity.unit, &labels::plain(&quantity.label))
         }
-        Column::Point(own) => {
+        StoredColumn::Point(own) => {
             let codes: Vec<(u8, &str)> = (0..).zip(own.flags.iter().copied()).collect();
             SweepQuantity::new(text, own.units, own.long_name).flags(&codes)
         }
-        Column::Scalar { name, .. } => {
+        StoredColumn::Scalar { name, .. } => {
             SweepQuantity::new(text, "", &format!("{} of `{name}`", text[name.len() + 1..].replace('_', " ")))
         }
     }
 }
 
 /// How a swept key is called.
-fn label(file: &CaseFile, sweep: &StudySweep, k: usize) -> labels::Quantity {
+fn label(file: &CaseFile, sweep: &StudySweep, k: usize) -> labels::SweptQuantity {
     let key = &sweep.axes[k];
     if sweep.is_set { file.case.swept_label(key) } else { labels::any_key(&key.path, key.dimension) }
 }
@@ -235,10 +235,10 @@ fn coordinate(file: &CaseFile, sweep: &StudySweep, k: usize) -> Variable {
     let count = axis.count().unwrap_or(0);
     let values: Vec<f64> = (0..count).map(|index| axis.value(index)).collect();
     let scale = match axis.values {
-        SweptValues::Listed(_) => Scale::Linear,
+        SweptValues::Listed(_) => Spacing::Linear,
         _ => axis.scale,
     };
-    Axis { quantity: label(file, sweep, k), values, scale }.coordinate()
+    SweptAxis { quantity: label(file, sweep, k), values, scale }.coordinate()
 }
 
 #[cfg(test)]

@@ -1,16 +1,16 @@
 //! A number out of what an analysis leaves in `summary.json`, by its path.
 
-use crate::case::study_sweep::quantity_path::{QuantityStep, Reduction};
+use crate::case::study_sweep::quantity_path::{ListReduction, QuantityStep};
 use serde_json::{Map, Value};
 
 /// The number at the end of a path through the scalars of an analysis. A name goes into an object, and over the items of a list of
-/// objects; a number picks an item; at the end, a [`Reduction`] makes one number of a list. A list without items has no number, which is an
+/// objects; a number picks an item; at the end, a [`ListReduction`] makes one number of a list. A list without items has no number, which is an
 /// answer: NaN.
 ///
 /// # Errors
 /// The step that leads nowhere, with what there is; a path that ends at something else than a number.
 pub(super) fn number_at(scalars: &Map<String, Value>, path: &[QuantityStep]) -> Result<f64, String> {
-    let mut found = Found::Object(scalars);
+    let mut found = FoundScalar::Object(scalars);
     for (depth, step) in path.iter().enumerate() {
         found = match step {
             QuantityStep::Item(index) => found.item(*index),
@@ -29,7 +29,7 @@ fn shown(step: &QuantityStep) -> String {
 }
 
 /// What a path has led to.
-enum Found<'a> {
+enum FoundScalar<'a> {
     Object(&'a Map<String, Value>),
     Value(&'a Value),
     /// The same field of every item of a list.
@@ -37,7 +37,7 @@ enum Found<'a> {
     Number(f64),
 }
 
-impl<'a> Found<'a> {
+impl<'a> FoundScalar<'a> {
     /// The items, where it is a list; otherwise what it is, in words.
     fn items(self) -> Result<Vec<&'a Value>, String> {
         match self {
@@ -70,7 +70,7 @@ impl<'a> Found<'a> {
             _ => {}
         }
         let items = self.items()?;
-        if let (true, Some(reduction)) = (is_last, Reduction::from_name(name)) {
+        if let (true, Some(reduction)) = (is_last, ListReduction::from_name(name)) {
             return reduced(&items, reduction).map(Self::Number).ok_or_else(|| list(items.len()));
         }
         let fields: Option<Vec<&Value>> = items.iter().map(|item| item.get(name)).collect();
@@ -104,21 +104,21 @@ fn keys(object: &Map<String, Value>) -> String {
 }
 
 fn list(length: usize) -> String {
-    let reductions = Reduction::ALL.map(|(name, _)| name).join(", ");
+    let reductions = ListReduction::ALL.map(|(name, _)| name).join(", ");
     format!("a list of {length}, which takes the number of an item from 0, or one of {reductions}")
 }
 
 /// One number of a list; `None` where an item that counts is none.
-fn reduced(items: &[&Value], reduction: Reduction) -> Option<f64> {
-    if reduction == Reduction::Count {
+fn reduced(items: &[&Value], reduction: ListReduction) -> Option<f64> {
+    if reduction == ListReduction::Count {
         return Some(items.len() as f64);
     }
     let numbers: Vec<f64> = items.iter().map(|item| plain(item)).collect::<Option<_>>()?;
     let number = match reduction {
-        Reduction::Min => numbers.iter().copied().reduce(f64::min),
-        Reduction::Max => numbers.iter().copied().reduce(f64::max),
-        Reduction::First => numbers.first().copied(),
-        Reduction::Last | Reduction::Count => numbers.last().copied(),
+        ListReduction::Min => numbers.iter().copied().reduce(f64::min),
+        ListReduction::Max => numbers.iter().copied().reduce(f64::max),
+        ListReduction::First => numbers.first().copied(),
+        ListReduction::Last | ListReduction::Count => numbers.last().copied(),
     };
     Some(number.unwrap_or(f64::NAN))
 }

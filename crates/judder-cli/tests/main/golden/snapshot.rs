@@ -1,7 +1,7 @@
 //! What a study folder holds, as a document small enough to keep: short arrays whole, long ones by samples and a hash.
 
 use super::agreement::FLOAT_HASH;
-use judder_store::{Data, Dataset, Variable, content_hash};
+use judder_store::{Dataset, Variable, VariableValues, content_hash};
 use serde_json::{Map, Number, Value, json};
 
 /// The longest array that is kept whole.
@@ -28,15 +28,15 @@ fn variable(variable: &Variable) -> Value {
         "attributes": document(&Value::Object(variable.attributes.clone())),
     });
     let (kind, values) = match &variable.data {
-        Data::F64(values) => ("f64", values.iter().map(|value| number(*value)).collect()),
-        Data::Complex(values) => {
+        VariableValues::F64(values) => ("f64", values.iter().map(|value| number(*value)).collect()),
+        VariableValues::Complex(values) => {
             ("complex", values.iter().map(|value| json!([number(value.re), number(value.im)])).collect())
         }
-        Data::I64(values) => ("i64", values.iter().map(|value| json!(value)).collect()),
-        Data::U8(values) => ("u8", values.iter().map(|value| json!(value)).collect()),
-        Data::Text(values) => ("text", values.iter().map(|value| json!(value)).collect()),
+        VariableValues::I64(values) => ("i64", values.iter().map(|value| json!(value)).collect()),
+        VariableValues::U8(values) => ("u8", values.iter().map(|value| json!(value)).collect()),
+        VariableValues::Text(values) => ("text", values.iter().map(|value| json!(value)).collect()),
     };
-    let is_float = matches!(variable.data, Data::F64(_) | Data::Complex(_));
+    let is_float = matches!(variable.data, VariableValues::F64(_) | VariableValues::Complex(_));
     json["type"] = json!(kind);
     let kept = kept(values, (WHOLE, SAMPLES), is_float);
     kept.into_iter().for_each(|(key, value)| json[key] = value);

@@ -124,7 +124,7 @@ fn fill<E: From<LawError>>(
 mod tests {
     use super::*;
     use crate::contact_law::ContactLaw;
-    use crate::{ContactPoint, FittedLaw};
+    use crate::{FittedLaw, LawPoint};
 
     fn request(tolerance: f64) -> SampleRequest {
         SampleRequest { source: String::new(), velocity: (1e-6, 1e1), indentation: (1e-5, 1e-1), tolerance }
@@ -135,7 +135,7 @@ mod tests {
         let exact = FittedLaw::oscillator_paper();
         let mut asked = std::collections::BTreeSet::new();
         let found = sampled(&request(1e-3), |velocities, indentations| -> Result<_, LawError> {
-            let at = |k: usize| exact.evaluate(&ContactPoint::new(velocities[k], indentations[k]));
+            let at = |k: usize| exact.evaluate(&LawPoint::new(velocities[k], indentations[k]));
             let all = 0..velocities.len();
             for k in all.clone() {
                 assert!(asked.insert((velocities[k].to_bits(), indentations[k].to_bits())), "asked twice");
@@ -149,7 +149,7 @@ mod tests {
         .unwrap();
         assert!(found.meets_tolerance && asked.len() == found.law.samples().values.force.len());
         for (velocity, indentation) in [(2.3e-5, 4e-3), (0.4, 7e-5), (3e-3, 2e-2)] {
-            let at = ContactPoint::new(velocity, indentation);
+            let at = LawPoint::new(velocity, indentation);
             let (a, b) = (found.law.evaluate(&at), exact.evaluate(&at));
             assert!((a.force.value / b.force.value - 1.0).abs() < 1e-3);
             assert!((a.friction.value - b.friction.value).abs() < 1e-3);

@@ -2,7 +2,7 @@
 
 use super::solving::Solving;
 use super::{
-    LawSample, LawSweep, SolvedPoint, SweepEnd, SweepLevel, SweepObserver, check_accuracy, excess,
+    LawSample, LawSweep, SolvedLawPoint, SweepEnd, SweepLevel, SweepObserver, check_accuracy, excess,
     is_solver_noise,
 };
 use crate::law::collapsed::CollapsedLaw;
@@ -41,7 +41,7 @@ pub struct CollapseRequest {
 /// As [`sweep`](super::sweep).
 pub fn collapse_sweep<S, E>(
     request: &CollapseRequest,
-    known: &[SolvedPoint],
+    known: &[SolvedLawPoint],
     sampler: &S,
     observer: &dyn SweepObserver,
 ) -> Result<LawSweep<CollapsedLaw>, LawError>

@@ -2,7 +2,7 @@
 
 use super::solving::Solving;
 use super::{
-    LawSample, LawSweep, SolvedPoint, SweepEnd, SweepLevel, SweepObserver, check_accuracy, excess,
+    LawSample, LawSweep, SolvedLawPoint, SweepEnd, SweepLevel, SweepObserver, check_accuracy, excess,
     is_solver_noise,
 };
 use crate::law::error::LawError;
@@ -99,7 +99,7 @@ pub struct SweepRequest {
 /// could not be solved.
 pub fn sweep<S, E>(
     request: &SweepRequest,
-    known: &[SolvedPoint],
+    known: &[SolvedLawPoint],
     sampler: &S,
     observer: &dyn SweepObserver,
 ) -> Result<LawSweep<TabulatedLaw>, LawError>

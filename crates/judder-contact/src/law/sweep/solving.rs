@@ -1,6 +1,6 @@
 //! The points of a sweep, solved in parallel and kept.
 
-use super::{LawSample, SolvedPoint, SweepObserver};
+use super::{LawSample, SolvedLawPoint, SweepObserver};
 use crate::law::error::{FailedPoint, LawError};
 use crate::law::quantities::{KnotValues, PerQuantity};
 use rayon::prelude::*;
@@ -19,14 +19,14 @@ fn key(velocity: f64, indentation: f64) -> PointBits {
 pub(super) struct Solving<'a, S> {
     sampler: &'a S,
     observer: &'a dyn SweepObserver,
-    solved: BTreeMap<PointBits, SolvedPoint>,
+    solved: BTreeMap<PointBits, SolvedLawPoint>,
     /// The points of the last level, in their order.
-    level: Vec<SolvedPoint>,
+    level: Vec<SolvedLawPoint>,
 }
 
 /// What became of one point.
 enum SolveAttempt {
-    Solved(SolvedPoint),
+    Solved(SolvedLawPoint),
     Failed(FailedPoint),
     Interrupted,
 }
@@ -36,7 +36,7 @@ where
     S: Fn(f64, f64) -> Result<LawSample, E> + Sync,
     E: Display,
 {
-    pub(super) fn new(sampler: &'a S, observer: &'a dyn SweepObserver, known: &[SolvedPoint]) -> Self {
+    pub(super) fn new(sampler: &'a S, observer: &'a dyn SweepObserver, known: &[SolvedLawPoint]) -> Self {
         let solved = known.iter().map(|point| (key(point.velocity, point.indentation), *point)).collect();
         Self { sampler, observer, solved, level: Vec::new() }
     }
@@ -97,7 +97,7 @@ where
     }
 
     /// The points of the last level, by depth, then speed.
-    pub(super) fn into_points(self) -> Vec<SolvedPoint> {
+    pub(super) fn into_points(self) -> Vec<SolvedLawPoint> {
         self.level
     }
 }
@@ -116,7 +116,7 @@ where
             if sample.values().into_array().into_iter().all(is_value)
                 && sample.errors().into_array().into_iter().all(is_error)
             {
-                SolveAttempt::Solved(SolvedPoint { velocity, indentation, sample })
+                SolveAttempt::Solved(SolvedLawPoint { velocity, indentation, sample })
             } else {
                 failed(format!("the solution is not positive and finite: {sample:?}"))
             }

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 const DIMENSIONS: [&str; 4] = ["point", "curve", "surface", "volume"];
 
 /// Sides of elements by their corners, sorted.
-struct Sides(Vec<([usize; 4], ElementSide)>);
+struct SortedSides(Vec<([usize; 4], ElementSide)>);
 
 impl Sections {
     /// Elements of the highest dimension, and every physical group as a set of nodes; those of the highest dimension also as
@@ -24,7 +24,7 @@ impl Sections {
         for block in blocks.iter().filter(|block| block.dimension == highest) {
             self.add_elements(block)?;
         }
-        let sides = Sides::of(&self.parts.elements);
+        let sides = SortedSides::of(&self.parts.elements);
         let mut curves: BTreeMap<String, Vec<[usize; 2]>> = BTreeMap::new();
         let mut lost: BTreeMap<String, usize> = BTreeMap::new();
         for block in &blocks {
@@ -93,7 +93,7 @@ impl Sections {
     }
 }
 
-impl Sides {
+impl SortedSides {
     fn of(elements: &[FileElement]) -> Self {
         let sides_of = |(element, own): (usize, &FileElement)| {
             let nodes = own.nodes.clone();

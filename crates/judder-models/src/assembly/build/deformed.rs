@@ -5,7 +5,7 @@ use super::body::BuiltBody;
 use super::interface::{Touching, displaced_points};
 use super::size::extent;
 use crate::assembly::case::AssemblyCase;
-use crate::assembly::case::contact::ContactForces;
+use crate::assembly::case::contact::ContactForceSettings;
 use judder_assembly::assembly::Assembly;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::contact_point::ContactPoint;
@@ -30,7 +30,7 @@ pub(super) fn deform(
         return Ok(());
     };
     let path = format!("contact.{}.configuration", contact.name);
-    if case.contacts.iter().any(|contact| matches!(contact.forces, ContactForces::Asperity(_))) {
+    if case.contacts.iter().any(|contact| matches!(contact.forces, ContactForceSettings::Asperity(_))) {
         let reason = "the deformed configuration is not known beside a sphere, whose law is found later: leave `configuration` out";
         return Err(Unassembled::because(path, &reason));
     }

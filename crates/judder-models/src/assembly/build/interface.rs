@@ -6,7 +6,7 @@ use super::turning::sliding_warning;
 use super::{BuiltBody, Unassembled};
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::contact::{
-    ContactForces, ContactInterface, NormalLaw, SlidingMotion, SurfaceOf, TrackOf, TrackSettings,
+    ContactForceSettings, ContactInterface, NormalLaw, SurfaceOf, TrackMotion, TrackOf, TrackSettings,
 };
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::case::rotation::BodyRotation;
@@ -78,7 +78,7 @@ pub(super) fn touching(case: &AssemblyCase, structures: &[Structure]) -> Result<
             Ok(Side { structure, points })
         };
         let slider = side(&contact.slider, "slider")?;
-        if matches!(contact.forces, ContactForces::Asperity(_)) && slider.points.len() != 1 {
+        if matches!(contact.forces, ContactForceSettings::Asperity(_)) && slider.points.len() != 1 {
             let (contact, set) = (contact.name.to_string(), contact.slider.words());
             let path = format!("contact.{contact}.slider");
             let problem = AssemblyProblem::SeveralPoints { contact, set, nodes: slider.points.len() };
@@ -117,7 +117,7 @@ pub(super) fn interfaces(
             name: contact.name.to_string(),
             points: found.points,
             law: law(&contact.forces),
-            all_closed: matches!(contact.forces, ContactForces::Coulomb { all_closed: true, .. }),
+            all_closed: matches!(contact.forces, ContactForceSettings::Coulomb { all_closed: true, .. }),
         });
         nodes.push(found.nodes);
     }
@@ -280,10 +280,10 @@ fn directed(size: f64, direction: &[f64]) -> [f64; 3] {
     in_space(direction).map(|part| size * part / length)
 }
 
-fn sliding(own: &SlidingMotion) -> Sliding {
+fn sliding(own: &TrackMotion) -> Sliding {
     match own {
-        SlidingMotion::Translation(own) => Sliding::Translation(directed(own.velocity, &own.direction)),
-        SlidingMotion::Rotation(own) => Sliding::Rotation {
+        TrackMotion::Translation(own) => Sliding::Translation(directed(own.velocity, &own.direction)),
+        TrackMotion::Rotation(own) => Sliding::Rotation {
             angular_velocity: directed(own.speed, &own.axis),
             centre: in_space(&own.centre),
         },
@@ -291,14 +291,14 @@ fn sliding(own: &SlidingMotion) -> Sliding {
 }
 
 /// The law of an interface; of a sphere, until its load is known, that of a rigid point without friction.
-fn law(forces: &ContactForces) -> InterfaceLaw {
+fn law(forces: &ContactForceSettings) -> InterfaceLaw {
     match forces {
-        ContactForces::Coulomb { normal: NormalLaw::Rigid, friction, .. } => {
+        ContactForceSettings::Coulomb { normal: NormalLaw::Rigid, friction, .. } => {
             InterfaceLaw::Rigid(friction.clone())
         }
-        ContactForces::Coulomb { normal: NormalLaw::Compliant(pressure), friction, .. } => {
+        ContactForceSettings::Coulomb { normal: NormalLaw::Compliant(pressure), friction, .. } => {
             InterfaceLaw::Compliant(pressure.clone(), friction.clone())
         }
-        ContactForces::Asperity(_) => InterfaceLaw::Rigid(Friction::Constant(0.0)),
+        ContactForceSettings::Asperity(_) => InterfaceLaw::Rigid(Friction::Constant(0.0)),
     }
 }

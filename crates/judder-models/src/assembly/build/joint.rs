@@ -4,7 +4,7 @@ use super::interface::{apart, mesh_of, points_beside};
 use super::{BuiltBody, Unassembled};
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::contact::SurfaceOf;
-use crate::assembly::case::joint::{Spring as SpringSettings, SpringEnd, Tie};
+use crate::assembly::case::joint::{SpringEnd, SpringSettings, Tie};
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::structure::build::{Structure, points_of};
 use judder_assembly::row::Row;

@@ -2,15 +2,15 @@
 
 use super::BuiltBody;
 use crate::error::ModelError;
-use crate::structure::build::{Layout, mesh_lines};
+use crate::structure::build::{StructureLayout, mesh_lines};
 use judder_store::{Dataset, Variable};
 use judder_structure::freedom::Direction;
 use judder_structure::mesh::{Mesh, MeshBlock};
 use std::collections::BTreeMap;
 
 /// The points, lines and elements of all bodies.
-pub(crate) struct Shown {
-    pub(crate) layout: Layout,
+pub(crate) struct ShownBodies {
+    pub(crate) layout: StructureLayout,
     pub(crate) mesh: Mesh,
     /// Where the points of each body begin.
     pub(crate) first_point: Vec<usize>,
@@ -20,10 +20,10 @@ pub(crate) struct Shown {
     mesh_lines: Vec<[usize; 2]>,
 }
 
-impl Shown {
+impl ShownBodies {
     /// The bodies one after the other; points are numbered anew, from one on.
     pub(crate) fn new(bodies: &[BuiltBody]) -> Self {
-        let mut layout = Layout {
+        let mut layout = StructureLayout {
             points: Vec::new(),
             names: Vec::new(),
             freedoms: Vec::new(),

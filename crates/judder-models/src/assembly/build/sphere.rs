@@ -2,7 +2,7 @@
 
 use super::Unassembled;
 use crate::assembly::case::AssemblyCase;
-use crate::assembly::case::contact::ContactForces;
+use crate::assembly::case::contact::ContactForceSettings;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::bridge::{self, CaseContact};
 use crate::error::ModelError;
@@ -10,7 +10,7 @@ use crate::known_substrate::KnownSubstrate;
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::law_name::LawName;
-use crate::oscillator::quasi_steady::{Condition, Sliding};
+use crate::oscillator::quasi_steady::{QuasiSteadyCondition, SlidingTimes};
 use judder_assembly::assembly::Assembly;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::interface::{Asperity, ForceAt, InterfaceLaw, PointForces};
@@ -25,7 +25,7 @@ use std::sync::{Arc, OnceLock};
 
 /// A sphere on the substrate of the case.
 #[derive(Debug)]
-pub(crate) struct Sphere {
+pub(crate) struct SubstrateSphere {
     /// As an oscillator case has it, its material told and its load found.
     case: OscillatorCase,
     /// Where its law has to be computed, found before the first analysis.
@@ -62,11 +62,11 @@ pub(crate) struct SphereState {
 pub(super) fn spheres(
     case: &AssemblyCase,
     assembly: &mut Assembly,
-) -> Result<Vec<Option<Arc<Sphere>>>, Unassembled> {
+) -> Result<Vec<Option<Arc<SubstrateSphere>>>, Unassembled> {
     let pressing = pressing(case, assembly)?;
     let mut made = Vec::with_capacity(case.contacts.len());
     for (index, (contact, sphere)) in case.contacts.iter().zip(&case.spheres).enumerate() {
-        let (ContactForces::Asperity(keys), Some(sphere)) = (&contact.forces, sphere) else {
+        let (ContactForceSettings::Asperity(keys), Some(sphere)) = (&contact.forces, sphere) else {
             made.push(None);
             continue;
         };
@@ -84,7 +84,7 @@ pub(super) fn spheres(
             (None, Some(given)) => press(assembly, index, given),
             _ => {}
         }
-        let sphere = Arc::new(Sphere { case: sphere, found: OnceLock::new() });
+        let sphere = Arc::new(SubstrateSphere { case: sphere, found: OnceLock::new() });
         if sphere.case.law != LawName::Bem {
             sphere.find(&Silent).map_err(|error| Unassembled::because(path(".law"), &error))?;
         }
@@ -128,7 +128,7 @@ fn press(assembly: &mut Assembly, interface: usize, force: f64) {
     }
 }
 
-impl Sphere {
+impl SubstrateSphere {
     /// Finds its law, where that is not known yet.
     ///
     /// # Errors
@@ -190,13 +190,18 @@ impl Sphere {
     }
 
     /// Eq. (3) for small motions of a frequency in rad/s; `None` on an elastic substrate.
-    pub(crate) fn condition(&self, state: &SphereState, frequency: f64) -> Option<Condition> {
-        let sliding = Sliding { velocity: state.velocity, area: state.response.area.value };
-        Condition::of_motion(frequency, &self.case.inputs, sliding, &self.found.get()?.substrate.terms)
+    pub(crate) fn condition(&self, state: &SphereState, frequency: f64) -> Option<QuasiSteadyCondition> {
+        let sliding = SlidingTimes { velocity: state.velocity, area: state.response.area.value };
+        QuasiSteadyCondition::of_motion(
+            frequency,
+            &self.case.inputs,
+            sliding,
+            &self.found.get()?.substrate.terms,
+        )
     }
 }
 
-impl Asperity for Sphere {
+impl Asperity for SubstrateSphere {
     fn forces(&self, closure: f64, speed: f64) -> PointForces {
         let unknown = SphereForce { value: f64::NAN, by_depth: f64::NAN, by_speed: f64::NAN };
         let unknown = SphereForces { normal: unknown, friction: unknown };

@@ -4,7 +4,7 @@ use super::body::BodyMatrices;
 use super::load::Imposed;
 use super::{BuiltBody, Unassembled};
 use crate::assembly::case::AssemblyCase;
-use crate::assembly::case::contact::{SlidingMotion, TrackSettings};
+use crate::assembly::case::contact::{TrackMotion, TrackSettings};
 use crate::assembly::case::rotation::BodyRotation;
 use crate::assembly::case::structure::AssemblyStructure;
 use crate::structure::build::Structure;
@@ -122,7 +122,7 @@ fn is_turning_track(case: &AssemblyCase, structure: usize) -> bool {
     case.contacts.iter().any(|contact| {
         let is_track =
             matches!(&contact.track, TrackSettings::Surface(track) if *track.surface.structure == structure);
-        is_track && matches!(contact.sliding, SlidingMotion::Rotation(_))
+        is_track && matches!(contact.sliding, TrackMotion::Rotation(_))
     })
 }
 

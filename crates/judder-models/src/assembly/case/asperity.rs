@@ -18,7 +18,7 @@ use std::path::Path;
 
 /// A sphere on the substrate of the case.
 #[derive(Debug, Clone, Settings)]
-pub struct Asperity {
+pub struct AsperitySettings {
     #[key(flatten, rule = "indenter")]
     indenter: Numbers<OscillatorKey>,
     #[key(flatten)]
@@ -54,7 +54,7 @@ impl SphereSubstrate {
     }
 }
 
-impl Asperity {
+impl AsperitySettings {
     /// The sphere as an oscillator case has it, without an oscillator; fills in the numbers that were left out.
     pub(super) fn found(
         &mut self,

@@ -1,6 +1,6 @@
 //! `[[contact]]`: a surface of one structure on a plane or on a surface of another.
 
-use super::asperity::Asperity;
+use super::asperity::AsperitySettings;
 use super::named_list::NamedItem;
 use super::problem::AssemblyProblem;
 use super::structure::AssemblyStructure;
@@ -36,19 +36,19 @@ pub struct ContactInterface {
     pub track: TrackSettings,
     /// How the track moves beside the slider.
     #[key(example = "{ velocity = \"1 m/s\", direction = [1, 0] }")]
-    pub sliding: SlidingMotion,
+    pub sliding: TrackMotion,
     /// The geometry about which motions are small: that of the bodies as they are meshed, or as they lie in steady sliding, where the normal turns with
     /// the track.
     #[key(default = Configuration::Undeformed)]
     pub configuration: Configuration,
     /// What presses and drags.
     #[key(flatten)]
-    pub forces: ContactForces,
+    pub forces: ContactForceSettings,
 }
 
 /// What presses and drags at a contact.
 #[derive(Debug, Clone, Settings)]
-pub enum ContactForces {
+pub enum ContactForceSettings {
     /// A normal law, and friction that is proportional to the normal force.
     Coulomb {
         /// What presses: `rigid`, or a pressure or a force that follows the closure.
@@ -63,7 +63,7 @@ pub enum ContactForces {
     },
     /// A sphere on the substrate of the case, for one contact point, in place of normal and friction_coefficient; its keys are those of an oscillator case.
     #[key(example = "{ radius = \"10 mm\", law = \"oscillator-paper\", shear_strength = 0.01 }")]
-    Asperity(Asperity),
+    Asperity(AsperitySettings),
 }
 
 /// Nodes of a structure.
@@ -108,13 +108,13 @@ pub struct PlaneSettings {
 
 /// How the track moves beside the slider.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub enum SlidingMotion {
+pub enum TrackMotion {
     /// It moves with one velocity.
     #[key(flatten)]
     Translation(Translation),
     /// It turns about an axis.
     #[key(flatten)]
-    Rotation(Rotation),
+    Rotation(TrackRotation),
 }
 
 /// A track that moves with one velocity.
@@ -130,7 +130,7 @@ pub struct Translation {
 
 /// A track that turns about an axis.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub struct Rotation {
+pub struct TrackRotation {
     /// The angular speed of the track beside the slider, in place of velocity and direction.
     #[key(rule = Number::any(Dimension::ANGULAR_FREQUENCY), symbol = "ω")]
     pub speed: f64,
@@ -169,7 +169,7 @@ impl ContactInterface {
             let place = section.place_of(&[key]);
             move |error: AssemblyError| AssemblyProblem::Refused { reason: error.to_string() }.at(place)
         };
-        let ContactForces::Coulomb { normal, friction, .. } = &self.forces else { return Ok(()) };
+        let ContactForceSettings::Coulomb { normal, friction, .. } = &self.forces else { return Ok(()) };
         let friction = friction.check().map_err(refused("friction_coefficient"));
         let pressure = match normal {
             NormalLaw::Rigid => Ok(()),
@@ -200,10 +200,10 @@ impl ContactInterface {
             (_, None) => Ok(()),
         };
         let sliding = match &self.sliding {
-            SlidingMotion::Translation(own) => {
+            TrackMotion::Translation(own) => {
                 check_direction(&own.direction, section, &["sliding", "direction"])
             }
-            SlidingMotion::Rotation(own) => check_direction(&own.axis, section, &["sliding", "axis"]),
+            TrackMotion::Rotation(own) => check_direction(&own.axis, section, &["sliding", "axis"]),
         };
         both(both(slider, track), sliding)?;
         let flat = match &self.track {

@@ -16,8 +16,8 @@ use serde_json::{Value as Json, json};
 
 /// A spring with a damper beside it, between nodes of two structures or to the ground.
 #[derive(Debug, Clone, Settings)]
-#[settings(check = Spring::check)]
-pub struct Spring {
+#[settings(check = SpringSettings::check)]
+pub struct SpringSettings {
     /// By which keys call this spring.
     #[key(rule = "spring", example = "\"…\", by which keys call this spring")]
     pub name: PlainName,
@@ -71,7 +71,7 @@ pub struct Tie {
     pub to: SurfaceOf,
 }
 
-impl NamedItem for Spring {
+impl NamedItem for SpringSettings {
     const WHAT: &'static str = "spring";
 
     fn name(&self) -> &PlainName {
@@ -87,7 +87,7 @@ impl NamedItem for Tie {
     }
 }
 
-impl Spring {
+impl SpringSettings {
     /// Refuses a spring that does nothing, and one to the ground that has no direction.
     fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
         if self.stiffness == 0.0 && self.damping == 0.0 {

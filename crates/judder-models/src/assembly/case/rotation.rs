@@ -3,7 +3,7 @@
 use super::contact::{PLACE, VECTOR, check_direction};
 use super::problem::AssemblyProblem;
 use crate::structure::case::StructureSource;
-use crate::structure::case::body::{Body, Geometry};
+use crate::structure::case::body::{BodyGeometry, BodySettings};
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Number, both};
@@ -49,11 +49,11 @@ impl BodyRotation {
             StructureSource::Matrices(_) => refused(
                 "a body of matrices cannot turn here: what turning does to it is not in them; have it in the matrices",
             ),
-            StructureSource::Body(Body { geometry: Geometry::Beam(_), .. }) => refused(
+            StructureSource::Body(BodySettings { geometry: BodyGeometry::Beam(_), .. }) => refused(
                 "a beam is a body of the plane, which cannot turn: gyroscopic and centrifugal terms are those of elements of space",
             ),
             StructureSource::Body(body)
-                if !body.is_solid() && !matches!(body.geometry, Geometry::Mesh(_)) =>
+                if !body.is_solid() && !matches!(body.geometry, BodyGeometry::Mesh(_)) =>
             {
                 refused(
                     "a body of the plane cannot turn: gyroscopic and centrifugal terms are those of elements of space",

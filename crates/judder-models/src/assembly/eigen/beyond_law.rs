@@ -1,6 +1,6 @@
 //! Modes that are too fast for the law of a sphere: eq. (3) of the oscillator paper, mode by mode.
 
-use crate::assembly::Subject;
+use crate::assembly::AssemblySubject;
 use judder_assembly::steady::SteadySliding;
 use judder_oscillator::quasi_steady::QuasiSteady;
 use judder_store::Results;
@@ -35,7 +35,7 @@ const NAMED: usize = 8;
 impl BeyondLaws {
     /// Those of an assembly that has spheres, and the sentences that tell of them.
     pub(super) fn of(
-        of: &Subject<'_>,
+        of: &AssemblySubject<'_>,
         steady: &SteadySliding,
         modes: &[ComplexMode],
     ) -> (Option<Self>, Vec<String>) {

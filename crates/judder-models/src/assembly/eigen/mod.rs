@@ -4,14 +4,14 @@ mod beyond_law;
 mod run;
 pub(super) mod tables;
 
-use super::Subject;
+use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
 use crate::error::ModelError;
 use crate::structure::eigen::ToldRegion;
 use crate::structure::eigen::figure;
 use beyond_law::BeyondLaws;
 use judder_keys::Settings;
-use judder_keys::declared::{Number, Pair, Settings, Whole};
+use judder_keys::declared::{Number, NumberPair, Settings, Whole};
 use judder_keys::dimension::Dimension;
 use judder_store::{Declared, Results};
 use judder_structure::quadratic::Region;
@@ -51,7 +51,7 @@ pub enum SoughtModes {
 }
 
 /// Two frequencies.
-pub(super) const BAND: Pair = Pair {
+pub(super) const BAND: NumberPair = NumberPair {
     of: Number::non_negative(Dimension::ANGULAR_FREQUENCY),
     what: "two frequencies, from and to",
     is_ascending: true,
@@ -71,7 +71,7 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 };
 
 impl Analysis<AssemblyCase> for AssemblyEigen {
-    fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &AssemblySubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of, self)
     }
 
@@ -80,7 +80,7 @@ impl Analysis<AssemblyCase> for AssemblyEigen {
         [region, AssemblyModes::declared(), Option::<BeyondLaws>::declared()].concat()
     }
 
-    fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {
+    fn estimate(&self, _: &AssemblySubject<'_>) -> Result<String, ModelError> {
         Ok(match self.sought {
             SoughtModes::Count(count) => format!("the lowest {count} complex modes"),
             SoughtModes::Band([from, to]) => {

@@ -2,8 +2,8 @@
 
 use super::beyond_law::BeyondLaws;
 use super::{AssemblyEigen, SoughtModes};
-use crate::assembly::build::Shown;
-use crate::assembly::{IMBALANCE, Subject};
+use crate::assembly::build::ShownBodies;
+use crate::assembly::{AssemblySubject, IMBALANCE};
 use crate::error::ModelError;
 use crate::structure::eigen::run::{ShownModes, found};
 use judder_assembly::linearised::{ContactTerm, Linearised, LinearisedTerms};
@@ -55,13 +55,13 @@ const BALANCE: f64 = 1e-8;
 /// Growths below so much of the largest are rounding.
 const ROUNDING: f64 = 1e-10;
 
-pub(super) fn run(of: &Subject<'_>, asked: &AssemblyEigen) -> Result<Outcome, ModelError> {
+pub(super) fn run(of: &AssemblySubject<'_>, asked: &AssemblyEigen) -> Result<Outcome, ModelError> {
     let built = of.built;
     let steady = of.steady_or_untouched()?;
     let terms = LinearisedTerms { damping: asked.damping, friction_damping: asked.damping };
     let about = Linearised::new(&built.assembly, &steady, terms)?;
     let (region, found) = sought(&about, asked.sought)?;
-    let shown = Shown::new(&built.bodies);
+    let shown = ShownBodies::new(&built.bodies);
     let modes = ShownModes {
         problem: &about.problem,
         sought: &region,
@@ -172,7 +172,7 @@ fn made_of(about: &Linearised, parents: &[Mode], mode: &ComplexMode, shape: Vec<
 }
 
 /// Growths by words: `material damping`, and of each contact what it does.
-fn named(of: &Subject<'_>, shares: GrowthShares) -> ByName<f64> {
+fn named(of: &AssemblySubject<'_>, shares: GrowthShares) -> ByName<f64> {
     let word = |worker: Worker| match worker {
         Worker::MaterialDamping => "material damping".to_owned(),
         Worker::Circulation => "unsymmetric stiffness".to_owned(),

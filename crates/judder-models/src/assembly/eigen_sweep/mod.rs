@@ -3,7 +3,7 @@
 mod run;
 mod solved;
 
-use super::Subject;
+use super::AssemblySubject;
 use super::swept::{SWEPT, SoughtRegion};
 use crate::assembly::case::AssemblyCase;
 use crate::error::ModelError;
@@ -63,7 +63,7 @@ impl Analysis<AssemblyCase> for AssemblySweep {
         self.sweep.values.len()
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of, self, task.progress)
     }
 
@@ -71,7 +71,7 @@ impl Analysis<AssemblyCase> for AssemblySweep {
         [EigenvalueCurve::declared(), ToldSweep::declared()].concat()
     }
 
-    fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {
+    fn estimate(&self, _: &AssemblySubject<'_>) -> Result<String, ModelError> {
         let (count, path) = (self.sweep.values.len(), &self.sweep.path);
         Ok(format!("complex modes at {count} values of {path}, {}", self.method.method()))
     }

@@ -2,7 +2,7 @@
 
 use super::AssemblySweep;
 use super::solved::SolvedSweep;
-use crate::assembly::Subject;
+use crate::assembly::AssemblySubject;
 use crate::assembly::swept::{SweptAssembly, beyond_laws};
 use crate::axis::Curves;
 use crate::error::ModelError;
@@ -10,8 +10,8 @@ use crate::structure::eigen_sweep::branches::SweptBranches;
 use crate::structure::eigen_sweep::onsets::ToldOnset;
 use judder_store::Results;
 use judder_structure::onset::{Onset, StabilityAt};
-use judder_study::axis::Axis;
-use judder_study::labels::{Quantity, any_key};
+use judder_study::axis::SweptAxis;
+use judder_study::labels::{SweptQuantity, any_key};
 use judder_study::outcome::Outcome;
 use judder_study::{Progress, Silent};
 
@@ -42,7 +42,7 @@ struct ToldFailure {
 }
 
 pub(super) fn run(
-    of: &Subject<'_>,
+    of: &AssemblySubject<'_>,
     settings: &AssemblySweep,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
@@ -58,8 +58,8 @@ pub(super) fn run(
         }
         false => None,
     };
-    let quantity = Quantity { name: "value".to_owned(), ..any_key(&sweep.path, sweep.dimension) };
-    let axis = Axis { quantity, values: sweep.values.clone(), scale: sweep.scale };
+    let quantity = SweptQuantity { name: "value".to_owned(), ..any_key(&sweep.path, sweep.dimension) };
+    let axis = SweptAxis { quantity, values: sweep.values.clone(), scale: sweep.scale };
     let of_reduction = match of.case.is_reduced() {
         true => Some(reduction_errors(&family.whole()?, &solved.onsets.onsets)),
         false => None,
@@ -95,7 +95,7 @@ pub(super) fn run(
 impl ToldSweep {
     fn new(
         settings: &AssemblySweep,
-        axis: &Axis,
+        axis: &SweptAxis,
         solved: &SolvedSweep,
         onsets_all_closed: Option<Vec<ToldOnset>>,
         onset_reduction_errors: Option<Vec<Option<f64>>>,

@@ -4,7 +4,7 @@ mod figure;
 mod point;
 mod run;
 
-use super::Subject;
+use super::AssemblySubject;
 use super::swept::{SWEPT, SoughtRegion};
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
@@ -89,7 +89,7 @@ impl Analysis<AssemblyCase> for AssemblyMap {
         self.x.values.len() * self.y.values.len()
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of, self, task.progress)
     }
 
@@ -97,7 +97,7 @@ impl Analysis<AssemblyCase> for AssemblyMap {
         ToldMap::declared()
     }
 
-    fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {
+    fn estimate(&self, _: &AssemblySubject<'_>) -> Result<String, ModelError> {
         let (columns, rows) = (self.x.values.len(), self.y.values.len());
         Ok(format!("stability at {columns} values of {} times {rows} of {}", self.x.path, self.y.path))
     }

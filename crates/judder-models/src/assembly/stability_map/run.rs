@@ -2,15 +2,15 @@
 
 use super::AssemblyMap;
 use super::point::{MapPoint, PointVerdict};
-use crate::assembly::Subject;
+use crate::assembly::AssemblySubject;
 use crate::assembly::swept::{SweptAssembly, beyond_laws};
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
 use judder_store::{Dataset, Results, Variable};
 use judder_structure::onset::{StabilityAt, onsets};
 use judder_structure::quadratic::Region;
-use judder_study::axis::Axis;
-use judder_study::labels::{Quantity, any_key};
+use judder_study::axis::SweptAxis;
+use judder_study::labels::{SweptQuantity, any_key};
 use judder_study::outcome::Outcome;
 use judder_study::{Progress, StudyError};
 use rayon::prelude::*;
@@ -39,7 +39,7 @@ pub(super) struct ToldMap {
 }
 
 pub(super) fn run(
-    of: &Subject<'_>,
+    of: &AssemblySubject<'_>,
     settings: &AssemblyMap,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
@@ -172,8 +172,8 @@ impl SolvedMap<'_> {
     }
 
     fn dataset(&self, points: &[MapPoint], boundary: &[[f64; 2]]) -> Result<Dataset, ModelError> {
-        let axis = |name: &str, sweep: &KeySweep| Axis {
-            quantity: Quantity { name: name.to_owned(), ..any_key(&sweep.path, sweep.dimension) },
+        let axis = |name: &str, sweep: &KeySweep| SweptAxis {
+            quantity: SweptQuantity { name: name.to_owned(), ..any_key(&sweep.path, sweep.dimension) },
             values: sweep.values.clone(),
             scale: sweep.scale,
         };
@@ -183,7 +183,7 @@ impl SolvedMap<'_> {
         let of = |pick: fn(&MapPoint) -> f64| points.iter().map(pick).collect::<Vec<f64>>();
         let meanings = PointVerdict::ALL.map(|own| (own.code(), own.words()));
         let codes = points.iter().map(|point| point.verdict.code()).collect();
-        let along = |name: &str, axis: usize, of: &Axis| {
+        let along = |name: &str, axis: usize, of: &SweptAxis| {
             let values: Vec<f64> = boundary.iter().map(|place| place[axis]).collect();
             Variable::new(name, &["boundary_point"], &[boundary.len()], values)
                 .units(&of.quantity.unit)

@@ -4,7 +4,7 @@ mod figure;
 mod run;
 pub(super) mod tables;
 
-use super::Subject;
+use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::error::ModelError;
@@ -20,27 +20,27 @@ use std::sync::Arc;
 
 /// Steady sliding.
 #[derive(Debug, Clone, Copy, PartialEq, Settings)]
-pub struct SteadySliding {}
+pub struct SteadySlidingAnalysis {}
 
 /// The kind.
 pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> = Kind {
     name: "steady-sliding",
     doc: "steady sliding: forces, gaps, pressure, which contact points are closed",
-    declared: SteadySliding::declarations,
-    read: |_, section| Ok(Arc::new(SteadySliding::read_table(section)?)),
+    declared: SteadySlidingAnalysis::declarations,
+    read: |_, section| Ok(Arc::new(SteadySlidingAnalysis::read_table(section)?)),
     picture: Some(Picture {
         draw: figure::steady_sliding,
         caption: "The contact points of each interface: what each carries, and where it is open. Then the bodies, and how steady sliding moves them, enlarged.",
     }),
 };
 
-impl Analysis<AssemblyCase> for SteadySliding {
-    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+impl Analysis<AssemblyCase> for SteadySlidingAnalysis {
+    fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         let touches = !of.case.contacts.is_empty();
         Ok(if touches { Ok(()) } else { Err(Refusal::key("", AssemblyProblem::NothingTouches)) })
     }
 
-    fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &AssemblySubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of)
     }
 
@@ -48,7 +48,7 @@ impl Analysis<AssemblyCase> for SteadySliding {
         [SteadyResults::declared(), Option::<SphereResults>::declared()].concat()
     }
 
-    fn estimate(&self, of: &Subject<'_>) -> Result<String, ModelError> {
+    fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {
         let points: usize = of.built.nodes.iter().map(Vec::len).sum();
         Ok(format!("steady sliding of {points} contact points"))
     }

@@ -1,7 +1,7 @@
 //! Steady sliding and what is told of it.
 
-use crate::assembly::build::{Shown, Sphere, SphereState};
-use crate::assembly::{IMBALANCE, Subject};
+use crate::assembly::build::{ShownBodies, SphereState, SubstrateSphere};
+use crate::assembly::{AssemblySubject, IMBALANCE};
 use crate::error::ModelError;
 use crate::structure::shapes;
 use crate::written::written;
@@ -42,12 +42,12 @@ pub(super) struct SteadyResults {
 #[derive(Results)]
 pub(super) struct SphereResults {
     /// each contact that is a sphere on the substrate, unless it is in the air
-    spheres: ByName<SlidingSphere>,
+    spheres: ByName<SteadySphere>,
 }
 
 /// A sphere in steady sliding.
 #[derive(Results)]
-pub(super) struct SlidingSphere {
+pub(super) struct SteadySphere {
     /// the sliding speed v τ/R
     velocity: f64,
     /// the indentation y/R
@@ -133,10 +133,10 @@ impl PointRow {
 }
 
 /// Steady sliding of an assembly.
-pub(super) fn run(of: &Subject<'_>) -> Result<Outcome, ModelError> {
+pub(super) fn run(of: &AssemblySubject<'_>) -> Result<Outcome, ModelError> {
     let steady = of.steady(&of.compliance()?)?;
     let results = results(of, &steady);
-    let shown = Shown::new(&of.built.bodies);
+    let shown = ShownBodies::new(&of.built.bodies);
     let displacement: Vec<Complex64> = steady.displacement.iter().map(|u| Complex64::new(*u, 0.0)).collect();
     let displacement: Vec<f64> = of.built.expanded(&displacement).iter().map(|u| u.re).collect();
     let Outcome { mut scalars, dataset, table, .. } = Outcome::of(&results)?;
@@ -171,9 +171,9 @@ pub(super) fn run(of: &Subject<'_>) -> Result<Outcome, ModelError> {
 }
 
 /// The spheres of an assembly that has some.
-fn spheres(of: &Subject<'_>, steady: &SteadySliding) -> Option<SphereResults> {
-    let told = |(index, _, state): (usize, &Arc<Sphere>, SphereState)| {
-        let own = SlidingSphere {
+fn spheres(of: &AssemblySubject<'_>, steady: &SteadySliding) -> Option<SphereResults> {
+    let told = |(index, _, state): (usize, &Arc<SubstrateSphere>, SphereState)| {
+        let own = SteadySphere {
             velocity: state.velocity,
             indentation: state.indentation,
             area: state.area,
@@ -186,7 +186,7 @@ fn spheres(of: &Subject<'_>, steady: &SteadySliding) -> Option<SphereResults> {
     has_spheres.then(|| SphereResults { spheres: of.built.sliding_spheres(steady).map(told).collect() })
 }
 
-fn results(of: &Subject<'_>, steady: &SteadySliding) -> SteadyResults {
+fn results(of: &AssemblySubject<'_>, steady: &SteadySliding) -> SteadyResults {
     let mut states = steady.points.iter();
     let (mut contacts, mut rows) = (Vec::new(), Vec::new());
     for interface in &of.built.assembly.interfaces {
@@ -239,8 +239,8 @@ impl ContactSums {
 
 /// The bodies in ParaView: displacements, and on contact nodes pressure, gap and state.
 fn field(
-    of: &Subject<'_>,
-    shown: &Shown,
+    of: &AssemblySubject<'_>,
+    shown: &ShownBodies,
     steady: &SteadySliding,
     moved: &[f64],
 ) -> Result<Vec<u8>, ModelError> {

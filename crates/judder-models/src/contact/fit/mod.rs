@@ -4,12 +4,12 @@ mod run;
 
 use super::check::ContactEstimate;
 use super::law::figure;
-use super::{Exciting, Subject};
-use crate::computed_law::Points;
+use super::{ContactSubject, Exciting};
+use crate::computed_law::KnownPoints;
 use crate::contact::case::ContactCase;
 use crate::contact::settings::{ContactScope, FitReading, FitSettings, LawSettings};
 use crate::error::ModelError;
-use judder_contact::law::sweep::SolvedPoint;
+use judder_contact::law::sweep::SolvedLawPoint;
 use judder_keys::declared::{Settings, both};
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
@@ -41,7 +41,7 @@ impl Analysis<ContactCase> for FitSettings {
         self.law.steps()
     }
 
-    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+    fn fits(&self, of: &ContactSubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         self.law.fits(of)
     }
 
@@ -49,19 +49,19 @@ impl Analysis<ContactCase> for FitSettings {
         ToldFit::declared()
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        let known: Vec<SolvedPoint> = task.own.known();
-        let keep = |point: &SolvedPoint| task.own.add(point);
+    fn run(&self, of: &ContactSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        let known: Vec<SolvedLawPoint> = task.own.known();
+        let keep = |point: &SolvedLawPoint| task.own.add(point);
         run::run(
             of.case,
             &self.law,
             self.reading.velocity_scale,
-            Points { known: &known, kept: &keep },
+            KnownPoints { known: &known, kept: &keep },
             task.progress,
         )
     }
 
-    fn estimate(&self, of: &Subject<'_>) -> Result<ContactEstimate, ModelError> {
+    fn estimate(&self, of: &ContactSubject<'_>) -> Result<ContactEstimate, ModelError> {
         self.law.estimate(of)
     }
 
@@ -72,7 +72,7 @@ impl Analysis<ContactCase> for FitSettings {
 }
 
 impl Exciting for FitSettings {
-    fn excited(&self, of: &Subject<'_>) -> Result<Vec<f64>, ModelError> {
+    fn excited(&self, of: &ContactSubject<'_>) -> Result<Vec<f64>, ModelError> {
         self.law.excited(of)
     }
 }

@@ -1,8 +1,8 @@
 //! `fit`: the three functions of the oscillator paper through a computed law (appendix B).
 
-use crate::computed_law::{Points, compute};
+use crate::computed_law::{KnownPoints, compute};
 use crate::contact::case::ContactCase;
-use crate::contact::law::Plane;
+use crate::contact::law::LawPlane;
 use crate::contact::settings::LawSettings;
 use crate::error::ModelError;
 use crate::material::ContactScales;
@@ -21,11 +21,11 @@ pub(super) fn run(
     case: &ContactCase,
     settings: &LawSettings,
     velocity_scale: f64,
-    points: Points<'_>,
+    points: KnownPoints<'_>,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
     let scales = ContactScales::new(case)?;
-    let plane = Plane::new(settings, &scales);
+    let plane = LawPlane::new(settings, &scales);
     let computed = compute(&plane.task(case, &scales, settings)?, points, progress)?;
     let values = plane.values(&computed.law);
     let unfit = |error: FitError| ModelError::Unsupported(error.to_string());
@@ -148,7 +148,7 @@ impl ToldCoefficient {
 }
 
 /// The functions, fitted to their own values, must come back.
-fn returns(plane: &Plane, fit: &LawFit) -> Result<CheckRecord, FitError> {
+fn returns(plane: &LawPlane, fit: &LawFit) -> Result<CheckRecord, FitError> {
     let law = fit.law();
     let again = plane.fit(&Law::Fitted(law), fit.log10_velocity_scale)?;
     Ok(CheckRecord::new(

@@ -12,12 +12,12 @@ use std::f64::consts::PI;
 const CURVES: usize = 5;
 
 /// A law's plane: speeds, indentations, and a quantity row by row.
-struct Plane<'a> {
+struct DrawnPlane<'a> {
     velocities: &'a [f64],
     indentations: &'a [f64],
 }
 
-impl<'a> Plane<'a> {
+impl<'a> DrawnPlane<'a> {
     fn of(dataset: &'a Dataset) -> Option<Self> {
         Some(Self { velocities: reals(dataset, "velocity")?, indentations: reals(dataset, "indentation")? })
     }
@@ -36,7 +36,7 @@ impl<'a> Plane<'a> {
 
 /// Force, area and friction over speed for several indentations with Hertz's limits, and as maps.
 pub(crate) fn contact_law(dataset: &Dataset) -> Option<Vec<Panel>> {
-    let plane = Plane::of(dataset)?;
+    let plane = DrawnPlane::of(dataset)?;
     let contrast = dataset.attributes().get("contrast")?.as_f64()?;
     let hertz = |quantity: &str, depth: f64| match quantity {
         "force" => vec![4.0 / 3.0 * depth.powf(1.5), 4.0 / 3.0 * contrast * depth.powf(1.5)],
@@ -79,7 +79,13 @@ fn rounded(value: f64) -> f64 {
     if unit.is_finite() && unit > 0.0 { (value / unit).round() * unit } else { value }
 }
 
-fn map(dataset: &Dataset, plane: &Plane<'_>, z: Vec<f64>, bar: Axis, colours: ColourMap) -> Option<Panel> {
+fn map(
+    dataset: &Dataset,
+    plane: &DrawnPlane<'_>,
+    z: Vec<f64>,
+    bar: Axis,
+    colours: ColourMap,
+) -> Option<Panel> {
     let map = ValueMap { x: plane.velocities.to_vec(), y: plane.indentations.to_vec(), z, bar, colours };
     let (x, y) = (axis(dataset.variable("velocity")?), axis(dataset.variable("indentation")?));
     Some(Panel::new(x, y, vec![Layer::Values(map)]))
@@ -87,7 +93,7 @@ fn map(dataset: &Dataset, plane: &Plane<'_>, z: Vec<f64>, bar: Axis, colours: Co
 
 /// Computed and fitted curves, and the residuals of the fit, over the largest value at each indentation.
 pub(crate) fn fit(dataset: &Dataset) -> Option<Vec<Panel>> {
-    let plane = Plane::of(dataset)?;
+    let plane = DrawnPlane::of(dataset)?;
     let mut panels = Vec::new();
     for (quantity, label) in QUANTITIES {
         let (computed, fitted) = (reals(dataset, quantity)?, reals(dataset, &format!("fitted_{quantity}"))?);

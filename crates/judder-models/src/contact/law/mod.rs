@@ -3,17 +3,17 @@
 pub(super) mod figure;
 mod run;
 
-pub use run::Plane;
+pub use run::LawPlane;
 
 use super::check::ContactEstimate;
 use super::size::cells_of_law;
-use super::{Exciting, Subject, blame, usual_contacts};
-use crate::computed_law::Points;
+use super::{ContactSubject, Exciting, blame, usual_contacts};
+use crate::computed_law::KnownPoints;
 use crate::contact::case::ContactCase;
 use crate::contact::settings::{ContactScope, LawSettings};
 use crate::error::ModelError;
 use judder_contact::kernel::sliding::SlidingOperator;
-use judder_contact::law::sweep::SolvedPoint;
+use judder_contact::law::sweep::SolvedLawPoint;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
@@ -42,7 +42,7 @@ impl Analysis<ContactCase> for LawSettings {
         0
     }
 
-    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+    fn fits(&self, of: &ContactSubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         if let Err(refusal) = of.is_not_too_deep(of.scales.length_of_span(&self.indentation))? {
             return Ok(Err(refusal));
         }
@@ -54,13 +54,13 @@ impl Analysis<ContactCase> for LawSettings {
         ToldLaw::declared()
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        let known: Vec<SolvedPoint> = task.own.known();
-        let keep = |point: &SolvedPoint| task.own.add(point);
-        run::run(of.case, of.name, self, Points { known: &known, kept: &keep }, task.progress)
+    fn run(&self, of: &ContactSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        let known: Vec<SolvedLawPoint> = task.own.known();
+        let keep = |point: &SolvedLawPoint| task.own.add(point);
+        run::run(of.case, of.name, self, KnownPoints { known: &known, kept: &keep }, task.progress)
     }
 
-    fn estimate(&self, of: &Subject<'_>) -> Result<ContactEstimate, ModelError> {
+    fn estimate(&self, of: &ContactSubject<'_>) -> Result<ContactEstimate, ModelError> {
         let (method, accuracy) = (self.method.name(), self.accuracy);
         let points = [self.velocity.points, self.indentation.points];
         let asked = format!("{method}, {} × {} points, accuracy {accuracy:e}", points[0], points[1]);
@@ -74,8 +74,8 @@ impl Analysis<ContactCase> for LawSettings {
 }
 
 impl Exciting for LawSettings {
-    fn excited(&self, of: &Subject<'_>) -> Result<Vec<f64>, ModelError> {
-        let plane = Plane::new(self, of.scales);
+    fn excited(&self, of: &ContactSubject<'_>) -> Result<Vec<f64>, ModelError> {
+        let plane = LawPlane::new(self, of.scales);
         let ends = |values: &[f64]| -> Vec<f64> {
             [values.first().copied(), values.last().copied()].into_iter().flatten().collect()
         };

@@ -1,6 +1,6 @@
 //! `contact-law`: force, area and friction over speed and indentation, as a law that an oscillator uses.
 
-use crate::computed_law::{ComputedLaw, LawTask, Points, compute, ending, meets};
+use crate::computed_law::{ComputedLaw, KnownPoints, LawTask, compute, ending, meets};
 use crate::contact::case::ContactCase;
 use crate::contact::settings::{LawMethod, LawSettings};
 use crate::error::ModelError;
@@ -8,11 +8,11 @@ use crate::indenter;
 use crate::material::ContactScales;
 use judder_contact::fit::{FitError, FitSample, LawFit, Weighting, fit_law};
 use judder_contact::law::file::to_json;
-use judder_contact::law::sweep::SolvedPoint;
+use judder_contact::law::sweep::SolvedLawPoint;
 use judder_contact::law::{LawErrors, PerQuantity};
 use judder_contact::steady::{GridChoice, SteadyQuestion, solve};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
-use judder_contact::{ContactLaw, ContactPoint, Law};
+use judder_contact::{ContactLaw, Law, LawPoint};
 use judder_keys::numeric_key::Form;
 use judder_keys::span::Span;
 use judder_store::{Dataset, Results, Table, Variable};
@@ -25,12 +25,12 @@ const DISSIPATION_LIMIT: f64 = 1e-2;
 const PROBES: [(f64, f64); 3] = [(0.31, 0.17), (0.53, 0.61), (0.74, 0.89)];
 
 /// A law over the plane of the settings.
-pub struct Plane {
+pub struct LawPlane {
     pub(crate) velocities: Vec<f64>,
     pub(crate) indentations: Vec<f64>,
 }
 
-impl Plane {
+impl LawPlane {
     /// The points of the settings, as v̂ and ŷ.
     pub fn new(settings: &LawSettings, scales: &ContactScales) -> Self {
         let groups = |span: &Span, unit: f64| -> Vec<f64> {
@@ -75,7 +75,7 @@ impl Plane {
     /// The law at every point of the plane, row by row of equal indentation: what is fitted, shown and judged.
     pub fn samples(&self, law: &Law) -> Vec<FitSample> {
         let at = |velocity: f64, indentation: f64| {
-            let found = law.evaluate(&ContactPoint::new(velocity, indentation));
+            let found = law.evaluate(&LawPoint::new(velocity, indentation));
             let (force, area, friction) = (found.force.value, found.area.value, found.friction.value);
             FitSample { velocity, indentation, values: PerQuantity { force, area, friction } }
         };
@@ -118,11 +118,11 @@ pub(super) fn run(
     case: &ContactCase,
     name: &str,
     settings: &LawSettings,
-    points: Points<'_>,
+    points: KnownPoints<'_>,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
     let scales = ContactScales::new(case)?;
-    let plane = Plane::new(settings, &scales);
+    let plane = LawPlane::new(settings, &scales);
     let task = plane.task(case, &scales, settings)?;
     let computed = compute(&task, points, progress)?;
     let errors = computed.errors();
@@ -215,14 +215,14 @@ fn told(
 }
 
 /// The law on the plane of the settings, and the contacts that it was made from.
-fn dataset(plane: &Plane, computed: &ComputedLaw, scales: &ContactScales) -> Result<Dataset, ModelError> {
+fn dataset(plane: &LawPlane, computed: &ComputedLaw, scales: &ContactScales) -> Result<Dataset, ModelError> {
     let shape = [plane.indentations.len(), plane.velocities.len()];
     let values = plane.values(&computed.law);
     let over_plane = |name: &str, values: Vec<f64>, long_name: &str| {
         Variable::new(name, &["indentation", "velocity"], &shape, values).units("1").long_name(long_name)
     };
     let points = &computed.points;
-    let sample = |name: &str, value: fn(&SolvedPoint) -> f64, long_name: &str| {
+    let sample = |name: &str, value: fn(&SolvedLawPoint) -> f64, long_name: &str| {
         let values: Vec<f64> = points.iter().map(value).collect();
         Variable::new(name, &["sample"], &[values.len()], values).units("1").long_name(long_name)
     };
@@ -241,7 +241,7 @@ fn dataset(plane: &Plane, computed: &ComputedLaw, scales: &ContactScales) -> Res
 }
 
 /// One row a point of the plane.
-fn table(plane: &Plane, law: &Law) -> Result<Table, ModelError> {
+fn table(plane: &LawPlane, law: &Law) -> Result<Table, ModelError> {
     let columns = plane.velocities.len();
     let velocity: Vec<f64> = plane.indentations.iter().flat_map(|_| plane.velocities.clone()).collect();
     let indentation: Vec<f64> =
@@ -257,13 +257,13 @@ fn table(plane: &Plane, law: &Law) -> Result<Table, ModelError> {
 
 /// Contacts solved anew between the knots, and friction from two sides.
 fn checks(
-    plane: &Plane,
+    plane: &LawPlane,
     task: &LawTask<'_>,
     law: &Law,
     errors: &LawErrors,
 ) -> Result<Vec<CheckRecord>, ModelError> {
     let between = |values: &[f64], share: f64| {
-        let (first, last) = Plane::ends(values);
+        let (first, last) = LawPlane::ends(values);
         (first.ln() + share * (last.ln() - first.ln())).exp()
     };
     let stated = errors.total();
@@ -279,7 +279,7 @@ fn checks(
             limits: UnilateralLimits::default(),
             memory: task.memory,
         })?;
-        let (found, law) = (&contact.refinement, law.evaluate(&ContactPoint::new(velocity, depth)));
+        let (found, law) = (&contact.refinement, law.evaluate(&LawPoint::new(velocity, depth)));
         for (law, found, stated) in [
             (law.force.value, found.force, stated.force),
             (law.area.value, found.area, stated.area),

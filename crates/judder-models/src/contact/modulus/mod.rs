@@ -4,7 +4,7 @@ mod figure;
 mod run;
 
 use super::check::ContactEstimate;
-use super::{Exciting, Subject};
+use super::{ContactSubject, Exciting};
 use crate::contact::case::ContactCase;
 use crate::contact::settings::{ContactScope, ModulusSettings};
 use crate::error::ModelError;
@@ -34,11 +34,11 @@ impl Analysis<ContactCase> for ModulusSettings {
         ToldModulus::declared()
     }
 
-    fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &ContactSubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, self.frequency.as_ref())
     }
 
-    fn estimate(&self, of: &Subject<'_>) -> Result<ContactEstimate, ModelError> {
+    fn estimate(&self, of: &ContactSubject<'_>) -> Result<ContactEstimate, ModelError> {
         let (name, asked) = (of.name.to_owned(), "E(ω)".to_owned());
         Ok(ContactEstimate { name, asked, contacts: 0, lattice: [0; 2] })
     }
@@ -49,7 +49,7 @@ impl Analysis<ContactCase> for ModulusSettings {
 }
 
 impl Exciting for ModulusSettings {
-    fn excited(&self, _: &Subject<'_>) -> Result<Vec<f64>, ModelError> {
+    fn excited(&self, _: &ContactSubject<'_>) -> Result<Vec<f64>, ModelError> {
         Ok(Vec::new())
     }
 }

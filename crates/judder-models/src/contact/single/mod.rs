@@ -7,11 +7,11 @@ pub(crate) mod run;
 
 use super::check::ContactEstimate;
 use super::size::lattice;
-use super::{Exciting, Subject, blame};
+use super::{ContactSubject, Exciting, blame};
 use crate::contact::case::ContactCase;
 use crate::contact::problem::ContactProblem;
 use crate::contact::settings::{ContactScope, ContactSettings};
-use crate::contact::shape::Shape;
+use crate::contact::shape::ShapeSettings;
 use crate::error::ModelError;
 use crate::indenter::height_map;
 use judder_contact::kernel::sliding::SlidingOperator;
@@ -44,7 +44,10 @@ pub(crate) const KIND: Kind<Option<ContactScope>, Arc<dyn Exciting>> = Kind {
 };
 
 /// Refuses a load under which the indenter would sink in deeper than it is high.
-fn is_not_too_deep(settings: &ContactSettings, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+fn is_not_too_deep(
+    settings: &ContactSettings,
+    of: &ContactSubject<'_>,
+) -> Result<Result<(), Refusal>, ModelError> {
     match loading(&of.case.shape, settings, of.scales) {
         Loading::Indentation(depth) => of.is_not_too_deep(depth),
         Loading::Load(force) => {
@@ -59,12 +62,12 @@ fn is_not_too_deep(settings: &ContactSettings, of: &Subject<'_>) -> Result<Resul
 }
 
 impl Analysis<ContactCase> for ContactSettings {
-    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+    fn fits(&self, of: &ContactSubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         if let Err(refusal) = is_not_too_deep(self, of)? {
             return Ok(Err(refusal));
         }
         let chosen = !of.case.shape.is_periodic() && grid(self, of.scales) == GridChoice::Automatic;
-        if chosen && of.case.shape != Shape::Cylinder {
+        if chosen && of.case.shape != ShapeSettings::Cylinder {
             return Ok(Ok(()));
         }
         let lattice = lattice(of.case, self, of.scales)?;
@@ -77,7 +80,7 @@ impl Analysis<ContactCase> for ContactSettings {
         keys
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &ContactSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         if of.case.shape.is_periodic() {
             return periodic::run(of.case, of.name, self, task.progress);
         }
@@ -96,7 +99,7 @@ impl Analysis<ContactCase> for ContactSettings {
         }
     }
 
-    fn estimate(&self, of: &Subject<'_>) -> Result<ContactEstimate, ModelError> {
+    fn estimate(&self, of: &ContactSubject<'_>) -> Result<ContactEstimate, ModelError> {
         let velocity = of.scales.velocity(self.velocity);
         let asked = match loading(&of.case.shape, self, of.scales) {
             Loading::Indentation(depth) => format!(
@@ -106,7 +109,8 @@ impl Analysis<ContactCase> for ContactSettings {
                 number(velocity / depth.sqrt())
             ),
             Loading::Load(force) => {
-                let group = if of.case.shape == Shape::Cylinder { "F/(E0* R)" } else { "F/(E0* R²)" };
+                let group =
+                    if of.case.shape == ShapeSettings::Cylinder { "F/(E0* R)" } else { "F/(E0* R²)" };
                 format!("v τ/R = {}, {group} = {}", number(velocity), number(force))
             }
         };
@@ -120,10 +124,10 @@ impl Analysis<ContactCase> for ContactSettings {
 }
 
 impl Exciting for ContactSettings {
-    fn excited(&self, of: &Subject<'_>) -> Result<Vec<f64>, ModelError> {
+    fn excited(&self, of: &ContactSubject<'_>) -> Result<Vec<f64>, ModelError> {
         let (velocity, radius) = (of.scales.velocity(self.velocity), of.scales.scales.radius);
         Ok(match &of.case.shape {
-            Shape::Rough(rough) => {
+            ShapeSettings::Rough(rough) => {
                 [rough.roll_off(), rough.cut_off()].map(|wave| TAU * velocity * radius / wave).to_vec()
             }
             shape if shape.is_periodic() => {

@@ -3,7 +3,7 @@
 use super::refined::Refined;
 use super::run::{DISSIPATION_LIMIT, RESIDUAL_LIMIT, loading};
 use crate::contact::case::ContactCase;
-use crate::contact::fields::Fields;
+use crate::contact::fields::ContactFields;
 use crate::contact::settings::ContactSettings;
 use crate::error::ModelError;
 use crate::indenter::height_map;
@@ -51,7 +51,7 @@ pub(super) fn run(
         converged: contact.converged,
         is_line: false,
     };
-    let fields = Fields::of_period(&contact.finest);
+    let fields = ContactFields::of_period(&contact.finest);
     let mut scalars = refined.told(&scales, velocity).scalars();
     let of_period = ToldPeriod {
         contact_fraction: contact.refinement.area.value / period,

@@ -2,9 +2,9 @@
 
 use super::refined::Refined;
 use crate::contact::case::ContactCase;
-use crate::contact::fields::Fields;
-use crate::contact::settings::{ContactSettings, Loading as CaseLoading};
-use crate::contact::shape::Shape;
+use crate::contact::fields::ContactFields;
+use crate::contact::settings::{ContactSettings, LoadingSettings};
+use crate::contact::shape::ShapeSettings;
 use crate::error::ModelError;
 use crate::indenter::profile;
 use crate::material::ContactScales;
@@ -37,16 +37,18 @@ pub(crate) fn grid(settings: &ContactSettings, scales: &ContactScales) -> GridCh
 }
 
 /// What presses the indenter down, in groups; of a cylinder per length.
-pub(crate) fn loading(shape: &Shape, settings: &ContactSettings, scales: &ContactScales) -> Loading {
+pub(crate) fn loading(shape: &ShapeSettings, settings: &ContactSettings, scales: &ContactScales) -> Loading {
     pressed(shape, settings.loading(), scales)
 }
 
 /// What presses an indenter down, in groups; a cylinder per length.
-pub(crate) fn pressed(shape: &Shape, loading: CaseLoading, scales: &ContactScales) -> Loading {
+pub(crate) fn pressed(shape: &ShapeSettings, loading: LoadingSettings, scales: &ContactScales) -> Loading {
     match loading {
-        CaseLoading::Indentation(depth) => Loading::Indentation(scales.length(depth)),
-        CaseLoading::Load(force) if *shape == Shape::Cylinder => Loading::Load(scales.line_force(force)),
-        CaseLoading::Load(force) => Loading::Load(scales.force(force)),
+        LoadingSettings::Indentation(depth) => Loading::Indentation(scales.length(depth)),
+        LoadingSettings::Load(force) if *shape == ShapeSettings::Cylinder => {
+            Loading::Load(scales.line_force(force))
+        }
+        LoadingSettings::Load(force) => Loading::Load(scales.force(force)),
     }
 }
 
@@ -74,7 +76,7 @@ pub(crate) fn run(
         error => error.into(),
     })?;
     progress.advance();
-    let fields = Fields::new(&contact.finest, &*profile);
+    let fields = ContactFields::new(&contact.finest, &*profile);
     let refined = Refined {
         refinement: &contact.refinement,
         friction_from_dissipation: contact.friction_from_dissipation,
@@ -143,7 +145,7 @@ fn limits(
     contrast: f64,
 ) -> Vec<CheckRecord> {
     let mut checks = Vec::new();
-    if case.shape != Shape::Paraboloid {
+    if case.shape != ShapeSettings::Paraboloid {
         return checks;
     }
     let r = &contact.refinement;

@@ -5,7 +5,7 @@ mod run;
 pub mod settings;
 
 use super::check::ContactEstimate;
-use super::{Exciting, Subject, blame};
+use super::{ContactSubject, Exciting, blame};
 use crate::contact::case::ContactCase;
 use crate::contact::problem::ContactProblem;
 use crate::contact::settings::ContactScope;
@@ -17,7 +17,7 @@ use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
-use run::{Asked, ToldHistory};
+use run::{AskedTransient, ToldHistory};
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
@@ -34,8 +34,8 @@ pub(crate) const KIND: Kind<Option<ContactScope>, Arc<dyn Exciting>> = Kind {
 };
 
 impl Analysis<ContactCase> for TransientSettings {
-    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
-        let asked = Asked::new(&of.case.shape, self, of.scales);
+    fn fits(&self, of: &ContactSubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+        let asked = AskedTransient::new(&of.case.shape, self, of.scales);
         if let Err(refusal) = of.is_not_too_deep(asked.largest_depth())? {
             return Ok(Err(refusal));
         }
@@ -54,12 +54,12 @@ impl Analysis<ContactCase> for TransientSettings {
         ToldHistory::declared()
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &ContactSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, self, task.progress)
     }
 
-    fn estimate(&self, of: &Subject<'_>) -> Result<ContactEstimate, ModelError> {
-        let asked = Asked::new(&of.case.shape, self, of.scales);
+    fn estimate(&self, of: &ContactSubject<'_>) -> Result<ContactEstimate, ModelError> {
+        let asked = AskedTransient::new(&of.case.shape, self, of.scales);
         let contacts = asked.steps(self.cells);
         let (name, lattice) = (of.name.to_owned(), [self.cells; 2]);
         Ok(ContactEstimate { name, asked: asked.words(self), contacts, lattice })
@@ -71,8 +71,8 @@ impl Analysis<ContactCase> for TransientSettings {
 }
 
 impl Exciting for TransientSettings {
-    fn excited(&self, of: &Subject<'_>) -> Result<Vec<f64>, ModelError> {
-        let asked = Asked::new(&of.case.shape, self, of.scales);
+    fn excited(&self, of: &ContactSubject<'_>) -> Result<Vec<f64>, ModelError> {
+        let asked = AskedTransient::new(&of.case.shape, self, of.scales);
         Ok(asked.frequencies(of.half_length(asked.loading())?))
     }
 }

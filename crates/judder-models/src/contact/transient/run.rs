@@ -1,9 +1,9 @@
 //! `transient`: a contact that is followed in time.
 
 use crate::contact::case::ContactCase;
-use crate::contact::shape::Shape;
+use crate::contact::shape::ShapeSettings;
 use crate::contact::single::run::{RESIDUAL_LIMIT, pressed};
-use crate::contact::transient::settings::{Motion, Oscillation, TransientSettings};
+use crate::contact::transient::settings::{IndenterMotion, OscillationSettings, TransientSettings};
 use crate::error::ModelError;
 use crate::indenter::profile;
 use crate::material::ContactScales;
@@ -32,7 +32,7 @@ const SETTLING: f64 = 5.0;
 const LAST_PART: f64 = 0.1;
 
 /// The question of the settings in groups.
-pub(crate) struct Asked {
+pub(crate) struct AskedTransient {
     /// R and τ are the units.
     pub(crate) path: IndenterPath,
     /// t/τ.
@@ -47,10 +47,11 @@ pub(crate) struct Asked {
     before: Before,
 }
 
-impl Asked {
-    pub(crate) fn new(shape: &Shape, settings: &TransientSettings, scales: &ContactScales) -> Self {
-        let wave =
-            |wave: &Oscillation| (scales.length(wave.amplitude), scales.angular_frequency(wave.frequency));
+impl AskedTransient {
+    pub(crate) fn new(shape: &ShapeSettings, settings: &TransientSettings, scales: &ContactScales) -> Self {
+        let wave = |wave: &OscillationSettings| {
+            (scales.length(wave.amplitude), scales.angular_frequency(wave.frequency))
+        };
         let loading = pressed(shape, settings.loading(), scales);
         let oscillation = settings.oscillation.as_ref().map(wave);
         let normal = match (loading, oscillation) {
@@ -62,19 +63,19 @@ impl Asked {
         };
         let (mut frequency, mut velocity) = (oscillation.map(|(_, frequency)| frequency), None);
         let path = match settings.motion() {
-            Motion::Rest => IndenterPath::at_rest(normal),
-            Motion::Start(speed) => {
+            IndenterMotion::Rest => IndenterPath::at_rest(normal),
+            IndenterMotion::Start(speed) => {
                 let speed = scales.velocity(speed);
                 velocity = Some(speed);
                 IndenterPath::start_of_sliding(speed, 0.0, normal)
             }
-            Motion::Reciprocation(motion) => {
+            IndenterMotion::Reciprocation(motion) => {
                 let (amplitude, angular_frequency) = wave(&motion);
                 frequency = Some(angular_frequency);
                 IndenterPath::reciprocation(amplitude, angular_frequency, normal)
             }
         };
-        let is_relaxation = settings.motion() == Motion::Rest && oscillation.is_none();
+        let is_relaxation = settings.motion() == IndenterMotion::Rest && oscillation.is_none();
         Self {
             path,
             duration: scales.over_time(settings.duration),
@@ -144,7 +145,7 @@ pub(super) fn run(
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
     let scales = ContactScales::new(case)?;
-    let asked = Asked::new(&case.shape, settings, &scales);
+    let asked = AskedTransient::new(&case.shape, settings, &scales);
     let substrate = scales.creeping();
     let profile = profile(&case.shape, scales.scales.radius)?;
     let question = asked.question(&substrate, &*profile, settings);
@@ -287,7 +288,7 @@ struct ToldSteady {
 }
 
 impl ToldCycles {
-    fn new(history: &TransientHistory, asked: &Asked, scales: &ContactScales) -> Self {
+    fn new(history: &TransientHistory, asked: &AskedTransient, scales: &ContactScales) -> Self {
         let Some(period) = asked.period else { return Self::default() };
         let works = history.work_by_period(period);
         let radius = scales.scales.radius;
@@ -318,7 +319,7 @@ impl ToldCycles {
 fn told(
     history: &TransientHistory,
     last: &TransientSample,
-    asked: &Asked,
+    asked: &AskedTransient,
     scales: &ContactScales,
     steady: Option<&Steady>,
 ) -> ToldHistory {
@@ -369,10 +370,10 @@ fn checks(
 }
 
 /// A quantity of a history: name, unit of the table, long name, value.
-type Quantity = (&'static str, &'static str, &'static str, fn(&TransientSample) -> f64);
+type HistoryQuantity = (&'static str, &'static str, &'static str, fn(&TransientSample) -> f64);
 
 /// What is kept of every step.
-const QUANTITIES: [Quantity; 6] = [
+const QUANTITIES: [HistoryQuantity; 6] = [
     ("position", "R", "x/R of the indenter", |sample| sample.position),
     ("indentation", "R", "δ/R", |sample| sample.indentation),
     ("force", "E0* R²", "F/(E0* R²)", |sample| sample.force),
@@ -397,7 +398,7 @@ fn dataset(history: &TransientHistory, settings: &TransientSettings) -> Result<D
             .with(Variable::new(name, &["time"], &[values.len()], values).units("1").long_name(long_name))?;
     }
     let loop_over = match (settings.motion(), settings.oscillation) {
-        (Motion::Reciprocation(_), _) => "position",
+        (IndenterMotion::Reciprocation(_), _) => "position",
         (_, Some(_)) => "indentation",
         _ => "",
     };

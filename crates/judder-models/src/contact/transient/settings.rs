@@ -1,6 +1,6 @@
 //! The settings of a contact that is followed in time.
 
-use crate::contact::settings::{ContactScope, FREQUENCY, INDENTATION, LOAD, Loading, VELOCITY};
+use crate::contact::settings::{ContactScope, FREQUENCY, INDENTATION, LOAD, LoadingSettings, VELOCITY};
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Scaled, Settings, Whole, all, both};
 use judder_keys::dimension::Dimension;
@@ -32,7 +32,7 @@ pub struct TransientSettings {
     #[key(rule = LOAD, symbol = "F", omitted)]
     load: Option<Value>,
     /// How the indentation oscillates about its mean, at rest or after a start.
-    pub oscillation: Option<Oscillation>,
+    pub oscillation: Option<OscillationSettings>,
     /// How long the contact is followed.
     #[key(rule = Scaled::positive(Dimension::TIME, "t/τ"), symbol = "t", example = "5 (t/τ), or \"50 ms\"")]
     pub duration: Value,
@@ -46,18 +46,18 @@ pub struct TransientSettings {
 
 /// How an indenter moves along the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Motion {
+pub enum IndenterMotion {
     /// Not at all.
     Rest,
     /// At time 0 suddenly at this speed, as v τ/R or in m/s.
     Start(Value),
     /// To and fro, x = amplitude · sin ωt.
-    Reciprocation(Oscillation),
+    Reciprocation(OscillationSettings),
 }
 
 /// amplitude · sin ωt.
 #[derive(Debug, Clone, Copy, PartialEq, Settings)]
-pub struct Oscillation {
+pub struct OscillationSettings {
     /// Amplitude.
     #[key(rule = AMPLITUDE, symbol = "a", example = "1e-2 (over R), or \"0.1 mm\"")]
     pub amplitude: Value,
@@ -92,29 +92,29 @@ impl TransientSettings {
         let is_round = scope.map_or(Ok(()), |scope| scope.is_round("transient", section));
         let word = section.choice("motion", "motion", &MotionWord::ALL).ok().flatten();
         let fits = word.map_or(Ok(()), |word| word.fits(section));
-        let own = both(Self::read_table(section), Loading::is_one(section, false));
+        let own = both(Self::read_table(section), LoadingSettings::is_one(section, false));
         let (((), ()), (settings, ())) = both(both(is_round, fits), own)?;
         if settings.word == MotionWord::Reciprocation {
-            Oscillation::read_table(section)?;
+            OscillationSettings::read_table(section)?;
         }
         let memory = scope.map_or(settings.memory, |scope| scope.memory_limit(section, settings.memory));
         Ok(Self { memory, ..settings })
     }
 
     /// How the indenter moves along the surface.
-    pub fn motion(&self) -> Motion {
+    pub fn motion(&self) -> IndenterMotion {
         match (self.word, self.velocity, self.amplitude, self.frequency) {
-            (MotionWord::Start, Some(velocity), ..) => Motion::Start(velocity),
+            (MotionWord::Start, Some(velocity), ..) => IndenterMotion::Start(velocity),
             (MotionWord::Reciprocation, _, Some(amplitude), Some(frequency)) => {
-                Motion::Reciprocation(Oscillation { amplitude, frequency })
+                IndenterMotion::Reciprocation(OscillationSettings { amplitude, frequency })
             }
-            _ => Motion::Rest,
+            _ => IndenterMotion::Rest,
         }
     }
 
     /// What presses the indenter down, on average.
-    pub fn loading(&self) -> Loading {
-        Loading::of(self.indentation, self.load)
+    pub fn loading(&self) -> LoadingSettings {
+        LoadingSettings::of(self.indentation, self.load)
     }
 }
 
@@ -137,7 +137,7 @@ impl MotionWord {
         let needed = match self {
             Self::Start => section.required("velocity", "velocity = 1e-2 (v τ/R), or \"30 mm/s\"").map(drop),
             Self::Reciprocation if known.iter().all(|key| section.get(key).is_none()) => {
-                Oscillation::read_table(section).map(drop)
+                OscillationSettings::read_table(section).map(drop)
             }
             Self::Rest | Self::Reciprocation => Ok(()),
         };

@@ -7,10 +7,10 @@ use super::settings::{
     ANY, DURATION, MOTION_STEPS, MotionKinds, MotionModel, SETTLING_DURATION, STEPS, TOLERANCE, declared,
     followed, in_order, read,
 };
-use super::{MotionOf, Size, pictures, settling};
+use super::{MotionOf, MotionSize, pictures, settling};
 use crate::error::ModelError;
 use judder_keys::Settings;
-use judder_keys::declared::{Pair, Settings, Whole};
+use judder_keys::declared::{NumberPair, Settings, Whole};
 use judder_keys::error::Fault;
 use judder_keys::numeric_key::Value;
 use judder_keys::section::Section;
@@ -24,7 +24,7 @@ use serde_json::{Map, Value as Json};
 
 /// The share of starts from which steady sliding is reached.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub struct Basin {
+pub struct BasinAnalysis {
     /// The ranges from which starts are drawn, evenly and independently.
     #[key(example = "{ x = [from, to], velocity_x = [from, to] }, the ranges of the starts")]
     pub within: StartRanges,
@@ -45,7 +45,7 @@ pub struct Basin {
     pub steps: usize,
 }
 
-followed!(Basin);
+followed!(BasinAnalysis);
 
 /// The range of each coordinate of a start; what is left out stands as in steady sliding.
 #[derive(Debug, Clone, Copy, PartialEq, Settings)]
@@ -65,7 +65,7 @@ pub struct StartRanges {
     pub velocity_y: Option<[f64; 2]>,
 }
 
-const RANGE: Pair = Pair { of: ANY, what: "two numbers, [from, to]", is_ascending: true };
+const RANGE: NumberPair = NumberPair { of: ANY, what: "two numbers, [from, to]", is_ascending: true };
 
 impl StartRanges {
     /// The ranges in the order of a state: displacements, then their velocities.
@@ -86,8 +86,8 @@ impl<S: MotionModel> MotionKinds<S> {
     pub(crate) const BASIN: Kind<S, S::Analysis> = Kind {
         name: "basin",
         doc: "the share of starts, drawn evenly, from which steady sliding is reached",
-        declared: declared::<S, Basin>,
-        read: |_, section| read::<S, Basin>(section).map(S::of_motion),
+        declared: declared::<S, BasinAnalysis>,
+        read: |_, section| read::<S, BasinAnalysis>(section).map(S::of_motion),
         picture: Some(Picture {
             draw: pictures::basin,
             caption: "Starts, drawn evenly, and what becomes of them.",
@@ -95,7 +95,7 @@ impl<S: MotionModel> MotionKinds<S> {
     };
 }
 
-impl<S: MotionModel> MotionOf<S> for Basin {
+impl<S: MotionModel> MotionOf<S> for BasinAnalysis {
     fn announced(&self) -> usize {
         self.samples
     }
@@ -114,8 +114,8 @@ impl<S: MotionModel> MotionOf<S> for Basin {
         run::run(model, &draw, &self.following(), task.own, task.progress)
     }
 
-    fn size(&self) -> Size {
-        Size::of_motions(self.samples, settling(self.duration))
+    fn size(&self) -> MotionSize {
+        MotionSize::of_motions(self.samples, settling(self.duration))
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

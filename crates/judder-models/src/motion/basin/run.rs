@@ -11,7 +11,7 @@ use judder_oscillator::motion::SlidingSystem;
 use judder_oscillator::motion::attractor::{Patience, Settled};
 use judder_store::{ByName, Dataset, Declared, Results, Table, Variable};
 use judder_study::Progress;
-use judder_study::kept::Kept;
+use judder_study::kept::KeptLines;
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -48,7 +48,7 @@ const CHANGED_LIMIT: f64 = 0.02;
 
 /// What became of one sample.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-struct Sample {
+struct SampledStart {
     sample: usize,
     /// Its place in [`BECOMES`].
     fate: u8,
@@ -62,13 +62,13 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     model: &M,
     draw: &Draw<'_>,
     following: &Following,
-    kept: Kept<'_>,
+    kept: KeptLines<'_>,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
     let operating = model.operating(None)?;
-    let known: BTreeMap<usize, Sample> =
-        kept.known::<Sample>().into_iter().map(|sample| (sample.sample, sample)).collect();
-    let samples: Vec<Sample> = (0..draw.samples)
+    let known: BTreeMap<usize, SampledStart> =
+        kept.known::<SampledStart>().into_iter().map(|sample| (sample.sample, sample)).collect();
+    let samples: Vec<SampledStart> = (0..draw.samples)
         .into_par_iter()
         .map(|index| {
             let sample = match known.get(&index) {
@@ -83,7 +83,7 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
             Ok::<_, ModelError>(sample)
         })
         .collect::<Result<_, _>>()?;
-    let basin = Basin { samples: &samples, draw, operating: &operating };
+    let basin = SampledBasin { samples: &samples, draw, operating: &operating };
     let lost = basin.count(LOST);
     let warning = basin.first_lost().map(|sample| {
         let why = settled(&operating, draw, following, sample, progress).err();
@@ -130,7 +130,7 @@ fn follow<S: SlidingSystem<N>, const N: usize>(
     following: &Following,
     sample: usize,
     progress: &dyn Progress,
-) -> Result<Sample, ModelError> {
+) -> Result<SampledStart, ModelError> {
     let (fate, time, rms) = match settled(operating, draw, following, sample, progress) {
         Err(MarchError::Interrupted { .. }) => return Err(ModelError::Interrupted),
         Err(_) => (LOST, None, None),
@@ -141,7 +141,7 @@ fn follow<S: SlidingSystem<N>, const N: usize>(
             (becomes(&confirmed), Some(attractor.time), Some(rms))
         }
     };
-    Ok(Sample { sample, fate, time, rms })
+    Ok(SampledStart { sample, fate, time, rms })
 }
 
 /// Some samples followed again at a smaller tolerance: their fates must stay, but for those on the border.
@@ -149,11 +149,11 @@ fn repeated<S: SlidingSystem<N>, const N: usize>(
     operating: &Operating<S>,
     draw: &Draw<'_>,
     following: &Following,
-    samples: &[Sample],
+    samples: &[SampledStart],
     progress: &dyn Progress,
 ) -> Result<CheckRecord, ModelError> {
     let finer = Following { tolerance: (FINER * following.tolerance).max(1e-12), ..*following };
-    let some: Vec<&Sample> = samples.iter().take(REPEATED).collect();
+    let some: Vec<&SampledStart> = samples.iter().take(REPEATED).collect();
     let changed: Vec<bool> = some
         .par_iter()
         .map(|sample| {
@@ -206,13 +206,13 @@ fn key(word: &str) -> String {
     word.replace([' ', '-'], "_")
 }
 
-struct Basin<'a, S> {
-    samples: &'a [Sample],
+struct SampledBasin<'a, S> {
+    samples: &'a [SampledStart],
     draw: &'a Draw<'a>,
     operating: &'a Operating<S>,
 }
 
-impl<S> Basin<'_, S> {
+impl<S> SampledBasin<'_, S> {
     fn first_lost(&self) -> Option<usize> {
         self.samples.iter().find(|sample| sample.fate == LOST).map(|sample| sample.sample)
     }
@@ -260,7 +260,7 @@ impl<S> Basin<'_, S> {
         let over =
             |name: &str, values: Vec<f64>| Variable::new(name, &["sample"], &[count], values).units("1");
         let fates = self.samples.iter().map(|sample| sample.fate).collect();
-        let value = |value: fn(&Sample) -> Option<f64>| {
+        let value = |value: fn(&SampledStart) -> Option<f64>| {
             self.samples.iter().map(|sample| value(sample).unwrap_or(f64::NAN)).collect::<Vec<_>>()
         };
         let clear = format!("time {} after which that was clear", M::CLOCK.symbol);
@@ -296,7 +296,7 @@ impl<S> Basin<'_, S> {
         }
         let words: Vec<String> =
             self.samples.iter().map(|sample| BECOMES[usize::from(sample.fate)].1.to_owned()).collect();
-        let value = |value: fn(&Sample) -> Option<f64>| {
+        let value = |value: fn(&SampledStart) -> Option<f64>| {
             self.samples.iter().map(|sample| value(sample).unwrap_or(f64::NAN)).collect::<Vec<_>>()
         };
         Ok(table.column("fate", "", words)?.column("settling_time", "1", value(|s| s.time))?.column(

@@ -3,7 +3,7 @@
 use judder_report::palette::{Marker, Style};
 use judder_report::runs::through;
 use judder_report::{Layer, Role};
-use judder_store::{Data, Dataset};
+use judder_store::{Dataset, VariableValues};
 use judder_study::pictures::{codes, reals};
 
 /// The branches under the simulated motions, and the folds and Hopf points on them; `None` where none were followed.
@@ -11,7 +11,7 @@ pub(crate) fn layers(dataset: &Dataset) -> Option<Vec<Layer>> {
     let along = |name: &str| reals(dataset, name).map(<[f64]>::to_vec);
     let (value, rms) = (reals(dataset, "branch_value")?, reals(dataset, "branch_rms")?);
     let stable: Vec<bool> = codes(dataset, "branch_stable")?.iter().map(|code| *code == 1).collect();
-    let Data::I64(number) = &dataset.variable("branch_number")?.data else { return None };
+    let VariableValues::I64(number) = &dataset.variable("branch_number")?.data else { return None };
     let (steady_value, growth) = (reals(dataset, "steady_value")?, reals(dataset, "growth_rate")?);
     let at_rest = vec![0.0; growth.len()];
     let rests: Vec<bool> = growth.iter().map(|rate| *rate < 0.0).collect();

@@ -14,7 +14,7 @@ use judder_oscillator::cycle::{
 };
 use judder_oscillator::hopf::{HopfPoint, growth_rate, growth_slope, hopf_point};
 use judder_study::Progress;
-use judder_study::case::scale::Scale;
+use judder_study::case::scale::Spacing;
 pub(super) use results::ToldBranches;
 use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -119,25 +119,25 @@ fn is_between(a: f64, b: f64, value: f64) -> bool {
 }
 
 /// The sweep as the parameter of a continuation, which is the value or its logarithm: its place.
-struct Line<'a, M: Moving<N>, const N: usize> {
+struct SweepLine<'a, M: Moving<N>, const N: usize> {
     model: &'a M,
     sweep: &'a Sweep<M::Key>,
     following: &'a Following,
     progress: &'a dyn Progress,
 }
 
-impl<M: Moving<N>, const N: usize> Line<'_, M, N> {
+impl<M: Moving<N>, const N: usize> SweepLine<'_, M, N> {
     fn place(&self, value: f64) -> f64 {
         match self.sweep.scale {
-            Scale::Linear => value,
-            Scale::Log => value.abs().ln(),
+            Spacing::Linear => value,
+            Spacing::Log => value.abs().ln(),
         }
     }
 
     fn value(&self, place: f64) -> f64 {
         match self.sweep.scale {
-            Scale::Linear => place,
-            Scale::Log => place.exp().copysign(self.sweep.from),
+            Spacing::Linear => place,
+            Spacing::Log => place.exp().copysign(self.sweep.from),
         }
     }
 
@@ -257,7 +257,7 @@ pub(super) fn follow<M: Moving<N>, const N: usize>(
     simulated: &[SimulatedCycle<N>],
     progress: &dyn Progress,
 ) -> Result<Branches<N>, ModelError> {
-    let line = Line { model, sweep, following, progress };
+    let line = SweepLine { model, sweep, following, progress };
     let (from, to) = line.range();
     let last = sweep.points.max(SAMPLES) - 1;
     let places: Vec<f64> = (0..=last).map(|k| from + (to - from) * k as f64 / last as f64).collect();
@@ -312,7 +312,7 @@ impl<const N: usize> Branches<N> {
     }
 
     /// Notes a Hopf point and follows its branch, unless another one has ended there.
-    fn begin_at<M: Moving<N>>(&mut self, line: &Line<'_, M, N>, place: f64) {
+    fn begin_at<M: Moving<N>>(&mut self, line: &SweepLine<'_, M, N>, place: f64) {
         let value = line.value(place);
         let start = || format!("change of stability at {}", plain(value));
         let hopf = match line.system(place).and_then(|system| hopf_point(&system)) {

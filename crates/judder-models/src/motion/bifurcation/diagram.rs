@@ -1,20 +1,20 @@
 //! The bifurcation diagram as scalars, arrays and a table.
 
 use super::branches::SimulatedCycle;
-use super::point::{Point, Settling};
+use super::point::{SettledPoint, Settling};
 use crate::error::ModelError;
 use crate::motion::becomes::{BECOMES, CYCLE, LOST, UNCONFIRMED};
 use crate::motion::bifurcation::SweepDirection;
 use crate::motion::model::Coordinate;
 use judder_numerics::words::plain;
 use judder_store::{Dataset, Results, Table, Variable};
-use judder_study::axis::Axis;
+use judder_study::axis::SweptAxis;
 
 /// All sweeps along the axis.
-pub(super) struct Diagram<'a> {
-    pub(super) axis: Axis,
+pub(super) struct SweptDiagram<'a> {
+    pub(super) axis: SweptAxis,
     pub(super) directions: &'a [SweepDirection],
-    pub(super) sweeps: &'a [Vec<Point>],
+    pub(super) sweeps: &'a [Vec<SettledPoint>],
 }
 
 /// What is told of the motions of all sweeps.
@@ -42,8 +42,8 @@ pub(super) struct ToldDiagram {
     lift_off_fraction: Vec<f64>,
 }
 
-impl Diagram<'_> {
-    fn points(&self) -> impl Iterator<Item = &Point> {
+impl SweptDiagram<'_> {
+    fn points(&self) -> impl Iterator<Item = &SettledPoint> {
         self.sweeps.iter().flatten()
     }
 
@@ -54,7 +54,7 @@ impl Diagram<'_> {
 
     /// Every cycle that a motion has settled to.
     pub(super) fn cycles<const N: usize>(&self) -> Vec<SimulatedCycle<N>> {
-        let cycle = |(value, point): (f64, &Point)| {
+        let cycle = |(value, point): (f64, &SettledPoint)| {
             let settling = point.as_ref().ok().filter(|settling| settling.becomes == CYCLE)?;
             Some(SimulatedCycle {
                 value,

@@ -11,7 +11,7 @@ use super::settings::{
     DURATION, MOTION_STEPS, MotionKinds, MotionModel, MotionStart, STEPS, TOLERANCE, TRANSIENT, declared,
     followed, leave_some, read,
 };
-use super::{MotionOf, Size, pictures, settling};
+use super::{MotionOf, MotionSize, pictures, settling};
 use crate::error::ModelError;
 use crate::read_sweep::SWEEP;
 use crate::sweep::Sweep;
@@ -32,13 +32,13 @@ pub struct Bifurcation<K> {
     /// The swept key.
     pub sweep: Sweep<K>,
     /// How it is followed.
-    pub diagram: Diagram,
+    pub diagram: BifurcationAnalysis,
 }
 
 /// How a bifurcation diagram is followed: each motion starts where the one before has ended.
 #[derive(Debug, Clone, PartialEq, Settings)]
-#[settings(check = Diagram::complete)]
-pub struct Diagram {
+#[settings(check = BifurcationAnalysis::complete)]
+pub struct BifurcationAnalysis {
     /// Which way the key is followed.
     #[key(default = SweepDirection::Both)]
     pub direction: SweepDirection,
@@ -62,7 +62,7 @@ pub struct Diagram {
     pub branches: bool,
 }
 
-followed!(Diagram);
+followed!(BifurcationAnalysis);
 
 /// Which way a bifurcation diagram is followed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
@@ -87,7 +87,7 @@ impl SweepDirection {
     }
 }
 
-impl Diagram {
+impl BifurcationAnalysis {
     fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
         leave_some(&mut self.transient, self.duration, section)
     }
@@ -98,9 +98,10 @@ impl<S: MotionModel> MotionKinds<S> {
     pub(crate) const BIFURCATION: Kind<S, S::Analysis> = Kind {
         name: "bifurcation",
         doc: "what the motion settles to along one key, each motion from the end of the one before",
-        declared: || [vec![SWEEP.declaration::<S>()], declared::<S, Diagram>()].concat(),
+        declared: || [vec![SWEEP.declaration::<S>()], declared::<S, BifurcationAnalysis>()].concat(),
         read: |keys, section| {
-            let (sweep, diagram) = both(SWEEP.read_alone(keys, section), read::<S, Diagram>(section))?;
+            let (sweep, diagram) =
+                both(SWEEP.read_alone(keys, section), read::<S, BifurcationAnalysis>(section))?;
             Ok(S::of_motion(Bifurcation { sweep, diagram }))
         },
         picture: Some(Picture {
@@ -129,7 +130,7 @@ impl<S: MotionModel> MotionOf<S> for Bifurcation<S::Key> {
         task: Task<'_>,
     ) -> Result<Outcome, ModelError> {
         let diagram = &self.diagram;
-        let settings = run::Settings {
+        let settings = run::DiagramSettings {
             sweep: &self.sweep,
             start: &diagram.start,
             following: &diagram.following(),
@@ -139,9 +140,9 @@ impl<S: MotionModel> MotionOf<S> for Bifurcation<S::Key> {
         run::run(model, &settings, diagram.direction, task.own, task.progress)
     }
 
-    fn size(&self) -> Size {
-        let Diagram { duration, branches, .. } = self.diagram;
-        Size { branches, ..Size::of_motions(self.motions(), settling(duration)) }
+    fn size(&self) -> MotionSize {
+        let BifurcationAnalysis { duration, branches, .. } = self.diagram;
+        MotionSize { branches, ..MotionSize::of_motions(self.motions(), settling(duration)) }
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -1,7 +1,7 @@
 //! A point of the diagram.
 
 use crate::motion::becomes::becomes;
-use crate::motion::model::Memory;
+use crate::motion::model::ContactMemory;
 use judder_oscillator::cycle::Confirmed;
 use judder_oscillator::motion::ContactState;
 use judder_oscillator::motion::attractor::Settled;
@@ -28,7 +28,7 @@ pub(crate) struct Settling {
 }
 
 impl Settling {
-    pub(super) fn of<const N: usize>(confirmed: &Confirmed<N>, memory: Option<&Memory>) -> Self {
+    pub(super) fn of<const N: usize>(confirmed: &Confirmed<N>, memory: Option<&ContactMemory>) -> Self {
         let attractor = &confirmed.attractor;
         let oscillations = match attractor.settled {
             Settled::SteadySliding => 0,
@@ -60,4 +60,4 @@ impl Settling {
 }
 
 /// A point of the diagram: what the motion settles to, or why there is none.
-pub(crate) type Point = Result<Settling, String>;
+pub(crate) type SettledPoint = Result<Settling, String>;

@@ -1,8 +1,8 @@
 //! `bifurcation`: what motions settle to along one key, up and down.
 
 use super::branches::{self, ToldBranches};
-use super::diagram::{Diagram, ToldDiagram};
-use super::point::{Point, Settling};
+use super::diagram::{SweptDiagram, ToldDiagram};
+use super::point::{SettledPoint, Settling};
 use crate::error::ModelError;
 use crate::motion::becomes::CYCLE;
 use crate::motion::bifurcation::SweepDirection;
@@ -15,14 +15,14 @@ use judder_oscillator::cycle::settle_confirmed;
 use judder_oscillator::motion::attractor::Patience;
 use judder_store::{Declared, Results};
 use judder_study::Progress;
-use judder_study::kept::Kept;
+use judder_study::kept::KeptLines;
 use judder_study::outcome::{CheckRecord, Outcome};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// What is asked.
-pub(crate) struct Settings<'a, K> {
+pub(crate) struct DiagramSettings<'a, K> {
     pub(crate) sweep: &'a Sweep<K>,
     pub(crate) start: &'a MotionStart,
     pub(crate) following: &'a Following,
@@ -44,22 +44,23 @@ struct KeptPoint {
     direction: String,
     /// Its place along the axis.
     place: usize,
-    point: Point,
+    point: SettledPoint,
 }
 
 pub(crate) fn run<M: Moving<N>, const N: usize>(
     model: &M,
-    settings: &Settings<'_, M::Key>,
+    settings: &DiagramSettings<'_, M::Key>,
     direction: SweepDirection,
-    kept: Kept<'_>,
+    kept: KeptLines<'_>,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
-    let sweeps: Vec<Vec<Point>> = direction
+    let sweeps: Vec<Vec<SettledPoint>> = direction
         .sweeps()
         .par_iter()
         .map(|direction| along(model, settings, *direction, kept, progress))
         .collect::<Result<_, _>>()?;
-    let diagram = Diagram { axis: M::axis(settings.sweep), directions: direction.sweeps(), sweeps: &sweeps };
+    let diagram =
+        SweptDiagram { axis: M::axis(settings.sweep), directions: direction.sweeps(), sweeps: &sweeps };
     let lost = sweeps.iter().flatten().filter(|point| point.is_err()).count();
     let told = diagram.told(&settings.sweep.path);
     let mut outcome = Outcome {
@@ -94,19 +95,19 @@ pub(crate) fn summary_keys(has_branches: bool) -> Vec<Declared> {
 /// One sweep; its points stand in the order of the axis, whichever way it goes.
 fn along<M: Moving<N>, const N: usize>(
     model: &M,
-    settings: &Settings<'_, M::Key>,
+    settings: &DiagramSettings<'_, M::Key>,
     direction: SweepDirection,
-    kept: Kept<'_>,
+    kept: KeptLines<'_>,
     progress: &dyn Progress,
-) -> Result<Vec<Point>, ModelError> {
+) -> Result<Vec<SettledPoint>, ModelError> {
     let known = kept.known::<KeptPoint>().into_iter().filter(|known| known.direction == direction.name());
-    let mut known: BTreeMap<usize, Point> = known.map(|known| (known.place, known.point)).collect();
+    let mut known: BTreeMap<usize, SettledPoint> = known.map(|known| (known.place, known.point)).collect();
     let mut places: Vec<(usize, f64)> = settings.sweep.values().into_iter().enumerate().collect();
     let backward = direction == SweepDirection::Backward;
     if backward {
         places.reverse();
     }
-    let mut points: Vec<Point> = Vec::with_capacity(places.len());
+    let mut points: Vec<SettledPoint> = Vec::with_capacity(places.len());
     for (place, value) in places {
         // after a lost motion the next one starts as the first did
         let last = points.last().and_then(|point| point.as_ref().ok());
@@ -132,11 +133,11 @@ fn along<M: Moving<N>, const N: usize>(
 /// What the motion at one value settles to, or why it cannot be followed.
 fn settled<M: Moving<N>, const N: usize>(
     model: &M,
-    settings: &Settings<'_, M::Key>,
+    settings: &DiagramSettings<'_, M::Key>,
     value: f64,
     last: Option<&Settling>,
     progress: &dyn Progress,
-) -> Result<Point, ModelError> {
+) -> Result<SettledPoint, ModelError> {
     let operating = match model.operating(Some((settings.sweep, value))) {
         Ok(operating) => operating,
         Err(error) => return Ok(Err(error.to_string())),
@@ -161,8 +162,8 @@ fn settled<M: Moving<N>, const N: usize>(
 /// A few cycles followed on more exactly: their rms must stay.
 fn repeated<M: Moving<N>, const N: usize>(
     model: &M,
-    settings: &Settings<'_, M::Key>,
-    sweeps: &[Vec<Point>],
+    settings: &DiagramSettings<'_, M::Key>,
+    sweeps: &[Vec<SettledPoint>],
     progress: &dyn Progress,
 ) -> Result<Option<CheckRecord>, ModelError> {
     let values = settings.sweep.values();
@@ -177,7 +178,7 @@ fn repeated<M: Moving<N>, const N: usize>(
     }
     let following =
         Following { tolerance: (FINER * settings.following.tolerance).max(1e-12), ..*settings.following };
-    let finer = Settings { following: &following, ..*settings };
+    let finer = DiagramSettings { following: &following, ..*settings };
     let figures: Vec<f64> = cycles
         .par_iter()
         .step_by(cycles.len().div_ceil(REPEATED))

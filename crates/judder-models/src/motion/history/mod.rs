@@ -8,7 +8,7 @@ use super::settings::{
     DURATION, MOTION_STEPS, MotionKinds, MotionModel, MotionStart, STEPS, TOLERANCE, TRANSIENT, declared,
     followed, leave_some, read,
 };
-use super::{MotionOf, Size, USUAL_TIME, pictures};
+use super::{MotionOf, MotionSize, USUAL_TIME, pictures};
 use crate::error::ModelError;
 use judder_keys::Settings;
 use judder_keys::declared::{Settings, Whole};
@@ -23,8 +23,8 @@ use serde_json::{Map, Value as Json};
 
 /// The history of one motion.
 #[derive(Debug, Clone, PartialEq, Settings)]
-#[settings(check = History::complete)]
-pub struct History {
+#[settings(check = HistoryAnalysis::complete)]
+pub struct HistoryAnalysis {
     /// Where the motion starts.
     #[key(default = MotionStart::USUAL)]
     pub start: MotionStart,
@@ -45,9 +45,9 @@ pub struct History {
     pub steps: usize,
 }
 
-followed!(History);
+followed!(HistoryAnalysis);
 
-impl History {
+impl HistoryAnalysis {
     fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
         leave_some(&mut self.transient, self.duration, section)
     }
@@ -58,8 +58,8 @@ impl<S: MotionModel> MotionKinds<S> {
     pub(crate) const HISTORY: Kind<S, S::Analysis> = Kind {
         name: "motion",
         doc: "the history of one motion: stick, slip, lift-off, its averages, its energy",
-        declared: declared::<S, History>,
-        read: |_, section| read::<S, History>(section).map(S::of_motion),
+        declared: declared::<S, HistoryAnalysis>,
+        read: |_, section| read::<S, HistoryAnalysis>(section).map(S::of_motion),
         picture: Some(Picture {
             draw: |dataset| pictures::motion(dataset, S::FREQUENCY),
             caption: "The whole motion; its end with the contact state shaded (white: slip); the phase portrait of that end with the changes of the contact \
@@ -68,7 +68,7 @@ impl<S: MotionModel> MotionKinds<S> {
     };
 }
 
-impl<S: MotionModel> MotionOf<S> for History {
+impl<S: MotionModel> MotionOf<S> for HistoryAnalysis {
     fn summary_keys(&self) -> Vec<Declared> {
         run::summary_keys()
     }
@@ -81,9 +81,9 @@ impl<S: MotionModel> MotionOf<S> for History {
         run::run(model, self, task.progress, task.watch)
     }
 
-    fn size(&self) -> Size {
+    fn size(&self) -> MotionSize {
         let time = if self.duration.form == Form::Group { self.duration.number } else { USUAL_TIME };
-        Size { points: self.points, ..Size::of_motions(1, time) }
+        MotionSize { points: self.points, ..MotionSize::of_motions(1, time) }
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

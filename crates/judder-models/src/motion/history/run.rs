@@ -3,8 +3,8 @@
 use super::watched::Blocks;
 use crate::error::ModelError;
 use crate::motion::amplitude_spectrum::amplitude_spectrum;
-use crate::motion::history::History as HistorySettings;
-use crate::motion::model::{Coordinate, Memory, Moving, Operating};
+use crate::motion::history::HistoryAnalysis;
+use crate::motion::model::{ContactMemory, Coordinate, Moving, Operating};
 use judder_oscillator::motion::attractor::{distance, repetition};
 use judder_oscillator::motion::history::{
     MotionHistory, Oscillation, StateSample, TimeWindow, follow, follow_watched,
@@ -26,7 +26,7 @@ const OSCILLATIONS: usize = 8;
 
 pub(crate) fn run<M: Moving<N>, const N: usize>(
     model: &M,
-    asked: &HistorySettings,
+    asked: &HistoryAnalysis,
     progress: &dyn Progress,
     watch: Option<&mut dyn FnMut(SampleBlock)>,
 ) -> Result<Outcome, ModelError> {
@@ -184,11 +184,11 @@ pub(crate) fn energy_check<const N: usize>(history: &MotionHistory<N>) -> Option
     })
 }
 
-fn condition<const N: usize>(memory: &Memory, oscillation: &Oscillation<N>) -> f64 {
+fn condition<const N: usize>(memory: &ContactMemory, oscillation: &Oscillation<N>) -> f64 {
     oscillation.quasi_steady_condition(memory.belt_velocity, memory.retardation_time)
 }
 
-fn quasi_steady<const N: usize>(memory: &Memory, oscillations: &[Oscillation<N>]) -> ToldMemory {
+fn quasi_steady<const N: usize>(memory: &ContactMemory, oscillations: &[Oscillation<N>]) -> ToldMemory {
     let time: f64 = oscillations.iter().map(|o| o.period).sum();
     let above = |limit: f64| {
         let beyond = oscillations.iter().filter(|o| condition(memory, o).abs() > limit);

@@ -9,7 +9,7 @@ use super::settings::{
     CYCLE_TOLERANCE, DURATION, MOTION_STEPS, MotionKinds, MotionModel, MotionStart, SETTLING_DURATION, STEPS,
     TOLERANCE, declared, followed, read,
 };
-use super::{MotionOf, Size, pictures, settling};
+use super::{MotionOf, MotionSize, pictures, settling};
 use crate::error::ModelError;
 use judder_keys::Settings;
 use judder_keys::declared::Settings;
@@ -67,8 +67,8 @@ impl<S: MotionModel> MotionOf<S> for LimitCycle {
         run::run(model, &self.start, &self.following(), task.progress)
     }
 
-    fn size(&self) -> Size {
-        Size::of_motions(1, settling(self.duration))
+    fn size(&self) -> MotionSize {
+        MotionSize::of_motions(1, settling(self.duration))
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -5,13 +5,13 @@ mod onsets;
 mod run;
 mod within_law;
 
-use super::{Operated, Subject, curves, ends_of_curves, points_of_curves};
+use super::{Operated, OscillatorSubject, curves, ends_of_curves, points_of_curves};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::inputs::OscillatorInputs;
-use crate::oscillator::settings::{CriticalThresholds, Sought, thresholds};
+use crate::oscillator::settings::{CriticalThresholds, SoughtThresholds, thresholds};
 use judder_store::Declared;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
@@ -31,19 +31,21 @@ const PICTURE: Picture = Picture {
 
 /// The kind of critical shear strengths.
 pub(crate) const OF_SHEAR_STRENGTH: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
-    name: Sought::ShearStrength.kind(),
+    name: SoughtThresholds::ShearStrength.kind(),
     doc: "the critical shear strengths along one key",
-    declared: || thresholds(Sought::ShearStrength),
-    read: |keys, section| Ok(Arc::new(CriticalThresholds::read(keys, section, Sought::ShearStrength)?)),
+    declared: || thresholds(SoughtThresholds::ShearStrength),
+    read: |keys, section| {
+        Ok(Arc::new(CriticalThresholds::read(keys, section, SoughtThresholds::ShearStrength)?))
+    },
     picture: Some(PICTURE),
 };
 
 /// The kind of critical loads.
 pub(crate) const OF_LOAD: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
-    name: Sought::Load.kind(),
+    name: SoughtThresholds::Load.kind(),
     doc: "the critical loads along one key",
-    declared: || thresholds(Sought::Load),
-    read: |keys, section| Ok(Arc::new(CriticalThresholds::read(keys, section, Sought::Load)?)),
+    declared: || thresholds(SoughtThresholds::Load),
+    read: |keys, section| Ok(Arc::new(CriticalThresholds::read(keys, section, SoughtThresholds::Load)?)),
     picture: Some(PICTURE),
 };
 
@@ -56,7 +58,7 @@ impl Analysis<OscillatorCase> for CriticalThresholds {
         run::summary_keys(self)
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &OscillatorSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, of.contact, self, task.progress)
     }
 

@@ -1,6 +1,6 @@
 //! Thresholds along one key (Figs. 7, 8).
 
-use super::found::Found;
+use super::found::FoundThresholds;
 use super::{onsets, within_law};
 use crate::axis::{self, Curves, keys_of_curves};
 use crate::bridge;
@@ -8,15 +8,15 @@ use crate::checks;
 use crate::error::ModelError;
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::inputs::OscillatorInputs;
-use crate::oscillator::margins::{Crossing, Onset, fold_check};
-use crate::oscillator::settings::{CriticalThresholds, Sought};
+use crate::oscillator::margins::{MarginCrossing, MarginOnset, fold_check};
+use crate::oscillator::settings::{CriticalThresholds, SoughtThresholds};
 use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::Contact;
 use judder_oscillator::critical::{ParameterRange, RangeScale, Thresholds, thresholds};
 use judder_oscillator::undecided::undecided;
 use judder_store::{Dataset, Declared, Results, Table, Variable};
 use judder_study::Progress;
-use judder_study::axis::Axis;
+use judder_study::axis::SweptAxis;
 use judder_study::outcome::Outcome;
 use rayon::prelude::*;
 
@@ -24,12 +24,12 @@ use rayon::prelude::*;
 const SAMPLES_PER_DECADE: f64 = 40.0;
 
 /// Label and unit of the axis of thresholds.
-fn label(sought: Sought, form: Form) -> (&'static str, &'static str) {
+fn label(sought: SoughtThresholds, form: Form) -> (&'static str, &'static str) {
     match (sought, form) {
-        (Sought::ShearStrength, Form::Group) => ("Critical shear strength $τ̃_{0,crit}$ (−)", "1"),
-        (Sought::ShearStrength, Form::Si) => ("Critical shear strength $τ_{0,crit}$ (Pa)", "Pa"),
-        (Sought::Load, Form::Group) => ("Critical load $F̃_{n,crit}$ (−)", "1"),
-        (Sought::Load, Form::Si) => ("Critical load $F_{n,crit}$ (N)", "N"),
+        (SoughtThresholds::ShearStrength, Form::Group) => ("Critical shear strength $τ̃_{0,crit}$ (−)", "1"),
+        (SoughtThresholds::ShearStrength, Form::Si) => ("Critical shear strength $τ_{0,crit}$ (Pa)", "Pa"),
+        (SoughtThresholds::Load, Form::Group) => ("Critical load $F̃_{n,crit}$ (−)", "1"),
+        (SoughtThresholds::Load, Form::Si) => ("Critical load $F_{n,crit}$ (N)", "N"),
     }
 }
 
@@ -51,7 +51,7 @@ pub(super) fn run(
             })
         })
         .collect();
-    let found: Vec<Found> = points
+    let found: Vec<FoundThresholds> = points
         .par_iter()
         .map(|inputs| {
             let found = at_point(contact, settings, *inputs, progress);
@@ -77,7 +77,7 @@ pub(super) fn run(
         inputs.set(settings.sought.key(), Value { number: value, form: settings.within.form });
         inputs
     });
-    let onsets: Vec<(Crossing<'_>, &Onset)> = found
+    let onsets: Vec<(MarginCrossing<'_>, &MarginOnset)> = found
         .iter()
         .flat_map(|found| {
             let crossing = crossing(contact, settings, found.inputs);
@@ -94,10 +94,10 @@ fn crossing<'a>(
     contact: &'a Contact,
     settings: &CriticalThresholds,
     inputs: OscillatorInputs,
-) -> Crossing<'a> {
+) -> MarginCrossing<'a> {
     let (key, within) = (settings.sought.key(), &settings.within);
     let range = ParameterRange { from: within.from, to: within.to, scale: RangeScale::Logarithmic };
-    Crossing { contact, inputs, key, form: within.form, range }
+    MarginCrossing { contact, inputs, key, form: within.form, range }
 }
 
 fn at_point(
@@ -105,7 +105,7 @@ fn at_point(
     settings: &CriticalThresholds,
     inputs: OscillatorInputs,
     progress: &dyn Progress,
-) -> Found {
+) -> FoundThresholds {
     let crossing = crossing(contact, settings, inputs);
     let decades = (settings.within.to / settings.within.from).log10();
     let samples = (decades * SAMPLES_PER_DECADE).ceil() as usize + 1;
@@ -119,7 +119,7 @@ fn at_point(
     let roots = [thresholds.full.as_slice(), thresholds.conservative.as_slice()];
     let is_known = contact.law.knows_its_errors();
     let within_law = is_known.then(|| undecided(contact, &crossing.range, samples, roots, at));
-    Found { inputs, thresholds, onsets, within_law }
+    FoundThresholds { inputs, thresholds, onsets, within_law }
 }
 
 /// What is told of the thresholds of a curve, a list of them a value.
@@ -145,9 +145,9 @@ pub(super) fn summary_keys(settings: &CriticalThresholds) -> Vec<Declared> {
 
 fn assemble(
     settings: &CriticalThresholds,
-    axis: &Axis,
+    axis: &SweptAxis,
     curves: &Curves,
-    found: &[Found],
+    found: &[FoundThresholds],
 ) -> Result<Outcome, ModelError> {
     let CriticalThresholds { sought, within, global_margin, .. } = settings;
     let (sought, global_margin) = (*sought, *global_margin);
@@ -186,9 +186,9 @@ fn assemble(
 
 /// The thresholds of both systems.
 fn roots(
-    axis: &Axis,
+    axis: &SweptAxis,
     curves: &Curves,
-    found: &[Found],
+    found: &[FoundThresholds],
     label: &str,
     unit: &str,
 ) -> Result<Dataset, ModelError> {
@@ -219,15 +219,15 @@ fn roots(
 
 /// One row a threshold.
 fn table(
-    axis: &Axis,
+    axis: &SweptAxis,
     curves: &Curves,
-    found: &[Found],
+    found: &[FoundThresholds],
     unit: &str,
     global_margin: bool,
 ) -> Result<Table, ModelError> {
     let (mut values, mut thresholds) = (Vec::<f64>::new(), Vec::<f64>::new());
     let mut systems: Vec<String> = Vec::new();
-    let mut onsets: Vec<Option<&Onset>> = Vec::new();
+    let mut onsets: Vec<Option<&MarginOnset>> = Vec::new();
     let mut rows_of_curve = Vec::new();
     for curve in found.chunks(axis.values.len()) {
         let before = values.len();

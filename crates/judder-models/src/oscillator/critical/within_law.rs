@@ -1,27 +1,27 @@
 //! The ranges in which the errors of the law leave thresholds, as scalars, arrays and columns of a table.
 
-use super::found::Found;
+use super::found::FoundThresholds;
 use crate::axis::Curves;
 use crate::error::ModelError;
 use judder_oscillator::critical::Thresholds;
 use judder_oscillator::undecided::{Ranges, Undecided};
 use judder_store::{Dataset, Declared, Table, Told, Variable};
-use judder_study::axis::Axis;
+use judder_study::axis::SweptAxis;
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value};
 
 /// A system of thresholds: its name in results, its ranges.
-type System = (&'static str, fn(&Undecided) -> &Ranges);
+type ThresholdSystem = (&'static str, fn(&Undecided) -> &Ranges);
 
-const SYSTEMS: [System; 2] =
+const SYSTEMS: [ThresholdSystem; 2] =
     [("full", |undecided| &undecided.full), ("conservative", |undecided| &undecided.conservative)];
 
 /// Adds the ranges of all curves to the outcome of an analysis with a law that is no formula.
 pub(super) fn add(
     outcome: &mut Outcome,
-    axis: &Axis,
+    axis: &SweptAxis,
     curves: &Curves,
-    found: &[Found],
+    found: &[FoundThresholds],
     unit: &str,
 ) -> Result<(), ModelError> {
     outcome.add_to_curves(found.chunks(axis.values.len()), add_scalars);
@@ -38,7 +38,7 @@ fn key(system: &str) -> String {
 
 /// The keys that [`add`] adds to the summary of a curve, if its law has errors.
 pub(super) fn keys() -> Vec<Declared> {
-    let declared = |(system, _): System| Declared {
+    let declared = |(system, _): ThresholdSystem| Declared {
         is_optional: true,
         ..Declared::new(key(system), Vec::<Ranges>::kind())
     };
@@ -46,7 +46,7 @@ pub(super) fn keys() -> Vec<Declared> {
 }
 
 /// Adds to the scalars of a curve a list of ranges a value, `null` where nothing is known of the errors of the law.
-fn add_scalars(scalars: &mut Map<String, Value>, curve: &[Found]) {
+fn add_scalars(scalars: &mut Map<String, Value>, curve: &[FoundThresholds]) {
     for (system, of) in SYSTEMS {
         let ranges = curve.iter().map(|found| found.within_law.as_ref().map(of).told());
         scalars.insert(key(system), ranges.collect());
@@ -56,14 +56,15 @@ fn add_scalars(scalars: &mut Map<String, Value>, curve: &[Found]) {
 /// Adds where each range begins and where it ends.
 fn add_arrays(
     mut dataset: Dataset,
-    axis: &Axis,
+    axis: &SweptAxis,
     curves: &Curves,
-    found: &[Found],
+    found: &[FoundThresholds],
     unit: &str,
 ) -> Result<Dataset, ModelError> {
     for (system, of) in SYSTEMS {
-        let ranges =
-            |found: &Found| found.within_law.as_ref().map_or(Ranges::new(), |within| of(within).clone());
+        let ranges = |found: &FoundThresholds| {
+            found.within_law.as_ref().map_or(Ranges::new(), |within| of(within).clone())
+        };
         let all: Vec<Ranges> = found.iter().map(ranges).collect();
         let most = all.iter().map(Vec::len).max().unwrap_or(0);
         let dimension = format!("{system}_range");
@@ -89,7 +90,7 @@ fn add_arrays(
 }
 
 /// Adds for each row of the table, which has the thresholds of both systems value by value, the range that its threshold lies in.
-fn add_columns(table: Table, found: &[Found], unit: &str) -> Result<Table, ModelError> {
+fn add_columns(table: Table, found: &[FoundThresholds], unit: &str) -> Result<Table, ModelError> {
     let rows = found.iter().flat_map(|found| {
         let Thresholds { full, conservative, .. } = &found.thresholds;
         let roots = [full, conservative].into_iter().zip(SYSTEMS);
@@ -104,8 +105,8 @@ fn add_columns(table: Table, found: &[Found], unit: &str) -> Result<Table, Model
 }
 
 /// At how many values the law may have thresholds of the full system that its own numbers do not show.
-fn warning(found: &[Found]) -> Option<String> {
-    let is_hidden = |found: &&Found| {
+fn warning(found: &[FoundThresholds]) -> Option<String> {
+    let is_hidden = |found: &&FoundThresholds| {
         let has_none =
             |[from, to]: &[f64; 2]| !found.thresholds.full.iter().any(|root| (from..=to).contains(&root));
         found.within_law.as_ref().is_some_and(|within| within.full.iter().any(has_none))

@@ -1,6 +1,6 @@
 //! One engine along its steps or widths, against the cycle by events.
 
-use super::reached::{BECOMES, Reached};
+use super::reached::{BECOMES, EngineReached};
 use judder_store::{Dataset, Results, StoreError, Variable};
 use judder_study::outcome::CheckRecord;
 
@@ -49,14 +49,14 @@ impl Engine {
 }
 
 /// The points of one engine, by rising step or width.
-pub(super) struct Ladder {
+pub(super) struct EngineLadder {
     pub(super) engine: Engine,
     pub(super) values: Vec<f64>,
-    pub(super) reached: Vec<Reached>,
+    pub(super) reached: Vec<EngineReached>,
 }
 
 /// A row of the table.
-pub(super) struct Row {
+pub(super) struct LadderRow {
     pub(super) engine: &'static str,
     pub(super) value: f64,
     pub(super) becomes: &'static str,
@@ -88,7 +88,7 @@ struct Convergence {
     extrapolated: f64,
 }
 
-impl Ladder {
+impl EngineLadder {
     /// Errors of rms and period at every point, relative, with their signs.
     fn errors(&self, [rms, period]: [f64; 2]) -> Vec<[f64; 2]> {
         self.reached.iter().map(|r| [r.rms / rms - 1.0, r.period / period - 1.0]).collect()
@@ -149,8 +149,8 @@ impl Ladder {
             .with(becomes.long_name(&format!("what the motion settles to, {words}")))
     }
 
-    pub(super) fn rows(&self, reference: [f64; 2]) -> Vec<Row> {
-        let row = |((value, reached), errors): ((&f64, &Reached), [f64; 2])| Row {
+    pub(super) fn rows(&self, reference: [f64; 2]) -> Vec<LadderRow> {
+        let row = |((value, reached), errors): ((&f64, &EngineReached), [f64; 2])| LadderRow {
             engine: self.engine.words(),
             value: *value,
             becomes: BECOMES[usize::from(reached.becomes)].1,

@@ -6,7 +6,7 @@ mod reached;
 mod run;
 pub mod settings;
 
-use super::{Operated, Subject};
+use super::{Operated, OscillatorSubject};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
 use crate::motion::USUAL_TIME;
@@ -46,7 +46,7 @@ impl Analysis<OscillatorCase> for EnginesSettings {
         ToldEngines::declared()
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &OscillatorSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         let model = OscillatorModel { inputs: &of.case.inputs, contact: of.contact };
         run::run(&model, self, task.progress)
     }

@@ -12,7 +12,7 @@ const AT_REST: f64 = 1e-3;
 
 /// What an engine has come to.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Reached {
+pub(super) struct EngineReached {
     /// 0: a cycle, 1: irregular, 2: steady sliding, 3: lost.
     pub(super) becomes: u8,
     /// Over the measured periods; zero in steady sliding, NaN where the motion is lost.
@@ -24,9 +24,9 @@ pub(super) struct Reached {
 /// What an engine may come to.
 pub(super) const BECOMES: [(u8, &str); 4] =
     [(0, "cycle"), (1, "irregular"), (2, "steady sliding"), (3, "lost")];
-pub(super) const LOST: Reached = Reached { becomes: 3, rms: f64::NAN, period: f64::NAN };
+pub(super) const LOST: EngineReached = EngineReached { becomes: 3, rms: f64::NAN, period: f64::NAN };
 
-impl Reached {
+impl EngineReached {
     pub(super) fn of(laps: &Laps, belt_velocity: f64) -> Self {
         if laps.laps.len() < PERIODS {
             let speed = laps.state[2].abs().max(laps.state[3].abs());

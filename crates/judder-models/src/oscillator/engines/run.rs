@@ -1,7 +1,7 @@
 //! `engines`: the cycle that a motion settles to, by events, by time-stepping and with a smoothed sign.
 
-use super::ladder::{self, Engine, Ladder, ToldConvergence};
-use super::reached::{BECOMES, LOST, PERIODS, Reached};
+use super::ladder::{self, Engine, EngineLadder, ToldConvergence};
+use super::reached::{BECOMES, EngineReached, LOST, PERIODS};
 use crate::error::ModelError;
 use crate::motion::limit_cycle::shooting;
 use crate::motion::model::{Moving, Operating, OscillatorModel};
@@ -34,23 +34,27 @@ struct Comparison<'a> {
 }
 
 impl Comparison<'_> {
-    fn time_stepping(&self, step: f64, interrupted: Interrupted<'_>) -> Result<Reached, OscillatorError> {
+    fn time_stepping(
+        &self,
+        step: f64,
+        interrupted: Interrupted<'_>,
+    ) -> Result<EngineReached, OscillatorError> {
         let engine = TimeStepping::new(self.contact.clone(), *self.system.coefficients(), step)?;
         // steps that cannot reach the end of the periods need not begin
         if step * self.course.steps as f64 * SLACK < self.course.longest {
             return Ok(LOST);
         }
         let laps = by_time_stepping(&engine, &self.course, interrupted);
-        Ok(Reached::of(&laps, self.system.belt_velocity()))
+        Ok(EngineReached::of(&laps, self.system.belt_velocity()))
     }
 
     /// With a sign whose width is so many times v_d.
-    fn smoothed(&self, width: f64, interrupted: Interrupted<'_>) -> Reached {
+    fn smoothed(&self, width: f64, interrupted: Interrupted<'_>) -> EngineReached {
         let velocity = self.system.belt_velocity();
         let smoothed = Smoothed::new(self.system.clone(), width * velocity);
         let laps =
             with_smoothed_sign(&smoothed, self.system.section(), self.settings, &self.course, interrupted);
-        laps.map_or(LOST, |laps| Reached::of(&laps, velocity))
+        laps.map_or(LOST, |laps| EngineReached::of(&laps, velocity))
     }
 
     fn reached(
@@ -58,7 +62,7 @@ impl Comparison<'_> {
         engine: Engine,
         value: f64,
         interrupted: Interrupted<'_>,
-    ) -> Result<Reached, OscillatorError> {
+    ) -> Result<EngineReached, OscillatorError> {
         match engine {
             Engine::TimeStepping => self.time_stepping(value, interrupted),
             Engine::Smoothed => Ok(self.smoothed(value, interrupted)),
@@ -100,9 +104,12 @@ pub(crate) fn run(
         .collect();
     let mut reached = all(&comparison, &points, progress)?;
     let typical = reached.pop().unwrap_or(LOST);
-    let smoothed =
-        Ladder { engine: Engine::Smoothed, values: widths, reached: reached.split_off(time_steps.len()) };
-    let ladders = [Ladder { engine: Engine::TimeStepping, values: time_steps, reached }, smoothed];
+    let smoothed = EngineLadder {
+        engine: Engine::Smoothed,
+        values: widths,
+        reached: reached.split_off(time_steps.len()),
+    };
+    let ladders = [EngineLadder { engine: Engine::TimeStepping, values: time_steps, reached }, smoothed];
     outcome(&cycle, &ladders, &typical)
 }
 
@@ -128,7 +135,7 @@ fn all(
     comparison: &Comparison<'_>,
     points: &[(Engine, f64)],
     progress: &dyn Progress,
-) -> Result<Vec<Reached>, ModelError> {
+) -> Result<Vec<EngineReached>, ModelError> {
     points
         .par_iter()
         .map(|(engine, value)| {
@@ -139,7 +146,11 @@ fn all(
         .collect()
 }
 
-fn outcome(cycle: &Cycle<4>, ladders: &[Ladder; 2], typical: &Reached) -> Result<Outcome, ModelError> {
+fn outcome(
+    cycle: &Cycle<4>,
+    ladders: &[EngineLadder; 2],
+    typical: &EngineReached,
+) -> Result<Outcome, ModelError> {
     let reference = [cycle.around.measures.rms(), cycle.period()];
     let mut dataset = Dataset::new();
     let mut table = Vec::new();
@@ -172,9 +183,10 @@ fn outcome(cycle: &Cycle<4>, ladders: &[Ladder; 2], typical: &Reached) -> Result
     let reference = Variable::new("reference", &["quantity"], &[2], reference.to_vec())
         .units("1")
         .long_name("rms of x about its mean and period of the cycle, by events");
-    let column = |pick: fn(&ladder::Row) -> f64| table.iter().map(pick).collect::<Vec<f64>>();
-    let words =
-        |pick: fn(&ladder::Row) -> &str| table.iter().map(|row| pick(row).to_owned()).collect::<Vec<_>>();
+    let column = |pick: fn(&ladder::LadderRow) -> f64| table.iter().map(pick).collect::<Vec<f64>>();
+    let words = |pick: fn(&ladder::LadderRow) -> &str| {
+        table.iter().map(|row| pick(row).to_owned()).collect::<Vec<_>>()
+    };
     let sheet = Table::new()
         .column("engine", "", words(|row| row.engine))?
         .column("value", "1", column(|row| row.value))?

@@ -2,7 +2,7 @@
 
 mod run;
 
-use super::{Operated, Subject, curves, ends_of_curves, points_of_curves};
+use super::{Operated, OscillatorSubject, curves, ends_of_curves, points_of_curves};
 use crate::axis::keys_of_curves;
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
@@ -41,7 +41,7 @@ impl Analysis<OscillatorCase> for DampingCurves {
         keys_of_curves(self.family.is_some(), curve)
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &OscillatorSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, of.contact, &self.sweep, self.family.as_ref(), task.progress)
     }
 

@@ -1,7 +1,7 @@
 //! Motions on both sides of some folds, followed to where they end.
 
 use super::own_branch::inside;
-use super::{Crossing, Onset, STEPS};
+use super::{MarginCrossing, MarginOnset, STEPS};
 use judder_numerics::piecewise::StepSettings;
 use judder_oscillator::cycle::shoot;
 use judder_oscillator::motion::attractor::{Attractor, Patience, Settled, settle};
@@ -23,7 +23,7 @@ enum Fate {
 
 impl Fate {
     fn of(system: &StickSlip, start: [f64; 4], interrupted: Interrupted<'_>) -> Self {
-        let settings = StepSettings { steps: 100 * STEPS, ..Crossing::settings(system) };
+        let settings = StepSettings { steps: 100 * STEPS, ..MarginCrossing::settings(system) };
         match settle(system, start, settings, &Patience::default(), interrupted) {
             Err(_) => Self::Lost,
             Ok(Attractor { settled: Settled::SteadySliding, .. }) => Self::AtRest,
@@ -46,7 +46,7 @@ impl Fate {
     }
 }
 
-impl Crossing<'_> {
+impl MarginCrossing<'_> {
     /// What becomes of the stable large cycle a little inside of a fold, and of the same start as much outside; `None` where there is
     /// no such cycle.
     fn fates_about(
@@ -69,7 +69,7 @@ impl Crossing<'_> {
 
 /// A fold of a threshold's own branch with a stable cycle behind it.
 struct OwnFold<'a> {
-    crossing: Crossing<'a>,
+    crossing: MarginCrossing<'a>,
     threshold: f64,
     fold: f64,
     large: [f64; 4],
@@ -78,7 +78,7 @@ struct OwnFold<'a> {
 }
 
 impl<'a> OwnFold<'a> {
-    fn of(crossing: Crossing<'a>, onset: &Onset) -> Option<Self> {
+    fn of(crossing: MarginCrossing<'a>, onset: &MarginOnset) -> Option<Self> {
         let margin = onset.margin.as_ref()?;
         let own = margin.own.as_ref()?;
         let (fold, large) = (own.fold?, own.large?);
@@ -90,7 +90,7 @@ impl<'a> OwnFold<'a> {
 /// on, outside they must not stay on a cycle of the branch. With a warning where they do not die out there either although no search
 /// has found more.
 pub(crate) fn fold_check(
-    onsets: &[(Crossing<'_>, &Onset)],
+    onsets: &[(MarginCrossing<'_>, &MarginOnset)],
     progress: &dyn Progress,
 ) -> (Option<CheckRecord>, Option<String>) {
     let known: Vec<_> = onsets.iter().filter_map(|(crossing, onset)| OwnFold::of(*crossing, onset)).collect();

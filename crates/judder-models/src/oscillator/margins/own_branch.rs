@@ -1,6 +1,6 @@
 //! The branch of cycles that begins at a subcritical threshold.
 
-use super::{Crossing, Onset};
+use super::{MarginCrossing, MarginOnset};
 use judder_oscillator::cycle::{
     BranchEnd, BranchPoint, CycleBranch, CycleError, GlobalMargin, global_margin,
 };
@@ -43,16 +43,16 @@ impl OwnBranch {
     }
 }
 
-impl Crossing<'_> {
+impl MarginCrossing<'_> {
     /// The branch from a subcritical threshold; one that is interrupted ends early.
-    pub(super) fn own_branch(&self, onset: &Onset, progress: &dyn Progress) -> OwnBranch {
+    pub(super) fn own_branch(&self, onset: &MarginOnset, progress: &dyn Progress) -> OwnBranch {
         match self.follow(onset, progress) {
             Ok(followed) => self.told_of(onset, &followed),
             Err(error) => OwnBranch::unknown(format!("not started: {error}")),
         }
     }
 
-    fn follow(&self, onset: &Onset, progress: &dyn Progress) -> Result<GlobalMargin<4>, CycleError> {
+    fn follow(&self, onset: &MarginOnset, progress: &dyn Progress) -> Result<GlobalMargin<4>, CycleError> {
         let flights = AtomicUsize::new(0);
         let system_at = |s: f64| {
             let flights = flights.fetch_add(1, Ordering::Relaxed);
@@ -64,7 +64,7 @@ impl Crossing<'_> {
         global_margin(&system_at, 0.0, onset.stable_side, &self.continuation(onset)?)
     }
 
-    fn told_of(&self, onset: &Onset, followed: &GlobalMargin<4>) -> OwnBranch {
+    fn told_of(&self, onset: &MarginOnset, followed: &GlobalMargin<4>) -> OwnBranch {
         let Some(branch) = &followed.branch else { return OwnBranch::unknown(String::new()) };
         let turn = followed.fold.filter(|_| !is_unfinished(branch));
         let meets_threshold = turn.is_some_and(|turn| self.meets_threshold(onset, branch, turn));
@@ -97,7 +97,7 @@ impl Crossing<'_> {
 
     /// Whether a branch turns only because its cycles shrink to steady sliding, at another threshold: a step over that lands on the
     /// branch again.
-    fn meets_threshold(&self, onset: &Onset, branch: &CycleBranch<4>, turn: f64) -> bool {
+    fn meets_threshold(&self, onset: &MarginOnset, branch: &CycleBranch<4>, turn: f64) -> bool {
         /// Of the largest amplitude; and of the place.
         const SMALL: f64 = 0.1;
         const NEAR: f64 = 0.01;

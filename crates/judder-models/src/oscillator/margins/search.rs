@@ -1,6 +1,6 @@
 //! Motions beyond the branch of a threshold, sought from many starts.
 
-use super::{Crossing, Onset, OwnBranch};
+use super::{MarginCrossing, MarginOnset, OwnBranch};
 use judder_oscillator::cycle::{Continuation, CycleError, Exploration, Look, SearchEnd, explore};
 use judder_store::Results;
 use judder_study::Progress;
@@ -31,7 +31,7 @@ pub(crate) const TOLD: [(u8, &str); 5] = [
 pub(crate) const NOT_KNOWN: u8 = BeyondBranch::Open as u8;
 
 /// Motions beyond the threshold's own branch, in values of the quantity.
-pub(crate) struct Search {
+pub(crate) struct MotionSearch {
     /// Up to here from the threshold on a motion is known everywhere.
     pub(crate) known_to: f64,
     /// The value farthest from the threshold at which one is known.
@@ -50,7 +50,7 @@ pub(crate) struct Search {
     stopped: Option<String>,
 }
 
-impl Search {
+impl MotionSearch {
     /// Nothing was sought beyond a value up to which motions are known.
     fn none(known_to: f64, told: BeyondBranch, stopped: Option<String>) -> Self {
         Self {
@@ -143,19 +143,19 @@ impl BeyondBranch {
     }
 }
 
-impl Crossing<'_> {
+impl MarginCrossing<'_> {
     /// Motions beyond a threshold's own branch, or beyond the threshold where it has none, up to the `next` threshold at most.
     pub(super) fn search(
         &self,
-        onset: &Onset,
+        onset: &MarginOnset,
         own: Option<&OwnBranch>,
         next: Option<f64>,
         progress: &dyn Progress,
-    ) -> Search {
+    ) -> MotionSearch {
         let known_to = own.and_then(|own| own.fold.or(own.reaches)).unwrap_or(onset.threshold);
         let is_over = next.is_some_and(|next| (known_to - next) * onset.stable_side >= 0.0);
         if is_over || own.is_some_and(|own| own.meets_threshold) {
-            return Search::none(known_to, BeyondBranch::NotStable, None);
+            return MotionSearch::none(known_to, BeyondBranch::NotStable, None);
         }
         let explored = self.continuation(onset).and_then(|all| {
             let mut options = all;
@@ -168,13 +168,13 @@ impl Crossing<'_> {
         });
         match explored {
             Ok(found) => self.in_values(onset, next, &found),
-            Err(error) => Search::none(known_to, BeyondBranch::Open, Some(error.to_string())),
+            Err(error) => MotionSearch::none(known_to, BeyondBranch::Open, Some(error.to_string())),
         }
     }
 
     fn explored(
         &self,
-        onset: &Onset,
+        onset: &MarginOnset,
         known_to: f64,
         own: Option<&OwnBranch>,
         options: &Continuation<4>,
@@ -190,13 +190,13 @@ impl Crossing<'_> {
         explore(&system_at, known, onset.stable_side, options, &interrupted)
     }
 
-    fn in_values(&self, onset: &Onset, next: Option<f64>, found: &Exploration) -> Search {
+    fn in_values(&self, onset: &MarginOnset, next: Option<f64>, found: &Exploration) -> MotionSearch {
         let (from, to) = (self.range.from.min(self.range.to), self.range.from.max(self.range.to));
         let end = next.unwrap_or(if onset.stable_side > 0.0 { to } else { from });
         let is_at_end = found.farthest == self.place(onset.threshold, end);
         let value = |s: f64| self.value(onset.threshold, s).clamp(from, to);
         let look = |look: &Look| Look { parameter: value(look.parameter), ..*look };
-        Search {
+        MotionSearch {
             known_to: value(found.without_a_gap),
             farthest: if is_at_end { end } else { value(found.farthest) },
             is_at_end,

@@ -5,7 +5,7 @@ use crate::bridge;
 use crate::error::ModelError;
 use crate::known_substrate::KnownSubstrate;
 use crate::oscillator::case::OscillatorCase;
-use crate::oscillator::quasi_steady::{self, Condition};
+use crate::oscillator::quasi_steady::{self, QuasiSteadyCondition};
 use crate::oscillator::steady_states::{SteadyState, validity_warnings};
 use crate::within_law::MARGINAL;
 use judder_oscillator::within_law::WithinLaw;
@@ -48,7 +48,7 @@ pub(super) fn law_warnings(set: &OfOneLaw, sweep: &StudySweep) -> Result<Vec<Str
     });
     let substrate = KnownSubstrate::of(&set.case)?;
     let of_band = substrate.band_warning(&set.contact, points.iter().copied());
-    let broken = Condition::worst(points.into_iter(), Some(&set.contact), &substrate.terms)
+    let broken = QuasiSteadyCondition::worst(points.into_iter(), Some(&set.contact), &substrate.terms)
         .and_then(|condition| condition.warning(None));
     Ok(set.computed.iter().cloned().chain(of_points).chain(undecided).chain(of_band).chain(broken).collect())
 }
@@ -64,7 +64,7 @@ pub(crate) fn read_anew(sweep: &StudySweep, case_at: &dyn Fn(&[f64]) -> Option<C
             if looked > 1 { u128::from(k) * u128::from(points - 1) / u128::from(looked - 1) } else { 0 };
         let case = case_at(&sweep.values_of(number as u64))?;
         let case = bridge::with_material(case.of()?).ok()?;
-        Condition::at(&case.inputs, None, &quasi_steady::terms(&case).ok()?)
+        QuasiSteadyCondition::at(&case.inputs, None, &quasi_steady::terms(&case).ok()?)
     };
     let conditions = (0..looked).filter_map(at);
     let worst = conditions.max_by(|a, b| a.figures.figure.total_cmp(&b.figures.figure))?;

@@ -25,7 +25,7 @@ use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::study_sweep::{StudySweep, SweptKey};
 use judder_study::model::{Case, OperatingPoints, OperatingQuantity, OperatingWork};
-use quantities::PointState;
+use quantities::OperatingState;
 
 /// Points at which law and material are what they are: the swept keys are set in the inputs of the case.
 pub(crate) struct OfOneLaw {
@@ -69,7 +69,7 @@ impl OfOneLaw {
 
 impl OperatingPoints for OfOneLaw {
     fn at(&self, values: &[f64], wanted: &[OperatingQuantity]) -> Result<Vec<f64>, StudyError> {
-        let state = PointState::new(&self.contact, &self.inputs(values)?).map_err(ModelError::from)?;
+        let state = OperatingState::new(&self.contact, &self.inputs(values)?).map_err(ModelError::from)?;
         Ok(state.values(wanted))
     }
 
@@ -115,7 +115,7 @@ pub(crate) fn of_case(
 ) -> Result<(Vec<f64>, Vec<String>), ModelError> {
     let case = bridge::with_material(case)?;
     let CaseContact { contact, warnings: mut doubts } = bridge::contact(&case, NO_POINTS, progress)?;
-    let state = PointState::new(&contact, &case.inputs)?;
+    let state = OperatingState::new(&contact, &case.inputs)?;
     let values = state.values(wanted);
     doubts.extend(state.concern().map(|concern| format!("outside the law's range: {concern}")));
     Ok((values, doubts))

@@ -29,47 +29,47 @@ const MECHANISMS_OF_LINEAR_SYSTEMS: [&str; 6] = {
 };
 
 /// A quantity, and how it is found.
-pub(crate) struct Found {
+pub(crate) struct FoundQuantity {
     pub(super) quantity: OperatingQuantity,
-    value: fn(&PointState<'_>) -> f64,
+    value: fn(&OperatingState<'_>) -> f64,
 }
 
 const fn number(
     name: &'static str,
     label: &'static str,
     long_name: &'static str,
-    value: fn(&PointState<'_>) -> f64,
-) -> Found {
+    value: fn(&OperatingState<'_>) -> f64,
+) -> FoundQuantity {
     let label = Some(label);
     let quantity = OperatingQuantity { name, units: "1", long_name, label, flags: &[], is_sought: false };
-    Found { quantity, value }
+    FoundQuantity { quantity, value }
 }
 
 const fn root(
     name: &'static str,
     label: &'static str,
     long_name: &'static str,
-    value: fn(&PointState<'_>) -> f64,
-) -> Found {
-    let Found { quantity, value } = number(name, label, long_name, value);
-    Found { quantity: OperatingQuantity { is_sought: true, ..quantity }, value }
+    value: fn(&OperatingState<'_>) -> f64,
+) -> FoundQuantity {
+    let FoundQuantity { quantity, value } = number(name, label, long_name, value);
+    FoundQuantity { quantity: OperatingQuantity { is_sought: true, ..quantity }, value }
 }
 
 const fn code(
     name: &'static str,
     long_name: &'static str,
     flags: &'static [&'static str],
-    value: fn(&PointState<'_>) -> f64,
-) -> Found {
+    value: fn(&OperatingState<'_>) -> f64,
+) -> FoundQuantity {
     let quantity = OperatingQuantity { name, units: "", long_name, label: None, flags, is_sought: false };
-    Found { quantity, value }
+    FoundQuantity { quantity, value }
 }
 
 /// How many of [`FOUND`] any linear system has: the first.
 const OF_LINEAR_SYSTEMS: usize = 4;
 
 /// Those of an oscillator.
-const FOUND: [Found; 18] = [
+const FOUND: [FoundQuantity; 18] = [
     number("growth_rate", "Growth rate Re $λ$/$ω_{nx}$ (−)", "growth rate, Re λ/ω_nx", |p| {
         p.steady.growth_rate()
     }),
@@ -203,14 +203,14 @@ pub(crate) fn linear_values(
 }
 
 /// Steady sliding at one point with what is asked of it; thresholds are sought when the first quantity asks.
-pub(super) struct PointState<'a> {
+pub(super) struct OperatingState<'a> {
     contact: &'a Contact,
     steady: SteadyPoint,
     strengths: OnceCell<Thresholds>,
     loads: OnceCell<Thresholds>,
 }
 
-impl<'a> PointState<'a> {
+impl<'a> OperatingState<'a> {
     /// # Errors
     /// A group out of range, no steady sliding, no eigenvalues.
     pub(super) fn new(contact: &'a Contact, inputs: &OscillatorInputs) -> Result<Self, OscillatorError> {

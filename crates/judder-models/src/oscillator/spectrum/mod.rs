@@ -4,7 +4,7 @@ mod run;
 
 pub(crate) use run::{Spectra, SpectraWords, ToldSpectra, outcome};
 
-use super::{Operated, Subject, curves, ends_of_curves, points_of_curves};
+use super::{Operated, OscillatorSubject, curves, ends_of_curves, points_of_curves};
 use crate::axis::keys_of_curves;
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
@@ -43,7 +43,7 @@ impl Analysis<OscillatorCase> for SpectrumCurves {
         keys_of_curves(self.family.is_some(), curve)
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &OscillatorSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, of.contact, &self.sweep, self.family.as_ref(), task.progress)
     }
 

@@ -13,7 +13,7 @@ use judder_oscillator::spectrum::{eigenvalues, growth_rate};
 use judder_oscillator::{Contact, LinearSystem};
 use judder_store::{Dataset, Results, Table, Variable};
 use judder_study::Progress;
-use judder_study::axis::Axis;
+use judder_study::axis::SweptAxis;
 use judder_study::outcome::Outcome;
 use num_complex::Complex64;
 
@@ -88,7 +88,7 @@ pub(super) fn run(
 
 /// The outcome of spectra that lie along an axis, curve after curve.
 pub(crate) fn outcome(
-    axis: &Axis,
+    axis: &SweptAxis,
     curves: &Curves,
     spectra: Vec<Option<Spectra>>,
     words: &SpectraWords,
@@ -131,7 +131,7 @@ pub(crate) struct ToldSpectra {
 }
 
 impl ToldSpectra {
-    fn new(axis: &Axis, spectra: &[Spectra]) -> Self {
+    fn new(axis: &SweptAxis, spectra: &[Spectra]) -> Self {
         Self {
             value: axis.values.clone(),
             eigenvalues: spectra.iter().map(|own| own.full).collect(),
@@ -141,7 +141,7 @@ impl ToldSpectra {
     }
 }
 
-fn table(axis: &Axis, curves: &Curves, spectra: &[Spectra]) -> Result<Table, ModelError> {
+fn table(axis: &SweptAxis, curves: &Curves, spectra: &[Spectra]) -> Result<Table, ModelError> {
     let rows = vec![axis.values.len(); curves.inputs.len()];
     let mut table = Table::new();
     if let Some((name, unit, column)) = curves.column(&rows) {

@@ -5,12 +5,12 @@ use crate::error::ModelError;
 use judder_oscillator::map::StabilityMap;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_store::{ByName, Dataset, Declared, Results, Variable};
-use judder_study::axis::Axis;
+use judder_study::axis::SweptAxis;
 
 /// What a map leaves in the store.
 pub(crate) struct MapArrays<'a> {
-    pub(crate) x: &'a Axis,
-    pub(crate) y: &'a Axis,
+    pub(crate) x: &'a SweptAxis,
+    pub(crate) y: &'a SweptAxis,
     pub(crate) map: &'a StabilityMap,
     pub(crate) growth: Option<Vec<f64>>,
     pub(crate) overlays: &'a [Overlay],
@@ -36,8 +36,8 @@ pub(super) const WORDS: MapWords = MapWords {
 /// A map, and the axes that it lies over.
 #[derive(Clone, Copy)]
 pub(super) struct MapOverAxes<'a> {
-    pub(super) x: &'a Axis,
-    pub(super) y: &'a Axis,
+    pub(super) x: &'a SweptAxis,
+    pub(super) y: &'a SweptAxis,
     pub(super) map: &'a StabilityMap,
 }
 
@@ -89,7 +89,7 @@ pub(crate) fn class_name(class: StabilityClass, one_way: &'static str) -> &'stat
 
 /// What is told of a map.
 #[derive(Results)]
-pub(crate) struct ToldMap {
+pub(crate) struct ToldStabilityMap {
     /// decisions made
     points: usize,
     grid: [usize; 2],
@@ -102,7 +102,7 @@ pub(crate) struct ToldMap {
     boundaries: ByName<ToldBoundary>,
 }
 
-impl ToldMap {
+impl ToldStabilityMap {
     pub(crate) fn new(map: &StabilityMap, one_way: &'static str, seconds: f64, overlays: &[Overlay]) -> Self {
         let total = map.classes.len() as f64;
         let fractions = StabilityClass::ALL

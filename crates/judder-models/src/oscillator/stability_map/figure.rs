@@ -5,7 +5,7 @@ use judder_oscillator::map::LawStanding;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_report::figure::{Class, ClassMap};
 use judder_report::{Layer, Panel, Role};
-use judder_store::{Data, Dataset};
+use judder_store::{Dataset, VariableValues};
 use judder_study::pictures::{ascending_order, axis, codes as stored_codes, reals};
 
 /// Colour and legend of a class; `one_way` names the coupling of the directions by speed.
@@ -27,7 +27,7 @@ fn class(class: StabilityClass, one_way: &str) -> Class {
 pub(crate) fn stability_map(dataset: &Dataset) -> Option<Vec<Panel>> {
     let map = dataset.variable("stability")?;
     let [y_name, x_name] = map.dimensions.as_slice() else { return None };
-    let Data::U8(codes) = &map.data else { return None };
+    let VariableValues::U8(codes) = &map.data else { return None };
     let (x, y) = (dataset.variable(x_name)?, dataset.variable(y_name)?);
     let (columns, rows) = (reals(dataset, x_name)?, reals(dataset, y_name)?);
     let one_way = match dataset.attributes().get("one_way").and_then(|name| name.as_str()) {

@@ -1,6 +1,6 @@
 //! The third region of a map: steady sliding is stable, but a knock starts a cycle.
 
-use super::super::margins::{self, Crossing, Margin, Onset, Search, fold_check};
+use super::super::margins::{self, Margin, MarginCrossing, MarginOnset, MotionSearch, fold_check};
 use super::arrays::MapOverAxes;
 use crate::axis::range;
 use crate::bridge;
@@ -8,14 +8,14 @@ use crate::error::ModelError;
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
-use crate::sweep::{StabilityMap as MapSettings, Sweep};
+use crate::sweep::{StabilityMapAnalysis, Sweep};
 use judder_oscillator::Contact;
 use judder_oscillator::critical::{ParameterRange, RangeScale, thresholds};
 use judder_oscillator::map::StabilityMap;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_store::{Results, Variable};
 use judder_study::Progress;
-use judder_study::axis::Axis;
+use judder_study::axis::SweptAxis;
 use judder_study::outcome::Outcome;
 use rayon::prelude::*;
 
@@ -52,8 +52,8 @@ struct Lines<'a> {
 }
 
 /// A line with what grows from its thresholds, and with margins where branches were followed.
-struct Line {
-    onsets: Vec<Option<Onset>>,
+struct MapLine {
+    onsets: Vec<Option<MarginOnset>>,
     is_followed: bool,
 }
 
@@ -73,16 +73,16 @@ struct Reach {
 
 impl Reach {
     /// Nothing is known beside a threshold.
-    fn open(onset: &Onset) -> Self {
+    fn open(onset: &MarginOnset) -> Self {
         let (threshold, side) = (onset.threshold, onset.stable_side);
         Self { threshold, side, known_to: threshold, gap_to: threshold, quiet_to: threshold }
     }
 
     /// What a threshold's own margin tells.
-    fn own(onset: &Onset) -> Self {
+    fn own(onset: &MarginOnset) -> Self {
         let Some(margin) = &onset.margin else { return Self::open(onset) };
         let (threshold, side) = (onset.threshold, onset.stable_side);
-        let Search { known_to, farthest, quiet_to, .. } = margin.search;
+        let MotionSearch { known_to, farthest, quiet_to, .. } = margin.search;
         let gap_to = margin.reaches(side).unwrap_or(farthest);
         Self { threshold, side, known_to, gap_to, quiet_to: quiet_to.unwrap_or(gap_to) }
     }
@@ -119,9 +119,9 @@ impl<'a> Lines<'a> {
     fn new(
         contact: &'a Contact,
         case: &OscillatorCase,
-        settings: &'a MapSettings<OscillatorKey>,
-        x: &'a Axis,
-        y: &'a Axis,
+        settings: &'a StabilityMapAnalysis<OscillatorKey>,
+        x: &'a SweptAxis,
+        y: &'a SweptAxis,
     ) -> Self {
         let is_usual =
             |key: OscillatorKey| matches!(key, OscillatorKey::ShearStrength | OscillatorKey::NormalLoad);
@@ -131,12 +131,12 @@ impl<'a> Lines<'a> {
         Self { contact, inputs: case.inputs, across, along, range: searched(along.0), follows_y }
     }
 
-    fn crossing(&self, line: usize) -> Crossing<'a> {
+    fn crossing(&self, line: usize) -> MarginCrossing<'a> {
         let mut inputs = self.inputs;
         let (across, values) = self.across;
         across.set(&mut inputs, values[line]);
         let (key, form) = (self.along.0.key, self.along.0.form);
-        Crossing { contact: self.contact, inputs, key, form, range: self.range }
+        MarginCrossing { contact: self.contact, inputs, key, form, range: self.range }
     }
 
     fn count(&self) -> usize {
@@ -149,7 +149,7 @@ impl<'a> Lines<'a> {
         (0..count).map(|k| k * (self.count() - 1) / (count - 1).max(1)).collect()
     }
 
-    fn line(&self, index: usize, is_followed: bool, progress: &dyn Progress) -> Line {
+    fn line(&self, index: usize, is_followed: bool, progress: &dyn Progress) -> MapLine {
         let crossing = self.crossing(index);
         let samples = match self.range.scale {
             RangeScale::Logarithmic => {
@@ -163,10 +163,10 @@ impl<'a> Lines<'a> {
             true => crossing.onset_with_margin(*threshold, &roots, progress),
             false => crossing.onset(*threshold),
         };
-        Line { onsets: roots.iter().map(onset).collect(), is_followed }
+        MapLine { onsets: roots.iter().map(onset).collect(), is_followed }
     }
 
-    fn all(&self, progress: &dyn Progress) -> Result<Vec<Line>, ModelError> {
+    fn all(&self, progress: &dyn Progress) -> Result<Vec<MapLine>, ModelError> {
         let followed = self.followed();
         progress.expect(followed.len());
         (0..self.count())
@@ -183,7 +183,7 @@ impl<'a> Lines<'a> {
     }
 
     /// What is known beside the thresholds of a line: its own margins, or those between its followed neighbours.
-    fn reaches(&self, lines: &[Line], index: usize) -> Vec<Reach> {
+    fn reaches(&self, lines: &[MapLine], index: usize) -> Vec<Reach> {
         let line = &lines[index];
         let neighbours = || {
             let before = (0..=index).rev().find(|k| lines[*k].is_followed)?;
@@ -205,9 +205,16 @@ impl<'a> Lines<'a> {
     }
 
     /// The margin of a threshold between two followed lines; `None` where these do not agree in what grows from theirs.
-    fn between(&self, before: &Line, behind: &Line, k: usize, line: &Line, share: f64) -> Option<Reach> {
-        let kinds = |line: &Line| {
-            let kind = |onset: &Onset| (onset.hopf.is_subcritical(), onset.stable_side > 0.0);
+    fn between(
+        &self,
+        before: &MapLine,
+        behind: &MapLine,
+        k: usize,
+        line: &MapLine,
+        share: f64,
+    ) -> Option<Reach> {
+        let kinds = |line: &MapLine| {
+            let kind = |onset: &MarginOnset| (onset.hopf.is_subcritical(), onset.stable_side > 0.0);
             line.onsets.iter().map(|onset| onset.as_ref().map(kind)).collect::<Vec<_>>()
         };
         if kinds(before) != kinds(line) || kinds(behind) != kinds(line) {
@@ -242,7 +249,7 @@ impl<'a> Lines<'a> {
     }
 
     /// The code of every point of the map, row by row.
-    fn codes(&self, lines: &[Line], map: &StabilityMap) -> Vec<u8> {
+    fn codes(&self, lines: &[MapLine], map: &StabilityMap) -> Vec<u8> {
         let reaches: Vec<Vec<Reach>> = (0..lines.len()).map(|index| self.reaches(lines, index)).collect();
         let points = (0..map.rows).flat_map(|row| (0..map.columns).map(move |column| (column, row)));
         points
@@ -272,7 +279,7 @@ pub(super) fn add(
     outcome: &mut Outcome,
     case: &OscillatorCase,
     contact: &Contact,
-    settings: &MapSettings<OscillatorKey>,
+    settings: &StabilityMapAnalysis<OscillatorKey>,
     over: MapOverAxes<'_>,
     progress: &dyn Progress,
 ) -> Result<(), ModelError> {
@@ -281,7 +288,7 @@ pub(super) fn add(
     let found = lines.all(progress)?;
     let codes = lines.codes(&found, map);
     let share = |code: u8| codes.iter().filter(|c| **c == code).count() as f64 / codes.len() as f64;
-    let onsets: Vec<(usize, &Onset)> = found
+    let onsets: Vec<(usize, &MarginOnset)> = found
         .iter()
         .enumerate()
         .filter(|(_, line)| line.is_followed)
@@ -310,7 +317,7 @@ pub(super) fn add(
     let dataset = dataset.with(
         over.classes("knock", codes, &KNOCK).long_name("what a knock does where steady sliding is stable"),
     )?;
-    let over = |axis: &Axis, values: Vec<f64>| {
+    let over = |axis: &SweptAxis, values: Vec<f64>| {
         Variable::new(&format!("fold_{}", axis.name()), &["fold"], &[values.len()], values)
             .units(&axis.quantity.unit)
             .long_name("least folds over the motions that are known")
@@ -349,8 +356,8 @@ struct ToldMargin {
 }
 
 /// The folds that were found, as points of the map.
-fn folds(lines: &Lines<'_>, onsets: &[(usize, &Onset)]) -> Vec<(f64, f64)> {
-    let fold = |(index, onset): &(usize, &Onset)| {
+fn folds(lines: &Lines<'_>, onsets: &[(usize, &MarginOnset)]) -> Vec<(f64, f64)> {
+    let fold = |(index, onset): &(usize, &MarginOnset)| {
         let (line, along) = (lines.across.1[*index], onset.margin.as_ref()?.fold()?);
         Some(if lines.follows_y { (line, along) } else { (along, line) })
     };

@@ -7,7 +7,7 @@ mod overlays;
 mod run;
 mod within_law;
 
-pub(crate) use arrays::{MapArrays, MapWords, ONE_WAY, ToldMap, class_name};
+pub(crate) use arrays::{MapArrays, MapWords, ONE_WAY, ToldStabilityMap, class_name};
 pub(crate) use knock::{NONE_MOVED, STARTS_IT, UNKNOWN};
 pub use overlays::{BoundaryCurves, BoundaryKind, boundary_curves};
 pub(crate) use overlays::{Overlay, incomplete};
@@ -15,7 +15,7 @@ pub(crate) use run::{checked_points, unresolved_warning};
 pub use within_law::STANDINGS;
 pub(crate) use within_law::WITHIN_LAW;
 
-use super::{Operated, Subject, ends};
+use super::{Operated, OscillatorSubject, ends};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
 use crate::oscillator::case::OscillatorCase;
@@ -23,7 +23,7 @@ use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::settings;
-use crate::sweep::StabilityMap;
+use crate::sweep::StabilityMapAnalysis;
 use arrays::NORMAL_FORCE;
 use judder_oscillator::map::DecisionMethod;
 use judder_store::{Declared, Results};
@@ -40,7 +40,7 @@ pub(crate) const KIND: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
     name: "stability-map",
     doc: "stable and unstable points over two keys",
     declared: settings::map_keys,
-    read: |keys, section| Ok(Arc::new(StabilityMap::<OscillatorKey>::read(keys, section)?)),
+    read: |keys, section| Ok(Arc::new(StabilityMapAnalysis::<OscillatorKey>::read(keys, section)?)),
     picture: Some(Picture {
         draw: figure::stability_map,
         caption: "Stability of steady sliding, coloured by what carries the instability. Curves are followed by continuation: \
@@ -49,14 +49,14 @@ pub(crate) const KIND: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
     }),
 };
 
-impl Analysis<OscillatorCase> for StabilityMap<OscillatorKey> {
+impl Analysis<OscillatorCase> for StabilityMapAnalysis<OscillatorKey> {
     /// The decisions and the boundaries are a step each, the growth rates one a row.
     fn steps(&self) -> usize {
         if self.options.method == DecisionMethod::EveryPoint { 2 + self.y.points } else { 2 }
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
-        let mut keys = ToldMap::keys(NORMAL_FORCE);
+        let mut keys = ToldStabilityMap::keys(NORMAL_FORCE);
         keys.extend(Option::<ToldWithin>::declared());
         if self.global_margin {
             keys.extend(ToldKnock::declared());
@@ -64,7 +64,7 @@ impl Analysis<OscillatorCase> for StabilityMap<OscillatorKey> {
         keys
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &OscillatorSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, of.contact, self, task.progress)
     }
 
@@ -88,7 +88,7 @@ impl Analysis<OscillatorCase> for StabilityMap<OscillatorKey> {
     }
 }
 
-impl Operated for StabilityMap<OscillatorKey> {
+impl Operated for StabilityMapAnalysis<OscillatorKey> {
     fn corners(&self, inputs: &OscillatorInputs) -> Vec<OscillatorInputs> {
         ends(&self.y, ends(&self.x, vec![*inputs]))
     }

@@ -6,7 +6,7 @@ use crate::checks::VanishingGrowth;
 use crate::error::ModelError;
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::keys::OscillatorKey;
-use crate::sweep::StabilityMap as MapSettings;
+use crate::sweep::StabilityMapAnalysis;
 use judder_keys::numeric_key::Value as CaseValue;
 use judder_oscillator::boundary::{Boundary, BoundaryEnd, BoundaryFold, Condition, boundaries};
 use judder_oscillator::equilibrium::equilibrium;
@@ -14,7 +14,7 @@ use judder_oscillator::linearisation::Linearisation;
 use judder_oscillator::{Coefficients, Contact};
 use judder_store::{Dataset, Results, Variable};
 use judder_study::Progress;
-use judder_study::axis::Axis;
+use judder_study::axis::SweptAxis;
 use judder_study::outcome::CheckRecord;
 use judder_study::text::short;
 
@@ -68,7 +68,7 @@ impl BoundaryKind {
     }
 
     /// Whether it makes sense over these keys: where the coupling is swept, none is without it.
-    fn is_over(self, settings: &MapSettings<OscillatorKey>) -> bool {
+    fn is_over(self, settings: &StabilityMapAnalysis<OscillatorKey>) -> bool {
         self != Self::Decoupled || ![settings.x.key, settings.y.key].contains(&OscillatorKey::Coupling)
     }
 }
@@ -113,7 +113,7 @@ pub fn boundary_curves(
     kind: BoundaryKind,
     case: &OscillatorCase,
     contact: &Contact,
-    settings: &MapSettings<OscillatorKey>,
+    settings: &StabilityMapAnalysis<OscillatorKey>,
 ) -> Option<BoundaryCurves> {
     let curves = || followed(kind, contact, settings, &coefficients(kind, case, settings));
     kind.is_over(settings).then(|| BoundaryCurves::new(&curves()))
@@ -123,7 +123,7 @@ pub fn boundary_curves(
 fn coefficients<'a>(
     kind: BoundaryKind,
     case: &'a OscillatorCase,
-    settings: &'a MapSettings<OscillatorKey>,
+    settings: &'a StabilityMapAnalysis<OscillatorKey>,
 ) -> impl Fn(f64, f64) -> Coefficients + Sync + 'a {
     move |x, y| {
         let mut inputs = case.inputs;
@@ -139,7 +139,7 @@ fn coefficients<'a>(
 fn followed(
     kind: BoundaryKind,
     contact: &Contact,
-    settings: &MapSettings<OscillatorKey>,
+    settings: &StabilityMapAnalysis<OscillatorKey>,
     at: &(dyn Fn(f64, f64) -> Coefficients + Sync),
 ) -> Vec<Boundary> {
     boundaries(contact, kind.condition(), &range(&settings.x), &range(&settings.y), at)
@@ -161,7 +161,7 @@ pub(crate) struct Overlay {
 pub(super) fn trace(
     contact: &Contact,
     case: &OscillatorCase,
-    settings: &MapSettings<OscillatorKey>,
+    settings: &StabilityMapAnalysis<OscillatorKey>,
     progress: &dyn Progress,
 ) -> Result<Vec<Overlay>, ModelError> {
     let mut overlays = Vec::new();
@@ -289,8 +289,8 @@ impl Overlay {
     pub(super) fn add_to(
         &self,
         dataset: Dataset,
-        x: &Axis,
-        y: &Axis,
+        x: &SweptAxis,
+        y: &SweptAxis,
         of_frequency: &str,
     ) -> Result<Dataset, ModelError> {
         let BoundaryCurves { x: along_x, y: along_y, frequency, indentation } =

@@ -1,6 +1,6 @@
 //! Verdict and mechanism over two keys (Figs. 9, 10).
 
-use super::arrays::{MapOverAxes, NORMAL_FORCE, ToldMap, WORDS};
+use super::arrays::{MapOverAxes, NORMAL_FORCE, ToldStabilityMap, WORDS};
 use super::{MapArrays, incomplete, knock, overlays, within_law};
 use crate::axis;
 use crate::checks;
@@ -9,13 +9,13 @@ use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::key_plane::{KeyAxis, KeyPlane};
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::steady_states::{SteadyState, validity_warnings};
-use crate::sweep::{StabilityMap as MapSettings, Sweep};
+use crate::sweep::{StabilityMapAnalysis, Sweep};
 use judder_oscillator::Contact;
 use judder_oscillator::map::{DecisionMethod, OperatingPlane, StabilityMap};
 use judder_oscillator::mechanism::StabilityClass;
 use judder_store::Results;
 use judder_study::Progress;
-use judder_study::axis::Axis;
+use judder_study::axis::SweptAxis;
 use judder_study::outcome::Outcome;
 
 /// Points along each side of the grid on which checks are made and the law's range of validity is looked at.
@@ -24,11 +24,11 @@ const CHECKED_SIDE: usize = 24;
 pub(crate) fn run(
     case: &OscillatorCase,
     contact: &Contact,
-    settings: &MapSettings<OscillatorKey>,
+    settings: &StabilityMapAnalysis<OscillatorKey>,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
     let (x, y) = (axis::of_key(&settings.x), axis::of_key(&settings.y));
-    let side = |sweep: &Sweep<OscillatorKey>, axis: &Axis| KeyAxis {
+    let side = |sweep: &Sweep<OscillatorKey>, axis: &SweptAxis| KeyAxis {
         key: sweep.key,
         form: sweep.form,
         values: axis.values.clone(),
@@ -52,7 +52,7 @@ pub(crate) fn run(
     progress.advance();
     let states = checked_states(contact, &plane);
     let mut outcome = Outcome {
-        scalars: ToldMap::new(&map, NORMAL_FORCE, seconds, &overlays).scalars(),
+        scalars: ToldStabilityMap::new(&map, NORMAL_FORCE, seconds, &overlays).scalars(),
         dataset: MapArrays { x: &x, y: &y, map: &map, growth, overlays: &overlays, words: &WORDS }
             .dataset()?,
         warnings: validity_warnings(contact, states.iter().map(|(state, _)| state)),

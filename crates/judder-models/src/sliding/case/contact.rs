@@ -52,13 +52,13 @@ pub enum FrictionCoefficient {
     /// μ, whatever the speed.
     Constant(f64),
     /// μ against the sliding speed.
-    Table(FrictionTable),
+    Table(FrictionTableSettings),
 }
 
 /// Friction against the sliding speed.
 #[derive(Debug, Clone, PartialEq, Settings)]
-#[settings(check = FrictionTable::check)]
-pub struct FrictionTable {
+#[settings(check = FrictionTableSettings::check)]
+pub struct FrictionTableSettings {
     /// Sliding speeds, ascending, two at least.
     #[key(rule = SPEEDS, symbol = "v", example = "[\"0 mm/s\", \"10 mm/s\"]")]
     pub velocity: Vec<f64>,
@@ -131,12 +131,12 @@ impl Setting for FrictionCoefficient {
     type Rule = ();
 
     fn form((): &()) -> Allowed {
-        Allowed::Either(vec![f64::form(&COEFFICIENT), FrictionTable::form(&())])
+        Allowed::Either(vec![f64::form(&COEFFICIENT), FrictionTableSettings::form(&())])
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
         match node.data {
-            Data::Table(_) => FrictionTable::read(section, key, node, &()).map(Self::Table),
+            Data::Table(_) => FrictionTableSettings::read(section, key, node, &()).map(Self::Table),
             _ => f64::read(section, key, node, &COEFFICIENT).map(Self::Constant),
         }
     }
@@ -149,7 +149,7 @@ impl Setting for FrictionCoefficient {
     }
 }
 
-impl FrictionTable {
+impl FrictionTableSettings {
     /// Refuses columns of different lengths, and speeds that do not ascend.
     fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
         let (speeds, coefficients) = (self.velocity.len(), self.coefficient.len());

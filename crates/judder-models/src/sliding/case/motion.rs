@@ -14,8 +14,8 @@ use judder_sliding::motion::{InitialDamping, Noise, Ramps};
 
 /// Path, velocity and load of the slider.
 #[derive(Debug, Clone, PartialEq, Settings)]
-#[settings(check = SlidingMotion::leads)]
-pub struct SlidingMotion {
+#[settings(check = SliderMotion::leads)]
+pub struct SliderMotion {
     /// Rigid distance of C from the first node of the track when the motion starts.
     #[key(rule = POSITION, symbol = "s_0", default = 0.01)]
     pub start: f64,
@@ -27,7 +27,7 @@ pub struct SlidingMotion {
     pub velocity: f64,
     /// What presses the slider on the track.
     #[key(example = "{ set = \"start\", direction = \"y\", force = \"-0.2 N\" }")]
-    pub load: Load,
+    pub load: SliderLoad,
     /// Times of half a cosine from zero; 0 is at once.
     #[key(default)]
     pub ramps: Ramps,
@@ -40,13 +40,13 @@ pub struct SlidingMotion {
 
 /// The force on the slider.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub struct Load {
+pub struct SliderLoad {
     /// The slider's nodes that it acts on; several must move as one.
     #[key(flatten)]
     pub nodes: KeptNodes,
     /// Its direction.
-    #[key(default = Axis::Y)]
-    pub direction: Axis,
+    #[key(default = PlaneAxis::Y)]
+    pub direction: PlaneAxis,
     /// Force on the slider.
     #[key(rule = Number::any(Dimension::FORCE), symbol = "F_y", default = -0.2)]
     pub force: f64,
@@ -56,14 +56,14 @@ pub struct Load {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
 #[choice(what = "direction")]
 #[allow(missing_docs)]
-pub enum Axis {
+pub enum PlaneAxis {
     X,
     Y,
 }
 
 const POSITION: Number = Number::non_negative(Dimension::LENGTH);
 
-impl SlidingMotion {
+impl SliderMotion {
     /// When all ramps are over and the initial damping has given way, s.
     pub fn settled(&self) -> f64 {
         let Ramps { velocity, load, friction, gap } = self.ramps;

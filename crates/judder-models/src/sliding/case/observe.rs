@@ -1,13 +1,13 @@
 //! `[observe]`: points whose motion a march keeps, and the signals that it leaves.
 
 use super::contact::check_one_node;
-use super::motion::Axis;
+use super::motion::PlaneAxis;
 use super::plain_name::{PlainName, find_structure};
 use super::problem::SlidingProblem;
 use super::structure::SlidingStructure;
 use crate::structure::case::reduction::KeptNodes;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Named, Number, Pair, Several, all, conflict};
+use judder_keys::declared::{Named, Number, NumberPair, Several, all, conflict};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
@@ -17,7 +17,7 @@ use judder_keys::{Choice, Settings};
 
 /// Points whose motion is kept.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub(crate) struct Observed {
+pub(crate) struct ObservedPoints {
     /// Points whose motion along x and y a march keeps.
     #[key(rule = POINTS, example = "[{ name = \"T\", structure = \"…\", set = \"end-upper\" }]")]
     pub(crate) points: Vec<ObservedPoint>,
@@ -51,8 +51,8 @@ pub enum PointNode {
 }
 
 const POINTS: Several<()> = Several { of: (), length: [0, usize::MAX] };
-const PLACE: Pair =
-    Pair { of: Number::any(Dimension::LENGTH), what: "two lengths, x and y", is_ascending: false };
+const PLACE: NumberPair =
+    NumberPair { of: Number::any(Dimension::LENGTH), what: "two lengths, x and y", is_ascending: false };
 
 /// A signal of a march.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -62,7 +62,7 @@ pub enum Signal {
         /// The index of the point.
         point: usize,
         /// Along x or y.
-        axis: Axis,
+        axis: PlaneAxis,
         /// What of its motion.
         quantity: PointQuantity,
     },
@@ -136,7 +136,7 @@ impl Signal {
         let own = parts.next()?;
         let point = points.iter().position(|point| *point.name == own)?;
         let direction = parts.next()?;
-        let (_, axis) = *Axis::ALL.iter().find(|(known, _)| *known == direction)?;
+        let (_, axis) = *PlaneAxis::ALL.iter().find(|(known, _)| *known == direction)?;
         let quantity = match parts.next() {
             None => PointQuantity::Acceleration,
             Some(word) => PointQuantity::ALL.iter().find(|(known, _)| *known == word)?.1,
@@ -145,7 +145,7 @@ impl Signal {
     }
 }
 
-impl Observed {
+impl ObservedPoints {
     /// Finds the structures of the points, and refuses nodes that they cannot have and two points of one name.
     pub(crate) fn admit(
         &mut self,
@@ -190,7 +190,7 @@ impl Signal {
         key: &str,
         points: &[ObservedPoint],
     ) -> Result<Named<Self>, Fault> {
-        let first = Self::Point { point: 0, axis: Axis::Y, quantity: PointQuantity::Acceleration };
+        let first = Self::Point { point: 0, axis: PlaneAxis::Y, quantity: PointQuantity::Acceleration };
         let found = match section.get(key) {
             Some(node) => Self::read(key, node, points)?,
             None if points.is_empty() => Self::NormalForce,
@@ -204,7 +204,7 @@ impl Signal {
         let name = text(key, node)?;
         Self::find(name, points).ok_or_else(|| {
             let of_point =
-                |point: &ObservedPoint| Axis::ALL.map(|(axis, _)| format!("{}.{axis}", *point.name));
+                |point: &ObservedPoint| PlaneAxis::ALL.map(|(axis, _)| format!("{}.{axis}", *point.name));
             let own = points.iter().flat_map(of_point);
             let known = own.chain(CONTACT_SIGNALS.iter().map(|(name, _)| (*name).to_owned())).collect();
             Cause::UnknownName { what: "signal", name: name.to_owned(), known }.at(node.place)

@@ -32,7 +32,7 @@ pub struct Hertz(pub f64);
 
 /// Which signals are left as sound.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Sound {
+pub enum SoundSignals {
     /// None.
     Nothing,
     /// All accelerations that are kept, and the signal whose bursts are told.
@@ -86,7 +86,7 @@ impl Setting for Hertz {
     }
 }
 
-impl Sound {
+impl SoundSignals {
     /// Finds the signals, each once, that are heard.
     pub(crate) fn admit(&mut self, node: Option<&Node>, points: &[ObservedPoint]) -> Result<(), Fault> {
         let (Self::Signals(heard), Some(Node { data: Data::List(items), .. })) = (self, node) else {
@@ -102,7 +102,7 @@ impl Sound {
     }
 }
 
-impl Setting for Sound {
+impl Setting for SoundSignals {
     type Rule = ();
 
     fn form((): &()) -> Allowed {

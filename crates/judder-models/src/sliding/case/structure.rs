@@ -6,7 +6,7 @@ use super::plain_name::PlainName;
 use super::problem::SlidingProblem;
 use crate::entries::Scope;
 use crate::structure::case::damping::Damping;
-use crate::structure::case::reduction::Reduction;
+use crate::structure::case::reduction::ReductionSettings;
 use crate::structure::case::{Matrices, StructureSource};
 use judder_keys::Settings;
 use judder_keys::declared::{Allowed, Setting, both, read_settings};
@@ -31,7 +31,7 @@ pub struct SlidingStructure {
     damping: Option<Damping>,
     /// The modes that its reduction keeps, and what freedoms it keeps beside those that contact, load and observed points need.
     #[key(default)]
-    pub reduction: Reduction,
+    pub reduction: ReductionSettings,
 }
 
 impl SlidingStructure {

@@ -1,10 +1,10 @@
 //! What is known of a pair before anything is computed.
 
 use crate::sliding::case::SlidingCase;
-use crate::sliding::march::settings::{CUT_OFF, March};
-use crate::sliding::system::{self, SlidingSystem};
+use crate::sliding::march::settings::{CUT_OFF, MarchAnalysis};
+use crate::sliding::system::{self, ReducedPair};
 use judder_sliding::SlidingError;
-use judder_sliding::coupling::{Coupling, Sliding};
+use judder_sliding::coupling::{Coupling, SteadyFriction};
 use judder_sliding::march::ContactMethod;
 use judder_sliding::statics::PairEquilibrium;
 use judder_study::text::{columns, number};
@@ -12,13 +12,13 @@ use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
 /// The pair as a document and in words, with what speaks against it.
-pub(super) struct Known {
+pub(super) struct KnownPair {
     pub(super) document: Value,
     pub(super) text: String,
     pub(super) warnings: Vec<String>,
 }
 
-pub(super) fn known(case: &SlidingCase, system: &SlidingSystem) -> Known {
+pub(super) fn known(case: &SlidingCase, system: &ReducedPair) -> KnownPair {
     let mut text = "\nstructures\n".to_owned();
     let head = ["", "degrees of freedom", "kept", "fixed-interface modes", "modes", "highest (Hz)"];
     let mut rows = vec![head.map(str::to_owned).to_vec()];
@@ -44,11 +44,11 @@ pub(super) fn known(case: &SlidingCase, system: &SlidingSystem) -> Known {
     let (limits, shown) = limits(case, system);
     text.push_str(&shown);
     let document = json!({ "structures": structures, "pair": pair, "step_limits_s": limits });
-    Known { document, text, warnings }
+    KnownPair { document, text, warnings }
 }
 
 /// Modes, track, gap at the start, states of rest.
-fn pair(case: &SlidingCase, system: &SlidingSystem, warnings: &mut Vec<String>) -> (Value, String) {
+fn pair(case: &SlidingCase, system: &ReducedPair, warnings: &mut Vec<String>) -> (Value, String) {
     let (pair, motion) = (&system.pair, &system.motion);
     let length = pair.node_positions().last().copied().unwrap_or_default();
     let gap = pair.undeformed(motion.start).map_or(f64::NAN, |touch| touch.gap + motion.initial_gap);
@@ -64,7 +64,7 @@ fn pair(case: &SlidingCase, system: &SlidingSystem, warnings: &mut Vec<String>) 
         ],
         vec!["gap at the start".to_owned(), format!("{} m", number(gap))],
     ];
-    let sliding = Sliding::at(pair.friction(), motion.velocity);
+    let sliding = SteadyFriction::at(pair.friction(), motion.velocity);
     let mut rests = Vec::new();
     for position in [motion.start, motion.end] {
         let place = format!("at {} m", number(position));
@@ -98,7 +98,7 @@ fn pair(case: &SlidingCase, system: &SlidingSystem, warnings: &mut Vec<String>) 
 }
 
 /// Where the slider locks first, of all nodes on its path and the places between them.
-fn locked(system: &SlidingSystem, sliding: Sliding) -> Option<SlidingError> {
+fn locked(system: &ReducedPair, sliding: SteadyFriction) -> Option<SlidingError> {
     let (pair, motion) = (&system.pair, &system.motion);
     let (from, to) = (motion.start.min(motion.end), motion.start.max(motion.end));
     let nodes = pair.node_positions();
@@ -114,11 +114,12 @@ fn locked(system: &SlidingSystem, sliding: Sliding) -> Option<SlidingError> {
 }
 
 /// The largest step of every method along the path, s.
-fn limits(case: &SlidingCase, system: &SlidingSystem) -> (Value, String) {
-    let own = case.analyses.iter().find_map(|analysis| match analysis.settings::<March>()?.method() {
-        ContactMethod::ResidualFlexibility { cut_off } => Some(cut_off),
-        _ => None,
-    });
+fn limits(case: &SlidingCase, system: &ReducedPair) -> (Value, String) {
+    let own =
+        case.analyses.iter().find_map(|analysis| match analysis.settings::<MarchAnalysis>()?.method() {
+            ContactMethod::ResidualFlexibility { cut_off } => Some(cut_off),
+            _ => None,
+        });
     let methods = [
         ("subs", ContactMethod::Subs { static_slope: false }),
         ("ensubs", ContactMethod::EnSubs),

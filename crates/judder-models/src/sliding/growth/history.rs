@@ -6,7 +6,7 @@ use num_complex::Complex64;
 use std::f64::consts::TAU;
 
 /// The largest deviation of the normal force from its rest in every period of a mode.
-pub(super) struct History {
+pub(super) struct ForceHistory {
     /// rad/s.
     frequency: f64,
     /// s.
@@ -15,7 +15,7 @@ pub(super) struct History {
     amplitudes: Vec<f64>,
 }
 
-impl History {
+impl ForceHistory {
     /// Of a mode's periods.
     pub(super) fn of(eigenvalue: Complex64) -> Self {
         Self { frequency: eigenvalue.im, times: Vec::new(), amplitudes: Vec::new() }

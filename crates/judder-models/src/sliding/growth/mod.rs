@@ -6,7 +6,7 @@ mod run;
 pub mod settings;
 
 use super::system::step;
-use super::{Subject, blame, cost};
+use super::{SlidingSubject, blame, cost};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost::FIGURE};
 use crate::sliding::case::SlidingCase;
@@ -18,7 +18,7 @@ use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use run::ToldGrowth;
 use serde_json::{Map, Value as Json, json};
-use settings::Growth;
+use settings::GrowthAnalysis;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -26,8 +26,8 @@ use std::sync::Arc;
 pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>> = Kind {
     name: "growth",
     doc: "the growth of one mode in a march with the contact held, against the eigenvalue there",
-    declared: Growth::declarations,
-    read: |_, section| Ok(Arc::new(Growth::read_table(section)?)),
+    declared: GrowthAnalysis::declarations,
+    read: |_, section| Ok(Arc::new(GrowthAnalysis::read_table(section)?)),
     picture: Some(Picture {
         draw: figure::growth,
         caption: "The contact held, the pair started in one mode of 10^{−5} of the normal force: the largest deviation of the normal force in each period, and \
@@ -36,15 +36,15 @@ pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>>
     }),
 };
 
-impl Analysis<SlidingCase> for Growth {
-    fn admit(&self, of: &Subject<'_>) -> Result<(), ModelError> {
+impl Analysis<SlidingCase> for GrowthAnalysis {
+    fn admit(&self, of: &SlidingSubject<'_>) -> Result<(), ModelError> {
         let (pair, motion) = (&of.system.pair, of.system.motion.held(self.position));
         pair.edge_point(self.position)?;
         step(pair, self.method(), self.step, motion)?;
         Ok(())
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &SlidingSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, of.system, self, task.progress)
     }
 
@@ -56,7 +56,7 @@ impl Analysis<SlidingCase> for Growth {
         ToldGrowth::declared()
     }
 
-    fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, ModelError> {
+    fn estimate(&self, of: &SlidingSubject<'_>) -> Result<Estimate, ModelError> {
         let step = cost::step(of.system, self.method(), self.step, of.system.motion.held(self.position));
         let steps = cost::PERIODS * TAU / self.frequency / step;
         let seconds = steps * of.system.pair.modes() as f64 * cost::STEP_AND_MODE + FIGURE;

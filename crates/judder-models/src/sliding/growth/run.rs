@@ -1,10 +1,10 @@
 //! The mode that is meant, its march, its growth against its eigenvalue.
 
-use super::history::History;
+use super::history::ForceHistory;
 use crate::error::ModelError;
 use crate::sliding::case::SlidingCase;
-use crate::sliding::growth::settings::Growth;
-use crate::sliding::system::{SlidingSystem, Step, step};
+use crate::sliding::growth::settings::GrowthAnalysis;
+use crate::sliding::system::{MarchStep, ReducedPair, step};
 use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::growth::{AMPLITUDE, GrowthSettings, Held, watched_growth};
 use judder_sliding::pair::Pair;
@@ -30,14 +30,14 @@ const OFF: f64 = 0.03;
 
 pub(super) fn run(
     case: &SlidingCase,
-    system: &SlidingSystem,
-    settings: &Growth,
+    system: &ReducedPair,
+    settings: &GrowthAnalysis,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
     let (pair, position) = (&system.pair, settings.position);
     let method = settings.method();
     pair.edge_point(position)?;
-    let Step { step, limit } = step(pair, method, settings.step, system.motion.held(position))?;
+    let MarchStep { step, limit } = step(pair, method, settings.step, system.motion.held(position))?;
     let (velocity, load) = (case.motion.velocity, case.motion.load.force);
     let asked = GrowthSettings { method, step, position, velocity, load };
     let held = Held::new(pair, &asked)?;
@@ -46,7 +46,7 @@ pub(super) fn run(
     if progress.interrupted() {
         return Err(ModelError::Interrupted);
     }
-    let mut history = History::of(eigenvalue);
+    let mut history = ForceHistory::of(eigenvalue);
     let growth =
         watched_growth(pair, &asked, &held, eigenvalue, &mut |time, swing| history.see(time, swing))?;
     progress.advance();

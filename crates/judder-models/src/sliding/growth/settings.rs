@@ -10,8 +10,8 @@ use judder_sliding::march::ContactMethod;
 
 /// A march with the contact held, against the eigenvalue there.
 #[derive(Debug, Clone, PartialEq, Settings)]
-#[settings(check = Growth::complete)]
-pub struct Growth {
+#[settings(check = GrowthAnalysis::complete)]
+pub struct GrowthAnalysis {
     /// How the coupled structures are integrated; `subs` means the undeformed configuration, the others the deformed one.
     #[key(name = "method")]
     pub word: MarchWord,
@@ -29,7 +29,7 @@ pub struct Growth {
     pub cut_off: Option<f64>,
 }
 
-impl Growth {
+impl GrowthAnalysis {
     /// Refuses a cut-off that means nothing to the method, and fills in the one that is left out.
     fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
         if self.word == MarchWord::ResidualFlexibility {

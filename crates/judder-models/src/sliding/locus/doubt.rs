@@ -1,7 +1,7 @@
 //! A few values of a locus against eigenproblems with full matrices.
 
 use super::traced::Traced;
-use crate::sliding::locus::settings::Locus;
+use crate::sliding::locus::settings::LocusAnalysis;
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::coupling::Coupling;
@@ -12,7 +12,7 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 /// The coupling of the pair at a value, λ and d of its modes.
-type Contact<'a> = &'a (dyn Fn(f64) -> Result<(Coupling, Vec<f64>, Vec<f64>), SlidingError> + Sync);
+type CouplingAt<'a> = &'a (dyn Fn(f64) -> Result<(Coupling, Vec<f64>, Vec<f64>), SlidingError> + Sync);
 
 /// Where full matrices are shifted to, 1/s: off the imaginary axis.
 const SHIFT: f64 = 2e4;
@@ -23,9 +23,9 @@ const REAL: f64 = 1e-7;
 
 /// The checks of a locus: at a fifth and four fifths of its values and where it grows fastest.
 pub(super) fn doubted(
-    contact: Contact<'_>,
+    contact: CouplingAt<'_>,
     traced: &Traced,
-    settings: &Locus,
+    settings: &LocusAnalysis,
     values: &[f64],
 ) -> Result<Vec<CheckRecord>, SlidingError> {
     let there: Vec<f64> =
@@ -33,11 +33,12 @@ pub(super) fn doubted(
     let fastest = traced.zones.iter().max_by(|a, b| a.growth_rate.total_cmp(&b.growth_rate));
     let chosen = [1, 4].map(|fifths| there.get(fifths * there.len() / 5).copied());
     let chosen: Vec<f64> = chosen.into_iter().flatten().chain(fastest.map(|zone| zone.peak)).collect();
-    let compared: Vec<Result<Compared, SlidingError>> =
-        chosen.par_iter().map(|value| Compared::new(contact, settings, *value)).collect();
-    let compared = compared.into_iter().collect::<Result<Vec<Compared>, SlidingError>>()?;
-    let all =
-        |pick: &dyn Fn(&Compared) -> Vec<f64>| -> Disagreement { compared.iter().flat_map(pick).collect() };
+    let compared: Vec<Result<ComparedValue, SlidingError>> =
+        chosen.par_iter().map(|value| ComparedValue::new(contact, settings, *value)).collect();
+    let compared = compared.into_iter().collect::<Result<Vec<ComparedValue>, SlidingError>>()?;
+    let all = |pick: &dyn Fn(&ComparedValue) -> Vec<f64>| -> Disagreement {
+        compared.iter().flat_map(pick).collect()
+    };
     let at = format!("at {} values, one of them where growth is fastest", chosen.len());
     Ok(vec![
         CheckRecord::new(
@@ -62,15 +63,15 @@ pub(super) fn doubted(
 }
 
 /// One value.
-struct Compared {
+struct ComparedValue {
     /// Distances of the eigenvalues from those of this form.
     primal: Vec<f64>,
     dual: Vec<f64>,
     missing: usize,
 }
 
-impl Compared {
-    fn new(contact: Contact<'_>, settings: &Locus, value: f64) -> Result<Self, SlidingError> {
+impl ComparedValue {
+    fn new(contact: CouplingAt<'_>, settings: &LocusAnalysis, value: f64) -> Result<Self, SlidingError> {
         let (coupling, eigenvalues, damping) = contact(value)?;
         let damping = if settings.damping { damping } else { vec![0.0; eigenvalues.len()] };
         let function = PairCharacteristic::new(&coupling, &eigenvalues, &damping)?;

@@ -6,7 +6,7 @@ use judder_report::figure::ShadedRegion;
 use judder_report::palette::{Dash, Style};
 use judder_report::runs::{alone, apart, thinned};
 use judder_report::{Axis, Layer, Legend, Panel, Role};
-use judder_store::{Data, Dataset, Variable};
+use judder_store::{Dataset, Variable, VariableValues};
 use judder_study::pictures::{axis, complexes, reals, text};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -30,7 +30,7 @@ const THIN: f64 = 0.8;
 const BUBBLES: (f64, f64) = (2.5, 0.4);
 
 /// A locus over position or any key.
-struct Locus<'a> {
+struct DrawnLocus<'a> {
     coordinate: &'a Variable,
     /// From the values to what is shown: m to mm.
     scale: f64,
@@ -41,10 +41,10 @@ struct Locus<'a> {
     /// How far each may be off; none in a study that was stored before errors were.
     errors: &'a [f64],
     count: usize,
-    zones: Vec<Zone>,
+    zones: Vec<ZoneOfLocus>,
 }
 
-struct Zone {
+struct ZoneOfLocus {
     from: f64,
     to: f64,
     peak: f64,
@@ -59,7 +59,7 @@ struct Zone {
 /// The complex plane, as a whole and about its unstable side; frequencies; growth rates, of all branches and of the unstable zones; the
 /// normal force at rest.
 pub(crate) fn locus(dataset: &Dataset) -> Option<Vec<Panel>> {
-    let locus = Locus::new(dataset)?;
+    let locus = DrawnLocus::new(dataset)?;
     let force = reals(dataset, "normal_force")?.to_vec();
     let along = locus.values.iter().map(|value| value * locus.scale).collect();
     let force = Layer::line("", along, force, Role::Series(0).solid());
@@ -78,7 +78,7 @@ pub(crate) fn locus(dataset: &Dataset) -> Option<Vec<Panel>> {
 
 /// Positions and growth rates along each unstable zone, from its start to its end where they vanish; in m for a locus over position.
 pub fn zone_profiles(dataset: &Dataset) -> Vec<Vec<(f64, f64)>> {
-    let Some(locus) = Locus::new(dataset) else { return Vec::new() };
+    let Some(locus) = DrawnLocus::new(dataset) else { return Vec::new() };
     let unscaled = |(at, growth)| (at / locus.scale, growth);
     locus.zones.iter().map(|zone| locus.profile(zone).into_iter().map(unscaled).collect()).collect()
 }
@@ -91,7 +91,7 @@ fn are_alike(one: f64, other: f64) -> bool {
 /// The places and growth rates that are stored of each zone, by its number from 0.
 fn paths(dataset: &Dataset, scale: f64) -> impl Fn(usize) -> Vec<(f64, f64)> {
     let numbers = match dataset.variable("zone_path").map(|variable| &variable.data) {
-        Some(Data::I64(numbers)) => &numbers[..],
+        Some(VariableValues::I64(numbers)) => &numbers[..],
         _ => &[],
     };
     let at = reals(dataset, "zone_path_at").unwrap_or_default();
@@ -106,7 +106,7 @@ fn paths(dataset: &Dataset, scale: f64) -> impl Fn(usize) -> Vec<(f64, f64)> {
     }
 }
 
-impl<'a> Locus<'a> {
+impl<'a> DrawnLocus<'a> {
     fn new(dataset: &'a Dataset) -> Option<Self> {
         let variable = dataset.variable("eigenvalue")?;
         let coordinate = dataset.variable(variable.dimensions.first()?)?;
@@ -117,11 +117,11 @@ impl<'a> Locus<'a> {
         let (from, to, peak) = (of("zone_from")?, of("zone_to")?, of("zone_peak")?);
         let (growth, frequency) = (of("zone_growth_rate")?, of("zone_frequency")?);
         let is_root = |name: &str, k: usize| match &dataset.variable(name).map(|variable| &variable.data) {
-            Some(Data::I64(kinds)) => kinds.get(k) == Some(&0),
+            Some(VariableValues::I64(kinds)) => kinds.get(k) == Some(&0),
             _ => true,
         };
         let path = paths(dataset, scale);
-        let zone = |k: usize| Zone {
+        let zone = |k: usize| ZoneOfLocus {
             path: path(k),
             from: from[k] * scale,
             to: to[k] * scale,
@@ -254,7 +254,7 @@ impl<'a> Locus<'a> {
 
     /// Growth rates, the zones shaded.
     fn growth_rates(&self) -> Panel {
-        let shade = |(k, zone): (usize, &Zone)| {
+        let shade = |(k, zone): (usize, &ZoneOfLocus)| {
             let label = if k == 0 { "unstable zone" } else { "" };
             let x = Some((zone.from, zone.to));
             Layer::Region(ShadedRegion { label: label.to_owned(), x, y: None, role: Role::UnstableZone })
@@ -274,7 +274,7 @@ impl<'a> Locus<'a> {
         let mut layers = Vec::new();
         for frequency in self.frequencies_of_zones() {
             let (mut x, mut y) = (Vec::new(), Vec::new());
-            let of_it = |zone: &&Zone| are_alike(zone.frequency, frequency);
+            let of_it = |zone: &&ZoneOfLocus| are_alike(zone.frequency, frequency);
             for zone in self.zones.iter().filter(of_it) {
                 let gap = (f64::NAN, f64::NAN);
                 let (along, up): (Vec<f64>, Vec<f64>) = self.profile(zone).into_iter().chain([gap]).unzip();
@@ -313,7 +313,7 @@ impl<'a> Locus<'a> {
     }
 
     /// Positions and growth rates of a zone from its start over its peak to its end: of its own eigenvalue, whose frequency may change.
-    fn profile(&self, zone: &Zone) -> Vec<(f64, f64)> {
+    fn profile(&self, zone: &ZoneOfLocus) -> Vec<(f64, f64)> {
         if !zone.path.is_empty() {
             return zone.path.clone();
         }

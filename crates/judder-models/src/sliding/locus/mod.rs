@@ -16,7 +16,7 @@ mod swept;
 pub(crate) mod tables;
 mod traced;
 
-use super::{Subject, blame, cost};
+use super::{SlidingSubject, blame, cost};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost::FIGURE};
 use crate::sliding::case::SlidingCase;
@@ -26,16 +26,16 @@ use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
-use settings::{Along, Locus};
+use settings::{Along, LocusAnalysis};
 use std::sync::Arc;
 
 /// The kind.
 pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>> = Kind {
     name: "locus",
     doc: "complex eigenvalues against the position of the contact, or against any key, with located unstable zones",
-    declared: Locus::declarations,
+    declared: LocusAnalysis::declarations,
     read: |case, section| {
-        let own = Locus::read_table(section)?;
+        let own = LocusAnalysis::read_table(section)?;
         Ok(Arc::new(match case {
             Some(case) => own.admit(case, section)?,
             None => own,
@@ -49,7 +49,7 @@ pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>>
     }),
 };
 
-impl Analysis<SlidingCase> for Locus {
+impl Analysis<SlidingCase> for LocusAnalysis {
     fn steps(&self) -> usize {
         match &self.along {
             Along::Positions(positions) => positions.points,
@@ -57,7 +57,7 @@ impl Analysis<SlidingCase> for Locus {
         }
     }
 
-    fn admit(&self, of: &Subject<'_>) -> Result<(), ModelError> {
+    fn admit(&self, of: &SlidingSubject<'_>) -> Result<(), ModelError> {
         let pair = &of.system.pair;
         match &self.along {
             Along::Positions(range) => {
@@ -75,7 +75,7 @@ impl Analysis<SlidingCase> for Locus {
         results::summary_keys(matches!(self.along, Along::Positions(_)))
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &SlidingSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, of.system, self, task.progress)
     }
 
@@ -86,7 +86,7 @@ impl Analysis<SlidingCase> for Locus {
         }
     }
 
-    fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, ModelError> {
+    fn estimate(&self, of: &SlidingSubject<'_>) -> Result<Estimate, ModelError> {
         let modes = of.system.pair.modes() as f64;
         // structures that a swept key concerns are made again at every value
         let again = match &self.along {

@@ -2,19 +2,19 @@
 
 use super::conditions::conditions;
 use super::doubt::doubted;
-use super::traced::{Family, Range, State, Traced, trace};
+use super::traced::{RestState, Traced, TracedFamily, TracedRange, trace};
 use crate::error::ModelError;
 use crate::sliding::case::SlidingCase;
-use crate::sliding::locus::settings::{Locus, Positions};
-use crate::sliding::system::SlidingSystem;
+use crate::sliding::locus::settings::{LocusAnalysis, Positions};
+use crate::sliding::system::ReducedPair;
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::locus::{Conditions, characteristic, contact, smooth_pieces};
 use judder_sliding::pair::Pair;
 use judder_study::Progress;
-use judder_study::axis::Axis;
-use judder_study::case::scale::Scale;
-use judder_study::labels::Quantity;
+use judder_study::axis::SweptAxis;
+use judder_study::case::scale::Spacing;
+use judder_study::labels::SweptQuantity;
 use judder_study::outcome::CheckRecord;
 
 /// Zones are searched down to this share of a segment of the track.
@@ -26,13 +26,13 @@ struct Places<'a> {
     conditions: Conditions,
 }
 
-impl Family for Places<'_> {
+impl TracedFamily for Places<'_> {
     fn at(&self, position: f64) -> Result<PairCharacteristic, SlidingError> {
         characteristic(self.pair, &self.conditions, position)
     }
 
-    fn state(&self, position: f64) -> Result<State, SlidingError> {
-        State::new(self.pair, &self.conditions, position)
+    fn state(&self, position: f64) -> Result<RestState, SlidingError> {
+        RestState::new(self.pair, &self.conditions, position)
     }
 
     fn reason(&self, position: f64) -> Option<String> {
@@ -42,11 +42,11 @@ impl Family for Places<'_> {
 
 pub(super) fn run(
     case: &SlidingCase,
-    system: &SlidingSystem,
-    settings: &Locus,
+    system: &ReducedPair,
+    settings: &LocusAnalysis,
     positions: &Positions,
     progress: &dyn Progress,
-) -> Result<(Axis, Traced, Vec<CheckRecord>), ModelError> {
+) -> Result<(SweptAxis, Traced, Vec<CheckRecord>), ModelError> {
     let Positions { from, to, points } = *positions;
     let step = (to - from) / (points - 1) as f64;
     let mut values: Vec<f64> = (0..points).map(|k| from + step * k as f64).collect();
@@ -57,18 +57,18 @@ pub(super) fn run(
     }
     let segment = pair.node_positions().last().copied().unwrap_or_default() / (pair.edge().nodes - 1) as f64;
     let pieces = |[from, to]: [f64; 2]| smooth_pieces(pair, &conditions, [from, to]);
-    let range = Range { values: &values, pieces: &pieces, resolution: RESOLUTION * segment };
+    let range = TracedRange { values: &values, pieces: &pieces, resolution: RESOLUTION * segment };
     let family = Places { pair, conditions };
     let traced = trace(&family, &range, settings.count, progress)?;
     let at = |position: f64| -> Result<_, SlidingError> {
         Ok((contact(pair, &conditions, position)?.0, pair.eigenvalues(), pair.damping()))
     };
     let checks = doubted(&at, &traced, settings, &values)?;
-    let quantity = Quantity {
+    let quantity = SweptQuantity {
         name: "position".to_owned(),
         label: "Contact position $s$ (m)".to_owned(),
         symbol: "$s$".to_owned(),
         unit: "m".to_owned(),
     };
-    Ok((Axis { quantity, values, scale: Scale::Linear }, traced, checks))
+    Ok((SweptAxis { quantity, values, scale: Spacing::Linear }, traced, checks))
 }

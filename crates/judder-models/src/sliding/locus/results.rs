@@ -1,11 +1,11 @@
 //! What a locus leaves.
 
-use super::traced::{Row, Traced};
+use super::traced::{FamilyRow, Traced};
 use crate::error::ModelError;
-use crate::sliding::locus::settings::{Along, Locus};
+use crate::sliding::locus::settings::{Along, LocusAnalysis};
 use judder_sliding::zones::{Zone, ZoneEnd};
 use judder_store::{Dataset, Declared, Results, Table, Variable};
-use judder_study::axis::Axis;
+use judder_study::axis::SweptAxis;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -55,7 +55,7 @@ pub(super) struct ToldLocus {
     configuration: &'static str,
     damping: bool,
     /// where there are no eigenvalues
-    missing: Vec<Failure>,
+    missing: Vec<LocusFailure>,
     #[result(optional)]
     key: Option<String>,
     #[result(optional)]
@@ -90,7 +90,7 @@ struct ToldZone {
 
 /// A point without eigenvalues.
 #[derive(Results)]
-struct Failure {
+struct LocusFailure {
     #[result(optional)]
     position_m: Option<f64>,
     #[result(optional)]
@@ -108,8 +108,8 @@ pub(super) fn summary_keys(is_over_positions: bool) -> Vec<Declared> {
 }
 
 pub(super) struct Locating<'a> {
-    pub(super) settings: &'a Locus,
-    pub(super) axis: &'a Axis,
+    pub(super) settings: &'a LocusAnalysis,
+    pub(super) axis: &'a SweptAxis,
     pub(super) traced: &'a Traced,
 }
 
@@ -123,11 +123,11 @@ impl Locating<'_> {
         let table = |pick: &dyn Fn(&Complex64) -> f64| -> Vec<Vec<f64>> {
             traced.rows.iter().map(|row| row.eigenvalues.iter().map(pick).collect()).collect()
         };
-        let column = |pick: &dyn Fn(&Row) -> f64| traced.rows.iter().map(pick).collect::<Vec<f64>>();
+        let column = |pick: &dyn Fn(&FamilyRow) -> f64| traced.rows.iter().map(pick).collect::<Vec<f64>>();
         let failures = axis.values.iter().zip(&traced.rows);
         let failures = failures.filter_map(|(value, row)| {
             let (position_m, value) = self.along(*value);
-            Some(Failure { position_m, value, reason: row.failure.clone()? })
+            Some(LocusFailure { position_m, value, reason: row.failure.clone()? })
         });
         let (position_m, value) = self.along(axis.values.clone());
         let (at, key) = match &settings.along {
@@ -184,7 +184,7 @@ impl Locating<'_> {
         let verdicts = eigenvalues.iter().zip(&errors).map(|(s, error)| verdict(*s, *error)).collect();
         let count = traced.rows.first().map_or(0, |row| row.eigenvalues.len());
         let branches: Vec<i64> = (1..=count as i64).collect();
-        let along = |own: &str, pick: &dyn Fn(&Row) -> f64| {
+        let along = |own: &str, pick: &dyn Fn(&FamilyRow) -> f64| {
             Variable::new(own, &[name], &[rows], traced.rows.iter().map(pick).collect::<Vec<f64>>())
         };
         let zones = &traced.zones;

@@ -4,16 +4,16 @@ use super::results::Locating;
 use super::{positions, swept};
 use crate::error::ModelError;
 use crate::sliding::case::SlidingCase;
-use crate::sliding::locus::settings::{Along, Locus};
-use crate::sliding::system::SlidingSystem;
+use crate::sliding::locus::settings::{Along, LocusAnalysis};
+use crate::sliding::system::ReducedPair;
 use judder_store::Results;
 use judder_study::Progress;
 use judder_study::outcome::Outcome;
 
 pub(super) fn run(
     case: &SlidingCase,
-    system: &SlidingSystem,
-    settings: &Locus,
+    system: &ReducedPair,
+    settings: &LocusAnalysis,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
     let (axis, traced, checks) = match &settings.along {

@@ -15,7 +15,7 @@ use judder_sliding::locus::Configuration;
 
 /// Complex eigenvalues along an axis.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub struct Locus {
+pub struct LocusAnalysis {
     /// The configuration about which small motions are meant.
     #[key(default = Configuration::Undeformed)]
     pub configuration: Configuration,
@@ -78,7 +78,7 @@ pub const POSITIONS_LIMIT: usize = 1_000_000;
 /// The number of positions where the case does not say.
 pub const POSITIONS: usize = 1000;
 
-impl Locus {
+impl LocusAnalysis {
     /// Tries a sweep on the case; positions that are left out are those of the path of its motion.
     pub(crate) fn admit(mut self, case: &SlidingCase, section: &Section<'_>) -> Result<Self, Fault> {
         match (&mut self.along, section.get("sweep")) {

@@ -2,19 +2,19 @@
 
 use super::conditions::conditions;
 use super::doubt::doubted;
-use super::traced::{Family, Range, State, Traced, trace};
+use super::traced::{RestState, Traced, TracedFamily, TracedRange, trace};
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
 use crate::sliding::case::SlidingCase;
-use crate::sliding::locus::settings::Locus;
-use crate::sliding::system::{SlidingSystem, Uncoupled};
+use crate::sliding::locus::settings::LocusAnalysis;
+use crate::sliding::system::{ReducedPair, Uncoupled};
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::locus::{Conditions, characteristic, contact};
 use judder_sliding::pair::Pair;
 use judder_study::Progress;
-use judder_study::axis::Axis;
-use judder_study::labels::{Quantity, any_key};
+use judder_study::axis::SweptAxis;
+use judder_study::labels::{SweptQuantity, any_key};
 use judder_study::outcome::CheckRecord;
 
 /// Zones are searched down to this share of the swept range.
@@ -25,8 +25,8 @@ const PIECES: usize = 16;
 /// A case whose key takes any value.
 struct Values<'a> {
     case: &'a SlidingCase,
-    system: &'a SlidingSystem,
-    settings: &'a Locus,
+    system: &'a ReducedPair,
+    settings: &'a LocusAnalysis,
     sweep: &'a KeySweep,
     /// s, m.
     held: f64,
@@ -53,15 +53,15 @@ impl Values<'_> {
     }
 }
 
-impl Family for Values<'_> {
+impl TracedFamily for Values<'_> {
     fn at(&self, value: f64) -> Result<PairCharacteristic, SlidingError> {
         let (pair, conditions) = self.known(value)?;
         characteristic(&pair, &conditions, self.held)
     }
 
-    fn state(&self, value: f64) -> Result<State, SlidingError> {
+    fn state(&self, value: f64) -> Result<RestState, SlidingError> {
         let (pair, conditions) = self.known(value)?;
-        State::new(&pair, &conditions, self.held)
+        RestState::new(&pair, &conditions, self.held)
     }
 
     fn reason(&self, value: f64) -> Option<String> {
@@ -76,12 +76,12 @@ impl Family for Values<'_> {
 
 pub(super) fn run(
     case: &SlidingCase,
-    system: &SlidingSystem,
-    settings: &Locus,
+    system: &ReducedPair,
+    settings: &LocusAnalysis,
     held: f64,
     sweep: &KeySweep,
     progress: &dyn Progress,
-) -> Result<(Axis, Traced, Vec<CheckRecord>), ModelError> {
+) -> Result<(SweptAxis, Traced, Vec<CheckRecord>), ModelError> {
     let falls = sweep.values.first() > sweep.values.last();
     let mut values = sweep.values.clone();
     if falls {
@@ -90,7 +90,7 @@ pub(super) fn run(
     system.pair.edge_point(held)?;
     let pieces = |[from, to]: [f64; 2]| Ok(parts(&values, [from, to]));
     let span = values.last().copied().unwrap_or_default() - values.first().copied().unwrap_or_default();
-    let range = Range { values: &values, pieces: &pieces, resolution: RESOLUTION * span };
+    let range = TracedRange { values: &values, pieces: &pieces, resolution: RESOLUTION * span };
     let family = Values { case, system, settings, sweep, held };
     let mut traced = trace(&family, &range, settings.count, progress)?;
     let at = |value: f64| -> Result<_, SlidingError> {
@@ -101,8 +101,8 @@ pub(super) fn run(
     if falls {
         traced.rows.reverse();
     }
-    let quantity = Quantity { name: "value".to_owned(), ..any_key(&sweep.path, sweep.dimension) };
-    Ok((Axis { quantity, values: sweep.values.clone(), scale: sweep.scale }, traced, checks))
+    let quantity = SweptQuantity { name: "value".to_owned(), ..any_key(&sweep.path, sweep.dimension) };
+    Ok((SweptAxis { quantity, values: sweep.values.clone(), scale: sweep.scale }, traced, checks))
 }
 
 /// The range from one value to another in a few parts, with ends among the values.

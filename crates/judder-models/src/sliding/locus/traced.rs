@@ -4,41 +4,41 @@ use crate::error::ModelError;
 use judder_numerics::words::plain;
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::PairCharacteristic;
-use judder_sliding::coupling::Sliding;
+use judder_sliding::coupling::SteadyFriction;
 use judder_sliding::locus::{Conditions, Configuration, Followed, follow};
 use judder_sliding::pair::Pair;
 use judder_sliding::spectrum::{Spectrum, WantedEigenvalues};
 use judder_sliding::statics::PairEquilibrium;
 use judder_sliding::zones::{Zone, ZoneEnd};
 use judder_study::Progress;
-use judder_study::axis::Axis;
+use judder_study::axis::SweptAxis;
 use num_complex::Complex64;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A pair for each value of a parameter.
-pub(super) trait Family: Sync {
+pub(super) trait TracedFamily: Sync {
     /// Its characteristic function.
     fn at(&self, value: f64) -> Result<PairCharacteristic, SlidingError>;
     /// Its state of rest.
-    fn state(&self, value: f64) -> Result<State, SlidingError>;
+    fn state(&self, value: f64) -> Result<RestState, SlidingError>;
     /// Why there is none at a value, in words; `None` where there is one.
     fn reason(&self, value: f64) -> Option<String>;
 }
 
 /// What a pair is like at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct State {
+pub(super) struct RestState {
     /// N, N.
     pub(super) normal_force: f64,
     /// By how much the edge climbs at the contact, over the line from the track's first node to its last.
     pub(super) slope: f64,
 }
 
-impl State {
+impl RestState {
     pub(super) fn new(pair: &Pair, conditions: &Conditions, position: f64) -> Result<Self, SlidingError> {
         let Conditions { configuration, velocity, load, .. } = *conditions;
-        let sliding = Sliding::at(pair.friction(), velocity);
+        let sliding = SteadyFriction::at(pair.friction(), velocity);
         let rest = match configuration {
             Configuration::Undeformed => PairEquilibrium::undeformed(pair, position, load, sliding)?,
             Configuration::Deformed => PairEquilibrium::new(pair, position, load, sliding)?,
@@ -53,7 +53,7 @@ impl State {
 type Pieces<'a> = &'a (dyn Fn([f64; 2]) -> Result<Vec<[f64; 2]>, SlidingError> + Sync);
 
 /// Where a family is traced.
-pub(super) struct Range<'a> {
+pub(super) struct TracedRange<'a> {
     /// Ascending.
     pub(super) values: &'a [f64],
     /// The pieces between two of them on which the family is smooth.
@@ -64,12 +64,12 @@ pub(super) struct Range<'a> {
 
 /// What a family has at one value.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Row {
+pub(super) struct FamilyRow {
     /// One a branch; NaN where it is not among the lowest.
     pub(super) eigenvalues: Vec<Complex64>,
     /// How far each may be off, 1/s.
     pub(super) errors: Vec<f64>,
-    pub(super) state: State,
+    pub(super) state: RestState,
     /// Why there is nothing.
     pub(super) failure: Option<String>,
 }
@@ -77,7 +77,7 @@ pub(super) struct Row {
 /// All of them.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Traced {
-    pub(super) rows: Vec<Row>,
+    pub(super) rows: Vec<FamilyRow>,
     /// By where they start.
     pub(super) zones: Vec<Zone>,
     /// Ranges in which branches are not followed and zones not located, and why.
@@ -96,7 +96,7 @@ impl Traced {
     }
 
     /// What the user has to know.
-    pub(super) fn warnings(&self, axis: &Axis) -> Vec<String> {
+    pub(super) fn warnings(&self, axis: &SweptAxis) -> Vec<String> {
         let failed = || {
             let rows = axis.values.iter().zip(&self.rows);
             rows.filter_map(|(value, row)| Some((value, row.failure.as_ref()?)))
@@ -127,7 +127,7 @@ impl Traced {
     }
 
     /// Starts (0) and ends (1) of zones that are none: where a branch was lost, or the range ends at a value beside one that failed.
-    fn torn(&self, axis: &Axis) -> impl Iterator<Item = (&Zone, usize)> {
+    fn torn(&self, axis: &SweptAxis) -> impl Iterator<Item = (&Zone, usize)> {
         let values = || axis.values.iter().copied();
         let whole = [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)];
         let is_torn = move |zone: &Zone, side: usize| match zone.ends[side] {
@@ -145,22 +145,22 @@ impl Traced {
 /// # Errors
 /// [`ModelError::Interrupted`]; the failure of all values, where none succeeds.
 pub(super) fn trace(
-    family: &impl Family,
-    range: &Range<'_>,
+    family: &impl TracedFamily,
+    range: &TracedRange<'_>,
     count: usize,
     progress: &dyn Progress,
 ) -> Result<Traced, ModelError> {
-    let states: Vec<Option<State>> = range
+    let states: Vec<Option<RestState>> = range
         .values
         .par_iter()
         .map(|value| if progress.interrupted() { None } else { family.state(*value).ok() })
         .collect();
-    let mut rows: Vec<Row> = states
+    let mut rows: Vec<FamilyRow> = states
         .into_iter()
-        .map(|state| Row {
+        .map(|state| FamilyRow {
             eigenvalues: Vec::new(),
             errors: Vec::new(),
-            state: state.unwrap_or(State { normal_force: f64::NAN, slope: f64::NAN }),
+            state: state.unwrap_or(RestState { normal_force: f64::NAN, slope: f64::NAN }),
             failure: None,
         })
         .collect();
@@ -198,7 +198,7 @@ fn stop(progress: &dyn Progress) -> Result<(), ModelError> {
 }
 
 /// Gives rows the branches found for them, beside the `begun` ones that are other rows'; how many there then are.
-fn place(rows: &mut [Row], begun: usize, found: Followed) -> usize {
+fn place(rows: &mut [FamilyRow], begun: usize, found: Followed) -> usize {
     let mut width = begun;
     for (row, (values, errors)) in rows.iter_mut().zip(found.eigenvalues.into_iter().zip(found.errors)) {
         row.eigenvalues.resize(begun, NONE);
@@ -218,8 +218,8 @@ fn alone(spectrum: &Spectrum, count: usize) -> Followed {
 
 /// Branches and zones from one value to another, by their numbers; each value advances the progress, and the user may stop.
 fn followed(
-    family: &impl Family,
-    range: &Range<'_>,
+    family: &impl TracedFamily,
+    range: &TracedRange<'_>,
     first: usize,
     end: usize,
     count: usize,
@@ -254,10 +254,10 @@ fn followed(
 
 /// Every value by itself, then each run of values that succeed.
 fn piecewise(
-    family: &impl Family,
-    range: &Range<'_>,
+    family: &impl TracedFamily,
+    range: &TracedRange<'_>,
     count: usize,
-    rows: &mut [Row],
+    rows: &mut [FamilyRow],
     traced: &mut Traced,
     progress: &dyn Progress,
     error: SlidingError,

@@ -15,7 +15,7 @@ const BETWEEN_LOOKS: u64 = 100_000;
 
 /// Where and why a march ended before the end of its path.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct Ended {
+pub(super) struct MarchStop {
     /// s.
     pub(super) time: f64,
     /// m.
@@ -26,7 +26,7 @@ pub(super) struct Ended {
 
 /// A march on its way.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct Way {
+pub(super) struct OngoingMarch {
     march: Checkpoint,
     recorder: RecorderState,
     /// Wall time of the steps alone, s.
@@ -34,7 +34,7 @@ pub(super) struct Way {
     /// Whether it is over.
     is_over: bool,
     /// Why before the end of the path.
-    pub(super) ended: Option<Ended>,
+    pub(super) ended: Option<MarchStop>,
 }
 
 /// What marches.
@@ -51,7 +51,7 @@ pub(super) struct Marching<'a, 'b> {
 
 impl Marching<'_, '_> {
     /// Goes on from where an earlier run was interrupted, to the end or to an interruption.
-    pub(super) fn march_on(&mut self, progress: &dyn Progress) -> Result<Way, ModelError> {
+    pub(super) fn march_on(&mut self, progress: &dyn Progress) -> Result<OngoingMarch, ModelError> {
         let mut way = self.taken_up()?;
         let left = self.march.all_steps().saturating_sub(self.march.steps());
         let looks = left / self.block * self.block.div_ceil(BETWEEN_LOOKS)
@@ -70,8 +70,8 @@ impl Marching<'_, '_> {
     }
 
     /// The state of an earlier run, or that of the start.
-    fn taken_up(&mut self) -> Result<Way, ModelError> {
-        let start = Way {
+    fn taken_up(&mut self) -> Result<OngoingMarch, ModelError> {
+        let start = OngoingMarch {
             march: self.march.checkpoint(),
             recorder: self.recorder.state(),
             seconds: 0.0,
@@ -79,13 +79,14 @@ impl Marching<'_, '_> {
             ended: None,
         };
         let Some(bytes) = self.samples.checkpoint() else { return Ok(start) };
-        let way: Way = serde_json::from_slice(bytes).map_err(|source| ModelError::Checkpoint { source })?;
+        let way: OngoingMarch =
+            serde_json::from_slice(bytes).map_err(|source| ModelError::Checkpoint { source })?;
         self.march.resume(&way.march)?;
         self.recorder.resume(&self.decimation, &way.recorder)?;
         Ok(way)
     }
 
-    fn one_block(&mut self, way: &mut Way, progress: &dyn Progress) {
+    fn one_block(&mut self, way: &mut OngoingMarch, progress: &dyn Progress) {
         let target = self.march.steps() + self.block;
         while self.march.steps() < target && !way.is_over {
             let steps = BETWEEN_LOOKS.min(target - self.march.steps());
@@ -107,13 +108,13 @@ impl Marching<'_, '_> {
             way.is_over = true;
             let time = self.march.steps() as f64 * self.step;
             let position = self.motion.at(time).position;
-            way.ended = reason.map(|reason| Ended { time, position, reason });
+            way.ended = reason.map(|reason| MarchStop { time, position, reason });
             self.recorder.flush();
         }
     }
 
     /// Stores the samples of a block, and from where to go on.
-    fn keep(&mut self, way: &mut Way) -> Result<(), ModelError> {
+    fn keep(&mut self, way: &mut OngoingMarch) -> Result<(), ModelError> {
         (way.march, way.recorder) = (self.march.checkpoint(), self.recorder.state());
         let bytes = serde_json::to_vec(way).map_err(|source| ModelError::Checkpoint { source })?;
         self.samples.append(&bytes, &self.recorder.columns())?;

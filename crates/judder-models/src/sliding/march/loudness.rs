@@ -19,12 +19,12 @@ pub(super) struct PlacedBurst {
     /// Level before it, in the unit of the signal: √2 times the rms of as long a stretch, or of what there is after the ramps.
     pub(super) level_before: Option<f64>,
     /// What its mode has done in the zone that it has passed.
-    pub(super) growth: Option<Growth>,
+    pub(super) growth: Option<ZoneGrowth>,
 }
 
 /// Growth of one mode through an unstable zone, in nepers.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Growth {
+pub(super) struct ZoneGrowth {
     /// ∫ max(σ, 0) dt.
     pub(super) expected: f64,
     /// ln of the amplitude at the frequency of the zone where the contact has left it, over that where it has entered; none where the
@@ -34,20 +34,20 @@ pub(super) struct Growth {
 
 /// The peak of a signal and its bursts, after the ramps.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Loudness {
+pub(super) struct SignalLoudness {
     /// The largest magnitude, and where the contact was, m.
     pub(super) peak: Option<(f64, f64)>,
     pub(super) bursts: Vec<PlacedBurst>,
 }
 
 /// The history of one signal after the ramps.
-struct History {
+struct SignalHistory {
     times: Vec<f64>,
     positions: Vec<f64>,
     values: Vec<f64>,
 }
 
-impl History {
+impl SignalHistory {
     fn new(samples: &Samples<'_>, name: &str, settled: f64) -> Result<Self, ModelError> {
         let (times, positions) = (samples.values("time")?, samples.values("position")?);
         let values = samples.values(name)?;
@@ -60,11 +60,11 @@ impl History {
     }
 
     /// What the mode of a zone has done in it.
-    fn growth(&self, Amplification { zone, nepers, .. }: &Amplification) -> Growth {
+    fn growth(&self, Amplification { zone, nepers, .. }: &Amplification) -> ZoneGrowth {
         let sampled = Sampled { time: &self.times, position: &self.positions, values: &self.values };
         let passage = sampled.passage(zone.frequency_hz, [zone.from, zone.to]);
         let measured = passage.map(|[before, after]| (after / before).ln());
-        Growth { expected: *nepers, measured: measured.filter(|own| own.is_finite()) }
+        ZoneGrowth { expected: *nepers, measured: measured.filter(|own| own.is_finite()) }
     }
 
     fn index(&self, time: f64) -> usize {
@@ -92,9 +92,9 @@ pub(super) fn loudness(
     settled: f64,
     sample_rate: f64,
     zones: &[Amplification],
-) -> Result<Loudness, ModelError> {
-    let history = History::new(samples, &variable_name(signal, points), settled)?;
-    let Some(start) = history.times.first() else { return Ok(Loudness::default()) };
+) -> Result<SignalLoudness, ModelError> {
+    let history = SignalHistory::new(samples, &variable_name(signal, points), settled)?;
+    let Some(start) = history.times.first() else { return Ok(SignalLoudness::default()) };
     let largest = |best: usize, k: usize| {
         if history.values[k].abs() > history.values[best].abs() { k } else { best }
     };
@@ -112,5 +112,5 @@ pub(super) fn loudness(
         let growth = zone.map(|zone| history.growth(zone));
         PlacedBurst { burst, position, level_before: history.level_before(&burst), growth }
     };
-    Ok(Loudness { peak, bursts: found.into_iter().map(placed).collect() })
+    Ok(SignalLoudness { peak, bursts: found.into_iter().map(placed).collect() })
 }

@@ -15,10 +15,10 @@ mod summary;
 pub(crate) mod tables;
 
 pub(super) use signals::variable_name;
-pub(super) use size::Size;
+pub(super) use size::MarchSize;
 
 use super::system::step;
-use super::{Subject, blame, cost};
+use super::{SlidingSubject, blame, cost};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost::FIGURE};
 use crate::sliding::case::SlidingCase;
@@ -31,16 +31,16 @@ use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
-use settings::March;
+use settings::MarchAnalysis;
 use std::sync::Arc;
 
 /// The kind.
 pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>> = Kind {
     name: "march",
     doc: "the motion along the path by explicit time integration: signals, bursts, contact forces",
-    declared: March::declarations,
+    declared: MarchAnalysis::declarations,
     read: |case, section| {
-        let own = March::read_table(section)?;
+        let own = MarchAnalysis::read_table(section)?;
         Ok(Arc::new(match case {
             Some(case) => own.admit(case, section)?,
             None => own,
@@ -58,7 +58,7 @@ pub(crate) struct Marched<'a> {
     /// The name of the analysis.
     pub(crate) name: &'a str,
     /// What the case asks for.
-    pub(crate) march: &'a March,
+    pub(crate) march: &'a MarchAnalysis,
     /// The slider and its track.
     pub(crate) pair: &'a Pair,
     /// The points whose motion is kept.
@@ -67,13 +67,13 @@ pub(crate) struct Marched<'a> {
     pub(crate) motion: Motion,
 }
 
-impl Analysis<SlidingCase> for March {
-    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+impl Analysis<SlidingCase> for MarchAnalysis {
+    fn fits(&self, of: &SlidingSubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         // a step that is refused is said by the analysis
-        Ok(Size::of(of.system, self).map_or(Ok(()), Size::fits))
+        Ok(MarchSize::of(of.system, self).map_or(Ok(()), MarchSize::fits))
     }
 
-    fn admit(&self, of: &Subject<'_>) -> Result<(), ModelError> {
+    fn admit(&self, of: &SlidingSubject<'_>) -> Result<(), ModelError> {
         step(&of.system.pair, self.method(), self.step, of.system.along(self))?;
         Ok(())
     }
@@ -82,7 +82,7 @@ impl Analysis<SlidingCase> for March {
         summary::summary_keys(self)
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &SlidingSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         let (pair, points) = (&of.system.pair, of.case.points.as_slice());
         let marched = Marched { name: of.name, march: self, pair, points, motion: of.system.along(self) };
         run::run(&marched, task.own, task.progress)
@@ -93,12 +93,12 @@ impl Analysis<SlidingCase> for March {
     }
 
     /// A march holds the samples between two checkpoints; bursts, sound and report look at all of them when it is over.
-    fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, ModelError> {
+    fn estimate(&self, of: &SlidingSubject<'_>) -> Result<Estimate, ModelError> {
         let motion = of.system.along(self);
         let step = cost::step(of.system, self.method(), self.step, motion);
         let steps = motion.duration() / step;
         let seconds = steps * of.system.pair.modes() as f64 * cost::STEP_AND_MODE + FIGURE;
-        let bytes = Size::new(of.system, self, step).memory() as u128;
+        let bytes = MarchSize::new(of.system, self, step).memory() as u128;
         Ok(Estimate { name: of.name.to_owned(), points: steps as usize, seconds, bytes })
     }
 

@@ -6,17 +6,21 @@ use super::samples::{Finished, Samples};
 use super::summary::EndedMarch;
 use super::{Marched, expected, sampling, signals, sound};
 use crate::error::ModelError;
-use crate::sliding::case::signals::Sound;
+use crate::sliding::case::signals::SoundSignals;
 use crate::sliding::system::step;
 use judder_sliding::march::{March, MarchSettings};
 use judder_sliding::recorder::Recorder;
 use judder_store::Results;
 use judder_study::Progress;
-use judder_study::kept::Kept;
+use judder_study::kept::KeptLines;
 use judder_study::outcome::Outcome;
 
 /// Marches along the path of an analysis, or goes on where an interrupted run was.
-pub(crate) fn run(of: &Marched<'_>, kept: Kept<'_>, progress: &dyn Progress) -> Result<Outcome, ModelError> {
+pub(crate) fn run(
+    of: &Marched<'_>,
+    kept: KeptLines<'_>,
+    progress: &dyn Progress,
+) -> Result<Outcome, ModelError> {
     let (asked, points) = (of.march, of.points);
     let method = asked.method();
     let chosen = step(of.pair, method, asked.step, of.motion)?;
@@ -56,7 +60,7 @@ pub(crate) fn run(of: &Marched<'_>, kept: Kept<'_>, progress: &dyn Progress) -> 
         ..Outcome::default()
     };
     let mut heard = None;
-    if asked.sound != Sound::Nothing {
+    if asked.sound != SoundSignals::Nothing {
         let sounds = sound::sounds(of.name, &samples, &asked.heard(points.len()), points, sample_rate)?;
         let files = sounds.into_iter().map(|sound| (sound.told, (sound.name, sound.bytes)));
         let (told, files) = files.unzip();

@@ -1,8 +1,8 @@
 //! The samples of a march on their way into the study: on the disk while it runs, or in memory where there is no study.
 
 use crate::error::ModelError;
-use judder_store::{Data, Dataset, StreamWriter, Variable};
-use judder_study::kept::Place;
+use judder_store::{Dataset, StreamWriter, Variable, VariableValues};
+use judder_study::kept::StudyPlace;
 
 /// Where the samples of a march go.
 pub(super) enum Samples<'a> {
@@ -14,9 +14,9 @@ pub(super) enum Samples<'a> {
 
 impl<'a> Samples<'a> {
     /// Takes up what an interrupted run has left in the study, or starts anew.
-    pub(super) fn open(place: Option<Place<'a>>, variables: Vec<Variable>) -> Result<Self, ModelError> {
+    pub(super) fn open(place: Option<StudyPlace<'a>>, variables: Vec<Variable>) -> Result<Self, ModelError> {
         Ok(match place {
-            Some(Place { study, analysis, hash, .. }) => {
+            Some(StudyPlace { study, analysis, hash, .. }) => {
                 Self::Streamed(StreamWriter::open(study, analysis, hash, &variables)?)
             }
             None => Self::Held(variables),
@@ -37,7 +37,7 @@ impl<'a> Samples<'a> {
             Self::Held(variables) => {
                 for (variable, column) in variables.iter_mut().zip(columns) {
                     variable.shape = vec![variable.shape[0] + column.len()];
-                    if let Data::F64(values) = &mut variable.data {
+                    if let VariableValues::F64(values) = &mut variable.data {
                         values.extend_from_slice(column);
                     }
                 }
@@ -53,7 +53,7 @@ impl<'a> Samples<'a> {
             Self::Held(variables) => {
                 let found = variables.iter().find(|variable| variable.name == name);
                 Ok(match found.map(|variable| &variable.data) {
-                    Some(Data::F64(values)) => values.clone(),
+                    Some(VariableValues::F64(values)) => values.clone(),
                     _ => Vec::new(),
                 })
             }

@@ -1,10 +1,10 @@
 //! `march`: explicit time integration of the coupled structures along the path.
 
 use crate::sliding::case::SlidingCase;
-use crate::sliding::case::motion::{Axis, check_course};
+use crate::sliding::case::motion::{PlaneAxis, check_course};
 use crate::sliding::case::observe::{CONTACT_SIGNALS, PointQuantity, Signal};
 use crate::sliding::case::problem::SlidingProblem;
-use crate::sliding::case::signals::{Sampling, Sound};
+use crate::sliding::case::signals::{Sampling, SoundSignals};
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Named, Number, Whole, all, both};
 use judder_keys::dimension::Dimension;
@@ -55,8 +55,8 @@ pub enum Slope {
 
 /// A march along the path, or along a part of it.
 #[derive(Debug, Clone, PartialEq, Settings)]
-#[settings(check = March::complete)]
-pub struct March {
+#[settings(check = MarchAnalysis::complete)]
+pub struct MarchAnalysis {
     /// How the coupled structures are integrated.
     #[key(name = "method")]
     pub word: MarchWord,
@@ -85,8 +85,8 @@ pub struct March {
     #[key(usual = Predictor::WithForce, omitted)]
     pub predictor: Option<Predictor>,
     /// Leave the accelerations that are kept, and `signal`, as WAV, or these signals, each with its gain in the summary.
-    #[key(default = Sound::Accelerations)]
-    pub sound: Sound,
+    #[key(default = SoundSignals::Accelerations)]
+    pub sound: SoundSignals,
     /// Steps between two states that an interrupted march can go on from.
     #[key(rule = Whole { from: 1000, to: 1_000_000_000 }, default = 500_000)]
     pub checkpoint_steps: usize,
@@ -99,7 +99,7 @@ pub const CUT_OFF: f64 = 60e3 * TAU;
 /// The most steps of a march: weeks.
 pub const STEPS: f64 = 1e12;
 
-impl March {
+impl MarchAnalysis {
     /// How it integrates.
     pub fn method(&self) -> ContactMethod {
         match self.word {
@@ -159,18 +159,20 @@ impl March {
     }
 }
 
-impl March {
+impl MarchAnalysis {
     /// The signals that are kept: the quantities of so many observed points, those of the contact, what is told, what is heard.
     pub fn kept(&self, points: usize) -> Vec<Signal> {
         let of_point = |point: usize| {
             let all = self.signals.quantities.iter();
-            all.flat_map(move |&quantity| Axis::ALL.map(|(_, axis)| Signal::Point { point, axis, quantity }))
+            all.flat_map(move |&quantity| {
+                PlaneAxis::ALL.map(|(_, axis)| Signal::Point { point, axis, quantity })
+            })
         };
         let mut kept: Vec<Signal> = (0..points).flat_map(of_point).collect();
         kept.extend(CONTACT_SIGNALS.map(|(_, signal)| signal));
         let heard = match &self.sound {
-            Sound::Signals(signals) => &signals[..],
-            Sound::Nothing | Sound::Accelerations => &[],
+            SoundSignals::Signals(signals) => &signals[..],
+            SoundSignals::Nothing | SoundSignals::Accelerations => &[],
         };
         for signal in std::iter::once(&self.signal).chain(heard) {
             if !kept.contains(signal) {
@@ -185,9 +187,9 @@ impl March {
         let is_acceleration =
             |signal: &Signal| matches!(signal, Signal::Point { quantity: PointQuantity::Acceleration, .. });
         match &self.sound {
-            Sound::Nothing => Vec::new(),
-            Sound::Signals(signals) => signals.iter().map(|signal| **signal).collect(),
-            Sound::Accelerations => {
+            SoundSignals::Nothing => Vec::new(),
+            SoundSignals::Signals(signals) => signals.iter().map(|signal| **signal).collect(),
+            SoundSignals::Accelerations => {
                 let mut kept = self.kept(points);
                 kept.retain(|signal| *signal == *self.signal || is_acceleration(signal));
                 kept

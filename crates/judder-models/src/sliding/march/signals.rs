@@ -1,7 +1,7 @@
 //! The signals of a march: what is recorded, and what it is called in the study.
 
 use crate::sliding::case::observe::{ObservedPoint, PointQuantity, Signal};
-use crate::sliding::system::SlidingSystem;
+use crate::sliding::system::ReducedPair;
 use judder_sliding::recorder::Channel;
 use judder_store::Variable;
 
@@ -9,7 +9,7 @@ use judder_store::Variable;
 pub(super) fn channel(signal: Signal) -> Channel {
     match signal {
         Signal::Point { point, axis, quantity } => {
-            let observed = SlidingSystem::observed(point, axis);
+            let observed = ReducedPair::observed(point, axis);
             match quantity {
                 PointQuantity::Acceleration => Channel::Acceleration(observed),
                 PointQuantity::Velocity => Channel::Velocity(observed),

@@ -1,8 +1,8 @@
 //! What a march keeps, what looking at it takes, and what is refused beforehand as too much or too short.
 
 use crate::sliding::case::problem::SlidingProblem;
-use crate::sliding::march::settings::March;
-use crate::sliding::system::{SlidingSystem, step};
+use crate::sliding::march::settings::MarchAnalysis;
+use crate::sliding::system::{ReducedPair, step};
 use judder_keys::memory::Memory;
 use judder_numerics::signal::Decimation;
 use judder_study::model::Refusal;
@@ -17,22 +17,22 @@ const SMALLER: &str = "lower analysis.signals.sample_rate with its pass_band, ma
 
 /// The arrays of a march.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Size {
+pub(crate) struct MarchSize {
     /// Samples of each of its signals.
     pub(crate) samples: f64,
     /// Signals, with time and position.
     pub(crate) signals: usize,
 }
 
-impl Size {
+impl MarchSize {
     /// Of a march with the step that it would choose; `None` where that is refused.
-    pub(crate) fn of(system: &SlidingSystem, march: &March) -> Option<Self> {
+    pub(crate) fn of(system: &ReducedPair, march: &MarchAnalysis) -> Option<Self> {
         let chosen = step(&system.pair, march.method(), march.step, system.along(march)).ok()?;
         Some(Self::new(system, march, chosen.step))
     }
 
     /// Of a march with steps of so many seconds.
-    pub(crate) fn new(system: &SlidingSystem, march: &March, step: f64) -> Self {
+    pub(crate) fn new(system: &ReducedPair, march: &MarchAnalysis, step: f64) -> Self {
         let rate = 1.0 / step;
         let factor = Decimation::factor_to(rate, march.signals.sample_rate.0);
         // two observed displacements a point

@@ -12,7 +12,7 @@ use judder_store::Results;
 const AUDIO_RATE: u32 = 48_000;
 
 /// A file for the ear.
-pub(super) struct Sound {
+pub(super) struct SoundFile {
     pub(super) name: String,
     pub(super) bytes: Vec<u8>,
     /// What the summary says of it.
@@ -37,7 +37,7 @@ pub(super) fn sounds(
     heard: &[Signal],
     points: &[ObservedPoint],
     sample_rate: f64,
-) -> Result<Vec<Sound>, ModelError> {
+) -> Result<Vec<SoundFile>, ModelError> {
     heard.iter().map(|signal| sound(analysis, samples, *signal, points, sample_rate)).collect()
 }
 
@@ -47,7 +47,7 @@ fn sound(
     signal: Signal,
     points: &[ObservedPoint],
     sample_rate: f64,
-) -> Result<Sound, ModelError> {
+) -> Result<SoundFile, ModelError> {
     let mut values = samples.values(&variable_name(signal, points))?;
     // a march that has grown without bound ends in what cannot be heard
     let finite = values.iter().position(|value| !value.is_finite()).unwrap_or(values.len());
@@ -64,5 +64,5 @@ fn sound(
         gain_unit: format!("1/({})", unit(signal)),
         sample_rate: AUDIO_RATE,
     };
-    Ok(Sound { name, bytes, told })
+    Ok(SoundFile { name, bytes, told })
 }

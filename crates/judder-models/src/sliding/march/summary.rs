@@ -1,19 +1,19 @@
 //! What a march tells: scalars, bursts, warnings.
 
 use super::Marched;
-use super::blocks::Way;
+use super::blocks::OngoingMarch;
 use super::expected::ToldAmplification;
-use super::loudness::{Loudness, PlacedBurst};
+use super::loudness::{PlacedBurst, SignalLoudness};
 use super::signals::{unit, variable_name};
 use super::sound::ToldSound;
 use crate::error::ModelError;
 use crate::sliding::case::observe::{PointQuantity, Signal};
-use crate::sliding::march::settings::March;
-use crate::sliding::system::Step;
+use crate::sliding::march::settings::MarchAnalysis;
+use crate::sliding::system::MarchStep;
 use judder_numerics::signal::extremes::Extremes;
 use judder_sliding::SlidingError;
 use judder_sliding::amplification::Amplification;
-use judder_sliding::coupling::Sliding;
+use judder_sliding::coupling::SteadyFriction;
 use judder_sliding::march::{ContactMethod, Predictor};
 use judder_sliding::recorder::Tally;
 use judder_sliding::statics::PairEquilibrium;
@@ -23,12 +23,12 @@ use std::f64::consts::TAU;
 /// A march that has ended, and what was found in it.
 pub(super) struct EndedMarch<'a> {
     pub(super) of: &'a Marched<'a>,
-    pub(super) chosen: Step,
+    pub(super) chosen: MarchStep,
     /// Steps done.
     pub(super) steps: u64,
-    pub(super) way: &'a Way,
+    pub(super) way: &'a OngoingMarch,
     pub(super) tally: &'a Tally,
-    pub(super) loud: &'a Loudness,
+    pub(super) loud: &'a SignalLoudness,
     pub(super) zones: &'a Result<Vec<Amplification>, SlidingError>,
 }
 
@@ -52,8 +52,8 @@ impl EndedMarch<'_> {
             signal_unit: unit(*asked.signal),
             peak_position_m: position,
             bursts: self.loud.bursts.iter().map(ToldBurst::new).collect(),
-            normal_force: Span::of(&normal_force),
-            sliding_velocity: Span::of(&sliding_velocity),
+            normal_force: ValueSpan::of(&normal_force),
+            sliding_velocity: ValueSpan::of(&sliding_velocity),
             slip_steps,
             stick_steps,
             open_steps,
@@ -136,7 +136,7 @@ impl EndedMarch<'_> {
             warnings.push(format!("no expected amplification beside the bursts: {error}"));
         }
         let motion = &self.of.motion;
-        let sliding = Sliding::at(self.of.pair.friction(), motion.velocity);
+        let sliding = SteadyFriction::at(self.of.pair.friction(), motion.velocity);
         let at_rest = PairEquilibrium::new(self.of.pair, motion.end, motion.load, sliding);
         if let (Ok(_), Err(error @ SlidingError::NoEquilibrium { .. })) = (self.zones, at_rest) {
             warnings.push(format!("{error}: the contact opens"));
@@ -173,8 +173,8 @@ pub(super) struct ToldMarch {
     signal_unit: &'static str,
     peak_position_m: Option<f64>,
     bursts: Vec<ToldBurst>,
-    normal_force: Span,
-    sliding_velocity: Span,
+    normal_force: ValueSpan,
+    sliding_velocity: ValueSpan,
     slip_steps: u64,
     stick_steps: u64,
     open_steps: u64,
@@ -235,12 +235,12 @@ struct ToldEnd {
 
 /// The smallest and the largest value.
 #[derive(Results)]
-struct Span {
+struct ValueSpan {
     min: Option<f64>,
     max: Option<f64>,
 }
 
-impl Span {
+impl ValueSpan {
     fn of(extremes: &Extremes) -> Self {
         let [min, max] = [extremes.minimum(), extremes.maximum()].map(|end| end.map(|(_, value)| value));
         Self { min, max }
@@ -248,7 +248,7 @@ impl Span {
 }
 
 /// The keys of the summary of a march.
-pub(super) fn summary_keys(asked: &March) -> Vec<Declared> {
+pub(super) fn summary_keys(asked: &MarchAnalysis) -> Vec<Declared> {
     let other_peak = if is_acceleration(*asked.signal) { "peak" } else { "peak_acceleration" };
     let mut keys = ToldMarch::declared();
     keys.retain(|key| key.name != other_peak);

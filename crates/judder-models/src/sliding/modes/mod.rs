@@ -1,12 +1,12 @@
 //! `modes`: undamped modes of one of the structures, as it is held, without contact.
 
 use super::system::alone;
-use super::{Subject, cost};
+use super::{SlidingSubject, cost};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost::FIGURE};
 use crate::sliding::case::SlidingCase;
 use crate::sliding::case::plain_name::find_structure;
-use crate::structure::modes::{self, Modes, PICTURE, ToldModes};
+use crate::structure::modes::{self, ModesAnalysis, PICTURE, ToldModes};
 use judder_keys::Settings;
 use judder_keys::declared::{Named, Settings};
 use judder_store::{Declared, Results};
@@ -24,7 +24,7 @@ pub struct PartModes {
     pub structure: Named<usize>,
     /// Which.
     #[key(flatten)]
-    pub modes: Modes,
+    pub modes: ModesAnalysis,
 }
 
 /// The kind.
@@ -43,7 +43,7 @@ pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>>
 };
 
 impl Analysis<SlidingCase> for PartModes {
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &SlidingSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         let part = &of.system.parts[*self.structure];
         let own = alone(of.case, *self.structure);
         let reduced = Some(&part.reduced.body.eigenvalues[..]);
@@ -56,7 +56,7 @@ impl Analysis<SlidingCase> for PartModes {
         ToldModes::declared()
     }
 
-    fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, ModelError> {
+    fn estimate(&self, of: &SlidingSubject<'_>) -> Result<Estimate, ModelError> {
         let seconds = cost::FREEDOM * cost::freedoms(of.system, *self.structure) + FIGURE;
         Ok(Estimate { name: of.name.to_owned(), points: 1, seconds, bytes: 0 })
     }

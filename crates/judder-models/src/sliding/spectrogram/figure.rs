@@ -43,11 +43,11 @@ struct Levels {
     /// dB, a row a time.
     values: Vec<f64>,
     range: (f64, f64),
-    zones: Vec<Zone>,
+    zones: Vec<DrawnZone>,
 }
 
 /// An unstable zone: positions in m, ascending, frequency in kHz.
-struct Zone {
+struct DrawnZone {
     from: f64,
     to: f64,
     frequency: f64,
@@ -108,7 +108,7 @@ impl Levels {
     }
 
     /// The frame about a zone, by time and kHz, what grows in it left in sight; `None` where the contact never is in it.
-    fn frame(&self, zone: &Zone) -> Option<[(f64, f64); 6]> {
+    fn frame(&self, zone: &DrawnZone) -> Option<[(f64, f64); 6]> {
         let ends = [self.positions.first()?, self.positions.last()?];
         let (low, high) = (ends[0].min(*ends[1]), ends[0].max(*ends[1]));
         if zone.to < low || zone.from > high {
@@ -196,10 +196,10 @@ fn zones_label(dataset: &Dataset) -> String {
 }
 
 /// The unstable zones that a spectrogram holds, by m and kHz.
-fn zones(dataset: &Dataset) -> Vec<Zone> {
+fn zones(dataset: &Dataset) -> Vec<DrawnZone> {
     let of = |name: &str| reals(dataset, name).unwrap_or_default();
     let (from, to, frequency) = (of("zone_from"), of("zone_to"), of("zone_frequency"));
-    let zone = |((from, to), frequency): ((&f64, &f64), &f64)| Zone {
+    let zone = |((from, to), frequency): ((&f64, &f64), &f64)| DrawnZone {
         from: from.min(*to),
         to: from.max(*to),
         frequency: 1e-3 * frequency,
@@ -258,7 +258,7 @@ mod tests {
             range: (0.0, 1.0),
             zones: Vec::new(),
         };
-        let frame = |from, to| levels.frame(&Zone { from, to, frequency: 5.0 });
+        let frame = |from, to| levels.frame(&DrawnZone { from, to, frequency: 5.0 });
         let near = |(x, y): (f64, f64), to: (f64, f64)| (x - to.0).abs() + (y - to.1).abs() < 1e-12;
         let inside = frame(0.015, 0.02).unwrap();
         assert!(near(inside[0], (0.5, 4.8)) && near(inside[2], (1.0, 5.2)), "{inside:?}");

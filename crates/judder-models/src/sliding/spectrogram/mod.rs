@@ -4,13 +4,13 @@ mod figure;
 mod run;
 pub mod settings;
 
-use super::Subject;
-use super::march::Size;
+use super::SlidingSubject;
+use super::march::MarchSize;
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost::FIGURE};
 use crate::sliding::case::SlidingCase;
 use crate::sliding::case::problem::SlidingProblem;
-use crate::sliding::march::settings::March;
+use crate::sliding::march::settings::MarchAnalysis;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
@@ -18,7 +18,7 @@ use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use run::ToldSpectrogram;
 use serde_json::{Map, Value as Json};
-use settings::Spectrogram;
+use settings::SpectrogramAnalysis;
 use std::sync::Arc;
 
 const SHORTER: &str = "give a shorter length, or none";
@@ -27,9 +27,9 @@ const SHORTER: &str = "give a shorter length, or none";
 pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>> = Kind {
     name: "spectrogram",
     doc: "a signal of a march over time, position and frequency, with the unstable zones of a locus",
-    declared: Spectrogram::declarations,
+    declared: SpectrogramAnalysis::declarations,
     read: |case, section| {
-        let own = Spectrogram::read_table(section)?;
+        let own = SpectrogramAnalysis::read_table(section)?;
         Ok(Arc::new(match case {
             Some(case) => own.admit(case, section)?,
             None => own,
@@ -44,12 +44,12 @@ pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>>
 };
 
 /// The march whose signal it shows.
-fn march<'a>(asked: &Spectrogram, case: &'a SlidingCase) -> Option<&'a March> {
+fn march<'a>(asked: &SpectrogramAnalysis, case: &'a SlidingCase) -> Option<&'a MarchAnalysis> {
     case.analyses.iter().find(|own| own.name == asked.of)?.settings()
 }
 
-impl Analysis<SlidingCase> for Spectrogram {
-    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+impl Analysis<SlidingCase> for SpectrogramAnalysis {
+    fn fits(&self, of: &SlidingSubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         let duration = march(self, of.case).map(|march| of.system.along(march).duration());
         let Some(duration) = duration.filter(|duration| self.length > *duration) else { return Ok(Ok(())) };
         let (length, name) = (self.length, &self.of);
@@ -61,15 +61,15 @@ impl Analysis<SlidingCase> for Spectrogram {
         ToldSpectrogram::declared()
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &SlidingSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         let outcome = run::run(of.name, self, &of.case.points, task.own.place)?;
         task.progress.advance();
         Ok(outcome)
     }
 
     /// The whole march is read.
-    fn estimate(&self, of: &Subject<'_>) -> Result<Estimate, ModelError> {
-        let read = march(self, of.case).and_then(|march| Size::of(of.system, march));
+    fn estimate(&self, of: &SlidingSubject<'_>) -> Result<Estimate, ModelError> {
+        let read = march(self, of.case).and_then(|march| MarchSize::of(of.system, march));
         let bytes = read.map_or(0, |size| size.stored() as u128);
         Ok(Estimate { name: of.name.to_owned(), points: 1, seconds: 1.0 + FIGURE, bytes })
     }

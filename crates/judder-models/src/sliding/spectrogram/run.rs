@@ -3,11 +3,11 @@
 use crate::error::ModelError;
 use crate::sliding::case::observe::ObservedPoint;
 use crate::sliding::march::variable_name;
-use crate::sliding::spectrogram::settings::{Spectrogram, SpectrogramWindow};
+use crate::sliding::spectrogram::settings::{SpectrogramAnalysis, SpectrogramWindow};
 use judder_numerics::signal::spectrogram::{self as levels, SpectrogramSettings};
 use judder_numerics::signal::window::Window;
 use judder_store::{Dataset, Results, Variable};
-use judder_study::kept::Place;
+use judder_study::kept::StudyPlace;
 use judder_study::outcome::Outcome;
 use judder_study::pictures::reals;
 use serde_json::{Value, json};
@@ -15,9 +15,9 @@ use serde_json::{Value, json};
 /// Levels of a signal over time and frequency, with the unstable zones of a locus.
 pub(crate) fn run(
     name: &str,
-    asked: &Spectrogram,
+    asked: &SpectrogramAnalysis,
     points: &[ObservedPoint],
-    place: Option<Place<'_>>,
+    place: Option<StudyPlace<'_>>,
 ) -> Result<Outcome, ModelError> {
     let needs = |analysis: &str| ModelError::NotDone { analysis: analysis.to_owned(), by: name.to_owned() };
     let place = place.ok_or_else(|| needs(&asked.of))?;
@@ -32,7 +32,7 @@ pub(crate) fn run(
     }
     let march = place.study.read_dataset(&asked.of)?;
     let signal = variable_name(*asked.signal, points);
-    let history = History::new(&march, &signal).ok_or_else(|| ModelError::NotRecorded {
+    let history = StoredHistory::new(&march, &signal).ok_or_else(|| ModelError::NotRecorded {
         march: asked.of.clone(),
         signal: asked.signal.name(points),
     })?;
@@ -41,7 +41,7 @@ pub(crate) fn run(
         Some(locus) => zones(&place, locus)?,
         None => Vec::new(),
     };
-    let shown = Shown::new(&history, found);
+    let shown = ShownLevels::new(&history, found);
     let unit = march.variable(&signal).map_or("", |variable| variable.units.as_str());
     let reference = format!("{} {unit}", asked.reference.number);
     Ok(Outcome {
@@ -67,7 +67,7 @@ pub(super) struct ToldSpectrogram {
 }
 
 /// The stored history of a signal, as far as it is finite.
-struct History<'a> {
+struct StoredHistory<'a> {
     times: &'a [f64],
     positions: &'a [f64],
     values: &'a [f64],
@@ -75,7 +75,7 @@ struct History<'a> {
     pass_band: f64,
 }
 
-impl<'a> History<'a> {
+impl<'a> StoredHistory<'a> {
     fn new(march: &'a Dataset, signal: &str) -> Option<Self> {
         let values = reals(march, signal)?;
         let finite = values.iter().position(|value| !value.is_finite()).unwrap_or(values.len());
@@ -89,7 +89,7 @@ impl<'a> History<'a> {
         })
     }
 
-    fn settings(&self, asked: &Spectrogram) -> SpectrogramSettings {
+    fn settings(&self, asked: &SpectrogramAnalysis) -> SpectrogramSettings {
         SpectrogramSettings {
             start: self.times.first().copied().unwrap_or(0.0),
             window: match asked.window {
@@ -113,15 +113,15 @@ impl<'a> History<'a> {
 }
 
 /// Levels up to the end of the pass band, beyond which the march has kept nothing.
-struct Shown {
+struct ShownLevels {
     times: Vec<f64>,
     positions: Vec<f64>,
     frequencies: Vec<f64>,
     levels: Vec<f64>,
 }
 
-impl Shown {
-    fn new(history: &History<'_>, found: levels::Spectrogram) -> Self {
+impl ShownLevels {
+    fn new(history: &StoredHistory<'_>, found: levels::Spectrogram) -> Self {
         let all = found.frequencies.len();
         let lines = found.frequencies.partition_point(|frequency| *frequency <= history.pass_band).max(1);
         let rows = found.levels.chunks(all);
@@ -133,7 +133,7 @@ impl Shown {
         }
     }
 
-    fn told(&self, asked: &Spectrogram, reference: &str) -> ToldSpectrogram {
+    fn told(&self, asked: &SpectrogramAnalysis, reference: &str) -> ToldSpectrogram {
         let loudest = |best: usize, k: usize| if self.levels[k] > self.levels[best] { k } else { best };
         let at = (0..self.levels.len()).fold(0, loudest);
         let (row, line) = (at / self.frequencies.len(), at % self.frequencies.len());
@@ -151,10 +151,10 @@ impl Shown {
 
     fn dataset(
         &self,
-        asked: &Spectrogram,
+        asked: &SpectrogramAnalysis,
         signal: &str,
         reference: &str,
-        zones: &[Zone],
+        zones: &[LocusZone],
     ) -> Result<Dataset, ModelError> {
         let coordinate = |name: &str, values: &[f64], unit: &str, label: &str| {
             Variable::coordinate(name, values.to_vec()).units(unit).attribute("label", label)
@@ -207,7 +207,7 @@ impl Shown {
 }
 
 /// An unstable zone of a locus.
-struct Zone {
+struct LocusZone {
     from: f64,
     to: f64,
     frequency: f64,
@@ -215,13 +215,13 @@ struct Zone {
 }
 
 /// The unstable zones that a locus has left in the summary.
-fn zones(place: &Place<'_>, locus: &str) -> Result<Vec<Zone>, ModelError> {
+fn zones(place: &StudyPlace<'_>, locus: &str) -> Result<Vec<LocusZone>, ModelError> {
     let summary = place.study.read_summary()?;
     let results = summary.as_ref().and_then(|summary| summary.results.get(locus));
     let listed = results.and_then(|results| results.get("unstable")).and_then(Value::as_array);
     let zone = |listed: &Value| {
         let number = |key: &str| listed.get(key).and_then(Value::as_f64);
-        Some(Zone {
+        Some(LocusZone {
             from: number("from_m")?,
             to: number("to_m")?,
             frequency: number("frequency_hz")?,

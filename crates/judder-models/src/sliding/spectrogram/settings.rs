@@ -3,10 +3,10 @@
 use crate::sliding::case::SlidingCase;
 use crate::sliding::case::observe::{ObservedPoint, Signal};
 use crate::sliding::case::problem::SlidingProblem;
-use crate::sliding::locus::settings::{Along, Locus};
-use crate::sliding::march::settings::March;
+use crate::sliding::locus::settings::{Along, LocusAnalysis};
+use crate::sliding::march::settings::MarchAnalysis;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Named, Number, Pair, Setting, Whole};
+use judder_keys::declared::{Allowed, Named, Number, NumberPair, Setting, Whole};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 /// A spectrogram of a signal.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub struct Spectrogram {
+pub struct SpectrogramAnalysis {
     /// The name of a march that stands above.
     #[key(example = "\"…\", the name of a march that stands above")]
     pub of: String,
@@ -73,10 +73,13 @@ pub enum SpectrogramWindow {
 /// Spectra of a waterfall where the case does not say.
 pub(super) const SPECTRA: usize = 30;
 const SHARE: Number = Number { dimension: Dimension::NUMBER, range: Range::Fraction };
-const LEVELS: Pair =
-    Pair { of: Number::any(Dimension::NUMBER), what: "two levels in dB, from and to", is_ascending: true };
+const LEVELS: NumberPair = NumberPair {
+    of: Number::any(Dimension::NUMBER),
+    what: "two levels in dB, from and to",
+    is_ascending: true,
+};
 
-impl Spectrogram {
+impl SpectrogramAnalysis {
     /// Finds the signal, and reads the amplitude of 0 dB in its unit.
     pub(crate) fn admit(mut self, case: &SlidingCase, section: &Section<'_>) -> Result<Self, Fault> {
         self.signal = Signal::named(section, "signal", &case.points)?;
@@ -130,14 +133,16 @@ pub(crate) fn check_references(
     nodes: &[Node],
 ) -> Result<(), Fault> {
     for (index, (analysis, node)) in analyses.iter().zip(nodes).enumerate() {
-        let Some(spectrogram) = analysis.settings::<Spectrogram>() else { continue };
+        let Some(spectrogram) = analysis.settings::<SpectrogramAnalysis>() else { continue };
         let above = &analyses[..index];
-        let is_march = |other: &Above| other.settings::<March>().is_some();
+        let is_march = |other: &Above| other.settings::<MarchAnalysis>().is_some();
         check_name(above, is_march, "march", "of", &spectrogram.of, node)?;
         check_signal(above, spectrogram, points, node)?;
         if let Some(name) = &spectrogram.locus {
             let is_locus = |other: &Above| {
-                other.settings::<Locus>().is_some_and(|locus| matches!(locus.along, Along::Positions(_)))
+                other
+                    .settings::<LocusAnalysis>()
+                    .is_some_and(|locus| matches!(locus.along, Along::Positions(_)))
             };
             check_name(above, is_locus, "locus over positions", "locus", name, node)?;
         }
@@ -148,11 +153,12 @@ pub(crate) fn check_references(
 /// Refuses a signal that the march does not keep.
 fn check_signal(
     above: &[Above],
-    spectrogram: &Spectrogram,
+    spectrogram: &SpectrogramAnalysis,
     points: &[ObservedPoint],
     node: &Node,
 ) -> Result<(), Fault> {
-    let march = above.iter().find(|other| other.name == spectrogram.of).and_then(Above::settings::<March>);
+    let march =
+        above.iter().find(|other| other.name == spectrogram.of).and_then(Above::settings::<MarchAnalysis>);
     let kept = march.map(|march| march.kept(points.len()));
     if kept.is_none_or(|kept| kept.contains(&*spectrogram.signal)) {
         return Ok(());

@@ -1,17 +1,17 @@
 //! The contact edge of a track: its nodes in order, its direction, and on which side of it the slider lies.
 
-use super::nodes::Nodes;
+use super::nodes::SystemNodes;
 use super::{Uncoupled, part};
 use crate::structure::build::Structure;
 use judder_numerics::words::plain;
-use judder_sliding::plane::Vector;
+use judder_sliding::plane::PlaneVector;
 
 /// A track's edge.
-pub(super) struct Edge {
+pub(super) struct TrackEdge {
     /// Its nodes, from which positions count.
     pub(super) points: Vec<usize>,
     /// Unit vector from the first to the last.
-    pub(super) direction: Vector,
+    pub(super) direction: PlaneVector,
     /// Whether the slider lies to the left of that direction.
     pub(super) is_left: bool,
     /// What was decided.
@@ -21,9 +21,9 @@ pub(super) struct Edge {
 /// A body whose middle is nearer to the edge than this share of the edge's length lies on neither side of it.
 const BESIDE: f64 = 1e-9;
 
-impl Edge {
+impl TrackEdge {
     /// The edge of a slider's track.
-    pub(super) fn new([slider, track]: [&Structure; 2], nodes: &Nodes) -> Result<Self, Uncoupled> {
+    pub(super) fn new([slider, track]: [&Structure; 2], nodes: &SystemNodes) -> Result<Self, Uncoupled> {
         let mut points = nodes.track.clone();
         let mut warnings = Vec::new();
         let places = |points: &[usize]| points.iter().map(|at| part::place(track, *at)).collect::<Vec<_>>();
@@ -52,13 +52,13 @@ impl Edge {
     }
 }
 
-fn direction(chord: Vector) -> Vector {
+fn direction(chord: PlaneVector) -> PlaneVector {
     let length = chord[0].hypot(chord[1]);
     if length > 0.0 { [chord[0] / length, chord[1] / length] } else { [1.0, 0.0] }
 }
 
 /// Whether every node lies beyond the one before, along the line from the first to the last.
-fn is_ordered(places: &[Vector]) -> bool {
+fn is_ordered(places: &[PlaneVector]) -> bool {
     let [first, .., last] = places else { return true };
     let along = direction([last[0] - first[0], last[1] - first[1]]);
     places
@@ -68,7 +68,7 @@ fn is_ordered(places: &[Vector]) -> bool {
 
 /// Sorts nodes along the line to which they lie nearest, towards +x, or +y where it is upright.
 fn sort_along(points: &mut [usize], track: &Structure) {
-    let places: Vec<Vector> = points.iter().map(|at| part::place(track, *at)).collect();
+    let places: Vec<PlaneVector> = points.iter().map(|at| part::place(track, *at)).collect();
     let middle = mean(places.iter().copied());
     let moment = |i: usize, j: usize| -> f64 {
         places.iter().map(|place| (place[i] - middle[i]) * (place[j] - middle[j])).sum()
@@ -83,7 +83,7 @@ fn sort_along(points: &mut [usize], track: &Structure) {
     points.sort_by(|a, b| along(a).total_cmp(&along(b)));
 }
 
-fn mean(places: impl Iterator<Item = Vector>) -> Vector {
+fn mean(places: impl Iterator<Item = PlaneVector>) -> PlaneVector {
     let (sum, count) = places.fold(([0.0; 2], 0.0_f64), |(sum, count), place| {
         ([sum[0] + place[0], sum[1] + place[1]], count + 1.0)
     });
@@ -94,15 +94,15 @@ fn mean(places: impl Iterator<Item = Vector>) -> Vector {
 fn is_left(
     [slider, track]: [&Structure; 2],
     contact: usize,
-    places: &[Vector],
-    direction: Vector,
+    places: &[PlaneVector],
+    direction: PlaneVector,
     warnings: &mut Vec<String>,
 ) -> Result<bool, Uncoupled> {
     let length = match places {
         [first, .., last] => (last[0] - first[0]).hypot(last[1] - first[1]),
         _ => 0.0,
     };
-    let across = |to: Vector, from: Vector| {
+    let across = |to: PlaneVector, from: PlaneVector| {
         let away = direction[0] * (to[1] - from[1]) - direction[1] * (to[0] - from[0]);
         if away.abs() > BESIDE * length { away } else { 0.0 }
     };
@@ -125,7 +125,7 @@ fn is_left(
     }
 }
 
-fn middle(structure: &Structure) -> Vector {
+fn middle(structure: &Structure) -> PlaneVector {
     let points = structure.layout.iter().flat_map(|layout| layout.points.iter());
     mean(points.map(|[x, y, _]| [*x, *y]))
 }
@@ -136,13 +136,13 @@ mod tests {
 
     #[test]
     fn nodes_follow_each_other_or_do_not() {
-        let straight: Vec<Vector> = (0..5).map(|k| [f64::from(k), 0.5 * f64::from(k)]).collect();
+        let straight: Vec<PlaneVector> = (0..5).map(|k| [f64::from(k), 0.5 * f64::from(k)]).collect();
         assert!(is_ordered(&straight));
         let mut swapped = straight.clone();
         swapped.swap(1, 2);
         assert!(!is_ordered(&swapped));
         // both ends first, as mesh generators number them
-        let ends: Vec<Vector> = [0, 4, 1, 2, 3].map(|k: usize| straight[k]).to_vec();
+        let ends: Vec<PlaneVector> = [0, 4, 1, 2, 3].map(|k: usize| straight[k]).to_vec();
         assert!(!is_ordered(&ends));
     }
 }

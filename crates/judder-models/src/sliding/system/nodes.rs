@@ -10,7 +10,7 @@ use judder_sliding::march::most_observed;
 use judder_sliding::pair::PairSide;
 
 /// Points of the structures' layouts, and freedoms.
-pub(super) struct Nodes {
+pub(super) struct SystemNodes {
     /// C, of the slider.
     pub(super) contact: usize,
     /// The nodes of the track in the order of their set.
@@ -23,7 +23,7 @@ pub(super) struct Nodes {
     pub(super) freedoms: [Vec<usize>; 2],
 }
 
-impl Nodes {
+impl SystemNodes {
     /// Looks all of them up.
     pub(super) fn new(case: &SlidingCase, structures: [&Structure; 2]) -> Result<Self, Uncoupled> {
         let [slider, track] = [*case.contact.slider.structure, *case.contact.track.structure];

@@ -6,7 +6,7 @@ use crate::sliding::case::SlidingCase;
 use crate::structure::build::{Structure, symmetric_part};
 use crate::structure::case::reduction::FixedModes;
 use faer::Mat;
-use judder_sliding::plane::Vector;
+use judder_sliding::plane::PlaneVector;
 use judder_sliding::reduced::Reduced;
 use judder_structure::assembly::{Sparse, inertia_load};
 use judder_structure::craig_bampton::{CraigBampton, CutOff};
@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// One of the two structures in modal form.
-pub(crate) struct Part {
+pub(crate) struct StructurePart {
     /// As it was read or assembled.
     pub(crate) structure: Arc<Structure>,
     /// The freedoms that are kept.
@@ -26,7 +26,7 @@ pub(crate) struct Part {
     /// Its modal form.
     pub(crate) reduced: Reduced,
     /// The direction of the inertia load; of the slider alone.
-    pub(super) direction: Option<Vector>,
+    pub(super) direction: Option<PlaneVector>,
     warnings: Vec<String>,
 }
 
@@ -41,7 +41,7 @@ fn refused(case: &SlidingCase, index: usize, error: &dyn std::fmt::Display) -> U
 }
 
 /// A structure on its kept freedoms and fixed-interface modes, and what it was reduced from.
-struct Reduction {
+struct PartReduction {
     stiffness: Sparse,
     mass: Sparse,
     /// α and β.
@@ -49,7 +49,7 @@ struct Reduction {
     reduced: CraigBampton,
 }
 
-impl Reduction {
+impl PartReduction {
     fn new(
         case: &SlidingCase,
         index: usize,
@@ -81,18 +81,18 @@ impl Reduction {
     }
 }
 
-impl Part {
+impl StructurePart {
     /// Reduces a structure to kept freedoms, with the inertia load along `direction` where it moves.
     pub(super) fn new(
         case: &SlidingCase,
         index: usize,
         structure: &Arc<Structure>,
         kept: &[usize],
-        direction: Option<Vector>,
+        direction: Option<PlaneVector>,
     ) -> Result<Self, Uncoupled> {
         let refuse = |error: &dyn std::fmt::Display| refused(case, index, error);
-        let reduction = Reduction::new(case, index, structure, kept)?;
-        let Reduction { stiffness, mass, damping, reduced } = &reduction;
+        let reduction = PartReduction::new(case, index, structure, kept)?;
+        let PartReduction { stiffness, mass, damping, reduced } = &reduction;
         let mut warnings = Vec::new();
         let load = match direction {
             Some(direction) => {
@@ -111,7 +111,7 @@ impl Part {
     /// Φ on all freedoms of the structure, by the modes of its modal form: 1/√kg. The structure is reduced anew, for its basis is too large
     /// to keep where nobody looks at shapes.
     pub(crate) fn shapes(&self, case: &SlidingCase, index: usize) -> Result<Mat<f64>, Uncoupled> {
-        let Reduction { reduced, .. } = Reduction::new(case, index, &self.structure, &self.kept)?;
+        let PartReduction { reduced, .. } = PartReduction::new(case, index, &self.structure, &self.kept)?;
         let form = reduced.modal_form().map_err(|error| refused(case, index, &error))?;
         Ok(&reduced.basis * &form.shapes)
     }
@@ -136,7 +136,7 @@ impl Part {
     }
 
     /// Where a point lies, m.
-    pub(super) fn place(&self, point: usize) -> Vector {
+    pub(super) fn place(&self, point: usize) -> PlaneVector {
         place(&self.structure, point)
     }
 
@@ -147,7 +147,7 @@ impl Part {
 }
 
 /// Where a point of a structure lies, m.
-pub(super) fn place(structure: &Structure, point: usize) -> Vector {
+pub(super) fn place(structure: &Structure, point: usize) -> PlaneVector {
     let place = structure.layout.as_ref().and_then(|layout| layout.points.get(point));
     place.map_or([0.0; 2], |[x, y, _]| [*x, *y])
 }
@@ -156,7 +156,7 @@ pub(super) fn place(structure: &Structure, point: usize) -> Vector {
 fn inertia(
     structure: &Structure,
     mass: &Sparse,
-    [x, y]: Vector,
+    [x, y]: PlaneVector,
     warnings: &mut Vec<String>,
 ) -> Result<Vec<f64>, judder_structure::StructureError> {
     if let Some(elements) = &structure.elements {

@@ -7,7 +7,7 @@ use judder_sliding::pair::Pair;
 
 /// The step of a march and its limit, s.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Step {
+pub(crate) struct MarchStep {
     /// h.
     pub(crate) step: f64,
     /// The largest stable one.
@@ -30,7 +30,7 @@ pub(crate) fn step(
     method: ContactMethod,
     given: Option<f64>,
     motion: Motion,
-) -> Result<Step, SlidingError> {
+) -> Result<MarchStep, SlidingError> {
     // the static path does not matter to the limit, and takes long
     let method = if matches!(method, ContactMethod::Subs { .. }) {
         ContactMethod::Subs { static_slope: false }
@@ -48,5 +48,5 @@ pub(crate) fn step(
     if step > limit {
         return Err(SlidingError::StepOverLimit { step, limit });
     }
-    Ok(Step { step, limit })
+    Ok(MarchStep { step, limit })
 }

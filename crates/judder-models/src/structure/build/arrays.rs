@@ -1,7 +1,7 @@
 //! Matrices that stand in the case, as sums: what no parameter enters is one matrix, every expression one of its own.
 
-use super::{Layout, Structure, Unbuilt};
-use crate::entries::{Entry, EntryMatrix};
+use super::{Structure, StructureLayout, Unbuilt};
+use crate::entries::{EntryMatrix, MatrixEntry};
 use crate::structure::case::arrays::MatrixArrays;
 use faer::sparse::Triplet;
 use judder_keys::cause::Cause;
@@ -40,7 +40,7 @@ fn terms(matrix: &EntryMatrix) -> Result<Vec<Term>, StructureError> {
         let made = Sparse::try_new_from_triplets(rows, rows, entries);
         made.map_err(|_| StructureError::OutOfMemory { rows })
     };
-    let placed = |entry: &Entry, value: f64| {
+    let placed = |entry: &MatrixEntry, value: f64| {
         let [row, column] = entry.position();
         Triplet::new(row, column, value)
     };
@@ -56,7 +56,7 @@ fn terms(matrix: &EntryMatrix) -> Result<Vec<Term>, StructureError> {
 }
 
 /// The nodes, numbered from one on, each a set of its name.
-fn layout(arrays: &MatrixArrays) -> Layout {
+fn layout(arrays: &MatrixArrays) -> StructureLayout {
     let (nodes, places) = (arrays.nodes(), arrays.places());
     let number = |name: &String| nodes.iter().position(|node| node == name).unwrap_or_default();
     let table: Vec<Freedom> = arrays
@@ -70,5 +70,5 @@ fn layout(arrays: &MatrixArrays) -> Layout {
         .collect();
     // nodes are numbered in the order of their first freedoms, as points are
     let sets = nodes.iter().enumerate().map(|(point, name)| (name.clone(), vec![point])).collect();
-    Layout { sets, ..Layout::of_table(&table) }
+    StructureLayout { sets, ..StructureLayout::of_table(&table) }
 }

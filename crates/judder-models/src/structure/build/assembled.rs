@@ -1,7 +1,7 @@
 //! Elements with materials and supports, assembled.
 
-use super::{Elements, Layout, Structure, Unbuilt};
-use crate::structure::case::body::{Body, PlaneSection};
+use super::{Elements, Structure, StructureLayout, Unbuilt};
+use crate::structure::case::body::{BodySettings, PlaneSection};
 use crate::structure::case::damping::Damping;
 use crate::structure::case::problem::StructureProblem;
 use judder_structure::affine::{AffineFamily, Factors, Term};
@@ -36,7 +36,7 @@ pub(super) fn assembled(
     };
     let family = AffineFamily::new(vec![term("mass", &mass)], damping, vec![term("stiffness", &stiffness)])
         .map_err(|error| Unbuilt::because("structure", &error))?;
-    let layout = Layout::of_mesh(&mesh, &numbering);
+    let layout = StructureLayout::of_mesh(&mesh, &numbering);
     let elements = Some(Elements { mesh, materials, numbering });
     Ok(Structure { family, layout: Some(layout), elements, kept: Vec::new(), warnings: Vec::new() })
 }
@@ -57,7 +57,7 @@ pub(super) fn dimension_of(mesh: &Mesh) -> usize {
 }
 
 /// How the elements of a body are meant.
-pub(super) fn section(body: &Body, dimension: usize) -> ElementSection {
+pub(super) fn section(body: &BodySettings, dimension: usize) -> ElementSection {
     let thickness = body.width.unwrap_or(WIDTH);
     match (dimension, body.section) {
         (3, _) => ElementSection::Solid,
@@ -67,7 +67,7 @@ pub(super) fn section(body: &Body, dimension: usize) -> ElementSection {
 }
 
 /// Adds the supports that a case names by sets.
-pub(super) fn add_supports(body: &Body, mesh: &Mesh, supports: &mut Supports) -> Result<(), Unbuilt> {
+pub(super) fn add_supports(body: &BodySettings, mesh: &Mesh, supports: &mut Supports) -> Result<(), Unbuilt> {
     for (index, support) in body.supports.iter().enumerate() {
         let nodes = nodes_of(&mesh.node_sets, &support.set, &format!("structure.supports.{index}.set"))?;
         hold(nodes, support.fixed, support.tied, supports);

@@ -2,7 +2,9 @@
 
 use super::assembled::{add_supports, assembled, dimension_of, hold, section};
 use super::{Structure, Unbuilt};
-use crate::structure::case::body::{Beam, Block, Body, Disc, EndCondition, Geometry};
+use crate::structure::case::body::{
+    BeamSettings, Block, BodyGeometry, BodySettings, DiscSettings, EndCondition,
+};
 use crate::structure::case::damping::Damping;
 use judder_structure::beam;
 use judder_structure::freedom::Supports;
@@ -12,12 +14,12 @@ use judder_structure::mesh::Mesh;
 /// The material of a generated body.
 const OWN: &str = "structure.material";
 /// Assembles a body with its damping.
-pub(super) fn structure(body: &Body, damping: &Damping) -> Result<Structure, Unbuilt> {
+pub(super) fn structure(body: &BodySettings, damping: &Damping) -> Result<Structure, Unbuilt> {
     let (mesh, mut supports) = match &body.geometry {
-        Geometry::Beam(beam) => beam_mesh(beam)?,
-        Geometry::Block(block) => (block_mesh(block)?, Supports::default()),
-        Geometry::Disc(disc) => (disc_mesh(disc)?, Supports::default()),
-        Geometry::Mesh(file) => return super::mesh_file::structure(body, file, damping),
+        BodyGeometry::Beam(beam) => beam_mesh(beam)?,
+        BodyGeometry::Block(block) => (block_mesh(block)?, Supports::default()),
+        BodyGeometry::Disc(disc) => (disc_mesh(disc)?, Supports::default()),
+        BodyGeometry::Mesh(file) => return super::mesh_file::structure(body, file, damping),
     };
     add_supports(body, &mesh, &mut supports)?;
     let material = body.material;
@@ -28,8 +30,8 @@ pub(super) fn structure(body: &Body, damping: &Damping) -> Result<Structure, Unb
 }
 
 /// The mesh of a beam and what holds its ends.
-fn beam_mesh(beam: &Beam) -> Result<(Mesh, Supports), Unbuilt> {
-    let Beam { length, thickness, elements, origin, angle, start, end } = *beam;
+fn beam_mesh(beam: &BeamSettings) -> Result<(Mesh, Supports), Unbuilt> {
+    let BeamSettings { length, thickness, elements, origin, angle, start, end } = *beam;
     let mesh = beam::Beam { length, thickness, elements, origin, angle }
         .mesh(OWN)
         .map_err(|error| Unbuilt::because("structure.beam", &error))?;
@@ -60,7 +62,7 @@ fn block_mesh(block: &Block) -> Result<Mesh, Unbuilt> {
     .map_err(|error| Unbuilt::because("structure.block", &error))
 }
 
-fn disc_mesh(disc: &Disc) -> Result<Mesh, Unbuilt> {
+fn disc_mesh(disc: &DiscSettings) -> Result<Mesh, Unbuilt> {
     let origin = disc.origin.as_deref().unwrap_or_default();
     let moved = |axis: usize, along: f64| origin.get(axis).map_or(along, |from| from + along);
     disc.ring()

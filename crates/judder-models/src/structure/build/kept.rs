@@ -2,10 +2,10 @@
 
 use super::{Structure, Unbuilt};
 use crate::structure::case::problem::StructureProblem;
-use crate::structure::case::reduction::{Kept, KeptNodes, Reduction};
+use crate::structure::case::reduction::{KeptFreedoms, KeptNodes, ReductionSettings};
 
 /// The freedoms of the kept nodes, each once, in the order of the case.
-pub(super) fn kept(reduction: &Reduction, structure: &Structure) -> Result<Vec<usize>, Unbuilt> {
+pub(super) fn kept(reduction: &ReductionSettings, structure: &Structure) -> Result<Vec<usize>, Unbuilt> {
     let freedoms = freedoms_of(reduction, structure)?;
     let all = structure.family.size();
     let what = match freedoms.len() {
@@ -17,7 +17,10 @@ pub(super) fn kept(reduction: &Reduction, structure: &Structure) -> Result<Vec<u
 }
 
 /// The same, which may be none or all.
-pub(crate) fn freedoms_of(reduction: &Reduction, structure: &Structure) -> Result<Vec<usize>, Unbuilt> {
+pub(crate) fn freedoms_of(
+    reduction: &ReductionSettings,
+    structure: &Structure,
+) -> Result<Vec<usize>, Unbuilt> {
     let mut freedoms = Vec::new();
     let mut is_kept = vec![false; structure.family.size()];
     for (index, kept) in reduction.kept.iter().enumerate() {
@@ -47,7 +50,7 @@ pub(crate) fn points_of(nodes: &KeptNodes, structure: &Structure, path: &str) ->
     }
 }
 
-fn of_nodes(kept: &Kept, structure: &Structure, index: usize) -> Result<Vec<usize>, Unbuilt> {
+fn of_nodes(kept: &KeptFreedoms, structure: &Structure, index: usize) -> Result<Vec<usize>, Unbuilt> {
     let Some(layout) = &structure.layout else { return Ok(Vec::new()) };
     let points = points_of(&kept.nodes, structure, &format!("reduction.kept.{index}"))?;
     let of_point = |point: &usize| {

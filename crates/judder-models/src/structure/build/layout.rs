@@ -6,7 +6,7 @@ use judder_structure::mesh::Mesh;
 use std::collections::BTreeMap;
 
 /// Places, which freedoms they have, and lines between them.
-pub(crate) struct Layout {
+pub(crate) struct StructureLayout {
     /// Where the points lie, m.
     pub(crate) points: Vec<[f64; 3]>,
     /// What the points are called: numbers of nodes.
@@ -22,7 +22,7 @@ pub(crate) struct Layout {
 /// Faces meet in an edge of the body where the cosine between their normals is below this: about 30°.
 const EDGE: f64 = 0.87;
 
-impl Layout {
+impl StructureLayout {
     /// The nodes of a mesh, with the outline of its surface.
     pub(crate) fn of_mesh(mesh: &Mesh, numbering: &Numbering) -> Self {
         let freedoms = (0..mesh.nodes.len())
@@ -63,7 +63,7 @@ impl Layout {
 }
 
 /// An edge of the surface: its node in the middle, where it has one, and the normals of its faces.
-struct Edge {
+struct SurfaceEdge {
     middle: Option<usize>,
     normals: Vec<[f64; 3]>,
 }
@@ -105,15 +105,16 @@ fn side_in_plane(side: &[usize]) -> Vec<[usize; 2]> {
 }
 
 /// The edges of free faces, by their corners.
-fn surface_edges(mesh: &Mesh, free: &[Vec<usize>]) -> BTreeMap<[usize; 2], Edge> {
-    let mut edges: BTreeMap<[usize; 2], Edge> = BTreeMap::new();
+fn surface_edges(mesh: &Mesh, free: &[Vec<usize>]) -> BTreeMap<[usize; 2], SurfaceEdge> {
+    let mut edges: BTreeMap<[usize; 2], SurfaceEdge> = BTreeMap::new();
     for side in free {
         let corners = corners_of_face(side.len());
         let normal = normal(mesh, &side[..corners]);
         for k in 0..corners {
             let (a, b) = (side[k], side[(k + 1) % corners]);
             let middle = middle_of_edge(mesh, side, corners, [a, b]);
-            let edge = edges.entry([a.min(b), a.max(b)]).or_insert(Edge { middle, normals: Vec::new() });
+            let edge =
+                edges.entry([a.min(b), a.max(b)]).or_insert(SurfaceEdge { middle, normals: Vec::new() });
             edge.normals.push(normal);
         }
     }

@@ -2,7 +2,7 @@
 
 use super::assembled::{add_supports, assembled, section};
 use super::{Structure, Unbuilt};
-use crate::structure::case::body::Body;
+use crate::structure::case::body::BodySettings;
 use crate::structure::case::damping::Damping;
 use crate::structure::case::problem::StructureProblem;
 use judder_exchange::mesh_file::{FileSection, MeshFile, Units, read_mesh};
@@ -12,7 +12,11 @@ use judder_structure::material::{Elastic, ElementSection};
 use std::collections::BTreeMap;
 
 /// Reads a mesh and assembles it.
-pub(super) fn structure(body: &Body, file: &FileReference, damping: &Damping) -> Result<Structure, Unbuilt> {
+pub(super) fn structure(
+    body: &BodySettings,
+    file: &FileReference,
+    damping: &Damping,
+) -> Result<Structure, Unbuilt> {
     let mut read = read_mesh(&file.path).map_err(|error| {
         Unbuilt::new("structure.mesh", StructureProblem::File { reason: error.to_string() })
     })?;
@@ -47,7 +51,7 @@ fn name_nodes(read: &mut MeshFile) {
 }
 
 /// Refuses materials of the case under names that the mesh does not have.
-fn refuse_strangers(body: &Body, read: &MeshFile) -> Result<(), Unbuilt> {
+fn refuse_strangers(body: &BodySettings, read: &MeshFile) -> Result<(), Unbuilt> {
     let of_file = read.sections.values().filter_map(|section| section.material.clone());
     let mut known: Vec<String> =
         read.mesh.blocks.iter().map(|block| block.material.clone()).chain(of_file).collect();
@@ -64,7 +68,10 @@ fn refuse_strangers(body: &Body, read: &MeshFile) -> Result<(), Unbuilt> {
 
 /// Material and section of each block: what the case says under the name of the block or of its material, what the file says of it, the
 /// material of the whole case.
-fn materials(body: &Body, read: &MeshFile) -> Result<BTreeMap<String, (Elastic, ElementSection)>, Unbuilt> {
+fn materials(
+    body: &BodySettings,
+    read: &MeshFile,
+) -> Result<BTreeMap<String, (Elastic, ElementSection)>, Unbuilt> {
     let mut materials = BTreeMap::new();
     for block in &read.mesh.blocks {
         let name = &block.material;
@@ -99,7 +106,7 @@ fn told(read: &MeshFile, name: Option<&String>) -> Result<Option<Elastic>, Unbui
 }
 
 /// The section that the case gives, else that of the file.
-fn section_of(body: &Body, own: Option<&FileSection>, dimension: usize) -> ElementSection {
+fn section_of(body: &BodySettings, own: Option<&FileSection>, dimension: usize) -> ElementSection {
     match own {
         Some(own) if body.section.is_none() && body.width.is_none() => own.section,
         _ => section(body, dimension),

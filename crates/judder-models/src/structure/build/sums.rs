@@ -1,6 +1,6 @@
 //! Matrices of other programs, read.
 
-use super::{Layout, Structure, Unbuilt};
+use super::{Structure, StructureLayout, Unbuilt};
 use crate::structure::case::matrices::{MatrixSums, MatrixTerm, StoredPart};
 use crate::structure::case::problem::StructureProblem;
 use judder_exchange::freedom_table::read_freedoms;
@@ -28,7 +28,7 @@ pub(super) fn structure(sums: &MatrixSums) -> Result<Structure, Unbuilt> {
     });
     let family = AffineFamily::new(mass?, damping?, stiffness?)
         .map_err(|error| Unbuilt::because("matrices", &error))?;
-    let layout = table.as_deref().map(Layout::of_table);
+    let layout = table.as_deref().map(StructureLayout::of_table);
     Ok(Structure { family, layout, elements: None, kept: Vec::new(), warnings: Vec::new() })
 }
 

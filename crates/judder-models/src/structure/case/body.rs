@@ -7,7 +7,7 @@ use super::lists::length;
 use super::orientation::Orientation;
 use super::problem::StructureProblem;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Fixed, Number, Pair, Setting, Several, Whole, all};
+use judder_keys::declared::{Allowed, Fixed, Number, NumberPair, Setting, Several, Whole, all};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Entry, Node};
 use judder_keys::error::Fault;
@@ -23,11 +23,11 @@ use std::f64::consts::TAU;
 
 /// A body of elements.
 #[derive(Debug, Clone, PartialEq, Settings)]
-#[settings(check = Body::fits)]
-pub struct Body {
+#[settings(check = BodySettings::fits)]
+pub struct BodySettings {
     /// Where its elements come from.
     #[key(flatten)]
-    pub geometry: Geometry,
+    pub geometry: BodyGeometry,
     /// The unit of the lengths of a mesh file, and with newtons and seconds of what it says of materials; metres where left out.
     #[key(omitted)]
     pub unit: Option<LengthUnit>,
@@ -72,21 +72,21 @@ impl LengthUnit {
 
 /// Where elements come from.
 #[derive(Debug, Clone, PartialEq, Settings)]
-#[settings(check = Geometry::is_one)]
-pub enum Geometry {
+#[settings(check = BodyGeometry::is_one)]
+pub enum BodyGeometry {
     /// A straight beam of eight-node quadrilaterals.
-    Beam(Beam),
+    Beam(BeamSettings),
     /// A rectangle or box of equal cells.
     Block(Block),
     /// A disc or ring about the z-axis.
-    Disc(Disc),
+    Disc(DiscSettings),
     /// A mesh file, .msh or .inp, relative to the case file.
     Mesh(FileReference),
 }
 
 /// A straight beam in the plane.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub struct Beam {
+pub struct BeamSettings {
     /// Length of a beam.
     #[key(rule = LENGTH, symbol = "l")]
     pub length: f64,
@@ -167,8 +167,8 @@ impl Block {
 
 /// A disc with a hole, or a ring, about an axis along z.
 #[derive(Debug, Clone, PartialEq, Settings)]
-#[settings(check = Disc::complete)]
-pub struct Disc {
+#[settings(check = DiscSettings::complete)]
+pub struct DiscSettings {
     /// The shape of a disc's elements, `hexahedron8` or `hexahedron20`, which is the one where left out.
     pub element: Option<ElementKind>,
     /// Inner and outer radius of a disc.
@@ -182,7 +182,7 @@ pub struct Disc {
     pub cells: Vec<usize>,
     /// Where along the radius a disc has cells of another size, as under a pad.
     #[key(omitted)]
-    pub band: Option<Band>,
+    pub band: Option<DiscBand>,
     /// Where around the axis a disc has cells of another size.
     #[key(omitted)]
     pub sector: Option<Sector>,
@@ -193,7 +193,7 @@ pub struct Disc {
 
 /// Radii between which a disc has cells of its own.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub struct Band {
+pub struct DiscBand {
     /// From and to, within those of the disc.
     #[key(rule = RADII, symbol = "r", example = "[\"150 mm\", \"170 mm\"]")]
     pub radii: [f64; 2],
@@ -213,7 +213,7 @@ pub struct Sector {
     pub cells: usize,
 }
 
-impl Disc {
+impl DiscSettings {
     /// Fills in the shape that is left out; refuses elements of which no disc is made, a band beyond the disc and a sector of a turn or more.
     fn complete(&mut self, section: &Section<'_>) -> Result<(), Fault> {
         let element = *self.element.get_or_insert(ElementKind::Hexahedron20);
@@ -221,7 +221,7 @@ impl Disc {
             return Err(StructureProblem::DiscElement { kind: element }.at(section.place_of(&["element"])));
         }
         let [inner, outer] = self.radii;
-        if let Some(Band { radii: [from, to], .. }) = self.band
+        if let Some(DiscBand { radii: [from, to], .. }) = self.band
             && !(inner <= from && to <= outer)
         {
             return Err(StructureProblem::BeyondDisc { inner, outer }.at(section.place_of(&["band"])));
@@ -240,7 +240,7 @@ impl Disc {
         let kind = self.element.unwrap_or(ElementKind::Hexahedron20);
         let mut ring = Ring::even(kind, self.radii, self.thickness, [cells(0), cells(1), cells(2)]);
         let [inner, outer] = self.radii;
-        if let Some(Band { radii: [from, to], cells: within }) = self.band {
+        if let Some(DiscBand { radii: [from, to], cells: within }) = self.band {
             let beside = [from - inner, outer - to];
             let share =
                 |width: f64| ((cells(0) as f64 * width / (beside[0] + beside[1])).round() as usize).max(1);
@@ -302,12 +302,12 @@ const LENGTH: Number = Number::positive(Dimension::LENGTH);
 /// Elements along a side.
 const ELEMENTS_RANGE: Whole = Whole { from: ELEMENTS.0, to: ELEMENTS.1 };
 const ELEMENTS_TWICE: Fixed<Whole> = Fixed { of: ELEMENTS_RANGE, what: "two numbers, along and across" };
-const PLACE: Pair =
-    Pair { of: Number::any(Dimension::LENGTH), what: "two lengths, x and y", is_ascending: false };
+const PLACE: NumberPair =
+    NumberPair { of: Number::any(Dimension::LENGTH), what: "two lengths, x and y", is_ascending: false };
 /// Radii of a disc.
-const RADII: Pair = Pair { of: LENGTH, what: "two radii, inner and outer", is_ascending: true };
-const ANGLES: Pair =
-    Pair { of: Number::any(Dimension::ANGLE), what: "two angles, from and to", is_ascending: true };
+const RADII: NumberPair = NumberPair { of: LENGTH, what: "two radii, inner and outer", is_ascending: true };
+const ANGLES: NumberPair =
+    NumberPair { of: Number::any(Dimension::ANGLE), what: "two angles, from and to", is_ascending: true };
 const DISC_CELLS: Several<Whole> = Several { of: ELEMENTS_RANGE, length: [3, 3] };
 const AXIS: Several<Number> = Several { of: Number::any(Dimension::LENGTH), length: [3, 3] };
 const SIDES: Several<Number> = Several { of: LENGTH, length: [2, 3] };
@@ -348,7 +348,7 @@ impl Setting for Materials {
     }
 }
 
-impl Geometry {
+impl BodyGeometry {
     /// The keys of which a body has one.
     pub(super) const KEYS: [&'static str; 4] = ["beam", "block", "disc", "mesh"];
 
@@ -363,10 +363,10 @@ impl Geometry {
     }
 }
 
-impl Body {
+impl BodySettings {
     /// Refuses what has no meaning beside its elements, and elements without a material.
     fn fits(&mut self, section: &Section<'_>) -> Result<(), Fault> {
-        let (is_solid, is_mesh) = (self.is_solid(), matches!(self.geometry, Geometry::Mesh(_)));
+        let (is_solid, is_mesh) = (self.is_solid(), matches!(self.geometry, BodyGeometry::Mesh(_)));
         let refused = [
             ("section", "elements of space", is_solid),
             ("width", "elements of space", is_solid),
@@ -384,9 +384,9 @@ impl Body {
         let example =
             "material = { youngs_modulus = \"210 GPa\", poisson_ratio = 0.3, density = \"7850 kg/m^3\" }";
         let what = match self.geometry {
-            Geometry::Beam(_) => "a beam",
-            Geometry::Disc(_) => "a disc",
-            Geometry::Block(_) | Geometry::Mesh(_) => "a block",
+            BodyGeometry::Beam(_) => "a beam",
+            BodyGeometry::Disc(_) => "a disc",
+            BodyGeometry::Block(_) | BodyGeometry::Mesh(_) => "a block",
         };
         Err(StructureProblem::Needs { what, key: "material", example }.at(section.place))
     }
@@ -394,15 +394,15 @@ impl Body {
     /// Whether its elements are of space.
     pub fn is_solid(&self) -> bool {
         match &self.geometry {
-            Geometry::Block(block) => block.element().dimension() == 3,
-            Geometry::Disc(_) => true,
-            Geometry::Beam(_) | Geometry::Mesh(_) => false,
+            BodyGeometry::Block(block) => block.element().dimension() == 3,
+            BodyGeometry::Disc(_) => true,
+            BodyGeometry::Beam(_) | BodyGeometry::Mesh(_) => false,
         }
     }
 
     /// Finds its mesh file, which is relative to `folder`.
     pub(crate) fn found(mut self, section: &Section<'_>, folder: &Path) -> Result<Self, Fault> {
-        if let Geometry::Mesh(file) = &mut self.geometry {
+        if let BodyGeometry::Mesh(file) = &mut self.geometry {
             *file = read_mesh(section, folder)?;
         }
         Ok(self)

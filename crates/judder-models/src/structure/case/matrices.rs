@@ -45,8 +45,8 @@ pub struct MatrixTerm {
     #[key(example = "\"…\", a path relative to the case file")]
     pub file: FileReference,
     /// A number or an expression of the parameters.
-    #[key(default = Factor::constant(1.0))]
-    pub factor: Factor,
+    #[key(default = MatrixFactor::constant(1.0))]
+    pub factor: MatrixFactor,
     /// What of a symmetric matrix the file holds; what the matrices say where left out.
     pub triangle: Option<StoredPart>,
 }
@@ -67,7 +67,7 @@ pub enum StoredPart {
 
 /// A factor: an expression of the parameters, compiled once they are known.
 #[derive(Debug, Clone)]
-pub struct Factor {
+pub struct MatrixFactor {
     /// The expression as the case has it; `1` where it gives none.
     pub text: String,
     expression: Expression,
@@ -79,7 +79,7 @@ pub struct Factor {
 
 const TERMS: Several<()> = Several { of: (), length: [1, usize::MAX] };
 
-impl Factor {
+impl MatrixFactor {
     fn constant(value: f64) -> Self {
         let (text, expression) = (value.to_string(), Expression::constant(value));
         Self { text, expression, parameters: Vec::new(), file: String::new() }
@@ -130,7 +130,7 @@ impl MatrixSums {
 /// The endings of matrix files that are read.
 pub const MATRIX_ENDINGS: [&str; 3] = [".mtx", ".mat", ".npz"];
 
-impl Setting for Factor {
+impl Setting for MatrixFactor {
     type Rule = ();
 
     fn form((): &()) -> Allowed {
@@ -215,7 +215,7 @@ impl MatrixTerm {
     }
 }
 
-impl Factor {
+impl MatrixFactor {
     /// Compiles what stands at `node`, where that is an expression.
     fn compile(&mut self, node: Option<&Node>, parameters: &[String]) -> Result<(), Fault> {
         let Some(node @ Node { data: Data::Text(text), .. }) = node else { return Ok(()) };

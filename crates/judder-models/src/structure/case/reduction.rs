@@ -12,10 +12,10 @@ use judder_keys::section::{Section, list, text};
 
 /// What a Craig–Bampton reduction keeps.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub struct Reduction {
+pub struct ReductionSettings {
     /// Freedoms that are kept.
     #[key(rule = KEPT, filled)]
-    pub kept: Vec<Kept>,
+    pub kept: Vec<KeptFreedoms>,
     /// The fixed-interface modes that are kept.
     #[key(flatten)]
     pub modes: FixedModes,
@@ -24,7 +24,7 @@ pub struct Reduction {
 /// Freedoms that are kept.
 #[derive(Debug, Clone, PartialEq, Settings)]
 #[settings(title = "an entry of `{path}`")]
-pub struct Kept {
+pub struct KeptFreedoms {
     /// Whose freedoms they are.
     #[key(flatten)]
     pub nodes: KeptNodes,
@@ -64,7 +64,7 @@ pub const FIXED_MODES: usize = 20;
 /// The most fixed-interface modes.
 pub const FIXED_MODES_LIMIT: usize = 2000;
 
-impl Reduction {
+impl ReductionSettings {
     /// Refuses kept freedoms that a structure from `source` cannot have.
     pub(crate) fn admit(&self, section: &Section<'_>, source: &StructureSource) -> Result<(), Fault> {
         let Some(node) = section.get("kept") else { return Ok(()) };

@@ -59,7 +59,7 @@ pub(crate) struct Diagnosed {
     /// of what matrices those are
     component_modes_of: &'static str,
     /// what parameters change
-    parameters: Vec<Moved>,
+    parameters: Vec<MovedModes>,
 }
 
 /// What a matrix adds to a growth rate.
@@ -100,7 +100,7 @@ struct TakingPart {
 
 /// What a parameter changes.
 #[derive(Results)]
-struct Moved {
+struct MovedModes {
     name: String,
     /// ∂λ/∂(the parameter)
     sensitivity: Complex64,
@@ -286,7 +286,11 @@ fn taking_part(undamped: &Undamped, components: &[Mode], mode: &ComplexMode) -> 
 }
 
 /// ∂λ/∂p of every parameter: Σ ∂λ/∂fᵢ dfᵢ/dp, the factors' derivatives by central differences.
-fn by_parameters(case: &StructureCase, told: &Diagnosis, at: &Factors) -> Result<Vec<Moved>, ModelError> {
+fn by_parameters(
+    case: &StructureCase,
+    told: &Diagnosis,
+    at: &Factors,
+) -> Result<Vec<MovedModes>, ModelError> {
     let mut entries = Vec::new();
     for (index, parameter) in case.parameters.iter().enumerate() {
         let step = STEP * if parameter.value == 0.0 { 1.0 } else { parameter.value.abs() };
@@ -317,7 +321,7 @@ fn by_parameters(case: &StructureCase, told: &Diagnosis, at: &Factors) -> Result
             .zip(slopes)
             .map(|(influence, (part, k))| influence.sensitivity * slope(part, k))
             .sum();
-        entries.push(Moved { name: parameter.name.clone(), sensitivity });
+        entries.push(MovedModes { name: parameter.name.clone(), sensitivity });
     }
     Ok(entries)
 }

@@ -5,7 +5,7 @@ pub(crate) mod figure;
 pub(crate) mod run;
 pub(crate) mod tables;
 
-use super::Subject;
+use super::StructureSubject;
 use crate::error::ModelError;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 /// Complex modes.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub struct Eigen {
+pub struct EigenAnalysis {
     /// The rectangle of λ = re + i im in which eigenvalues are sought.
     #[key(example = "{ re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s")]
     pub region: Region,
@@ -32,9 +32,9 @@ pub struct Eigen {
 pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = Kind {
     name: "eigen",
     doc: "all complex modes in a region of the plane of growth rate and frequency, each with its error",
-    declared: Eigen::declarations,
+    declared: EigenAnalysis::declarations,
     read: |scope, section| {
-        let ((), own) = both(scope.check_factors(section), Eigen::read_table(section))?;
+        let ((), own) = both(scope.check_factors(section), EigenAnalysis::read_table(section))?;
         Ok(Arc::new(own))
     },
     picture: Some(Picture {
@@ -44,8 +44,8 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
     }),
 };
 
-impl Analysis<StructureCase> for Eigen {
-    fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
+impl Analysis<StructureCase> for EigenAnalysis {
+    fn run(&self, of: &StructureSubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, of.structure, of.name, &self.region)
     }
 
@@ -53,7 +53,7 @@ impl Analysis<StructureCase> for Eigen {
         ToldRegion::declared()
     }
 
-    fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {
+    fn estimate(&self, _: &StructureSubject<'_>) -> Result<String, ModelError> {
         let ([from, to], [low, high]) = (self.region.re, self.region.im);
         Ok(format!("complex modes, Re from {from} to {to}, Im from {low} to {high}"))
     }

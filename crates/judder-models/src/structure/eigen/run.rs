@@ -1,10 +1,10 @@
 //! `eigen`: all complex modes in a region, each with its error.
 
-use super::super::fields::{self, ModeKind, Shape};
+use super::super::fields::{self, ModeKind, NamedShape};
 use super::super::shapes;
 use super::diagnosis::{self, Diagnosed};
 use crate::error::ModelError;
-use crate::structure::build::{Layout, Structure};
+use crate::structure::build::{Structure, StructureLayout};
 use crate::structure::case::StructureCase;
 use judder_store::{Results, Variable};
 use judder_structure::assembly::Sparse;
@@ -72,7 +72,7 @@ pub(crate) struct ShownModes<'a> {
     pub(crate) problem: &'a Quadratic,
     pub(crate) sought: &'a Region,
     pub(crate) found: &'a ComplexModes,
-    pub(crate) layout: Option<&'a Layout>,
+    pub(crate) layout: Option<&'a StructureLayout>,
     pub(crate) mesh: Option<&'a Mesh>,
     /// A shape on the freedoms of the layout from one of the problem.
     pub(crate) expanded: &'a dyn Fn(&[Complex64]) -> Vec<Complex64>,
@@ -119,9 +119,9 @@ impl ShownModes<'_> {
             let (value, frequency) = (mode.eigenvalue.value, mode.eigenvalue.frequency_hz());
             let name = format!("mode {} ({:.6} + {:.6} i 1/s)", k + 1, value.re, value.im);
             let SwingingShape { vector, modal_a } = shape;
-            Shape { name, vector, frequency, mode: ModeKind::Complex { eigenvalue: value, modal_a } }
+            NamedShape { name, vector, frequency, mode: ModeKind::Complex { eigenvalue: value, modal_a } }
         };
-        let shapes: Vec<Shape> = found.modes.iter().zip(shapes).enumerate().map(swinging).collect();
+        let shapes: Vec<NamedShape> = found.modes.iter().zip(shapes).enumerate().map(swinging).collect();
         Ok(Outcome {
             scalars,
             dataset,

@@ -8,7 +8,7 @@ use judder_store::{Dataset, Results, Table, Variable};
 use judder_structure::complex_modes::EigenvalueVerdict;
 use judder_structure::eigen_sweep::{PointEigenvalues, SweptEigenvalues, Tracked};
 use judder_structure::quadratic::Region;
-use judder_study::axis::Axis;
+use judder_study::axis::SweptAxis;
 use judder_study::outcome::{CheckRecord, Disagreement};
 use num_complex::Complex64;
 use serde_json::{Map, Value, json};
@@ -16,7 +16,7 @@ use serde_json::{Map, Value, json};
 /// Eigenvalues of a region along an axis.
 pub(crate) struct SweptBranches<'a, I> {
     region: &'a Region,
-    axis: Axis,
+    axis: SweptAxis,
     curves: Curves<I>,
     /// One for each curve,
     pub(crate) sweeps: Vec<SweptEigenvalues>,
@@ -81,7 +81,7 @@ impl<'a, I> SweptBranches<'a, I> {
     /// The eigenvalues of every value are put in order.
     pub(crate) fn new(
         region: &'a Region,
-        axis: Axis,
+        axis: SweptAxis,
         curves: Curves<I>,
         mut sweeps: Vec<SweptEigenvalues>,
         onsets: Vec<LocatedOnsets>,

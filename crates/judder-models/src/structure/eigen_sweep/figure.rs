@@ -3,7 +3,7 @@
 use super::super::eigen::figure::{LARGEST, VERDICTS, bubble, by_verdict, frequency_axis, growth_axis};
 use judder_report::{Layer, Panel, Role};
 use judder_store::Dataset;
-use judder_study::pictures::{Swept, axis, codes, complexes};
+use judder_study::pictures::{SweptCoordinates, axis, codes, complexes};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -15,7 +15,7 @@ const FEW: usize = 30;
 const UNSTABLE: u8 = 2;
 
 /// The branches of one curve.
-struct Branches<'a> {
+struct CurveBranches<'a> {
     values: &'a [f64],
     eigenvalues: &'a [Complex64],
     verdicts: &'a [u8],
@@ -26,22 +26,22 @@ struct Branches<'a> {
 
 /// Frequencies and growth rates over the parameter, the root locus; damping ratios, a panel for each curve.
 pub(crate) fn eigen_sweep(dataset: &Dataset) -> Option<Vec<Panel>> {
-    let swept = Swept::of(dataset, "eigenvalue")?;
+    let swept = SweptCoordinates::of(dataset, "eigenvalue")?;
     let (eigenvalues, verdicts) = (complexes(dataset, "eigenvalue")?, codes(dataset, "verdict")?);
     let count = *dataset.variable("eigenvalue")?.shape.last()?;
     let length = count * swept.values.len();
-    let curve = |curve: usize| Branches {
+    let curve = |curve: usize| CurveBranches {
         values: swept.values,
         eigenvalues: &eigenvalues[curve * length..][..length],
         verdicts: &verdicts[curve * length..][..length],
         count,
         curve: swept.family.map(|_| (swept.role(curve), swept.label(curve, ""))),
     };
-    let curves: Vec<Branches<'_>> = (0..swept.curves()).map(curve).collect();
+    let curves: Vec<CurveBranches<'_>> = (0..swept.curves()).map(curve).collect();
     let frequency = || frequency_axis(eigenvalues);
     let (value, hertz) = (|v: f64, _: Complex64| v, |_: f64, l: Complex64| l.im / TAU);
     let growth = |_: f64, l: Complex64| l.re;
-    let unstable: Vec<(f64, Complex64)> = curves.iter().flat_map(Branches::unstable).collect();
+    let unstable: Vec<(f64, Complex64)> = curves.iter().flat_map(CurveBranches::unstable).collect();
     let all = |x: Pick<'_>, y: Pick<'_>| -> Vec<Layer> {
         let lines = curves.iter().flat_map(|curve| curve.lines(x, y));
         lines.chain(squares(&unstable, x, y)).collect()
@@ -65,7 +65,7 @@ pub(crate) fn eigen_sweep(dataset: &Dataset) -> Option<Vec<Panel>> {
 
 type Pick<'p> = &'p dyn Fn(f64, Complex64) -> f64;
 
-impl Branches<'_> {
+impl CurveBranches<'_> {
     fn at(&self, row: usize, branch: usize) -> (Complex64, u8) {
         let place = row * self.count + branch;
         (self.eigenvalues[place], self.verdicts[place])

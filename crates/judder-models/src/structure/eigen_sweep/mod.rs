@@ -7,7 +7,7 @@ mod run;
 pub mod settings;
 pub(crate) mod tables;
 
-use super::Subject;
+use super::StructureSubject;
 use crate::axis::keys_of_curves;
 use crate::error::ModelError;
 use crate::structure::case::StructureCase;
@@ -18,7 +18,7 @@ use judder_structure::eigen_sweep::SweepMethod;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
-use run::ToldSweep;
+use run::ToldEigenSweep;
 use serde_json::{Map, Value as Json};
 use settings::EigenSweep;
 use std::sync::Arc;
@@ -42,17 +42,17 @@ impl Analysis<StructureCase> for EigenSweep {
         self.sweep.values.len() * self.family.as_ref().map_or(1, |family| family.values.len())
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &StructureSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, of.structure, self, task.progress)
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
         let mut keys = keys_of_curves(self.family.is_some(), EigenvalueCurve::declared());
-        keys.extend(ToldSweep::declared());
+        keys.extend(ToldEigenSweep::declared());
         keys
     }
 
-    fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {
+    fn estimate(&self, _: &StructureSubject<'_>) -> Result<String, ModelError> {
         let (count, path) = (self.sweep.values.len(), &self.sweep.path);
         let method = match self.method {
             SweepMethod::Full => "full".to_owned(),

@@ -14,8 +14,8 @@ use judder_structure::complex_modes::{ComplexModeSettings, Eigenvalue, complex_m
 use judder_structure::eigen_sweep::{PointEigenvalues, PreparedSweep};
 use judder_structure::onset::StabilityAt;
 use judder_study::Progress;
-use judder_study::axis::Axis;
-use judder_study::labels::Quantity;
+use judder_study::axis::SweptAxis;
+use judder_study::labels::SweptQuantity;
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
 
 /// Points of a projected sweep that are solved on the full matrices as well.
@@ -62,8 +62,8 @@ pub(super) fn run(
         )
     });
     let onsets = onsets.collect();
-    let quantity = Quantity { name: "value".to_owned(), ..parameter(name_of(&settings.sweep.path)) };
-    let axis = Axis { quantity, values: settings.sweep.values.clone(), scale: settings.sweep.scale };
+    let quantity = SweptQuantity { name: "value".to_owned(), ..parameter(name_of(&settings.sweep.path)) };
+    let axis = SweptAxis { quantity, values: settings.sweep.values.clone(), scale: settings.sweep.scale };
     let branches = SweptBranches::new(&settings.region, axis, curves, sweeps, onsets);
     let (all_factors, all_points): (Vec<&Factors>, Vec<&PointEigenvalues>) =
         points.iter().flatten().zip(branches.points()).unzip();
@@ -71,7 +71,7 @@ pub(super) fn run(
     let mut checks = vec![branches.completeness()];
     checks.extend(against_full(structure, settings, &all_factors, &all_points)?);
     let mut scalars = branches.scalars();
-    scalars.extend(ToldSweep::new(settings, &branches).scalars());
+    scalars.extend(ToldEigenSweep::new(settings, &branches).scalars());
     Ok(Outcome {
         scalars,
         dataset: branches.dataset()?,
@@ -150,7 +150,7 @@ fn compare(ours: Vec<Eigenvalue>, mut theirs: Vec<Eigenvalue>, found: &mut Disag
 
 /// What is told of a sweep.
 #[derive(Results)]
-pub(super) struct ToldSweep {
+pub(super) struct ToldEigenSweep {
     /// the swept parameter
     key: String,
     /// `full` or `projected`
@@ -161,7 +161,7 @@ pub(super) struct ToldSweep {
     samples: usize,
 }
 
-impl ToldSweep {
+impl ToldEigenSweep {
     fn new<I>(settings: &EigenSweep, branches: &SweptBranches<'_, I>) -> Self {
         // one basis serves all curves
         let first = branches.sweeps.first();

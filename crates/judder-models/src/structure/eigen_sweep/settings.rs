@@ -6,7 +6,7 @@ use crate::read_sweep::{
 use crate::structure::case::problem::StructureProblem;
 use crate::structure::case::scope::StructureScope;
 use crate::structure::case::{Matrices, StructureSource};
-use crate::structure::eigen::Eigen;
+use crate::structure::eigen::EigenAnalysis;
 use crate::sweep::{Family, ParameterKey};
 use crate::swept_keys::{ParameterKeys, SweptKeys};
 use judder_keys::cause::Cause;
@@ -20,7 +20,7 @@ use judder_keys::section::{Section, finite_number, list, text};
 use judder_keys::{Choice, Settings};
 use judder_structure::eigen_sweep::SweepMethod;
 use judder_structure::quadratic::Region;
-use judder_study::case::scale::Scale;
+use judder_study::case::scale::Spacing;
 use serde_json::{Map, Value as Json, json};
 
 /// Complex modes along a parameter.
@@ -46,7 +46,7 @@ pub struct ParameterValues {
     /// The values, two at least, ascending or descending.
     pub values: Vec<f64>,
     /// How they are spaced, for the axis of figures.
-    pub scale: Scale,
+    pub scale: Spacing,
 }
 
 /// How the points are solved, as a case says it.
@@ -127,7 +127,7 @@ pub(super) fn declarations() -> Vec<Declaration> {
     let schema = json!({ "oneOf": ways.each_ref().map(Declaration::schema) });
     let sweep = required("sweep", doc, Allowed::Told { schema, words, keys: keys_of(&ways) });
     let varied = vec![sweep, family_declaration::<ParameterKeys>()];
-    [varied, Eigen::declarations(), MethodKeys::declarations()].concat()
+    [varied, EigenAnalysis::declarations(), MethodKeys::declarations()].concat()
 }
 
 impl EigenSweep {
@@ -135,7 +135,7 @@ impl EigenSweep {
         if let Some(StructureSource::Body(_)) = scope.source {
             return Err(StructureProblem::NothingToSweep.at(section.place));
         }
-        let solved = both(MethodKeys::read_table(section), Eigen::read_table(section));
+        let solved = both(MethodKeys::read_table(section), EigenAnalysis::read_table(section));
         let ((sweep, family), (method, eigen)) = both(read_varied(scope, section), solved)?;
         Ok(Self { sweep, family, region: eigen.region, method: method.method() })
     }
@@ -236,5 +236,5 @@ fn read_values(keys: &ParameterKeys, section: &Section<'_>, node: &Node) -> Resu
     if !monotone {
         return Err(StructureProblem::UnsortedValues.at(list_node.place));
     }
-    Ok(ParameterValues { key, path: keys.path(key), values, scale: Scale::Linear })
+    Ok(ParameterValues { key, path: keys.path(key), values, scale: Spacing::Linear })
 }

@@ -6,12 +6,12 @@ pub(crate) mod tables;
 
 pub(crate) use run::{ToldModes, run};
 
-use super::Subject;
+use super::StructureSubject;
 use crate::error::ModelError;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
 use judder_keys::Settings;
-use judder_keys::declared::{Number, Pair, Settings, Whole, both};
+use judder_keys::declared::{Number, NumberPair, Settings, Whole, both};
 use judder_keys::dimension::Dimension;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
@@ -24,7 +24,7 @@ use std::sync::Arc;
 
 /// Which undamped modes are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Settings)]
-pub enum Modes {
+pub enum ModesAnalysis {
     /// So many modes, from the lowest on, where no band is given.
     #[key(rule = Whole { from: 1, to: MODES_LIMIT }, default = MODES)]
     Count(usize),
@@ -34,7 +34,7 @@ pub enum Modes {
 }
 
 /// Two frequencies.
-pub(super) const BAND: Pair = Pair {
+pub(super) const BAND: NumberPair = NumberPair {
     of: Number::non_negative(Dimension::ANGULAR_FREQUENCY),
     what: "two frequencies, from and to",
     is_ascending: true,
@@ -50,9 +50,9 @@ pub const MODES_LIMIT: usize = 2000;
 pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = Kind {
     name: "modes",
     doc: "undamped modes: frequencies, shapes, residuals, and a count that shows whether one is missing",
-    declared: Modes::declarations,
+    declared: ModesAnalysis::declarations,
     read: |scope, section| {
-        let ((), own) = both(scope.check_factors(section), Modes::read_table(section))?;
+        let ((), own) = both(scope.check_factors(section), ModesAnalysis::read_table(section))?;
         Ok(Arc::new(own))
     },
     picture: Some(PICTURE),
@@ -65,8 +65,8 @@ pub(crate) const PICTURE: Picture = Picture {
     modal assurance criterion, $|φ_{i}^{T}φ_{j}|^{2}$ over both lengths squared.",
 };
 
-impl Analysis<StructureCase> for Modes {
-    fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
+impl Analysis<StructureCase> for ModesAnalysis {
+    fn run(&self, of: &StructureSubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run(of.case, of.structure, of.name, *self, None)
     }
 
@@ -74,10 +74,10 @@ impl Analysis<StructureCase> for Modes {
         ToldModes::declared()
     }
 
-    fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {
+    fn estimate(&self, _: &StructureSubject<'_>) -> Result<String, ModelError> {
         Ok(match self {
-            Modes::Count(count) => format!("the lowest {count} modes"),
-            Modes::Band([from, to]) => {
+            ModesAnalysis::Count(count) => format!("the lowest {count} modes"),
+            ModesAnalysis::Band([from, to]) => {
                 format!("the modes from {} to {} Hz", short(from / TAU), short(to / TAU))
             }
         })

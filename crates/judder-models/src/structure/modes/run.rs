@@ -1,12 +1,12 @@
 //! `modes`: undamped modes with their shapes.
 
-use super::super::fields::{self, ModeKind, Shape};
+use super::super::fields::{self, ModeKind, NamedShape};
 use super::super::shapes;
 use super::super::undamped::Undamped;
 use crate::error::ModelError;
 use crate::structure::build::Structure;
 use crate::structure::case::StructureCase;
-use judder_store::{Grid, Results};
+use judder_store::{GridValues, Results};
 use judder_structure::assembly::Sparse;
 use judder_structure::modes::{Mode, Modes, WantedModes, modes};
 use judder_structure::quadratic::Quadratic;
@@ -25,14 +25,14 @@ pub(crate) fn run(
     case: &StructureCase,
     structure: &Structure,
     name: &str,
-    wanted: super::Modes,
+    wanted: super::ModesAnalysis,
     reduced: Option<&[f64]>,
 ) -> Result<Outcome, ModelError> {
     let problem = structure.at(case, &case.values())?;
     let Undamped { mass, stiffness, of } = Undamped::new(case, structure)?;
     let wanted = match wanted {
-        super::Modes::Count(count) => WantedModes::Lowest(count),
-        super::Modes::Band([from, to]) => WantedModes::Band(from / TAU, to / TAU),
+        super::ModesAnalysis::Count(count) => WantedModes::Lowest(count),
+        super::ModesAnalysis::Band([from, to]) => WantedModes::Band(from / TAU, to / TAU),
     };
     let found = modes(&stiffness, &mass, wanted)?;
     let frequency: Vec<f64> = found.modes.iter().map(Mode::frequency_hz).collect();
@@ -41,13 +41,13 @@ pub(crate) fn run(
     let told = ToldModes {
         mode: (1..=count as i64).collect(),
         residual: found.modes.iter().map(|mode| mode.residual).collect(),
-        mac: Grid { shape: vec![count; 2], values: shapes::mac(&found.modes) },
+        mac: GridValues { shape: vec![count; 2], values: shapes::mac(&found.modes) },
         rigid_modes: rigid,
         counted: Counted { below_hz: limit.max(0.0).sqrt() / TAU, modes: counted },
         degrees_of_freedom: problem.size(),
         modes_of: of.name(),
         damping_ratio: ratios.clone(),
-        reduced: reduced.map(|eigenvalues| Reduced::new(&found, eigenvalues)),
+        reduced: reduced.map(|eigenvalues| ReducedModes::new(&found, eigenvalues)),
         frequency,
     };
     let Outcome { scalars, mut dataset, table, .. } = Outcome::of(&told)?;
@@ -61,7 +61,7 @@ pub(crate) fn run(
         let ratio = ratios.as_ref().map_or(0.0, |ratios| ratios[k]);
         swinging(k, mode, (k >= rigid).then_some(ratio))
     };
-    let shapes: Vec<Shape> = found.modes.iter().enumerate().map(swinging).collect();
+    let shapes: Vec<NamedShape> = found.modes.iter().enumerate().map(swinging).collect();
     let files = fields::fields(name, structure.layout.as_ref(), structure.mesh(), &shapes)?;
     let checks = checks(&mass, &found, wanted);
     Ok(Outcome { scalars, dataset, table, checks, files, warnings, ..Outcome::default() })
@@ -86,7 +86,7 @@ pub(crate) struct ToldModes {
     residual: Vec<f64>,
     /// modal assurance criterion of two shapes
     #[result(hidden, along = "mode other_mode")]
-    mac: Grid<f64>,
+    mac: GridValues<f64>,
     rigid_modes: usize,
     /// how many modes a factorisation counts
     counted: Counted,
@@ -98,7 +98,7 @@ pub(crate) struct ToldModes {
     #[result(summary = "damping_ratios", optional)]
     damping_ratio: Option<Vec<f64>>,
     #[result(flatten)]
-    reduced: Option<Reduced>,
+    reduced: Option<ReducedModes>,
 }
 
 /// How many modes there are below a frequency.
@@ -115,7 +115,7 @@ struct Counted {
     arrays(reduced_frequency, reduction_error),
     columns(reduced_frequency, reduction_error)
 )]
-struct Reduced {
+struct ReducedModes {
     /// natural frequency of the reduced structure
     #[result(summary = "reduced_hz", unit = "Hz")]
     reduced_frequency: Vec<f64>,
@@ -124,7 +124,7 @@ struct Reduced {
     reduction_error: Vec<f64>,
 }
 
-impl Reduced {
+impl ReducedModes {
     /// Frequencies are not numbers where the reduction has no such mode, errors are none of rigid motions either.
     fn new(found: &Modes, eigenvalues: &[f64]) -> Self {
         let first = found.counted_from.1;
@@ -142,12 +142,12 @@ impl Reduced {
 }
 
 /// A mode for the files of its shape, with its damping ratio; a rigid motion has none and does not swing.
-fn swinging(number: usize, mode: &Mode, ratio: Option<f64>) -> Shape {
+fn swinging(number: usize, mode: &Mode, ratio: Option<f64>) -> NamedShape {
     let frequency = mode.frequency_hz();
     let name = format!("mode {} ({frequency:.6} Hz)", number + 1);
     let vector = mode.shape.iter().map(|u| Complex64::from(*u)).collect();
     let frequency = if ratio.is_some() { frequency } else { 0.0 };
-    Shape { name, vector, frequency, mode: ModeKind::Real { damping_ratio: ratio.unwrap_or(0.0) } }
+    NamedShape { name, vector, frequency, mode: ModeKind::Real { damping_ratio: ratio.unwrap_or(0.0) } }
 }
 
 /// ζ = φᵀCφ/(2ω) of mass-normalised shapes, NaN for rigid motions; `None` without damping.

@@ -4,7 +4,7 @@ mod figure;
 mod run;
 pub mod settings;
 
-use super::Subject;
+use super::StructureSubject;
 use crate::error::ModelError;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
@@ -16,7 +16,7 @@ use judder_study::outcome::Outcome;
 use judder_study::text::short;
 use run::{ToldReceptance, freedom};
 use serde_json::{Map, Value as Json};
-use settings::Receptance;
+use settings::ReceptanceAnalysis;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -24,8 +24,8 @@ use std::sync::Arc;
 pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = Kind {
     name: "receptance",
     doc: "the displacement of one point by a unit force at another, over frequency",
-    declared: Receptance::declarations,
-    read: |scope, section| Ok(Arc::new(Receptance::read(scope, section)?)),
+    declared: ReceptanceAnalysis::declarations,
+    read: |scope, section| Ok(Arc::new(ReceptanceAnalysis::read(scope, section)?)),
     picture: Some(Picture {
         draw: figure::receptance,
         caption: "The displacement of the observed point by a unit force at the excited one: magnitude and phase of $α(ω) = \
@@ -33,8 +33,8 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
     }),
 };
 
-impl Analysis<StructureCase> for Receptance {
-    fn fits(&self, of: &Subject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+impl Analysis<StructureCase> for ReceptanceAnalysis {
+    fn fits(&self, of: &StructureSubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         let named = |key, place| {
             freedom(key, place, of.structure).map(drop).map_err(|cause| Refusal::key(key, cause))
         };
@@ -45,7 +45,7 @@ impl Analysis<StructureCase> for Receptance {
         run::steps(self.points)
     }
 
-    fn run(&self, of: &Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+    fn run(&self, of: &StructureSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, of.structure, of.name, self, task.progress)
     }
 
@@ -53,7 +53,7 @@ impl Analysis<StructureCase> for Receptance {
         ToldReceptance::declared()
     }
 
-    fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {
+    fn estimate(&self, _: &StructureSubject<'_>) -> Result<String, ModelError> {
         let [from, to] = self.band.map(|end| short(end / TAU));
         Ok(format!("the receptance at {} frequencies from {from} to {to} Hz", self.points))
     }

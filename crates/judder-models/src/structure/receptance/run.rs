@@ -1,9 +1,9 @@
 //! `receptance`: each frequency solved twice, by the matrices and by their transposes.
 
 use super::super::fields::label_shift;
-use super::settings::{NotOneFreedom, Place, Receptance};
+use super::settings::{FreedomPlace, NotOneFreedom, ReceptanceAnalysis};
 use crate::error::ModelError;
-use crate::structure::build::{Layout, Structure, points_of};
+use crate::structure::build::{Structure, StructureLayout, points_of};
 use crate::structure::case::StructureCase;
 use crate::written::written;
 use judder_exchange::ExchangeError;
@@ -38,7 +38,7 @@ pub(super) struct At {
 }
 
 /// The degree of freedom that a place under `key` names.
-pub(super) fn freedom(key: &'static str, place: &Place, structure: &Structure) -> Result<At, Cause> {
+pub(super) fn freedom(key: &'static str, place: &FreedomPlace, structure: &Structure) -> Result<At, Cause> {
     let direction = place.direction;
     let refused = |found| Cause::from(NotOneFreedom { key, along: place.direction, found });
     let layout = structure.layout.as_ref().ok_or_else(|| refused(0))?;
@@ -61,7 +61,7 @@ pub(super) fn run(
     case: &StructureCase,
     structure: &Structure,
     name: &str,
-    asked: &Receptance,
+    asked: &ReceptanceAnalysis,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
     let excited = freedom("excited", &asked.excited, structure)?;
@@ -166,7 +166,7 @@ pub(super) fn steps(points: usize) -> usize {
 /// Both nodes and the response of one to the other.
 fn universal(
     to: &mut dyn std::io::Write,
-    layout: &Layout,
+    layout: &StructureLayout,
     excited: At,
     observed: At,
     hertz: &[f64],

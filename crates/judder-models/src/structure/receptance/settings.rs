@@ -13,17 +13,17 @@ use thiserror::Error;
 
 /// The receptance between two points: the displacement of one by a unit force at the other.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub struct Receptance {
+pub struct ReceptanceAnalysis {
     /// Where the force acts.
     #[key(
         example = "{ set = \"end-upper\", direction = \"y\" }, of matrices { nodes = [17], direction = \"y\" }"
     )]
-    pub excited: Place,
+    pub excited: FreedomPlace,
     /// Where the displacement is told.
     #[key(
         example = "{ set = \"end-upper\", direction = \"y\" }, of matrices { nodes = [17], direction = \"y\" }"
     )]
-    pub observed: Place,
+    pub observed: FreedomPlace,
     /// Frequencies, from and to.
     #[key(rule = BAND, symbol = "ω", example = "[\"10 Hz\", \"5 kHz\"], from and to")]
     pub band: [f64; 2],
@@ -34,7 +34,7 @@ pub struct Receptance {
 
 /// A degree of freedom of a structure.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub struct Place {
+pub struct FreedomPlace {
     /// The node: all nodes that are named must have one degree of freedom in common.
     #[key(flatten)]
     pub nodes: KeptNodes,
@@ -42,7 +42,7 @@ pub struct Place {
     pub direction: Direction,
 }
 
-impl Receptance {
+impl ReceptanceAnalysis {
     /// Reads it, of nodes as the structure has them.
     pub(super) fn read(scope: &StructureScope, section: &Section<'_>) -> Result<Self, Fault> {
         let ((), settings) = both(scope.check_factors(section), Self::read_table(section))?;

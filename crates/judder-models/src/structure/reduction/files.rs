@@ -2,7 +2,7 @@
 
 use super::super::fields::label_shift;
 use crate::error::ModelError;
-use crate::structure::build::{Layout, Structure};
+use crate::structure::build::{Structure, StructureLayout};
 use crate::written::written;
 use faer::Mat;
 use faer::sparse::Triplet;
@@ -71,7 +71,7 @@ fn sparse(dense: &Mat<f64>) -> Result<Sparse, ModelError> {
 }
 
 /// Node, direction and place of each freedom; of tied nodes the first.
-fn places(freedoms: &[usize], layout: &Layout) -> Vec<Freedom> {
+fn places(freedoms: &[usize], layout: &StructureLayout) -> Vec<Freedom> {
     let mut places = vec![None; freedoms.len()];
     let position: BTreeMap<usize, usize> =
         freedoms.iter().enumerate().map(|(k, freedom)| (*freedom, k)).collect();

@@ -4,7 +4,7 @@ mod figure;
 mod files;
 mod run;
 
-use super::Subject;
+use super::StructureSubject;
 use crate::error::ModelError;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 /// The reduced structure against the full one.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub struct Compared {
+pub struct ReductionAnalysis {
     /// How many frequencies are compared.
     #[key(rule = Whole { from: 1, to: MODES_LIMIT }, default = COMPARED)]
     pub count: usize,
@@ -35,14 +35,14 @@ pub const COMPARED: usize = 12;
 pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = Kind {
     name: "reduction",
     doc: "frequencies of the reduced structure against those of the full one, and the limit that the reduction tells of itself",
-    declared: Compared::declarations,
+    declared: ReductionAnalysis::declarations,
     read: |scope, section| {
         if !scope.has_reduction {
             let (key, section_name) = ("reduction".to_owned(), "the case".to_owned());
             let expected = "[reduction] with kept = [{ set = \"…\" }]".to_owned();
             return Err(Cause::MissingKey { key, section: section_name, expected }.at(section.place));
         }
-        let ((), own) = both(scope.check_factors(section), Compared::read_table(section))?;
+        let ((), own) = both(scope.check_factors(section), ReductionAnalysis::read_table(section))?;
         Ok(Arc::new(own))
     },
     picture: Some(Picture {
@@ -52,8 +52,8 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
     }),
 };
 
-impl Analysis<StructureCase> for Compared {
-    fn run(&self, of: &Subject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
+impl Analysis<StructureCase> for ReductionAnalysis {
+    fn run(&self, of: &StructureSubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, of.structure, of.name, self.count)
     }
 
@@ -61,7 +61,7 @@ impl Analysis<StructureCase> for Compared {
         ToldReduction::declared()
     }
 
-    fn estimate(&self, _: &Subject<'_>) -> Result<String, ModelError> {
+    fn estimate(&self, _: &StructureSubject<'_>) -> Result<String, ModelError> {
         Ok(format!("{} frequencies, reduced against full", self.count))
     }
 

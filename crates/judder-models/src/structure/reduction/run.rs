@@ -43,7 +43,10 @@ pub(super) fn run(
         bound: of(&|row| row.bound.unwrap_or(f64::NAN)),
         limit_hz: limit,
         static_compliance_error: report.static_compliance_error,
-        dynamic_compliance: Compliance { frequency_hz: probe, error: report.dynamic_compliance_error },
+        dynamic_compliance: InterfaceCompliance {
+            frequency_hz: probe,
+            error: report.dynamic_compliance_error,
+        },
         kept_freedoms: kept.len(),
         fixed_interface_modes: fixed,
         reduced_freedoms: kept.len() + fixed,
@@ -84,7 +87,7 @@ pub(super) struct ToldReduction {
     /// relative error of the compliance at rest
     static_compliance_error: Option<f64>,
     /// that of the compliance in motion
-    dynamic_compliance: Compliance,
+    dynamic_compliance: InterfaceCompliance,
     /// freedoms of the interface
     kept_freedoms: usize,
     /// modes with the interface held
@@ -100,7 +103,7 @@ pub(super) struct ToldReduction {
 
 /// The compliance of the interface at a frequency.
 #[derive(Results)]
-struct Compliance {
+struct InterfaceCompliance {
     frequency_hz: f64,
     /// its relative error
     error: f64,

@@ -5,7 +5,7 @@ mod run;
 use super::Varying;
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
-use crate::read_sweep::{Axis, SWEEP};
+use crate::read_sweep::{AxisKey, SWEEP};
 use crate::sweep::{ParameterKey, Sweep};
 use crate::swept_keys::ParameterKeys;
 use crate::two_degrees::case::TwoDegreesCase;
@@ -24,7 +24,7 @@ pub struct ParameterThresholds {
 }
 
 /// Where changes are sought.
-const SAMPLES: Axis = SWEEP.of_points(400);
+const SAMPLES: AxisKey = SWEEP.of_points(400);
 
 /// The kind.
 pub(super) const KIND: Kind<ParameterKeys, Arc<dyn Varying>> = Kind {

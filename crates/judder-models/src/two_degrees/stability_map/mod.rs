@@ -5,9 +5,9 @@ mod run;
 use super::Varying;
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
-use crate::oscillator::stability_map::{ONE_WAY, ToldMap, figure};
+use crate::oscillator::stability_map::{ONE_WAY, ToldStabilityMap, figure};
 use crate::read_sweep::{map_declarations, read_map, write_map};
-use crate::sweep::{ParameterKey, StabilityMap};
+use crate::sweep::{ParameterKey, StabilityMapAnalysis};
 use crate::swept_keys::ParameterKeys;
 use crate::two_degrees::case::TwoDegreesCase;
 use judder_store::Declared;
@@ -30,9 +30,9 @@ pub(super) const KIND: Kind<ParameterKeys, Arc<dyn Varying>> = Kind {
     }),
 };
 
-impl Analysis<TwoDegreesCase> for StabilityMap<ParameterKey> {
+impl Analysis<TwoDegreesCase> for StabilityMapAnalysis<ParameterKey> {
     fn summary_keys(&self) -> Vec<Declared> {
-        ToldMap::keys(ONE_WAY)
+        ToldStabilityMap::keys(ONE_WAY)
     }
 
     fn run(&self, case: &&TwoDegreesCase, _: Task<'_>) -> Result<Outcome, ModelError> {
@@ -49,7 +49,7 @@ impl Analysis<TwoDegreesCase> for StabilityMap<ParameterKey> {
     }
 }
 
-impl Varying for StabilityMap<ParameterKey> {
+impl Varying for StabilityMapAnalysis<ParameterKey> {
     fn swept(&self) -> Vec<usize> {
         vec![self.x.key.index(), self.y.key.index()]
     }

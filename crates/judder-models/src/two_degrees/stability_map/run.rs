@@ -4,16 +4,16 @@ use crate::axis::{self, range};
 use crate::checks;
 use crate::error::ModelError;
 use crate::oscillator::stability_map::{
-    MapArrays, MapWords, ONE_WAY, Overlay, ToldMap, checked_points, incomplete, unresolved_warning,
+    MapArrays, MapWords, ONE_WAY, Overlay, ToldStabilityMap, checked_points, incomplete, unresolved_warning,
 };
-use crate::sweep::{ParameterKey, StabilityMap as MapSettings};
+use crate::sweep::{ParameterKey, StabilityMapAnalysis};
 use crate::two_degrees::case::TwoDegreesCase;
 use judder_oscillator::LinearSystem;
 use judder_oscillator::boundary::boundaries_of_system;
 use judder_oscillator::map::StabilityMap;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_store::Results;
-use judder_study::axis::Axis;
+use judder_study::axis::SweptAxis;
 use judder_study::outcome::{CheckRecord, Outcome};
 use rayon::prelude::*;
 
@@ -25,7 +25,7 @@ const WORDS: MapWords = MapWords {
 
 pub(super) fn run(
     case: &TwoDegreesCase,
-    settings: &MapSettings<ParameterKey>,
+    settings: &StabilityMapAnalysis<ParameterKey>,
 ) -> Result<Outcome, ModelError> {
     let (x, y) = (axis::of_parameter(&settings.x), axis::of_parameter(&settings.y));
     let (columns, rows) = (x.values.len(), y.values.len());
@@ -50,7 +50,7 @@ pub(super) fn run(
         )));
     }
     Ok(Outcome {
-        scalars: ToldMap::new(&map, ONE_WAY, seconds, &overlays).scalars(),
+        scalars: ToldStabilityMap::new(&map, ONE_WAY, seconds, &overlays).scalars(),
         dataset: MapArrays { x: &x, y: &y, map: &map, growth: None, overlays: &overlays, words: &WORDS }
             .dataset()?,
         missing: map.count(StabilityClass::Unresolved),
@@ -63,9 +63,9 @@ pub(super) fn run(
 /// The map against the eigenvalues, on a grid of points over it.
 fn map_checks(
     case: &TwoDegreesCase,
-    settings: &MapSettings<ParameterKey>,
+    settings: &StabilityMapAnalysis<ParameterKey>,
     map: &StabilityMap,
-    [x, y]: [&Axis; 2],
+    [x, y]: [&SweptAxis; 2],
 ) -> Vec<CheckRecord> {
     let points = checked_points(map.columns, map.rows);
     let systems: Vec<(LinearSystem, bool)> = points

@@ -3,8 +3,8 @@
 use super::*;
 use serde_json::{Value, json};
 
-fn found(results: Value) -> Found {
-    Found::of_results(serde_json::from_value(results).unwrap())
+fn found(results: Value) -> StoredResults {
+    StoredResults::of_results(serde_json::from_value(results).unwrap())
 }
 
 /// The line about costs is measured: 30 % less agrees, 8 % less, 60 % less and more do not, nor does what was not timed.
@@ -31,8 +31,14 @@ fn costs_are_those_of_the_run() {
 /// Every exponent that is told is judged, and none else is told.
 #[test]
 fn what_is_told_of_exponents_is_judged() {
-    let zone =
-        |nepers: f64| Zone { from: 0.08, to: 0.081, peak: 0.0805, frequency: 3.5e3, growth: 100.0, nepers };
+    let zone = |nepers: f64| PassedZone {
+        from: 0.08,
+        to: 0.081,
+        peak: 0.0805,
+        frequency: 3.5e3,
+        growth: 100.0,
+        nepers,
+    };
     let own = exponents(&[(zone(4.0), 4.1), (zone(1.4), 2.3)]);
     assert!(own.holds && own.ours == "e^{4.10} at 80 mm, promised e^{4.00}", "{}", own.ours);
     assert!(!exponents(&[(zone(4.0), 4.1), (zone(3.0), 2.4)]).holds);

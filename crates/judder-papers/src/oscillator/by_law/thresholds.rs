@@ -12,7 +12,7 @@ use judder_study::labels::short_number;
 use judder_study::pictures::{axis, reals};
 
 /// A figure of thresholds over speed.
-struct Kind {
+struct ThresholdFigure {
     /// Its source.
     source: &'static str,
     /// Its name in the paper.
@@ -28,8 +28,8 @@ struct Kind {
     pick: fn(&[f64]) -> Option<usize>,
 }
 
-const KINDS: [Kind; 2] = [
-    Kind {
+const KINDS: [ThresholdFigure; 2] = [
+    ThresholdFigure {
         source: "fig-7",
         label: "Fig. 7",
         stem: "thresholds-by-law",
@@ -39,7 +39,7 @@ const KINDS: [Kind; 2] = [
         which: "lowest",
         pick: |roots| roots.iter().position(|root| root.is_finite()),
     },
-    Kind {
+    ThresholdFigure {
         source: "fig-8",
         label: "Fig. 8",
         stem: "loads-by-law",
@@ -71,8 +71,8 @@ impl Picked {
 }
 
 /// One figure with one friction load: `[law][curve]`.
-pub(super) struct Moved {
-    kind: &'static Kind,
+pub(super) struct MovedThresholds {
+    kind: &'static ThresholdFigure,
     load: &'static str,
     speed: Axis,
     speeds: Vec<f64>,
@@ -82,21 +82,21 @@ pub(super) struct Moved {
 }
 
 /// What is stored of both figures with both friction loads.
-pub(super) fn all(store: &StudyFolder, summary: &Summary) -> Result<Vec<Moved>, StudyError> {
+pub(super) fn all(store: &StudyFolder, summary: &Summary) -> Result<Vec<MovedThresholds>, StudyError> {
     let mut all = Vec::new();
     for kind in &KINDS {
         for load in LOADS {
-            all.extend(Moved::of(store, summary, kind, load)?);
+            all.extend(MovedThresholds::of(store, summary, kind, load)?);
         }
     }
     Ok(all)
 }
 
-impl Moved {
+impl MovedThresholds {
     fn of(
         store: &StudyFolder,
         summary: &Summary,
-        kind: &'static Kind,
+        kind: &'static ThresholdFigure,
         load: &'static str,
     ) -> Result<Option<Self>, StudyError> {
         let Some(source) = sources().find(|source| source.name == kind.source) else { return Ok(None) };
@@ -108,7 +108,11 @@ impl Moved {
         Ok(Self::from_datasets(kind, load, &datasets))
     }
 
-    fn from_datasets(kind: &'static Kind, load: &'static str, datasets: &[Dataset]) -> Option<Self> {
+    fn from_datasets(
+        kind: &'static ThresholdFigure,
+        load: &'static str,
+        datasets: &[Dataset],
+    ) -> Option<Self> {
         let first = datasets.first()?;
         let of = |name: &str| datasets.iter().map(|dataset| picked(dataset, name, kind)).collect();
         let (full, conservative): (Option<Vec<_>>, Option<Vec<_>>) = (of("full"), of("conservative"));
@@ -163,7 +167,7 @@ impl Moved {
 }
 
 /// The threshold that a figure is about, of every curve and speed.
-fn picked(dataset: &Dataset, name: &str, kind: &Kind) -> Option<Vec<Picked>> {
+fn picked(dataset: &Dataset, name: &str, kind: &ThresholdFigure) -> Option<Vec<Picked>> {
     let speeds = reals(dataset, "velocity")?.len();
     let most = (*dataset.variable(name)?.shape.last()?).max(1);
     let curve = |roots: &[f64]| {
@@ -204,7 +208,7 @@ impl Distance {
 }
 
 /// How far the thresholds move, in numbers.
-pub(super) fn table(moved: &[Moved]) -> PageTable {
+pub(super) fn table(moved: &[MovedThresholds]) -> PageTable {
     PageTable {
         caption: "The threshold of the full system (Fig. 7: the lowest, Fig. 8: the highest) with one law over that with another, the larger over the smaller: \
                   median and largest over the speeds; and the share of the speeds, in per cent, at which one law has a threshold and the other none. \
@@ -223,7 +227,7 @@ pub(super) fn table(moved: &[Moved]) -> PageTable {
         ]
         .map(str::to_owned)
         .to_vec(),
-        rows: moved.iter().flat_map(Moved::rows).collect(),
+        rows: moved.iter().flat_map(MovedThresholds::rows).collect(),
     }
 }
 

@@ -7,7 +7,7 @@ use crate::claim::short;
 use crate::oscillator::evidence::{CORRECTED, Evidence};
 use judder_contact::fit::LawFit;
 use judder_contact::law::LawMaterial;
-use judder_contact::{ContactLaw, ContactPoint, FittedLaw};
+use judder_contact::{ContactLaw, FittedLaw, LawPoint};
 use std::f64::consts::PI;
 
 /// What a coefficient may be off, relative, and a5, which is near zero, absolutely.
@@ -163,7 +163,7 @@ fn velocity_axis(evidence: &Evidence) -> ClaimLine {
 
 fn slow_friction(evidence: &Evidence) -> ClaimLine {
     const AT: (f64, f64) = (1e-4, 1e-2);
-    let friction = |law: &dyn ContactLaw| law.evaluate(&ContactPoint::new(AT.0, AT.1)).friction.value;
+    let friction = |law: &dyn ContactLaw| law.evaluate(&LawPoint::new(AT.0, AT.1)).friction.value;
     let exact = LawMaterial::one_time(10.0).map_or(f64::NAN, |material| material.slow_friction() * AT.0);
     let printed = friction(&FittedLaw::oscillator_paper());
     let corrected = friction(&FittedLaw::oscillator_paper_corrected());

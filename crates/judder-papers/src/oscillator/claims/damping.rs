@@ -1,6 +1,6 @@
 //! Equivalent damping (section 4.1, Fig. 4).
 
-use crate::claim::{Claim, measured, short, statement};
+use crate::claim::{MeasuredClaim, measured, short, statement};
 use crate::oscillator::measures::{
     LOADS_OF_FIG_4, STRENGTHS_OF_FIG_4, equivalent_damping, log_grid, smallest_damping,
 };
@@ -9,7 +9,7 @@ use judder_oscillator::Contact;
 /// ξ_x of (14).
 const EXTERNAL: f64 = 0.01;
 
-pub(super) const LIMITS: Claim<Contact> = statement(
+pub(super) const LIMITS: MeasuredClaim<Contact> = statement(
     "§4.1, Fig. 4",
     "$ξ_{eq}$ tends to $ξ_{x}$ = 0.01 at very low and very high speed",
     |contact| {
@@ -25,7 +25,7 @@ pub(super) const LIMITS: Claim<Contact> = statement(
      keep $ξ_{eq}$ above $ξ_{x}$ at rest.",
 );
 
-pub(super) const LARGE_DAMPING: Claim<Contact> = statement(
+pub(super) const LARGE_DAMPING: MeasuredClaim<Contact> = statement(
     "§4.1, Fig. 4",
     "As the speed grows, a large equivalent damping appears",
     |contact| {
@@ -40,7 +40,7 @@ pub(super) const LARGE_DAMPING: Claim<Contact> = statement(
     "Largest $ξ_{eq}$ at $τ̃_{0}$ = 0, from the largest load to the smallest.",
 );
 
-pub(super) const NEGATIVE_NEAR: Claim<Contact> = statement(
+pub(super) const NEGATIVE_NEAR: MeasuredClaim<Contact> = statement(
     "§4.1, Fig. 4 insets",
     "For very small $τ̃_{0}$, $ξ_{eq}$ becomes negative at $v̂_{d}$ ≈ 10^{−2}",
     |contact| {
@@ -62,7 +62,7 @@ pub(super) const NEGATIVE_NEAR: Claim<Contact> = statement(
      judged by their geometric mean within a factor 2.",
 );
 
-pub(super) const STRENGTH_REDUCES: Claim<Contact> = statement(
+pub(super) const STRENGTH_REDUCES: MeasuredClaim<Contact> = statement(
     "§4.1, Fig. 4",
     "Increasing $τ̃_{0}$ reduces $ξ_{eq}$ at intermediate speed",
     |contact| {
@@ -78,7 +78,7 @@ pub(super) const STRENGTH_REDUCES: Claim<Contact> = statement(
     "Smallest $ξ_{eq}$ over speed, at $τ̃_{0}$ = 0 → 0.1, from the largest load to the smallest.",
 );
 
-pub(super) const NEGATIVE_AT_LOW_LOAD: Claim<Contact> = statement(
+pub(super) const NEGATIVE_AT_LOW_LOAD: MeasuredClaim<Contact> = statement(
     "§4.1, Fig. 4",
     "At low load the shear strength brings $ξ_{eq}$ below zero",
     |contact| {
@@ -88,7 +88,7 @@ pub(super) const NEGATIVE_AT_LOW_LOAD: Claim<Contact> = statement(
     "$F̃_{n}$ = 7.5 × 10^{−5}, $τ̃_{0}$ = 0.1.",
 );
 
-pub(super) const STRENGTH_RAISES_AT_HIGH_SPEED: Claim<Contact> = statement(
+pub(super) const STRENGTH_RAISES_AT_HIGH_SPEED: MeasuredClaim<Contact> = statement(
     "§4.1, Fig. 4",
     "At high speed, the higher $τ̃_{0}$ the higher $ξ_{eq}$",
     |contact| {

@@ -1,7 +1,7 @@
 //! The contact law and the equations (section 2, eqs. 12–20).
 
 use crate::claim::Measured;
-use crate::claim::{Claim, measured, misprint, short, statement};
+use crate::claim::{MeasuredClaim, measured, misprint, short, statement};
 use crate::oscillator::measures::{LOADS_OF_FIG_4, log_grid, response, state};
 use judder_oscillator::motion::accelerations;
 use judder_oscillator::{Contact, Groups};
@@ -9,7 +9,7 @@ use judder_oscillator::{Contact, Groups};
 /// A depth in the middle of the law's range.
 const DEPTH: f64 = 1e-2;
 
-pub(super) const HERTZ_LIMIT: Claim<Contact> = statement(
+pub(super) const HERTZ_LIMIT: MeasuredClaim<Contact> = statement(
     "§2.1, Fig. 3b",
     "At low speed the contact is Hertz's: $Ã/ŷ$ constant, $π$",
     |contact| {
@@ -19,7 +19,7 @@ pub(super) const HERTZ_LIMIT: Claim<Contact> = statement(
     "The fit has $b_{1}b_{2}$ = 3.050, 3 % below $π$; its force has 1.183 where Hertz has 4/3.",
 );
 
-pub(super) const AREA_HAS_A_MINIMUM: Claim<Contact> = statement(
+pub(super) const AREA_HAS_A_MINIMUM: MeasuredClaim<Contact> = statement(
     "§2.1, §4.1, Fig. 3b",
     "The contact area falls with speed, reaches a minimum, then grows",
     |contact| {
@@ -38,7 +38,7 @@ pub(super) const AREA_HAS_A_MINIMUM: Claim<Contact> = statement(
     "At $ŷ$ = 0.01.",
 );
 
-pub(super) const FRICTION_OVER_DEPTH: Claim<Contact> = statement(
+pub(super) const FRICTION_OVER_DEPTH: MeasuredClaim<Contact> = statement(
     "§2.1, Fig. 3a",
     "$μ_{visc}$ monotonically increases with the indentation",
     |contact| {
@@ -55,7 +55,7 @@ pub(super) const FRICTION_OVER_DEPTH: Claim<Contact> = statement(
     "The bell (38) shifts with the depth, so below its peak speed a deeper contact rubs less; $k_{12c}$ can be positive there.",
 );
 
-pub(super) const FORCE_GROWS: Claim<Contact> = statement(
+pub(super) const FORCE_GROWS: MeasuredClaim<Contact> = statement(
     "§4.1, Fig. 3c",
     "$F̃_{k}$ increases monotonically with the sliding velocity",
     |contact| {
@@ -77,7 +77,7 @@ fn damping_in_y(_: &Contact) -> Measured {
     measured("2 $ξ_{y}$ $Ω$", (c.damping_y - exact).abs() < 1e-14)
 }
 
-pub(super) const DAMPING_IN_Y: Claim<Contact> = misprint(
+pub(super) const DAMPING_IN_Y: MeasuredClaim<Contact> = misprint(
     "Eq. (12)",
     "Damping term 2 $ξ_{y}$ $ỹ′$",
     damping_in_y,
@@ -109,7 +109,7 @@ fn over_fig_4(
         .collect()
 }
 
-pub(super) const DISPLACEMENT_IN_16: Claim<Contact> = misprint(
+pub(super) const DISPLACEMENT_IN_16: MeasuredClaim<Contact> = misprint(
     "Eq. (16)",
     "Contact terms by $ŷ$ multiply $q̃′$ (a velocity)",
     |contact| {
@@ -119,7 +119,7 @@ pub(super) const DISPLACEMENT_IN_16: Claim<Contact> = misprint(
     "They are derivatives by the indentation, so they belong to K, where (20) puts them.",
 );
 
-pub(super) const CHAIN_RULE_17: Claim<Contact> = misprint(
+pub(super) const CHAIN_RULE_17: MeasuredClaim<Contact> = misprint(
     "Eq. (17)",
     "∂/∂$ũ′$ = ∂/∂$v̂_{rel}$ and ∂/∂$q̃$ = ∂/∂$ŷ$",
     |contact| {
@@ -131,7 +131,7 @@ pub(super) const CHAIN_RULE_17: Claim<Contact> = misprint(
     "$v̂ = ṽ τ̃/R̃$ and $ŷ = ỹ/R̃$; (16) and (20) do carry the factors.",
 );
 
-pub(super) const SIGN_OF_C21: Claim<Contact> = misprint(
+pub(super) const SIGN_OF_C21: MeasuredClaim<Contact> = misprint(
     "§4.1",
     "$c_{21}$ is always positive",
     |contact| {

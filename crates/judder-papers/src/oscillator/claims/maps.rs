@@ -1,7 +1,7 @@
 //! Stability maps (section 4.3, Figs. 9, 10).
 
-use crate::claim::{Claim, measured, misprint, short, statement};
-use crate::oscillator::measures::{Panel, SIDE, loads, log_grid, strengths};
+use crate::claim::{MeasuredClaim, measured, misprint, short, statement};
+use crate::oscillator::measures::{PaperPanel, SIDE, loads, log_grid, strengths};
 use judder_oscillator::Contact;
 use judder_oscillator::conservative::discriminant;
 use judder_oscillator::equilibrium::equilibrium;
@@ -10,7 +10,7 @@ use judder_oscillator::map::{OperatingPlane, StabilityMap, every_point};
 use judder_oscillator::mechanism::StabilityClass;
 
 /// Share of the grid points of a panel that satisfy a condition on (full system unstable, undamped system unstable).
-fn share(contact: &Contact, panel: Panel, condition: impl Fn(bool, bool) -> bool) -> f64 {
+fn share(contact: &Contact, panel: PaperPanel, condition: impl Fn(bool, bool) -> bool) -> f64 {
     let plane = panel.plane(SIDE, 1.0);
     let map = panel.map(contact);
     let holds = (0..SIDE * SIDE).filter(|index| {
@@ -56,7 +56,7 @@ fn range(velocities: &[f64]) -> String {
     }
 }
 
-pub(super) const FIG_9A_AGREEMENT: Claim<Contact> = statement(
+pub(super) const FIG_9A_AGREEMENT: MeasuredClaim<Contact> = statement(
     "§4.3, Fig. 9a",
     "At $F̃_{n}$ = 10^{−6}, (27) is good except for $v̂_{d}$ ≈ 10^{−6} … 10^{−4}",
     |contact| {
@@ -69,18 +69,18 @@ pub(super) const FIG_9A_AGREEMENT: Claim<Contact> = statement(
      paper's range.",
 );
 
-pub(super) const WORSE_AT_LARGER_LOAD: Claim<Contact> = statement(
+pub(super) const WORSE_AT_LARGER_LOAD: MeasuredClaim<Contact> = statement(
     "§4.3, Fig. 9",
     "The agreement worsens for the larger load",
     |contact| {
         let differs = |panel| share(contact, panel, |full, undamped| full != undamped);
-        let (a, b) = (differs(Panel::NineA), differs(Panel::NineB));
+        let (a, b) = (differs(PaperPanel::NineA), differs(PaperPanel::NineB));
         measured(format!("{} → {}", per_cent(a), per_cent(b)), b > a)
     },
     "Share of the map in which the full and the undamped system decide differently, Fig. 9a → 9b.",
 );
 
-pub(super) const FIG_9B_ENDS: Claim<Contact> = statement(
+pub(super) const FIG_9B_ENDS: MeasuredClaim<Contact> = statement(
     "§4.3, Fig. 9b",
     "(27) is accurate at both ends of the speed, and overestimates the stable range between",
     |contact| {
@@ -92,7 +92,7 @@ pub(super) const FIG_9B_ENDS: Claim<Contact> = statement(
             }
         };
         let (slow, fast) = (ratio(1e-8), ratio(1e2));
-        let overestimated = share(contact, Panel::NineB, |full, undamped| full && !undamped);
+        let overestimated = share(contact, PaperPanel::NineB, |full, undamped| full && !undamped);
         let accurate = |ratio: f64| (ratio - 1.0).abs() < 0.1;
         let shown = format!(
             "ratio {} at 10^{{−8}}, {} at 10^{{2}}; {} unstable though (27) says stable",
@@ -105,13 +105,13 @@ pub(super) const FIG_9B_ENDS: Claim<Contact> = statement(
     "Lowest threshold of the full system over that of (27) at $F̃_{n}$ = 10^{−3}.",
 );
 
-pub(super) const LARGER_REGION: Claim<Contact> = statement(
+pub(super) const LARGER_REGION: MeasuredClaim<Contact> = statement(
     "§4.3, Fig. 9",
     "The full system has a larger unstable region than the undamped one",
     |contact| {
         let areas =
             |panel| (share(contact, panel, |full, _| full), share(contact, panel, |_, undamped| undamped));
-        let (a, b) = (areas(Panel::NineA), areas(Panel::NineB));
+        let (a, b) = (areas(PaperPanel::NineA), areas(PaperPanel::NineB));
         let shown = format!(
             "{} against {}; {} against {}",
             per_cent(a.0),
@@ -124,16 +124,17 @@ pub(super) const LARGER_REGION: Claim<Contact> = statement(
     "Unstable share of the map, full against undamped, Fig. 9a; 9b.",
 );
 
-pub(super) const PREVAILING: Claim<Contact> = statement(
+pub(super) const PREVAILING: MeasuredClaim<Contact> = statement(
     "§4.3, Figs. 9, 10",
     "At intermediate speed negative damping (Stribeck) prevails",
     |contact| {
-        let shares = [Panel::NineA, Panel::NineB, Panel::TenA, Panel::TenB].map(|panel| {
-            let map = panel.map(contact);
-            let falling = map.count(StabilityClass::NegativeDamping) + map.count(StabilityClass::Both);
-            falling as f64 / (map.unstable_fraction() * (SIDE * SIDE) as f64)
-        });
-        let third = [Panel::NineA, Panel::NineB, Panel::TenA, Panel::TenB].map(|panel| {
+        let shares =
+            [PaperPanel::NineA, PaperPanel::NineB, PaperPanel::TenA, PaperPanel::TenB].map(|panel| {
+                let map = panel.map(contact);
+                let falling = map.count(StabilityClass::NegativeDamping) + map.count(StabilityClass::Both);
+                falling as f64 / (map.unstable_fraction() * (SIDE * SIDE) as f64)
+            });
+        let third = [PaperPanel::NineA, PaperPanel::NineB, PaperPanel::TenA, PaperPanel::TenB].map(|panel| {
             let map = panel.map(contact);
             neither(&map) as f64 / (map.unstable_fraction() * (SIDE * SIDE) as f64)
         });
@@ -145,11 +146,11 @@ pub(super) const PREVAILING: Claim<Contact> = statement(
      force or unequal damping, which the paper does not name.",
 );
 
-pub(super) const DECOUPLED: Claim<Contact> = misprint(
+pub(super) const DECOUPLED: MeasuredClaim<Contact> = misprint(
     "§4.3",
     "For $η$ = 0 the two modes are decoupled",
     |contact| {
-        let shares = [Panel::NineA, Panel::NineB].map(|panel| {
+        let shares = [PaperPanel::NineA, PaperPanel::NineB].map(|panel| {
             let map = every_point(contact, &panel.plane(SIDE, 0.0));
             let without = neither(&map);
             (map.unstable_fraction(), without as f64 / (map.unstable_fraction() * (SIDE * SIDE) as f64))
@@ -162,7 +163,7 @@ pub(super) const DECOUPLED: Claim<Contact> = misprint(
     "$k_{12c}$ and $c_{21}$ stay, and couple them through $p_{1}$; the equilibrium moves too. Unstable share with $η$ = 0, Fig. 9a; 9b.",
 );
 
-pub(super) const FIG_10_ENDS: Claim<Contact> = statement(
+pub(super) const FIG_10_ENDS: MeasuredClaim<Contact> = statement(
     "§4.3, Fig. 10",
     "(28) matches the full boundary only at low and high speed",
     |contact| {
@@ -180,12 +181,14 @@ pub(super) const FIG_10_ENDS: Claim<Contact> = statement(
     "Highest threshold of the full system over that of (28) at $v̂_{d}$ = 10^{−8}, 10^{−4}, 10^{2}, $τ̃_{0}$ = 0.01.",
 );
 
-pub(super) const FIG_10_ENLARGES: Claim<Contact> = statement(
+pub(super) const FIG_10_ENLARGES: MeasuredClaim<Contact> = statement(
     "§4.3, Fig. 10",
     "The unstable region grows with the shear strength",
     |contact| {
-        let (a, b) =
-            (Panel::TenA.map(contact).unstable_fraction(), Panel::TenB.map(contact).unstable_fraction());
+        let (a, b) = (
+            PaperPanel::TenA.map(contact).unstable_fraction(),
+            PaperPanel::TenB.map(contact).unstable_fraction(),
+        );
         measured(format!("{} → {}", per_cent(a), per_cent(b)), b > a)
     },
     "Unstable share of Fig. 10a → 10b, for $F̃_{n}$ from 10^{−9} to 10^{−1}.",

@@ -1,9 +1,9 @@
 //! Motion after the instability (section 5, Figs. 11, 12), from what is stored of it.
 
 use crate::claim::Measured;
-use crate::claim::{Claim, measured, short, statement};
+use crate::claim::{MeasuredClaim, measured, short, statement};
 use crate::oscillator::measures::{state, strengths};
-use crate::oscillator::motion_exhibits::{LOAD, Part, STRENGTHS, Way};
+use crate::oscillator::motion_exhibits::{ComputedPart, LOAD, ReadingWay, STRENGTHS};
 use crate::summary::is_done;
 use judder_models::motion::becomes::{CYCLE, STEADY_SLIDING};
 use judder_oscillator::hopf::hopf_point;
@@ -33,10 +33,10 @@ impl Motions {
     pub(in crate::oscillator) fn stored(
         store: &StudyFolder,
         summary: &Summary,
-        way: &Way,
+        way: &ReadingWay,
     ) -> Result<Option<Self>, StudyError> {
-        let name = |part: Part| part.name(way);
-        let needed = [Part::Diagram, Part::Weak, Part::Strong].map(name);
+        let name = |part: ComputedPart| part.name(way);
+        let needed = [ComputedPart::Diagram, ComputedPart::Weak, ComputedPart::Strong].map(name);
         if !needed.iter().all(|name| is_done(summary, name)) {
             return Ok(None);
         }
@@ -46,7 +46,7 @@ impl Motions {
             contact: way.contact(),
             velocity: way.velocity,
             of_strong: scalars(&strong).unwrap_or_default(),
-            of_cycle: scalars(&name(Part::Cycle)),
+            of_cycle: scalars(&name(ComputedPart::Cycle)),
             diagram: store.read_dataset(&diagram)?,
             weak: store.read_dataset(&weak)?,
             strong: store.read_dataset(&strong)?,
@@ -97,7 +97,7 @@ const ABOUT_ZERO: f64 = 0.01;
 /// The text's bound of stable steady sliding.
 const STABLE_UP_TO: f64 = 2e-3;
 
-const ABOUT_NOTHING: Claim<Motions> = statement(
+const ABOUT_NOTHING: MeasuredClaim<Motions> = statement(
     "§5, Fig. 11",
     "For $τ̃_{0}$ ≲ 2 × 10^{−3} the amplitude is about 0",
     |m| {
@@ -114,7 +114,7 @@ const ABOUT_NOTHING: Claim<Motions> = statement(
      where contact does, and motions at the lowest shear strengths bounce.",
 );
 
-const INCREASES: Claim<Motions> = statement(
+const INCREASES: MeasuredClaim<Motions> = statement(
     "§5, Fig. 11",
     "For larger $τ̃_{0}$ the amplitude strongly increases with it",
     |m| {
@@ -128,7 +128,7 @@ const INCREASES: Claim<Motions> = statement(
     "rms of $x̃$ at the first point beyond 2.3 × 10^{−3} and at 5 × 10^{−2}: tenfold at least, without a fall of 10 % between neighbours.",
 );
 
-const ONE_AMPLITUDE: Claim<Motions> = statement(
+const ONE_AMPLITUDE: MeasuredClaim<Motions> = statement(
     "Fig. 11",
     "One amplitude for every $τ̃_{0}$",
     |m| {
@@ -146,7 +146,7 @@ const ONE_AMPLITUDE: Claim<Motions> = statement(
      what averages over a finite time leave.",
 );
 
-const NO_JUMP: Claim<Motions> = statement(
+const NO_JUMP: MeasuredClaim<Motions> = statement(
     "§5, Fig. 11",
     "From the threshold on the amplitude grows from zero",
     |m| {
@@ -162,7 +162,7 @@ const NO_JUMP: Claim<Motions> = statement(
     "Sign of the first Lyapunov coefficient at the threshold: supercritical means small stable cycles beyond it and none beside stable sliding.",
 );
 
-const LINEARLY_STABLE: Claim<Motions> = statement(
+const LINEARLY_STABLE: MeasuredClaim<Motions> = statement(
     "§5, Fig. 12",
     "For $τ̃_{0}$ = 10^{−4} the system is linearly stable",
     |m| {
@@ -175,7 +175,7 @@ const LINEARLY_STABLE: Claim<Motions> = statement(
     "Largest growth rate, in units of $ω_{nx}$.",
 );
 
-const CONSTANT: Claim<Motions> = statement(
+const CONSTANT: MeasuredClaim<Motions> = statement(
     "§5, Fig. 12",
     "For $τ̃_{0}$ = 10^{−4} $x̃$, $Ã$ and $τ̃_{0}$ are constant",
     |m| {
@@ -200,7 +200,7 @@ fn variation(values: &[f64]) -> f64 {
     0.5 * (most - least) / mean.abs()
 }
 
-const LIMIT_CYCLE: Claim<Motions> = statement(
+const LIMIT_CYCLE: MeasuredClaim<Motions> = statement(
     "§5, Fig. 12",
     "For $τ̃_{0}$ = 5 × 10^{−2} a high-amplitude limit cycle develops",
     |m| {
@@ -233,7 +233,7 @@ fn beside(cycle: &Map<String, Value>) -> String {
     )
 }
 
-const STICK_SLIP: Claim<Motions> = statement(
+const STICK_SLIP: MeasuredClaim<Motions> = statement(
     "§5, Fig. 12",
     "It is characterised by stick–slip-like motion",
     |m| {
@@ -244,7 +244,7 @@ const STICK_SLIP: Claim<Motions> = statement(
     "Shares of the time at $τ̃_{0}$ = 5 × 10^{−2}; agreement asks for a tenth in stick. Between stick and stick the indenter also leaves the substrate.",
 );
 
-const AREA_FALLS: Claim<Motions> = statement(
+const AREA_FALLS: MeasuredClaim<Motions> = statement(
     "§5, Fig. 12c",
     "In slip the contact area falls rapidly, and with it the Coulomb part of the friction",
     |m| {
@@ -262,7 +262,7 @@ const AREA_FALLS: Claim<Motions> = statement(
     "Smallest area in slip over the mean in stick, on the grid of times; agreement asks for a half. By (5) the Coulomb part is $τ_{0} A$.",
 );
 
-const SUPPRESSED: Claim<Motions> = statement(
+const SUPPRESSED: MeasuredClaim<Motions> = statement(
     "§5",
     "A vanishing $τ̃_{0}$ suppresses the effect of the contact area, which grows with it",
     |m| {
@@ -283,7 +283,7 @@ const SUPPRESSED: Claim<Motions> = statement(
     "Share of $τ_{0} A$ in the friction of steady sliding at $τ̃_{0}$ = 10^{−4} and 5 × 10^{−2}: below a tenth, above a half.",
 );
 
-const QUASI_STEADY: Claim<Motions> = statement(
+const QUASI_STEADY: MeasuredClaim<Motions> = statement(
     "Eq. (3), §5",
     "A law of steady sliding serves where $|(ω − v_{d}/A_{x}) τ|$ ≪ 1",
     |m| {
@@ -302,7 +302,7 @@ const QUASI_STEADY: Claim<Motions> = statement(
 );
 
 /// All claims about the motions, in the order of the paper.
-pub(in crate::oscillator) const MOTION_CLAIMS: [Claim<Motions>; 11] = [
+pub(in crate::oscillator) const MOTION_CLAIMS: [MeasuredClaim<Motions>; 11] = [
     QUASI_STEADY,
     SUPPRESSED,
     ABOUT_NOTHING,

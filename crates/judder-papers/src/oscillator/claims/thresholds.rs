@@ -1,6 +1,6 @@
 //! Eigenvalues and thresholds without damping (section 4.2, Figs. 5–8).
 
-use crate::claim::{Claim, measured, misprint, short, statement};
+use crate::claim::{MeasuredClaim, measured, misprint, short, statement};
 use crate::oscillator::measures::{loads, log_grid, state, strengths};
 use judder_oscillator::conservative::{conservative_eigenvalues, critical_shear_strength};
 use judder_oscillator::equilibrium::equilibrium;
@@ -16,7 +16,7 @@ fn lowest(thresholds: &[f64]) -> f64 {
     thresholds.first().copied().unwrap_or(f64::NAN)
 }
 
-pub(super) const OUTER_PAIR: Claim<Contact> = misprint(
+pub(super) const OUTER_PAIR: MeasuredClaim<Contact> = misprint(
     "Eq. (24), §4.2",
     "$λ_{1,2}$ are purely imaginary",
     |contact| {
@@ -33,7 +33,7 @@ pub(super) const OUTER_PAIR: Claim<Contact> = misprint(
      Fig. 5.",
 );
 
-pub(super) const FIG_5: Claim<Contact> = statement(
+pub(super) const FIG_5: MeasuredClaim<Contact> = statement(
     "§4.2, Fig. 5",
     "$τ̃_{0,crit}$ ≈ 3.5 × 10^{−2}",
     |contact| {
@@ -43,7 +43,7 @@ pub(super) const FIG_5: Claim<Contact> = statement(
     "At $v̂_{d}$ = 10^{−4}, $F̃_{n}$ = 7.5 × 10^{−6}, read off a figure: within 6 %.",
 );
 
-pub(super) const FIG_6: Claim<Contact> = misprint(
+pub(super) const FIG_6: MeasuredClaim<Contact> = misprint(
     "§4.2, Fig. 6",
     "The modes merge at $F̃_{n}$ ≈ 7.5 × 10^{−7}",
     |contact| {
@@ -54,7 +54,7 @@ pub(super) const FIG_6: Claim<Contact> = misprint(
     "At $v̂_{d}$ = 1.58 × 10^{−4}, $τ̃_{0}$ = 0.01: an exponent misprint, 7.5 × 10^{−8} is within 10 %.",
 );
 
-pub(super) const DERIVATIVES_IN_27: Claim<Contact> = misprint(
+pub(super) const DERIVATIVES_IN_27: MeasuredClaim<Contact> = misprint(
     "Eqs. (27), (28)",
     "Derivatives by $ỹ$; thresholds explicit",
     |contact| {
@@ -74,7 +74,7 @@ pub(super) const DERIVATIVES_IN_27: Claim<Contact> = misprint(
     "They hold with derivatives by $ŷ$, and are implicit: $ŷ_{e}$ depends on the threshold. Solved together with the equilibrium, all roots.",
 );
 
-pub(super) const FIG_7_GROWS: Claim<Contact> = statement(
+pub(super) const FIG_7_GROWS: MeasuredClaim<Contact> = statement(
     "§4.2, Fig. 7",
     "$τ̃_{0,crit}$ increases with the speed and with the load",
     |contact| {
@@ -100,7 +100,7 @@ fn largest_fall(rows: &[Vec<f64>]) -> f64 {
 }
 
 /// The threshold of section 5 belongs to the linear analysis.
-pub(super) const SECTION_5: Claim<Contact> = statement(
+pub(super) const SECTION_5: MeasuredClaim<Contact> = statement(
     "§5",
     "At $F̃_{n}$ = 7.5 × 10^{−4} the system is stable for $τ̃_{0}$ ≲ 2 × 10^{−3}",
     |contact| {
@@ -116,7 +116,7 @@ pub(super) const SECTION_5: Claim<Contact> = statement(
     "Thresholds of the full system at the captions' $ṽ_{d}$ = 5 × 10^{−3}, that is $v̂_{d}$ = 4 × 10^{−4}.",
 );
 
-pub(super) const SPEED_OF_SECTION_5: Claim<Contact> = misprint(
+pub(super) const SPEED_OF_SECTION_5: MeasuredClaim<Contact> = misprint(
     "§5",
     "$v̂_{d}$ = 5 × 10^{−3}",
     |contact| {
@@ -127,7 +127,7 @@ pub(super) const SPEED_OF_SECTION_5: Claim<Contact> = misprint(
     "The captions of Figs. 11 and 12 have $ṽ_{d}$; with $v̂_{d}$ the stability that the text tells of does not occur.",
 );
 
-pub(super) const FIG_7_EASY: Claim<Contact> = statement(
+pub(super) const FIG_7_EASY: MeasuredClaim<Contact> = statement(
     "§4.2, Fig. 7",
     "With realistic $τ̃_{0}$ in 0.01 … 0.1, low loads easily flutter",
     |contact| {
@@ -137,7 +137,7 @@ pub(super) const FIG_7_EASY: Claim<Contact> = statement(
     "Thresholds at $v̂_{d}$ = 10^{−8} for $F̃_{n}$ = 10^{−8} … 10^{−4}.",
 );
 
-pub(super) const FIG_8_TRENDS: Claim<Contact> = statement(
+pub(super) const FIG_8_TRENDS: MeasuredClaim<Contact> = statement(
     "§4.2, Fig. 8",
     "$F̃_{n,crit}$ falls with the speed and grows with $τ̃_{0}$",
     |contact| {

@@ -3,10 +3,10 @@
 use crate::common;
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::PairCharacteristic;
-use judder_sliding::coupling::{Coupling, Sliding};
+use judder_sliding::coupling::{Coupling, SteadyFriction};
 use judder_sliding::dense_forms::ThreeField;
 use judder_sliding::edge::Interpolation;
-use judder_sliding::friction::Friction;
+use judder_sliding::friction::SlidingFriction;
 use judder_sliding::pair::Pair;
 use judder_sliding::spectrum::{Spectrum, WantedEigenvalues};
 use judder_sliding::statics::PairEquilibrium;
@@ -19,11 +19,11 @@ const SHIFT: f64 = 2e4;
 const LIMIT: f64 = TAU * 40e3;
 
 fn pair(friction: f64) -> Pair {
-    common::pair_with(Interpolation::Linear, Friction::constant(friction).unwrap(), 20)
+    common::pair_with(Interpolation::Linear, SlidingFriction::constant(friction).unwrap(), 20)
 }
 
 fn coupling(pair: &Pair, position: f64, is_deformed: bool) -> Coupling {
-    let sliding = Sliding::at(pair.friction(), common::SPEED);
+    let sliding = SteadyFriction::at(pair.friction(), common::SPEED);
     if is_deformed {
         return PairEquilibrium::new(pair, position, common::LOAD, sliding).unwrap().coupling(pair, sliding);
     }
@@ -165,7 +165,7 @@ fn overdamped_eigenvalues_are_found_and_real() {
 fn modes_that_are_not_coupled_are_eigenvalues() {
     let pair = pair(0.3);
     let touch = pair.undeformed(0.0).unwrap();
-    let coupling = Coupling::new(&pair, &touch, Sliding::at(pair.friction(), common::SPEED));
+    let coupling = Coupling::new(&pair, &touch, SteadyFriction::at(pair.friction(), common::SPEED));
     let function = PairCharacteristic::new(&coupling, &pair.eigenvalues(), &pair.damping()).unwrap();
     let found = Spectrum::new(&function, 0.0, WantedEigenvalues::Below(LIMIT)).unwrap().eigenvalues;
     let first = pair.slider().body.modes();
@@ -182,7 +182,7 @@ fn locking_is_named_with_its_position() {
     let pair = pair(0.3);
     let touch = pair.undeformed(0.0505).unwrap();
     let coupled =
-        |friction: f64| Coupling::new(&pair, &touch, Sliding { friction, slope: 0.0, direction: 1.0 });
+        |friction: f64| Coupling::new(&pair, &touch, SteadyFriction { friction, slope: 0.0, direction: 1.0 });
     let none = coupled(0.0).mobility();
     let critical = none / (none - coupled(1.0).mobility());
     assert!(critical > 3.0, "{critical}");

@@ -3,7 +3,7 @@
 use crate::common;
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::PairCharacteristic;
-use judder_sliding::coupling::{Coupling, Sliding};
+use judder_sliding::coupling::{Coupling, SteadyFriction};
 use judder_sliding::locus::{Conditions, Configuration, Locus, LocusSettings, follow, locus, spectrum};
 use judder_sliding::spectrum::WantedEigenvalues;
 use judder_sliding::statics::PairEquilibrium;
@@ -178,7 +178,7 @@ fn neither_threads_nor_positions_change_zones() {
 /// Without friction nothing is unstable; without damping there are more and wider zones than with it.
 #[test]
 fn friction_and_damping_decide() {
-    let sliding = Sliding { friction: 0.0, slope: 0.0, direction: 1.0 };
+    let sliding = SteadyFriction { friction: 0.0, slope: 0.0, direction: 1.0 };
     let pair = common::pair();
     for is_deformed in [false, true] {
         let family = |position: f64| {
@@ -208,7 +208,7 @@ fn friction_and_damping_decide() {
 fn zones_of_the_friction_coefficient_are_found_by_the_same_search() {
     let pair = common::pair();
     let family = |friction: f64| {
-        let sliding = Sliding { friction, slope: 0.0, direction: 1.0 };
+        let sliding = SteadyFriction { friction, slope: 0.0, direction: 1.0 };
         let coupling = PairEquilibrium::new(&pair, 0.07397, common::LOAD, sliding)?.coupling(&pair, sliding);
         PairCharacteristic::new(&coupling, &pair.eigenvalues(), &pair.damping())
     };
@@ -239,7 +239,7 @@ fn zones_of_large_friction_do_not_know_how_the_range_is_divided() {
     let pair = common::pair();
     for (to, is_deformed) in [(1.8, true), (10.0, true), (10.0, false)] {
         let family = |friction: f64| {
-            let sliding = Sliding { friction, slope: 0.0, direction: 1.0 };
+            let sliding = SteadyFriction { friction, slope: 0.0, direction: 1.0 };
             let rest = if is_deformed {
                 PairEquilibrium::new(&pair, 0.074, common::LOAD, sliding)?
             } else {

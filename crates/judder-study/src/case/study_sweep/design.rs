@@ -4,7 +4,7 @@ use judder_numerics::elementary::{exp, ln};
 use judder_numerics::sampling::{LatinHypercube, SobolSequence};
 
 use super::{Design, StudySweep, SweptKey, SweptValues};
-use crate::case::scale::{Scale, evenly};
+use crate::case::scale::{Spacing, evenly};
 
 /// The most points of a sweep.
 pub const POINTS_LIMIT: u64 = 1_000_000_000_000;
@@ -59,7 +59,7 @@ impl SweptKey {
             }
             SweptValues::Spaced { from, to, points } if index < *points => {
                 let is_end = index == 0 || index + 1 == *points;
-                if self.scale == Scale::Linear || is_end {
+                if self.scale == Spacing::Linear || is_end {
                     return evenly([*from, *to], *points, index);
                 }
                 let exponents = [*from, *to].map(|end| libm::log10(end.abs()));
@@ -75,11 +75,11 @@ impl SweptKey {
         let between = |from: f64, to: f64| from * (1.0 - coordinate) + to * coordinate;
         let ratio = to / from;
         let value = match self.scale {
-            Scale::Linear => between(from, to),
+            Spacing::Linear => between(from, to),
             // exp and ln have the same bits on every machine, as all points of one sweep must
-            Scale::Log if ratio.is_normal() => from * exp(coordinate * ln(ratio)),
+            Spacing::Log if ratio.is_normal() => from * exp(coordinate * ln(ratio)),
             // ends too far apart for their ratio
-            Scale::Log => {
+            Spacing::Log => {
                 power_of_ten(between(libm::log10(from.abs()), libm::log10(to.abs()))).copysign(from)
             }
         };
@@ -161,7 +161,7 @@ mod tests {
     use super::*;
     use judder_keys::dimension::Dimension;
 
-    fn key(from: f64, to: f64, scale: Scale) -> SweptKey {
+    fn key(from: f64, to: f64, scale: Spacing) -> SweptKey {
         let (path, dimension) = ("a.b".to_owned(), Dimension::NUMBER);
         SweptKey { path, dimension, scale, values: SweptValues::Between { from, to } }
     }
@@ -172,7 +172,7 @@ mod tests {
             let decade = |exponent: i32| -> f64 { format!("1e{exponent}").parse().unwrap() };
             let points = i32::abs_diff(from, to) + 1;
             let values = SweptValues::Spaced { from: decade(from), to: decade(to), points: points.into() };
-            let key = SweptKey { values, ..key(0.0, 0.0, Scale::Log) };
+            let key = SweptKey { values, ..key(0.0, 0.0, Spacing::Log) };
             for (index, step) in (0..u64::from(points)).zip(0..) {
                 let exponent = if to > from { from + step } else { from - step };
                 assert_eq!(key.value(index), decade(exponent));
@@ -184,11 +184,11 @@ mod tests {
     #[test]
     fn coordinates_are_even_on_the_scale() {
         let close = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-13;
-        assert!(close(key(1e-4, 1e2, Scale::Log).value_at(0.25), 10_f64.powf(-2.5)));
-        assert!(close(key(-100.0, -1.0, Scale::Log).value_at(0.5), -10.0));
-        assert!(close(key(1e-200, 1e200, Scale::Log).value_at(0.25), 1e-100));
-        assert!(close(key(3.0, -1.0, Scale::Linear).value_at(0.25), 2.0));
-        assert_eq!(key(-f64::MAX, f64::MAX, Scale::Linear).value_at(0.5), 0.0);
-        assert!(key(0.0, 1.0, Scale::Linear).value_at(f64::NAN).is_nan());
+        assert!(close(key(1e-4, 1e2, Spacing::Log).value_at(0.25), 10_f64.powf(-2.5)));
+        assert!(close(key(-100.0, -1.0, Spacing::Log).value_at(0.5), -10.0));
+        assert!(close(key(1e-200, 1e200, Spacing::Log).value_at(0.25), 1e-100));
+        assert!(close(key(3.0, -1.0, Spacing::Linear).value_at(0.25), 2.0));
+        assert_eq!(key(-f64::MAX, f64::MAX, Spacing::Linear).value_at(0.5), 0.0);
+        assert!(key(0.0, 1.0, Spacing::Linear).value_at(f64::NAN).is_nan());
     }
 }

@@ -1,7 +1,7 @@
 //! Whether a path leads to a number among the results that an analysis declares.
 
 use super::problem::SweepProblem;
-use super::quantity_path::{QuantityStep, Reduction};
+use super::quantity_path::{ListReduction, QuantityStep};
 use judder_store::{Declared, ValueKind};
 
 /// Refuses a path through results with these keys that leads to no number.
@@ -17,16 +17,20 @@ pub(super) fn check(path: &str, steps: &[QuantityStep], keys: Vec<Declared>) -> 
             (ValueKind::Object(keys), QuantityStep::Name(name)) => named(path, name, &keys)?,
             (ValueKind::ByName(own), QuantityStep::Name(_))
             | (ValueKind::List(own), QuantityStep::Item(_)) => *own,
-            (ValueKind::List(own), QuantityStep::Name(name)) => match (*own, Reduction::from_name(name)) {
-                (_, Some(Reduction::Count)) | (ValueKind::Number | ValueKind::Truth, Some(_)) if is_last => {
-                    ValueKind::Number
+            (ValueKind::List(own), QuantityStep::Name(name)) => {
+                match (*own, ListReduction::from_name(name)) {
+                    (_, Some(ListReduction::Count)) | (ValueKind::Number | ValueKind::Truth, Some(_))
+                        if is_last =>
+                    {
+                        ValueKind::Number
+                    }
+                    (ValueKind::Object(keys), _) => named(path, name, &keys)?.list(),
+                    (_, Some(_)) if is_last => {
+                        return no_number("it reduces a list that is not one of numbers", of_list());
+                    }
+                    _ => return no_number("it goes on by a name behind a list without names", of_list()),
                 }
-                (ValueKind::Object(keys), _) => named(path, name, &keys)?.list(),
-                (_, Some(_)) if is_last => {
-                    return no_number("it reduces a list that is not one of numbers", of_list());
-                }
-                _ => return no_number("it goes on by a name behind a list without names", of_list()),
-            },
+            }
             (ValueKind::Object(keys), QuantityStep::Item(_)) => {
                 return no_number("it goes on by a number where there are names", of_names(&keys));
             }
@@ -53,7 +57,7 @@ pub(super) fn check(path: &str, steps: &[QuantityStep], keys: Vec<Declared>) -> 
 const OF_WORD: &str = "ask for a number";
 
 fn of_list() -> String {
-    let reductions = Reduction::ALL.map(|(name, _)| name).join(", ");
+    let reductions = ListReduction::ALL.map(|(name, _)| name).join(", ");
     format!("add the number of an item, from 0, or one of {reductions}")
 }
 

@@ -48,7 +48,7 @@ pub enum QuantityStep {
 
 /// What makes one number of a list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Reduction {
+pub enum ListReduction {
     /// The smallest.
     Min,
     /// The largest.
@@ -61,7 +61,7 @@ pub enum Reduction {
     Count,
 }
 
-impl Reduction {
+impl ListReduction {
     /// The reductions with their names in a path.
     pub const ALL: [(&'static str, Self); 5] = [
         ("min", Self::Min),
@@ -162,6 +162,6 @@ mod tests {
         );
         assert_eq!(source("growth_rate"), Ok(QuantitySource::Point { quantity }));
         assert!(["rms", "other", "a.b", "cycle.seconds"].into_iter().all(|path| source(path).is_err()));
-        assert!(Reduction::ALL.iter().all(|(name, kind)| Reduction::from_name(name) == Some(*kind)));
+        assert!(ListReduction::ALL.iter().all(|(name, kind)| ListReduction::from_name(name) == Some(*kind)));
     }
 }

@@ -7,7 +7,7 @@ use super::design::{POINTS_LIMIT, Sampler, kept_values};
 use super::known_result;
 use super::problem::SweepProblem;
 use super::quantity_path::{QuantityPath, QuantitySource};
-use super::read_axis::{Axis, PlacedKey, read_axes, refuse, refuse_repeated_keys};
+use super::read_axis::{PlacedKey, SweepEntry, read_axes, refuse, refuse_repeated_keys};
 use super::trial::try_values;
 use super::{Design, SEEDS, Sensitivity, StudySweep, SweptKey, SweptValues};
 use crate::case::analysis::is_file_name;
@@ -43,7 +43,7 @@ pub(crate) struct SweepKeys {
     seed: Option<usize>,
     /// The swept keys, see below.
     #[key(rule = SOME, example = "[{ key = …, from = …, to = … }], the swept keys")]
-    over: Vec<Axis>,
+    over: Vec<SweepEntry>,
     /// What is kept of every point, see below: a quantity of the operating point, or ANALYSIS.PATH into the results of an analysis.
     #[key(example = "[\"growth_rate\", \"ANALYSIS.PATH\"], what is kept of every point")]
     quantities: Quantities,
@@ -51,8 +51,8 @@ pub(crate) struct SweepKeys {
     #[key(rule = Whole { from: 1, to: CHUNK_LIMIT })]
     chunk: Option<usize>,
     /// Of `latin-hypercube` and `sobol`: first-order and total Sobol' indices of every quantity, with bootstrap intervals.
-    #[key(default = Asked(None))]
-    sensitivity: Asked,
+    #[key(default = AskedSensitivity(None))]
+    sensitivity: AskedSensitivity,
 }
 
 /// How the points of a sweep are chosen.
@@ -79,7 +79,7 @@ struct Quantities(Vec<String>);
 
 /// The sensitivity that is asked for.
 #[derive(Debug, Clone, Copy)]
-struct Asked(Option<Sensitivity>);
+struct AskedSensitivity(Option<Sensitivity>);
 
 /// The seed where the case does not say.
 const SEED: usize = 1;
@@ -129,7 +129,7 @@ impl Setting for Quantities {
     }
 }
 
-impl Setting for Asked {
+impl Setting for AskedSensitivity {
     type Rule = ();
 
     fn form((): &()) -> Allowed {
@@ -196,7 +196,7 @@ fn refuse_repeated_name(
 }
 
 /// A sweep, whatever its case.
-struct Swept {
+struct ReadSweep {
     asked: SweepKeys,
     method: Design,
     axes: Vec<PlacedKey>,
@@ -206,7 +206,7 @@ struct Swept {
     points: u64,
 }
 
-impl Swept {
+impl ReadSweep {
     /// The sweep of a case.
     fn of_case(
         self,
@@ -229,7 +229,8 @@ impl Swept {
         let (quantities, cases) = both(quantities, cases)?;
         let is_set = case.is_set_by(&keys, &cases);
         let kept_values = kept_values(method, &keys);
-        let SweepKeys { name: SweepName(name), chunk, sensitivity: Asked(sensitivity), .. } = asked;
+        let SweepKeys { name: SweepName(name), chunk, sensitivity: AskedSensitivity(sensitivity), .. } =
+            asked;
         Ok(StudySweep {
             name,
             method,
@@ -248,9 +249,9 @@ impl Swept {
 
 impl SweepKeys {
     /// The points, and the keys that vary over them.
-    fn swept(self, section: &Section<'_>) -> Result<Swept, Fault> {
+    fn swept(self, section: &Section<'_>) -> Result<ReadSweep, Fault> {
         let method = self.design(section)?;
-        let Asked(sensitivity) = self.sensitivity;
+        let AskedSensitivity(sensitivity) = self.sensitivity;
         let sensitive = match (sensitivity, method) {
             (Some(_), Design::Grid | Design::List) => {
                 let problem = SweepProblem::SensitivityOf { method: method.name() };
@@ -266,7 +267,7 @@ impl SweepKeys {
         let row = if sensitivity.is_some() { keys.len() as u64 + 2 } else { 1 };
         let shape = shape(method, &keys, row);
         let points = check_size(&shape, place)?;
-        Ok(Swept { asked: self, method, axes, keys, sampler, shape, points })
+        Ok(ReadSweep { asked: self, method, axes, keys, sampler, shape, points })
     }
 
     /// How points are chosen, with how many are drawn; refuses keys that mean nothing to the method.
@@ -309,12 +310,12 @@ impl Design {
 
 impl SweptKey {
     /// As a case says it.
-    fn as_asked(&self) -> Axis {
+    fn as_asked(&self) -> SweepEntry {
         let number = |value: f64| AnyNumber { value, dimension: self.dimension };
         let (from, to, points) = match &self.values {
             SweptValues::Listed(values) => {
                 let values = Some(values.iter().map(|value| number(*value)).collect());
-                return Axis {
+                return SweepEntry {
                     key: self.path.clone(),
                     values,
                     from: None,
@@ -327,7 +328,7 @@ impl SweptKey {
             SweptValues::Between { from, to } => (*from, *to, None),
         };
         let [from, to] = [from, to].map(|end| Some(number(end)));
-        Axis { key: self.path.clone(), from, to, points, scale: Some(self.scale), values: None }
+        SweepEntry { key: self.path.clone(), from, to, points, scale: Some(self.scale), values: None }
     }
 }
 
@@ -348,7 +349,7 @@ impl StudySweep {
             over: self.axes.iter().map(SweptKey::as_asked).collect(),
             quantities: Quantities(self.quantities.iter().map(|path| path.text.clone()).collect()),
             chunk: self.chunk,
-            sensitivity: Asked(self.sensitivity),
+            sensitivity: AskedSensitivity(self.sensitivity),
         };
         let mut json = Map::new();
         keys.write_table(&mut json);

@@ -7,7 +7,7 @@ use super::problem::SweepProblem;
 use super::{Design, SweptKey, SweptValues};
 use crate::case::key_sweep::{Ends, VariedKey, of_one_dimension};
 use crate::case::root::{MODEL, SWEEP, TITLE};
-use crate::case::scale::Scale;
+use crate::case::scale::Spacing;
 use crate::case::tree::CaseTree;
 use crate::model::Case;
 use judder_keys::cause::Cause;
@@ -19,7 +19,7 @@ use judder_keys::problem::Placed;
 use judder_keys::section::{Section, list};
 
 /// An entry of `over`.
-pub(super) type Axis = VariedKey<{ POINTS_LIMIT as usize }>;
+pub(super) type SweepEntry = VariedKey<{ POINTS_LIMIT as usize }>;
 
 /// A swept key with the places that later checks point at.
 pub(super) struct PlacedKey {
@@ -29,7 +29,7 @@ pub(super) struct PlacedKey {
 }
 
 /// The swept keys that stand at `over`.
-pub(super) fn read_axes(axes: &[Axis], over: &Node, method: Design) -> Result<Vec<PlacedKey>, Fault> {
+pub(super) fn read_axes(axes: &[SweepEntry], over: &Node, method: Design) -> Result<Vec<PlacedKey>, Fault> {
     let nodes = list("over", over)?;
     if nodes.is_empty() {
         return Err(Cause::EmptyList { key: "over".to_owned() }.at(over.place));
@@ -45,7 +45,7 @@ pub(super) fn read_axes(axes: &[Axis], over: &Node, method: Design) -> Result<Ve
     Ok(axes)
 }
 
-fn read_axis(axis: &Axis, node: &Node, method: Design) -> Result<PlacedKey, Fault> {
+fn read_axis(axis: &SweepEntry, node: &Node, method: Design) -> Result<PlacedKey, Fault> {
     let table = Section::of_table(node, "over", "an entry of `over`")?;
     let key =
         table.required("key", "the dotted path of a number of the case, key = \"operation.velocity\"")?;
@@ -70,17 +70,17 @@ fn read_axis(axis: &Axis, node: &Node, method: Design) -> Result<PlacedKey, Faul
 
 /// The values of a key that takes a number of them.
 fn read_counted(
-    axis: &Axis,
+    axis: &SweepEntry,
     table: &Section<'_>,
     method: Design,
-) -> Result<(SweptValues, Dimension, Scale), Fault> {
+) -> Result<(SweptValues, Dimension, Spacing), Fault> {
     if let (Some(node), Some(values)) = (table.get("values"), &axis.values) {
         all(["from", "to", "points", "scale"].map(|key| refuse(table, key, "`values`")))?;
         let (values, places, dimension) = of_one_dimension("over.values", node, values, 1)?;
         if method == Design::Grid {
             refuse_repeated_values(&axis.key, &values, &places, dimension)?;
         }
-        return Ok((SweptValues::Listed(values), dimension, Scale::Linear));
+        return Ok((SweptValues::Listed(values), dimension, Spacing::Linear));
     }
     if method == Design::List {
         return Err(table.missing("values", "values = [ … ], one a point"));

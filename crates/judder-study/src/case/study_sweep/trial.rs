@@ -10,13 +10,13 @@ use judder_keys::document::Node;
 use judder_keys::error::{Fault, Place};
 
 /// A point at which there is no such case.
-pub(crate) struct Refusal {
+pub(crate) struct RefusedPoint {
     pub(crate) problem: SweepProblem,
     /// The key to blame, by its position, where one alone is.
     pub(crate) axis: Option<usize>,
 }
 
-impl Refusal {
+impl RefusedPoint {
     /// Whether the key is to blame rather than its value.
     pub(crate) fn is_of_key(&self) -> bool {
         matches!(self.problem, SweepProblem::Key { .. })
@@ -24,7 +24,11 @@ impl Refusal {
 }
 
 /// The tree of the case with these values set, and the case that it gives.
-pub(crate) fn at(tree: &CaseTree, axes: &[SweptKey], values: &[f64]) -> Result<(CaseTree, Case), Refusal> {
+pub(crate) fn at(
+    tree: &CaseTree,
+    axes: &[SweptKey],
+    values: &[f64],
+) -> Result<(CaseTree, Case), RefusedPoint> {
     let mut tree = tree.clone();
     let read = axes.iter().zip(values).enumerate().try_for_each(|(k, (axis, value))| {
         let leaf = Node { place: marker(k, VALUE), data: written(*value, axis.dimension) };
@@ -45,7 +49,7 @@ fn marker(axis: usize, part: usize) -> Place {
     Place { source: usize::MAX - axis, start: part, end: part }
 }
 
-fn refusal(axes: &[SweptKey], values: &[f64], fault: Fault) -> Refusal {
+fn refusal(axes: &[SweptKey], values: &[f64], fault: Fault) -> RefusedPoint {
     let place = fault.place();
     let cause = fault.into_cause();
     let axis = usize::MAX - place.source;
@@ -69,11 +73,11 @@ fn refusal(axes: &[SweptKey], values: &[f64], fault: Fault) -> Refusal {
             }
         }
     };
-    Refusal { problem, axis }
+    RefusedPoint { problem, axis }
 }
 
 /// Tries the case at the first values of all keys, and at other values of each key in turn.
-pub(super) fn try_values(tree: &CaseTree, axes: &[SweptKey]) -> Result<Vec<Case>, Refusal> {
+pub(super) fn try_values(tree: &CaseTree, axes: &[SweptKey]) -> Result<Vec<Case>, RefusedPoint> {
     let first: Vec<f64> = axes.iter().map(|axis| tried(axis)[0]).collect();
     let mut cases = vec![at(tree, axes, &first)?.1];
     for (k, axis) in axes.iter().enumerate() {
@@ -82,7 +86,7 @@ pub(super) fn try_values(tree: &CaseTree, axes: &[SweptKey]) -> Result<Vec<Case>
             values[k] = *value;
             cases.push(
                 at(tree, axes, &values)
-                    .map_err(|refusal| Refusal { axis: refusal.axis.or(Some(k)), ..refusal })?
+                    .map_err(|refusal| RefusedPoint { axis: refusal.axis.or(Some(k)), ..refusal })?
                     .1,
             );
         }
@@ -92,7 +96,7 @@ pub(super) fn try_values(tree: &CaseTree, axes: &[SweptKey]) -> Result<Vec<Case>
 
 impl StudySweep {
     /// The steps to what a refusal concerns in the tree of the case file: an axis, its key, or all axes.
-    pub(crate) fn steps_to(&self, refusal: &Refusal) -> Vec<String> {
+    pub(crate) fn steps_to(&self, refusal: &RefusedPoint) -> Vec<String> {
         let mut steps = vec!["sweep".to_owned(), self.name.clone(), "over".to_owned()];
         steps.extend(refusal.axis.map(|axis| axis.to_string()));
         steps.extend((refusal.axis.is_some() && refusal.is_of_key()).then(|| "key".to_owned()));

@@ -8,7 +8,7 @@ use judder_store::Dataset;
 use serde_json::Value;
 
 /// A swept key.
-pub(super) struct Key {
+pub(super) struct KeyColumn {
     /// Its dotted path.
     pub(super) path: String,
     /// Quantity, symbol and unit.
@@ -18,14 +18,14 @@ pub(super) struct Key {
     pub(super) values: Vec<f64>,
 }
 
-impl Key {
+impl KeyColumn {
     pub(super) fn axis(&self) -> Axis {
         if self.is_log { Axis::log(&self.label) } else { Axis::linear(&self.label) }
     }
 }
 
 /// A quantity at the points.
-pub(super) struct Column {
+pub(super) struct PointColumn {
     /// Its name in the case.
     pub(super) name: String,
     /// Quantity, symbol and unit.
@@ -37,13 +37,13 @@ pub(super) struct Column {
 }
 
 /// The keys of a sweep, without values.
-pub(super) fn keys(dataset: &Dataset) -> Option<Vec<Key>> {
+pub(super) fn keys(dataset: &Dataset) -> Option<Vec<KeyColumn>> {
     let list = |name: &str| dataset.attributes().get(name)?.as_array();
     let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
     let (paths, scales) = (list("keys")?, list("scales")?);
     let label =
         |k: usize, path: &Value| list("key_labels").and_then(|labels| labels.get(k)).map_or(text(path), text);
-    let key = |(k, (path, scale)): (usize, (&Value, &Value))| Key {
+    let key = |(k, (path, scale)): (usize, (&Value, &Value))| KeyColumn {
         path: text(path),
         label: label(k, path),
         is_log: scale.as_str() == Some("log"),
@@ -53,7 +53,11 @@ pub(super) fn keys(dataset: &Dataset) -> Option<Vec<Key>> {
 }
 
 /// All columns of a sweep over a case of this model; `values` are its stored ones, quantities fastest.
-pub(super) fn columns(model: Option<&ModelKind>, dataset: &Dataset, values: &[f64]) -> Option<Vec<Column>> {
+pub(super) fn columns(
+    model: Option<&ModelKind>,
+    dataset: &Dataset,
+    values: &[f64],
+) -> Option<Vec<PointColumn>> {
     let (names, units) = (words(dataset, "quantity")?, words(dataset, "quantity_units")?);
     let long_names = words(dataset, "quantity_long_name")?;
     let meanings = words(dataset, "quantity_flag_meanings");
@@ -61,7 +65,7 @@ pub(super) fn columns(model: Option<&ModelKind>, dataset: &Dataset, values: &[f6
         let name = &names[k];
         let flags = meanings.and_then(|meanings| meanings.get(k)).map_or("", String::as_str);
         let classes = flags.split_whitespace().map(|meaning| class(&meaning.replace('_', " ")));
-        Column {
+        PointColumn {
             name: name.clone(),
             label: label(
                 model,
@@ -105,7 +109,7 @@ fn class(meaning: &str) -> Class {
     Class::new(label, role)
 }
 
-impl Column {
+impl PointColumn {
     pub(super) fn is_number(&self) -> bool {
         self.classes.is_empty()
     }
@@ -155,7 +159,7 @@ mod tests {
 
     fn scale(values: &[f64]) -> Scale {
         let (name, label) = (String::new(), String::new());
-        Column { name, label, classes: Vec::new(), values: values.to_vec() }.axis().scale
+        PointColumn { name, label, classes: Vec::new(), values: values.to_vec() }.axis().scale
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Grids: lines over one key, maps over two, of more keys those over the two longest.
 
-use super::column::Column;
-use super::{DRAWN_POINTS, Drawn, PANELS, Sweep, evenly, left_out};
+use super::column::PointColumn;
+use super::{DRAWN_POINTS, Drawn, DrawnSweep, PANELS, evenly, left_out};
 use crate::labels::short_number;
 use crate::pictures::{DRAWN_SIDE, ascending_order, axis, reals, text};
 use judder_report::figure::{Class, ClassMap, ValueMap};
@@ -34,7 +34,7 @@ fn axes(lengths: &[usize]) -> Vec<usize> {
     order
 }
 
-pub(super) fn panels(sweep: &Sweep<'_>) -> Drawn {
+pub(super) fn panels(sweep: &DrawnSweep<'_>) -> Drawn {
     let shown = &sweep.columns[..sweep.columns.len().min(PANELS)];
     let coordinate = |k: usize| sweep.dataset.variable(&sweep.keys.get(k)?.path);
     let panels: Option<Vec<Panel>> = match axes(&sweep.lengths)[..] {
@@ -51,9 +51,9 @@ pub(super) fn panels(sweep: &Sweep<'_>) -> Drawn {
 }
 
 /// Which keys stand still in the figure, and where.
-fn fixed(sweep: &Sweep<'_>) -> String {
+fn fixed(sweep: &DrawnSweep<'_>) -> String {
     let axes = axes(&sweep.lengths);
-    let at = |(k, key): (usize, &super::Key)| {
+    let at = |(k, key): (usize, &super::KeyColumn)| {
         let value = reals(sweep.dataset, &key.path)?.first().copied()?;
         let units = &sweep.dataset.variable(&key.path)?.units;
         let unit = if units == "1" { String::new() } else { format!(" {units}") };
@@ -67,7 +67,7 @@ fn fixed(sweep: &Sweep<'_>) -> String {
 }
 
 /// A number as a line, classes as a strip.
-fn over_one(sweep: &Sweep<'_>, column: &Column, x: &Variable) -> Option<Panel> {
+fn over_one(sweep: &DrawnSweep<'_>, column: &PointColumn, x: &Variable) -> Option<Panel> {
     let values = reals(sweep.dataset, &x.name)?;
     if !column.is_number() {
         return Some(strip(axis(x), values, column));
@@ -78,7 +78,7 @@ fn over_one(sweep: &Sweep<'_>, column: &Column, x: &Variable) -> Option<Panel> {
 }
 
 /// A line at zero, where the values have both signs.
-fn zero(column: &Column) -> Option<Layer> {
+fn zero(column: &PointColumn) -> Option<Layer> {
     column.has_both_signs().then(|| Layer::horizontal_rule(0.0, ""))
 }
 
@@ -93,8 +93,8 @@ fn curve(label: &str, x: &[f64], y: Vec<f64>, role: Role) -> Vec<Layer> {
 
 /// A number over one key, a line for each value of the other.
 fn family(
-    sweep: &Sweep<'_>,
-    column: &Column,
+    sweep: &DrawnSweep<'_>,
+    column: &PointColumn,
     x: &Variable,
     of: &Variable,
     x_is_first: bool,
@@ -119,7 +119,7 @@ fn rounded(value: f64) -> f64 {
 }
 
 /// The classes of points along one axis.
-pub(super) fn strip(x: Axis, at: &[f64], column: &Column) -> Panel {
+pub(super) fn strip(x: Axis, at: &[f64], column: &PointColumn) -> Panel {
     let mut order: Vec<usize> = (0..at.len()).filter(|k| at[*k].is_finite()).collect();
     order.sort_by(|a, b| at[*a].total_cmp(&at[*b]));
     order.dedup_by(|b, a| at[*b] <= at[*a]);
@@ -129,7 +129,7 @@ pub(super) fn strip(x: Axis, at: &[f64], column: &Column) -> Panel {
 }
 
 /// The classes that occur at these points, and the place of each point among them.
-fn drawn_classes(column: &Column, points: impl Iterator<Item = usize>) -> (Vec<u8>, Vec<Class>) {
+fn drawn_classes(column: &PointColumn, points: impl Iterator<Item = usize>) -> (Vec<u8>, Vec<Class>) {
     let at: Vec<usize> = points.map(|point| column.class_at(point)).collect();
     let all = column.classes.iter().cloned().chain([Class::new("no answer", Role::Unresolved)]);
     let occurring: Vec<(usize, Class)> = all.enumerate().filter(|(code, _)| at.contains(code)).collect();
@@ -139,7 +139,7 @@ fn drawn_classes(column: &Column, points: impl Iterator<Item = usize>) -> (Vec<u
 }
 
 /// A map, or lines where one of the keys has few values: of numbers by the sequential colours, or from blue to red where they have both signs.
-fn over_two(sweep: &Sweep<'_>, column: &Column, x: &Variable, y: &Variable) -> Option<Panel> {
+fn over_two(sweep: &DrawnSweep<'_>, column: &PointColumn, x: &Variable, y: &Variable) -> Option<Panel> {
     let (along, up) = (reals(sweep.dataset, &x.name)?, reals(sweep.dataset, &y.name)?);
     if column.is_number() && along.len().min(up.len()) <= FEW_LINES {
         return match along.len() >= up.len() {

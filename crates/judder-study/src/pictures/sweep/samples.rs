@@ -1,8 +1,8 @@
 //! Lists and samples: every quantity over every key, point by point.
 
-use super::column::{Column, Key};
+use super::column::{KeyColumn, PointColumn};
 use super::grid::strip;
-use super::{Drawn, PANELS, Sweep, left_out};
+use super::{Drawn, DrawnSweep, PANELS, left_out};
 use judder_report::{Axis, Layer, Panel, Role, Style};
 
 /// Keys that stand beside each other.
@@ -10,10 +10,10 @@ const KEYS: usize = 4;
 /// From so many points on they crowd.
 const FEW: usize = 200;
 
-pub(super) fn panels(sweep: &Sweep<'_>) -> Drawn {
+pub(super) fn panels(sweep: &DrawnSweep<'_>) -> Drawn {
     let keys = shown_keys(sweep);
     let per_quantity = keys.len().max(1);
-    let (numbers, classes): (Vec<&Column>, Vec<&Column>) =
+    let (numbers, classes): (Vec<&PointColumn>, Vec<&PointColumn>) =
         sweep.columns.iter().partition(|column| column.is_number());
     let shown = &numbers[..numbers.len().min(PANELS / per_quantity)];
     let mut panels: Vec<Panel> =
@@ -35,13 +35,13 @@ pub(super) fn panels(sweep: &Sweep<'_>) -> Drawn {
     (panels, columns, caption)
 }
 
-fn why(sweep: &Sweep<'_>) -> &'static str {
+fn why(sweep: &DrawnSweep<'_>) -> &'static str {
     if sweep.sensitivity.is_some() { "those with the largest total index" } else { "the first" }
 }
 
 /// The keys that are drawn: all where there are few, else those that matter most where that is known.
-fn shown_keys<'a>(sweep: &'a Sweep<'_>) -> Vec<&'a Key> {
-    let total = |key: &Key| {
+fn shown_keys<'a>(sweep: &'a DrawnSweep<'_>) -> Vec<&'a KeyColumn> {
+    let total = |key: &KeyColumn| {
         let of = |index: &serde_json::Value| index["total"][&key.path]["value"].as_f64();
         let indices = sweep.sensitivity.into_iter().flat_map(|all| all.values());
         indices.filter_map(of).fold(0.0, f64::max)
@@ -57,7 +57,7 @@ fn style(role: Role, points: usize) -> Style {
     if points > FEW { role.crowded() } else { role.into() }
 }
 
-fn scatter(key: &Key, column: &Column) -> Panel {
+fn scatter(key: &KeyColumn, column: &PointColumn) -> Panel {
     let mut layers = Vec::new();
     if column.has_both_signs() {
         layers.push(Layer::horizontal_rule(0.0, ""));
@@ -68,7 +68,7 @@ fn scatter(key: &Key, column: &Column) -> Panel {
 }
 
 /// The classes of the points over two keys.
-fn plane(x: &Key, y: &Key, column: &Column) -> Panel {
+fn plane(x: &KeyColumn, y: &KeyColumn, column: &PointColumn) -> Panel {
     let points = |code: usize| -> (Vec<f64>, Vec<f64>) {
         let of = (0..column.values.len()).filter(|point| column.class_at(*point) == code);
         of.filter_map(|point| Some((*x.values.get(point)?, *y.values.get(point)?))).unzip()

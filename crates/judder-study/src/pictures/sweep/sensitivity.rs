@@ -1,6 +1,6 @@
 //! Which swept key decides what: first-order and total Sobol' indices with their confidence intervals.
 
-use super::{PANELS, Sweep, left_out};
+use super::{DrawnSweep, PANELS, left_out};
 use judder_report::{Axis, Figure, Layer, Legend, Panel, Role};
 use serde_json::Value;
 
@@ -12,7 +12,7 @@ const APART: f64 = 0.14;
 const ROOM: f64 = 0.05;
 
 /// The indices of all quantities that have some.
-pub(super) fn figure(name: &str, sweep: &Sweep<'_>) -> Option<Figure> {
+pub(super) fn figure(name: &str, sweep: &DrawnSweep<'_>) -> Option<Figure> {
     let all = sweep.sensitivity?;
     let known: Vec<(&str, &Value)> = sweep
         .columns
@@ -34,9 +34,9 @@ pub(super) fn figure(name: &str, sweep: &Sweep<'_>) -> Option<Figure> {
     Some(Figure::new(format!("{name}-sensitivity"), title, panels).with_caption(caption))
 }
 
-fn panel(sweep: &Sweep<'_>, quantity: &str, indices: &Value) -> Panel {
+fn panel(sweep: &DrawnSweep<'_>, quantity: &str, indices: &Value) -> Panel {
     let total = |path: &str| indices["total"][path]["value"].as_f64().unwrap_or(f64::NEG_INFINITY);
-    let mut keys: Vec<&super::Key> = sweep.keys.iter().collect();
+    let mut keys: Vec<&super::KeyColumn> = sweep.keys.iter().collect();
     keys.sort_by(|a, b| total(&b.path).total_cmp(&total(&a.path)));
     keys.truncate(KEYS);
     // the largest stands above

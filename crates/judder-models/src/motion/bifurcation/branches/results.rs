@@ -33,14 +33,14 @@ struct ToldBranch {
     period: Vec<f64>,
     stable: Vec<bool>,
     folds: Vec<f64>,
-    pattern_changes: Vec<PatternChange>,
+    pattern_changes: Vec<PatternChangeRow>,
     /// where it ends, in words
     end: String,
 }
 
 /// Where neighbours have different patterns: both values and both patterns.
 #[derive(Results)]
-struct PatternChange {
+struct PatternChangeRow {
     between: [f64; 2],
     from: Vec<String>,
     to: Vec<String>,
@@ -76,12 +76,12 @@ impl<const N: usize> DiagramBranch<N> {
     }
 
     /// Where neighbours have different patterns.
-    fn pattern_changes(&self) -> Vec<PatternChange> {
+    fn pattern_changes(&self) -> Vec<PatternChangeRow> {
         let words =
             |pattern: &[ContactState]| pattern.iter().map(ToString::to_string).collect::<Vec<String>>();
         let changes = self.points.windows(2).filter_map(|pair| {
             let (before, behind) = (&pair[0].cycle.around.pattern, &pair[1].cycle.around.pattern);
-            (before != behind).then(|| PatternChange {
+            (before != behind).then(|| PatternChangeRow {
                 between: [pair[0].parameter, pair[1].parameter],
                 from: words(before),
                 to: words(behind),

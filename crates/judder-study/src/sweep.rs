@@ -24,7 +24,7 @@ mod statistics;
 
 pub(crate) use chunks::{damaged, mend, work};
 pub use dry_run::SweepEstimate;
-pub use evaluate::{ChunkValues, Evaluator};
+pub use evaluate::Evaluator;
 pub(crate) use finish::finish;
 pub(crate) use part::when_free;
 pub use part::{Handed, joined, missing};

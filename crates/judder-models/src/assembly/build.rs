@@ -158,7 +158,7 @@ impl BuiltAssembly {
             mass,
             damping,
             stiffness,
-            gyroscopic: turning::gyroscopic(&bodies)?,
+            gyroscopic: body::gyroscopic(&bodies)?,
             load: bodies.iter().flat_map(|body| body.load.iter().copied()).collect(),
             interfaces,
         };

@@ -17,6 +17,7 @@ mod named_list;
 pub mod problem;
 pub mod rotation;
 pub mod structure;
+mod vector;
 
 use super::{KINDS, MODEL};
 use crate::REGISTRY;

@@ -289,7 +289,7 @@ fn a_spectrogram_has_the_unit_of_its_signal() {
         let case = sliding(&with_analyses(&format!("{march}{settings}\n")), &[]);
         let found: &SpectrogramAnalysis = case.analyses[1].settings().unwrap();
         assert_eq!(
-            (found.reference.number, found.window, found.length),
+            (found.reference.0.number, found.window, found.length),
             (reference, SpectrogramWindow::Hann, 5e-3)
         );
         assert_eq!(found.waterfall, None);

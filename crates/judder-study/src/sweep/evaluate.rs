@@ -7,7 +7,7 @@ use crate::error::StudyError;
 use crate::model::{OperatingPoints, OperatingQuantity, Prepared, placed};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::Progress;
-use judder_store::PointFailure;
+use judder_store::{PointFailure, StoredChunk};
 use std::any::Any;
 use std::borrow::Cow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -15,15 +15,6 @@ use std::time::Instant;
 
 /// How the reason of a point begins that has values which a check doubts.
 pub(super) const DOUBTFUL: &str = "doubtful: ";
-
-/// What a chunk holds: every column of its points, point after point, and which points failed.
-#[derive(Debug, Clone)]
-pub struct ChunkValues {
-    /// Point-major.
-    pub values: Vec<f64>,
-    /// By index in the chunk.
-    pub failures: Vec<PointFailure>,
-}
 
 /// What came of some points.
 pub(super) struct Tried {
@@ -80,7 +71,7 @@ impl<'a> Evaluator<'a> {
     ///
     /// # Errors
     /// [`StudyError::Interrupted`], a chunk that is not there, a file of the case that cannot be read or is another one than before.
-    pub fn chunk(&self, chunk: usize, progress: &dyn Progress) -> Result<ChunkValues, StudyError> {
+    pub fn chunk(&self, chunk: usize, progress: &dyn Progress) -> Result<StoredChunk, StudyError> {
         let points = self.plan.layout().points(chunk)?;
         let (count, width) = (points.count(), self.plan.columns.len());
         let mut values = vec![f64::NAN; count * width];
@@ -97,7 +88,7 @@ impl<'a> Evaluator<'a> {
         if let EvaluationWay::Anew(_) = self.way {
             self.plan.check_files()?;
         }
-        Ok(ChunkValues { values, failures })
+        Ok(StoredChunk { values, failures })
     }
 
     /// Computes points evenly over the sweep, as many as fit into a while.

@@ -14,7 +14,9 @@ use crate::structure::case::reduction::FixedModes;
 use faer::Mat;
 use faer::sparse::Triplet;
 use judder_assembly::AssemblyError;
-use judder_assembly::assembly::{from_triplets, sum, symmetric_part as symmetrised, triplets};
+use judder_assembly::assembly::{
+    Gyroscopic, from_triplets, placed, sum, symmetric_part as symmetrised, triplets,
+};
 use judder_structure::assembly::{Sparse, inertia_load};
 use judder_structure::craig_bampton::{CraigBampton, CutOff};
 use judder_structure::freedom::{Direction, Numbering, Supports};
@@ -74,7 +76,8 @@ impl BuiltBody {
             .into_iter()
             .chain(structure.warnings.iter().cloned())
             .collect();
-        let turning = Turning::new(own, &structure, &matrices, &imposed, &mut warnings)?;
+        let turning =
+            Turning::new(own, &structure, [&matrices.stiffness, &matrices.mass], &imposed, &mut warnings)?;
         let mut body = Self {
             name: own.name.to_string(),
             coordinates: (0..load.len()).map(Some).collect(),
@@ -281,4 +284,16 @@ fn projected(basis: &Mat<f64>, matrix: &Sparse) -> Result<Sparse, AssemblyError>
         }
     }
     sparse(&(basis.transpose() * image))
+}
+
+/// The gyroscopic matrices on the freedoms of all bodies.
+pub(super) fn gyroscopic(bodies: &[BuiltBody]) -> Result<Vec<Gyroscopic>, Unassembled> {
+    let all = bodies.iter().map(BuiltBody::size).sum();
+    let of_body = |body: &BuiltBody| {
+        let own = body.matrices.gyroscopic.as_ref()?;
+        let failed = |error| Unassembled::because(format!("structure.{}", body.name), &error);
+        let matrix = placed(own, body.first, all).map_err(failed);
+        Some(matrix.map(|matrix| Gyroscopic { body: body.name.clone(), matrix: matrix.into() }))
+    };
+    bodies.iter().filter_map(of_body).collect()
 }

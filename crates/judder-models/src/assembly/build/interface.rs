@@ -1,6 +1,5 @@
 //! The contact interfaces of a case: points found, laws as the physics has them.
 
-use super::joint::joined;
 use super::size::width;
 use super::turning::sliding_warning;
 use super::{BuiltBody, Unassembled};
@@ -8,6 +7,7 @@ use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::contact::{
     ContactForceSettings, ContactInterface, NormalLaw, SurfaceOf, TrackMotion, TrackOf, TrackSettings,
 };
+use crate::assembly::case::joint::SpringEnd;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::case::rotation::BodyRotation;
 use crate::structure::build::{Structure, points_of};
@@ -91,6 +91,24 @@ pub(super) fn touching(case: &AssemblyCase, structures: &[Structure]) -> Result<
         contacts.push(Sides { slider, track });
     }
     Ok(Touching { contacts, joined: joined(case, structures)? })
+}
+
+/// The nodes of all springs and ties: structure and points.
+fn joined(case: &AssemblyCase, structures: &[Structure]) -> Result<Vec<(usize, Vec<usize>)>, Unassembled> {
+    let of_springs = case.springs.iter().flat_map(|own| {
+        let to = match &own.to {
+            SpringEnd::Ground => None,
+            SpringEnd::Nodes(nodes) => Some((nodes, format!("spring.{}.to", own.name))),
+        };
+        [Some((&own.from, format!("spring.{}.from", own.name))), to].into_iter().flatten()
+    });
+    let of_ties = case.ties.iter().flat_map(|own| {
+        [(&own.from, format!("tie.{}.from", own.name)), (&own.to, format!("tie.{}.to", own.name))]
+    });
+    let points = |(nodes, path): (&SurfaceOf, String)| {
+        Ok((*nodes.structure, points_of(&nodes.nodes, &structures[*nodes.structure], &path)?))
+    };
+    of_springs.chain(of_ties).map(points).collect()
 }
 
 /// The interfaces with their points, and the slider's node of each point.

@@ -6,31 +6,10 @@ use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::contact::SurfaceOf;
 use crate::assembly::case::joint::{SpringEnd, SpringSettings, Tie};
 use crate::assembly::case::problem::AssemblyProblem;
-use crate::structure::build::{Structure, points_of};
+use crate::structure::build::points_of;
 use judder_assembly::row::Row;
 use judder_assembly::spring::Spring;
 use judder_structure::freedom::Direction;
-
-/// The nodes of all springs and ties: structure and points.
-pub(super) fn joined(
-    case: &AssemblyCase,
-    structures: &[Structure],
-) -> Result<Vec<(usize, Vec<usize>)>, Unassembled> {
-    let of_springs = case.springs.iter().flat_map(|own| {
-        let to = match &own.to {
-            SpringEnd::Ground => None,
-            SpringEnd::Nodes(nodes) => Some((nodes, format!("spring.{}.to", own.name))),
-        };
-        [Some((&own.from, format!("spring.{}.from", own.name))), to].into_iter().flatten()
-    });
-    let of_ties = case.ties.iter().flat_map(|own| {
-        [(&own.from, format!("tie.{}.from", own.name)), (&own.to, format!("tie.{}.to", own.name))]
-    });
-    let points = |(nodes, path): (&SurfaceOf, String)| {
-        Ok((*nodes.structure, points_of(&nodes.nodes, &structures[*nodes.structure], &path)?))
-    };
-    of_springs.chain(of_ties).map(points).collect()
-}
 
 /// The springs of a case.
 pub(super) fn springs(case: &AssemblyCase, bodies: &[BuiltBody]) -> Result<Vec<Spring>, Unassembled> {

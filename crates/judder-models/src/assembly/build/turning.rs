@@ -1,15 +1,13 @@
 //! What turning does to the bodies of an assembly.
 
-use super::body::BodyMatrices;
+use super::Unassembled;
 use super::load::Imposed;
-use super::{BuiltBody, Unassembled};
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::contact::{TrackMotion, TrackSettings};
 use crate::assembly::case::rotation::BodyRotation;
 use crate::assembly::case::structure::AssemblyStructure;
 use crate::structure::build::Structure;
 use crate::structure::case::damping::Damping;
-use judder_assembly::assembly::{Gyroscopic, placed};
 use judder_assembly::contact_point::ContactPoint;
 use judder_structure::assembly::Sparse;
 use judder_structure::rotation::{RotatingBody, RotatingFrame, crossed_surface};
@@ -31,7 +29,7 @@ impl Turning {
     pub(super) fn new(
         own: &AssemblyStructure,
         structure: &Structure,
-        matrices: &BodyMatrices,
+        [stiffness, mass]: [&Sparse; 2],
         imposed: &Imposed,
         warnings: &mut Vec<String>,
     ) -> Result<Option<Self>, Unassembled> {
@@ -60,12 +58,11 @@ impl Turning {
                 ));
             }
         }
-        let of = [&matrices.stiffness, &matrices.mass];
         let made = RotatingBody::new(
             &elements.mesh,
             &elements.materials,
             &elements.numbering,
-            of,
+            [stiffness, mass],
             (&motion, rotation.frame),
         );
         let RotatingBody { gyroscopic, softening, stress_stiffness, load, .. } =
@@ -78,18 +75,6 @@ impl Turning {
             centrifugal: centrifugal.then_some((stress_stiffness, load)),
         }))
     }
-}
-
-/// The gyroscopic matrices on the freedoms of all bodies.
-pub(super) fn gyroscopic(bodies: &[BuiltBody]) -> Result<Vec<Gyroscopic>, Unassembled> {
-    let all = bodies.iter().map(BuiltBody::size).sum();
-    let of_body = |body: &BuiltBody| {
-        let own = body.matrices.gyroscopic.as_ref()?;
-        let failed = |error| Unassembled::because(format!("structure.{}", body.name), &error);
-        let matrix = placed(own, body.first, all).map_err(failed);
-        Some(matrix.map(|matrix| Gyroscopic { body: body.name.clone(), matrix: matrix.into() }))
-    };
-    bodies.iter().filter_map(of_body).collect()
 }
 
 /// What of bodies that turn is left out: by keys, and of tracks that contacts alone know to turn.

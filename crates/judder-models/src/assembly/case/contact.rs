@@ -4,6 +4,7 @@ use super::asperity::AsperitySettings;
 use super::named_list::NamedItem;
 use super::problem::AssemblyProblem;
 use super::structure::AssemblyStructure;
+use super::vector::{PLACE, VECTOR, check_direction};
 use crate::sliding::case::plain_name::{PlainName, find_structure};
 use crate::structure::case::reduction::KeptNodes;
 use judder_assembly::AssemblyError;
@@ -11,7 +12,7 @@ use judder_assembly::friction::Friction;
 use judder_assembly::pressure::Pressure;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Named, Number, Setting, Several, all, both, read_settings};
+use judder_keys::declared::{Allowed, Named, Number, Setting, all, both, read_settings};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
@@ -151,9 +152,6 @@ pub enum NormalLaw {
     Compliant(Pressure),
 }
 
-pub(super) const VECTOR: Several<Number> = Several { of: Number::any(Dimension::NUMBER), length: [2, 3] };
-pub(super) const PLACE: Several<Number> = Several { of: Number::any(Dimension::LENGTH), length: [2, 3] };
-
 impl NamedItem for ContactInterface {
     const WHAT: &'static str = "contact";
 
@@ -265,18 +263,6 @@ impl SurfaceOf {
     ) -> Result<(), Fault> {
         find_structure(&mut self.structure, structures.iter().map(|own| &own.name), section)?;
         KeptNodes::admit(section, &structures[*self.structure].source)
-    }
-}
-
-/// Refuses a vector of another length than two or three, and one of zeros, under these keys of a section.
-pub(super) fn check_direction(vector: &[f64], section: &Section<'_>, keys: &[&str]) -> Result<(), Fault> {
-    let (place, key) = (section.place_of(keys), section.path(&keys.join(".")));
-    if !(2..=3).contains(&vector.len()) {
-        return Err(Cause::Length { key, expected: "two or three numbers", found: vector.len() }.at(place));
-    }
-    match vector.iter().all(|part| *part == 0.0) {
-        true => Err(AssemblyProblem::NoDirection { key }.at(place)),
-        false => Ok(()),
     }
 }
 

@@ -1,9 +1,10 @@
 //! `[[spring]]` and `[[tie]]`: what joins structures beside contacts.
 
-use super::contact::{SurfaceOf, VECTOR, check_direction};
+use super::contact::SurfaceOf;
 use super::named_list::NamedItem;
 use super::problem::AssemblyProblem;
 use super::structure::AssemblyStructure;
+use super::vector::{VECTOR, check_direction};
 use crate::sliding::case::plain_name::PlainName;
 use judder_keys::Settings;
 use judder_keys::declared::{Allowed, Number, Setting, both};

@@ -1,7 +1,7 @@
 //! `rotation` of a structure: a body that turns.
 
-use super::contact::{PLACE, VECTOR, check_direction};
 use super::problem::AssemblyProblem;
+use super::vector::{PLACE, VECTOR, check_direction};
 use crate::structure::case::StructureSource;
 use crate::structure::case::body::{BodyGeometry, BodySettings};
 use judder_keys::Settings;

@@ -43,7 +43,7 @@ pub(crate) fn run(
     };
     let shown = ShownLevels::new(&history, found);
     let unit = march.variable(&signal).map_or("", |variable| variable.units.as_str());
-    let reference = format!("{} {unit}", asked.reference.number);
+    let reference = format!("{} {unit}", asked.reference.0.number);
     Ok(Outcome {
         scalars: shown.told(asked, &reference).scalars(),
         dataset: shown.dataset(asked, &signal, &reference, &zones)?,
@@ -100,7 +100,7 @@ impl<'a> StoredHistory<'a> {
             },
             length: (asked.length * self.sample_rate).round() as usize,
             overlap: asked.overlap,
-            reference: asked.reference.number,
+            reference: asked.reference.0.number,
             ..SpectrogramSettings::new(self.sample_rate)
         }
     }

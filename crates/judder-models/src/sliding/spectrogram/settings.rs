@@ -13,6 +13,7 @@ use judder_keys::error::Fault;
 use judder_keys::numeric_key::Range;
 use judder_keys::numeric_key::read_si;
 use judder_keys::problem::Placed;
+use judder_keys::quantity::Quantity;
 use judder_keys::section::{Section, text};
 use judder_keys::{Choice, Settings};
 use judder_study::case::analysis::Planned;
@@ -53,11 +54,7 @@ pub struct SpectrogramAnalysis {
 
 /// An amplitude of a signal, which decides its dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Amplitude {
-    /// In the SI unit of the signal.
-    pub number: f64,
-    dimension: Dimension,
-}
+pub struct Amplitude(pub Quantity);
 
 /// How a piece of a signal fades in and out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
@@ -84,13 +81,13 @@ impl SpectrogramAnalysis {
     pub(crate) fn admit(mut self, case: &SlidingCase, section: &Section<'_>) -> Result<Self, Fault> {
         self.signal = Signal::named(section, "signal", &case.points)?;
         let dimension = self.signal.dimension();
-        self.reference = Amplitude { dimension, ..Amplitude::default() };
+        self.reference.0.dimension = dimension;
         if let Some(node) = section.get("reference") {
             let (key, number) = ("reference".to_owned(), read_si("reference", dimension, node)?);
             if number <= 0.0 {
                 return Err(Cause::OutOfRange { key, number, range: Range::Positive }.at(node.place));
             }
-            self.reference.number = number;
+            self.reference.0.number = number;
         }
         Ok(self)
     }
@@ -98,7 +95,7 @@ impl SpectrogramAnalysis {
 
 impl Default for Amplitude {
     fn default() -> Self {
-        Self { number: 1.0, dimension: Dimension::NUMBER }
+        Self(Quantity { number: 1.0, dimension: Dimension::NUMBER })
     }
 }
 
@@ -119,7 +116,7 @@ impl Setting for Amplitude {
     }
 
     fn write(&self, (): &()) -> Json {
-        json!({ "value": self.number, "unit": self.dimension.unit() })
+        json!({ "value": self.0.number, "unit": self.0.dimension.unit() })
     }
 }
 

@@ -9,6 +9,7 @@
 //! - [`assembly`]: bodies with their loads and interfaces; [`spring`], [`tie`]: what else joins them.
 //! - [`compliance`]: how the contact points yield.
 //! - [`steady`]: steady sliding: forces, gaps, which points are closed.
+//! - [`uniqueness`]: whether it is the only one, and with how much friction that is lost.
 //! - [`linearised`]: small motions about it, `null_basis` on the freedoms that closed rigid points leave.
 //! - [`work`]: what each damping and each interface adds to the growth of a mode.
 
@@ -27,6 +28,7 @@ pub mod spring;
 pub mod steady;
 pub mod surface;
 pub mod tie;
+pub mod uniqueness;
 mod vector;
 pub mod work;
 

@@ -97,6 +97,11 @@ fn a_leaning_strut_digs_in() {
     assert!((normal - 10.0 / (1.0 - lean)).abs() < 1e-10 * normal, "{normal}");
     let limit = number(&steady["friction_limit"]);
     assert!((limit - 1.0 / lean).abs() < 1e-10, "{limit}");
+    let begins = &steady["friction_onsets"]["closed-points"];
+    assert!((number(&begins["friction_coefficient"]) - 3_f64.sqrt().recip()).abs() < 1e-10, "{begins}");
+    assert_eq!((begins["contact"].as_str(), begins["known"].as_bool()), (Some("surface"), Some(true)));
+    // of one state alone it is found by trying both, for only the strut and the contact hold the tip
+    assert_eq!(steady["uniqueness"], "unique-for-these-loads");
 }
 
 /// An assembly of one body whose matrices stand in the case, and which touches nothing.

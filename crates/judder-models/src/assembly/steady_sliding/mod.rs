@@ -3,6 +3,7 @@
 mod figure;
 mod run;
 pub(super) mod tables;
+mod uniqueness;
 
 use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
@@ -17,6 +18,7 @@ use judder_study::outcome::Outcome;
 use run::{SphereResults, SteadyResults};
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
+use uniqueness::ToldUniqueness;
 
 /// Steady sliding.
 #[derive(Debug, Clone, Copy, PartialEq, Settings)]
@@ -45,7 +47,7 @@ impl Analysis<AssemblyCase> for SteadySlidingAnalysis {
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
-        [SteadyResults::declared(), Option::<SphereResults>::declared()].concat()
+        [SteadyResults::declared(), ToldUniqueness::declared(), Option::<SphereResults>::declared()].concat()
     }
 
     fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {

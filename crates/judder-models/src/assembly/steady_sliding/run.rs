@@ -1,5 +1,6 @@
 //! Steady sliding and what is told of it.
 
+use super::uniqueness::ToldUniqueness;
 use crate::assembly::build::{ShownBodies, SphereState, SubstrateSphere};
 use crate::assembly::{AssemblySubject, IMBALANCE};
 use crate::error::ModelError;
@@ -134,12 +135,15 @@ impl PointRow {
 
 /// Steady sliding of an assembly.
 pub(super) fn run(of: &AssemblySubject<'_>) -> Result<Outcome, ModelError> {
-    let steady = of.steady(&of.compliance()?)?;
+    let compliance = of.compliance()?;
+    let steady = of.steady(&compliance)?;
+    let (uniqueness, lost) = ToldUniqueness::new(of, &compliance, &steady)?;
     let results = results(of, &steady);
     let shown = ShownBodies::new(&of.built.bodies);
     let displacement: Vec<Complex64> = steady.displacement.iter().map(|u| Complex64::new(*u, 0.0)).collect();
     let displacement: Vec<f64> = of.built.expanded(&displacement).iter().map(|u| u.re).collect();
     let Outcome { mut scalars, dataset, table, .. } = Outcome::of(&results)?;
+    scalars.extend(uniqueness.scalars());
     scalars.extend(spheres(of, &steady).scalars());
     let mut moved = shown.layout.displacements(&displacement);
     for ((point, direction), displacement) in shown.imposed(&of.built.bodies) {
@@ -164,7 +168,7 @@ pub(super) fn run(of: &AssemblySubject<'_>) -> Result<Outcome, ModelError> {
             IMBALANCE,
         )],
         missing: usize::from(steady.residual > IMBALANCE),
-        warnings: of.doubts(&steady),
+        warnings: [of.doubts(&steady), lost].concat(),
         files,
         ..Outcome::default()
     })

@@ -1,5 +1,6 @@
 //! The table of steady sliding in the report.
 
+use super::uniqueness::table;
 use judder_report::page::PageTable;
 use judder_study::report_tables::short;
 use serde_json::{Map, Value};
@@ -33,7 +34,7 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     let contacts = results.get("contacts").and_then(Value::as_object);
     let rows: Vec<Vec<String>> = contacts.into_iter().flatten().map(row).collect();
     let contacts = PageTable { caption: "Contacts".to_owned(), head: head.map(String::from).to_vec(), rows };
-    std::iter::once(contacts).chain(spheres(results)).collect()
+    std::iter::once(contacts).chain(spheres(results)).chain(table(results)).collect()
 }
 
 /// The contacts that are a sphere.

@@ -1,0 +1,170 @@
+//! Whether steady sliding is the only one, in words of the case.
+
+use crate::assembly::AssemblySubject;
+use crate::error::ModelError;
+use judder_assembly::compliance::Compliance;
+use judder_assembly::interface::InterfaceLaw;
+use judder_assembly::steady::{FrictionLimit, SteadySliding};
+use judder_assembly::uniqueness::{
+    FrictionOnset, Uniqueness, UniquenessProof, UniquenessVerdict, uniqueness,
+};
+use judder_report::page::PageTable;
+use judder_store::{ByName, Results};
+use judder_study::report_tables::short;
+use serde_json::{Map, Value};
+
+/// What is told of other states.
+#[derive(Results)]
+pub(super) struct ToldUniqueness {
+    /// whether there are other states: `unique`, there is one whatever the loads; `unique-for-these-loads`; `several`; `not-proved`, neither was shown
+    uniqueness: &'static str,
+    /// how it was shown; none where it was not
+    uniqueness_by: Option<&'static str>,
+    /// how many states there are, where that was counted
+    states: Option<usize>,
+    /// with how much friction this begins to be lost
+    friction_onsets: ByName<ToldFrictionOnset>,
+}
+
+/// Where something begins as all friction coefficients grow alike.
+#[derive(Results)]
+pub(super) struct ToldFrictionOnset {
+    /// whether it was looked for
+    known: bool,
+    /// by what the friction coefficients are multiplied; none where it begins at no friction
+    factor: Option<f64>,
+    /// the friction coefficient of the point where it begins
+    friction_coefficient: Option<f64>,
+    /// its contact
+    contact: Option<String>,
+    /// its place, in m
+    place: Option<Vec<f64>>,
+}
+
+/// What begins, by the names of the summary.
+const BEGINS: [(&str, &str); 4] = [
+    ("closed-points", "the closed points move without a change of force"),
+    ("any-points", "so do those of another set: for some loads there are other states"),
+    ("one-point", "a closed point, were it the only one, digs in"),
+    ("one-point-inertia", "a closed point, were it the only one, locks by its inertia alone"),
+];
+
+impl ToldUniqueness {
+    /// What is told, and what is a warning.
+    pub(super) fn new(
+        of: &AssemblySubject<'_>,
+        compliance: &Compliance,
+        steady: &SteadySliding,
+    ) -> Result<(Self, Vec<String>), ModelError> {
+        let Uniqueness { verdict, onsets } = uniqueness(&of.built.assembly, compliance, steady)?;
+        let of_closed = match steady.friction_limit {
+            FrictionLimit::At { factor, point } => Some(FrictionOnset { factor, point }),
+            FrictionLimit::None | FrictionLimit::Unknown => None,
+        };
+        let found = [
+            (of_closed, steady.friction_limit != FrictionLimit::Unknown),
+            (onsets.any_set, onsets.all_sets_known),
+            (onsets.one_point, onsets.one_point_known),
+            (onsets.one_point_inertia, onsets.inertia_known),
+        ];
+        let told = found.map(|(onset, known)| ToldFrictionOnset::new(of, onset, known));
+        let mut warnings = Vec::new();
+        if let UniquenessVerdict::Several { states, other } = &verdict {
+            warnings.push(format!(
+                "there are {states} states of steady sliding under these loads: in another one {} of {} contact points are closed",
+                other.len(),
+                steady.points.len(),
+            ));
+        }
+        warnings.extend(told[3].locks());
+        let by = |proof: UniquenessProof| match proof {
+            UniquenessProof::Minors => "principal-minors",
+            UniquenessProof::Definite => "definite",
+            UniquenessProof::Dominant => "dominant",
+            UniquenessProof::AllSets => "all-sets",
+        };
+        let (uniqueness, uniqueness_by, states) = match verdict {
+            UniquenessVerdict::Unique(proof) => ("unique", Some(by(proof)), Some(1)),
+            UniquenessVerdict::UniqueForLoads(proof) => ("unique-for-these-loads", Some(by(proof)), Some(1)),
+            UniquenessVerdict::Several { states, .. } => {
+                ("several", Some(by(UniquenessProof::AllSets)), Some(states))
+            }
+            UniquenessVerdict::NotProved => ("not-proved", None, None),
+        };
+        let names = BEGINS.map(|(name, _)| name.to_owned());
+        let friction_onsets = names.into_iter().zip(told).collect();
+        Ok((Self { uniqueness, uniqueness_by, states, friction_onsets }, warnings))
+    }
+}
+
+impl ToldFrictionOnset {
+    fn new(of: &AssemblySubject<'_>, onset: Option<FrictionOnset>, known: bool) -> Self {
+        let interfaces = &of.built.assembly.interfaces;
+        let points = interfaces.iter().flat_map(|own| own.points.iter().map(move |point| (own, point)));
+        let at = onset.and_then(|onset| points.clone().nth(onset.point));
+        let coefficient = at.and_then(|(interface, point)| {
+            let (InterfaceLaw::Rigid(friction) | InterfaceLaw::Compliant(_, friction)) = &interface.law
+            else {
+                return None;
+            };
+            let speed = point.slip_velocity().iter().map(|v| v * v).sum::<f64>().sqrt();
+            Some(friction.at(speed).coefficient)
+        });
+        let factor = onset.map(|onset| onset.factor);
+        Self {
+            known,
+            factor,
+            friction_coefficient: factor.zip(coefficient).map(|(factor, own)| factor * own),
+            contact: at.map(|(interface, _)| interface.name.clone()),
+            place: at.map(|(_, point)| point.place.to_vec()),
+        }
+    }
+
+    /// That a point has locked.
+    fn locks(&self) -> Option<String> {
+        let (factor, contact, place) = (self.factor?, self.contact.as_ref()?, self.place.as_ref()?);
+        (factor <= 1.0).then(|| {
+            format!(
+                "a point of `{contact}` at {place:?} m locks: at {factor:.6} times the friction coefficients its inertia alone no longer lets it go on sliding"
+            )
+        })
+    }
+}
+
+/// What is told of other states.
+pub(super) fn table(results: &Map<String, Value>) -> Option<PageTable> {
+    let onsets = results.get("friction_onsets")?.as_object()?;
+    let verdict = match results.get("uniqueness")?.as_str()? {
+        "unique" => "there is one state of steady sliding, whatever the loads",
+        "unique-for-these-loads" => "there is one state of steady sliding under these loads",
+        "several" => "there are other states of steady sliding under these loads",
+        _ => "not shown that there is one state of steady sliding alone",
+    };
+    let row = |(name, what): (&str, &str)| {
+        let told = onsets.get(name)?;
+        let numbers = match (&told["factor"], &told["known"]) {
+            (Value::Null, Value::Bool(true)) => ["at no friction".to_owned(), String::new()],
+            (Value::Null, _) => ["not known".to_owned(), String::new()],
+            (factor, _) => [short(factor), short(&told["friction_coefficient"])],
+        };
+        let place = told["place"].as_array().into_iter().flatten().map(short).collect::<Vec<_>>().join(", ");
+        let contact = told["contact"].as_str().unwrap_or_default().to_owned();
+        Some([vec![what.to_owned()], numbers.to_vec(), vec![contact, place]].concat())
+    };
+    let head = [
+        "what begins as friction grows",
+        "times the friction",
+        "friction coefficient",
+        "contact",
+        "place (m)",
+    ];
+    let by = results.get("uniqueness_by").and_then(Value::as_str);
+    Some(PageTable {
+        caption: match by {
+            Some(by) => format!("Other states: {verdict} (by {by})"),
+            None => format!("Other states: {verdict}"),
+        },
+        head: head.map(String::from).to_vec(),
+        rows: BEGINS.into_iter().filter_map(row).collect(),
+    })
+}

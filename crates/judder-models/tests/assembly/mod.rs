@@ -44,6 +44,20 @@ fn a_pad_carries_its_load_and_says_so_point_by_point() {
     }
 }
 
+/// A surface in space is drawn by the pressure on its faces, with its unit; what has no partner beside them.
+#[test]
+fn pressures_on_surfaces_are_drawn_on_their_faces() {
+    let folder = tempfile::tempdir().unwrap();
+    let far = "structure.pad.block.origin=[\"95 mm\", \"-20 mm\", \"10 mm\"]";
+    let file = case("assembly/pad-on-turning-disc.toml", &[far]);
+    let report = run_into(folder.path(), &file, &["steady"]);
+    assert!(report.complete, "{:?}", report.messages);
+    let picture = std::fs::read_to_string(folder.path().join("figures/steady.svg")).unwrap();
+    for expected in ["<image", "Pressure", "no partner"] {
+        assert!(picture.contains(expected), "{expected}");
+    }
+}
+
 /// With ever more fixed-interface modes the eigenvalues of a reduced block come to those of the whole one.
 #[test]
 fn reduced_blocks_come_to_the_whole_one() {

@@ -1,21 +1,29 @@
 //! Steady sliding: what each contact point carries, and how the bodies are moved.
 
+use super::faces::CORNERS;
+use super::filled::{Filled, faces, filled};
 use crate::structure::shape_panels::still;
-use judder_report::{Axis, Layer, Panel, Role};
+use judder_report::figure::ValueMap;
+use judder_report::palette::{ColourMap, Marker};
+use judder_report::{Axis, Layer, Legend, Panel, Role, Style};
 use judder_store::Dataset;
 use judder_study::pictures::{reals, words};
+use std::collections::BTreeSet;
 
 /// The diameter of the largest bubble over that of a usual marker.
 const LARGEST: f64 = 3.0;
 /// An interface that is narrower than this share of its length is a line.
 const LINE: f64 = 1e-6;
 
-/// Forces and gaps along each interface; the bodies.
+/// Forces and gaps along each interface, or pressures on its faces; the bodies.
 pub(super) fn steady_sliding(dataset: &Dataset) -> Option<Vec<Panel>> {
     let points = Points {
         places: [("x", reals(dataset, "x")?), ("y", reals(dataset, "y")?), ("z", reals(dataset, "z")?)],
         force: reals(dataset, "normal_force")?,
         gap: reals(dataset, "gap")?,
+        pressure: reals(dataset, "pressure").unwrap_or_default(),
+        faces: faces(dataset),
+        lone: lone(dataset),
     };
     let contacts = words(dataset, "contact")?;
     let mut names: Vec<&String> = Vec::new();
@@ -33,14 +41,37 @@ pub(super) fn steady_sliding(dataset: &Dataset) -> Option<Vec<Panel>> {
     Some(panels)
 }
 
+/// The nodes that have no partner: the contact of each and its place.
+fn lone(dataset: &Dataset) -> Vec<(&str, [f64; 3])> {
+    let (Some(contacts), Some(places)) = (words(dataset, "lone_contact"), reals(dataset, "lone_place"))
+    else {
+        return Vec::new();
+    };
+    let places = places.chunks_exact(3).map(|own| [own[0], own[1], own[2]]);
+    contacts.iter().map(String::as_str).zip(places).collect()
+}
+
+/// What is shown of places: a little more on both sides, so that markers at the rim are whole.
+fn around(places: &[f64]) -> [f64; 2] {
+    const MARGIN: f64 = 0.04;
+    let (from, to) = (places.first().copied().unwrap_or(0.0), places.last().copied().unwrap_or(1.0));
+    let margin = MARGIN * (to - from);
+    [from - margin, to + margin]
+}
+
 struct Points<'a> {
     places: [(&'static str, &'a [f64]); 3],
     force: &'a [f64],
     gap: &'a [f64],
+    /// In Pa; empty of older studies, not a number where a point has no area.
+    pressure: &'a [f64],
+    /// Corners by the numbers of points, after them those of nodes without a partner.
+    faces: Vec<[usize; CORNERS]>,
+    lone: Vec<(&'a str, [f64; 3])>,
 }
 
 impl Points<'_> {
-    /// An interface: along a line its forces and gaps, over a surface its forces as bubbles.
+    /// An interface: along a line its forces and gaps, over a surface its pressures, or its forces as bubbles where no faces are known.
     fn panels(&self, name: &str, own: &[usize]) -> Vec<Panel> {
         let length = |(_, axis): &(&str, &[f64])| {
             let places = own.iter().map(|k| axis[*k]);
@@ -51,19 +82,74 @@ impl Points<'_> {
         axes.sort_by(|a, b| length(b).total_cmp(&length(a)));
         let [long, wide, _] = axes;
         if length(&wide) > LINE * length(&long) {
-            return vec![self.map(name, own, [long, wide])];
+            let axes = [long, wide];
+            return vec![self.filled(name, own, axes).unwrap_or_else(|| self.map(name, own, axes))];
         }
         let axis = || Axis::linear(format!("Place ${}$ (m)", long.0));
         let place: Vec<f64> = own.iter().map(|k| long.1[*k]).collect();
         let along = |values: &[f64], role| {
             Layer::points("", place.clone(), own.iter().map(|k| values[*k]).collect(), role)
         };
-        let panel =
-            |label: &str, values, role| Panel::new(axis(), Axis::linear(label), vec![along(values, role)]);
+        let beside = self.lone(long.0, None, &|k| self.lone[k].0 == name);
+        let panel = |label: &str, values, role| {
+            let layers = std::iter::once(along(values, role)).chain(beside.clone()).collect();
+            Panel::new(axis(), Axis::linear(label), layers)
+        };
         vec![
             panel("Normal force $N$ (N)", self.force, Role::Series(0)).with_title(format!("{name}: forces")),
             panel("Gap $g$ (m)", self.gap, Role::Series(1)).with_title(format!("{name}: gaps")),
         ]
+    }
+
+    /// Which of the axes has this name.
+    fn axis(&self, name: &str) -> usize {
+        self.places.iter().position(|(own, _)| *own == name).unwrap_or_default()
+    }
+
+    /// Nodes that have no partner, at zero where there is one axis.
+    fn lone(&self, along: &str, up: Option<&str>, is_shown: &dyn Fn(usize) -> bool) -> Option<Layer> {
+        let own = (0..self.lone.len()).filter(|k| is_shown(*k));
+        let own: Vec<[f64; 3]> = own.map(|k| self.lone[k].1).collect();
+        let (along, up) = (self.axis(along), up.map(|up| self.axis(up)));
+        let x = own.iter().map(|place| place[along]).collect();
+        let y = own.iter().map(|place| up.map_or(0.0, |up| place[up])).collect();
+        let style = Style { marker: Marker::Cross, ..Style::from(Role::Reference) };
+        (!own.is_empty()).then(|| Layer::points("no partner", x, y, style))
+    }
+
+    /// Pressures on the faces of a surface; what has no partner presses nowhere.
+    fn filled(&self, name: &str, own: &[usize], axes: [(&'static str, &[f64]); 2]) -> Option<Panel> {
+        let among = |corner: &usize| own.binary_search(corner).is_ok();
+        let count = self.force.len();
+        let [across, up] = axes.map(|(axis, _)| self.axis(axis));
+        let corner = |k: usize| match self.lone.get(k.wrapping_sub(count)) {
+            Some((_, place)) if k >= count => Some(([place[across], place[up]], 0.0)),
+            _ => Some(([*axes[0].1.get(k)?, *axes[1].1.get(k)?], *self.pressure.get(k)?)),
+        };
+        let face = |corners: &[usize; CORNERS]| {
+            let found: Option<Vec<_>> = corners.iter().map(|k| corner(*k)).collect();
+            found?.try_into().ok()
+        };
+        let shown: Vec<_> = self.faces.iter().filter(|corners| corners.iter().any(among)).collect();
+        let Filled { x, y, z } = filled(&shown.iter().copied().filter_map(face).collect::<Vec<_>>())?;
+        if !z.iter().any(|pressure| pressure.is_finite()) {
+            return None;
+        }
+        let sides = [&x, &y].map(|places| around(places));
+        let bar = Axis::linear("Pressure $p$ (Pa)");
+        let mut layers = vec![Layer::Values(ValueMap { x, y, z, bar, colours: ColourMap::Sequential })];
+        let open: Vec<usize> = own.iter().copied().filter(|k| self.force[*k] == 0.0).collect();
+        if !open.is_empty() {
+            let along = |axis: usize| open.iter().map(|k| axes[axis].1[*k]).collect();
+            layers.push(Layer::points("open", along(0), along(1), Role::Reference));
+        }
+        // on the far side of a round body others lie behind the faces
+        let beside: BTreeSet<usize> = shown.into_iter().flatten().copied().collect();
+        layers.extend(self.lone(axes[0].0, Some(axes[1].0), &|k| beside.contains(&(count + k))));
+        let axis =
+            |k: usize| Axis::linear(format!("Place ${}$ (m)", axes[k].0)).over(sides[k][0], sides[k][1]);
+        let panel = Panel::new(axis(0), axis(1), layers).with_title(format!("{name}: pressure"));
+        Some(panel.with_legend(Legend::Below))
     }
 
     /// Forces over a surface; a bubble's area is the force.

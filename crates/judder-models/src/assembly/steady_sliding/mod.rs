@@ -1,6 +1,8 @@
 //! `steady-sliding`: forces and gaps of all contact points under loads that rest.
 
+mod faces;
 mod figure;
+mod filled;
 mod run;
 pub(super) mod tables;
 mod uniqueness;
@@ -32,7 +34,7 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
     read: |_, section| Ok(Arc::new(SteadySlidingAnalysis::read_table(section)?)),
     picture: Some(Picture {
         draw: figure::steady_sliding,
-        caption: "The contact points of each interface: what each carries, and where it is open. Then the bodies, and how steady sliding moves them, enlarged.",
+        caption: "The contact points of each interface: what presses there, and where it is open; of surfaces in space the pressure on their faces, hatched where the surface does not reach. Then the bodies, and how steady sliding moves them, enlarged.",
     }),
 };
 

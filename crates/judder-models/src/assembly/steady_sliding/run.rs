@@ -1,5 +1,6 @@
 //! Steady sliding and what is told of it.
 
+use super::faces::with_faces;
 use super::uniqueness::ToldUniqueness;
 use crate::assembly::build::{ShownBodies, SphereState, SubstrateSphere};
 use crate::assembly::{AssemblySubject, IMBALANCE};
@@ -150,7 +151,7 @@ pub(super) fn run(of: &AssemblySubject<'_>) -> Result<Outcome, ModelError> {
         moved[3 * point + direction as usize] += displacement;
     }
     let points = shown.layout.points.len();
-    let dataset = shapes::with_layout(dataset, &shown.layout)?.with(
+    let dataset = with_faces(shapes::with_layout(dataset, &shown.layout)?, of)?.with(
         Variable::new("shape", &["shown_mode", "point", "direction"], &[1, points, 3], moved.clone())
             .units("m")
             .long_name("displacement in steady sliding"),

@@ -87,15 +87,41 @@ pub fn product(matrix: &Sparse, x: &[f64]) -> Vec<f64> {
 pub(crate) fn symmetric_product(matrix: &Sparse, x: &[f64]) -> Vec<f64> {
     /// Rows that are worked together.
     const CHUNK: usize = 4096;
+    let row = |row: usize| (matrix.row_idx_of_col_raw(row), matrix.val_of_col(row));
     let mut y = vec![0.0; matrix.nrows()];
     y.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, y)| {
-        for (k, y) in y.iter_mut().enumerate() {
-            let row = chunk * CHUNK + k;
-            let entries = matrix.row_idx_of_col_raw(row).iter().zip(matrix.val_of_col(row));
-            *y = entries.map(|(column, value)| value * x[*column]).sum();
+        let first = chunk * CHUNK;
+        let (pairs, last) = y.as_chunks_mut::<2>();
+        for (k, pair) in pairs.iter_mut().enumerate() {
+            *pair = two_sums([row(first + 2 * k), row(first + 2 * k + 1)], x);
+        }
+        if let [y] = last {
+            let places_and_values = row(first + 2 * pairs.len());
+            [*y, _] = two_sums([places_and_values, (&[], &[])], x);
         }
     });
     y
+}
+
+/// Σ aₖ x at place k of two rows, side by side: neither sum waits for the other.
+fn two_sums(
+    [(places, values), (other_places, other_values)]: [(&[usize], &[f64]); 2],
+    x: &[f64],
+) -> [f64; 2] {
+    let common = places.len().min(other_places.len());
+    let ((first, rest), (other_first, other_rest)) = (places.split_at(common), other_places.split_at(common));
+    let ((a, a_rest), (b, b_rest)) = (values.split_at(common), other_values.split_at(common));
+    let mut sums = [-0.0; 2];
+    for ((i, a), (j, b)) in first.iter().zip(a).zip(other_first.iter().zip(b)) {
+        sums[0] += a * x[*i];
+        sums[1] += b * x[*j];
+    }
+    for (sum, (places, values)) in sums.iter_mut().zip([(rest, a_rest), (other_rest, b_rest)]) {
+        for (place, value) in places.iter().zip(values) {
+            *sum += value * x[*place];
+        }
+    }
+    sums
 }
 
 /// a A + b B of two square matrices of one size, on the union of their patterns.

@@ -41,8 +41,6 @@ pub struct Compliance {
 
 /// Contact points whose dense matrices are held, half a dozen of them: 5 GB.
 const MOST_POINTS: usize = 10_000;
-/// Right sides that are solved together: the factor is read once for all of them.
-const TOGETHER: usize = 8;
 
 impl Compliance {
     /// The compliance of the contact points, one solution a point.
@@ -60,22 +58,13 @@ impl Compliance {
         }
         let spring = spring(&assembly.stiffness, points);
         let held = with_springs(&assembly.stiffness, points, spring)?;
-        check_held(&held, assembly)?;
-        let factor = Factor::new(&held)?;
-        let columns: Vec<[Vec<f64>; 2]> = points
-            .par_chunks(TOGETHER)
-            .flat_map_iter(|chunk| factor.columns(chunk, points, assembly.size()))
-            .collect();
+        let factor = Factor::held(&held, assembly)?;
+        let [of_normal, of_slip] = factor.on_points(points, assembly.size());
         let mut of_load = assembly.load.clone();
         factor.solve(&mut of_load);
-        let of_slip = |i: usize, j: usize| match factor {
-            // K is symmetric: c_i K⁻¹ t_jᵀ = t_j K⁻¹ c_iᵀ
-            Factor::Symmetric(_) => columns[i][1][j],
-            Factor::General(_) => columns[j][1][i],
-        };
         Ok(Self {
-            of_normal: Mat::from_fn(points.len(), points.len(), |i, j| columns[j][0][i]),
-            of_slip: Mat::from_fn(points.len(), points.len(), of_slip),
+            of_normal,
+            of_slip,
             of_load: points.iter().map(|point| point.frame.normal.of(&of_load)).collect(),
             spring,
             factor,
@@ -133,11 +122,17 @@ enum Factor {
 }
 
 impl Factor {
-    fn new(stiffness: &Sparse) -> Result<Self, AssemblyError> {
-        Ok(match is_symmetric(stiffness) {
-            true => Self::Symmetric(SymmetricFactor::new(stiffness)?),
-            false => Self::General(Box::new(GeneralStatics::new(stiffness)?)),
-        })
+    /// Of a stiffness that lets no body move without force.
+    fn held(stiffness: &Sparse, assembly: &Assembly) -> Result<Self, AssemblyError> {
+        if !is_symmetric(stiffness) {
+            check_held(stiffness, assembly)?;
+            return Ok(Self::General(Box::new(GeneralStatics::new(stiffness)?)));
+        }
+        let factor = SymmetricFactor::new(stiffness);
+        if !factor.as_ref().is_ok_and(|factor| is_clearly_held(factor, stiffness, &assembly.mass)) {
+            check_held(stiffness, assembly)?;
+        }
+        Ok(Self::Symmetric(factor?))
     }
 
     fn solve(&self, load: &mut [f64]) {
@@ -147,39 +142,43 @@ impl Factor {
         }
     }
 
-    /// Of some points: how unit forces along their normals open all points, and how those slip under them; of a stiffness that is not
-    /// symmetric how unit forces along their slips open all points.
-    fn columns(
-        &self,
-        chunk: &[FramedPoint<'_>],
-        points: &[FramedPoint<'_>],
-        size: usize,
-    ) -> Vec<[Vec<f64>; 2]> {
-        let forced = |row: Option<&Row>| {
-            let mut right = vec![0.0; size];
-            row.into_iter().for_each(|row| row.add_to(1.0, &mut right));
-            right
-        };
-        let opened = |moved: &[f64]| points.iter().map(|point| point.frame.normal.of(moved)).collect();
+    /// S_nn and S_nt.
+    fn on_points(&self, points: &[FramedPoint<'_>], size: usize) -> [Mat<f64>; 2] {
+        let count = points.len();
         match self {
             Self::Symmetric(factor) => {
-                let mut rights: [Vec<f64>; TOGETHER] =
-                    std::array::from_fn(|k| forced(chunk.get(k).map(|point| &point.frame.normal)));
-                factor.solve_together(rights.each_mut().map(Vec::as_mut_slice));
-                let slipped = |moved: &[f64]| points.iter().map(|point| point.frame.slip.of(moved)).collect();
-                let moved = rights.iter().take(chunk.len());
-                moved.map(|moved| [opened(moved), slipped(moved)]).collect()
+                let normals = points.iter().map(|point| point.frame.normal.entries());
+                let slips = points.iter().map(|point| point.frame.slip.entries());
+                let all = factor.compliance(&normals.chain(slips).collect::<Vec<_>>(), count);
+                [all.subcols(0, count).to_owned(), all.subcols(count, count).to_owned()]
             }
             Self::General(factor) => {
-                let of_row = |row: &Row| {
-                    let mut moved = forced(Some(row));
+                let opened = |row: &Row| -> Vec<f64> {
+                    let mut moved = vec![0.0; size];
+                    row.add_to(1.0, &mut moved);
                     factor.solve(&mut moved);
-                    opened(&moved)
+                    points.iter().map(|point| point.frame.normal.of(&moved)).collect()
                 };
-                chunk.iter().map(|point| [of_row(&point.frame.normal), of_row(&point.frame.slip)]).collect()
+                [0, 1].map(|which| {
+                    let of_point = |point: &FramedPoint<'_>| {
+                        opened(if which == 0 { &point.frame.normal } else { &point.frame.slip })
+                    };
+                    let columns: Vec<Vec<f64>> = points.par_iter().map(of_point).collect();
+                    Mat::from_fn(count, count, |i, j| columns[j][i])
+                })
             }
         }
     }
+}
+
+/// Whether no motion is anywhere near to be without force, by inverse iteration with the factors of a stiffness.
+///
+/// Doubt is no answer: what does without force is then counted.
+fn is_clearly_held(factor: &SymmetricFactor, stiffness: &Sparse, mass: &Sparse) -> bool {
+    /// An eigenvalue so many times the one that rounding makes of zero is not zero.
+    const CLEARLY: f64 = 1e3;
+    let limit = rigid_limit(stiffness.nrows(), largest_ratio(stiffness, mass));
+    factor.negative_eigenvalues() == 0 && softest(mass, &|moved| factor.solve(moved)).1 > CLEARLY * limit
 }
 
 /// A stiffness as of the bodies at their contact points, so that both are of one size; of bodies without any, 1 N/m.
@@ -256,23 +255,29 @@ pub(crate) fn rigid_motions(stiffness: &Sparse, assembly: &Assembly) -> Result<u
 /// A motion that a stiffness, which need not be symmetric, does not resist: by inverse iteration on K + s M with s the largest
 /// eigenvalue that rounding makes of zero.
 fn motion_without_force(stiffness: &Sparse, mass: &Sparse) -> Result<Option<Vec<f64>>, AssemblyError> {
-    /// Steps: each brings out what lies at zero by as much as it lies nearer than the rest.
-    const STEPS: usize = 3;
-    let size = |shape: &[f64]| shape.iter().map(|x| x * x).sum::<f64>().sqrt();
     let limit = rigid_limit(stiffness.nrows(), largest_ratio(stiffness, mass));
     let scaled = triplets(mass).map(|entry| Triplet::new(entry.row, entry.col, limit * entry.val));
     let entries: Vec<_> = triplets(stiffness).chain(scaled).collect();
     let factor = GeneralStatics::new(&from_triplets(stiffness.nrows(), stiffness.ncols(), &entries)?)?;
-    let mut shape: Vec<f64> = (0..stiffness.nrows()).map(|k| 1.0 + 0.5 * (k as f64).sin()).collect();
+    let (shape, nearest) = softest(mass, &|moved| factor.solve(moved));
+    // of a motion without force it is s itself
+    Ok((nearest <= 3.0 * limit).then_some(shape))
+}
+
+/// The motion that a factored matrix resists least beside the mass, and by how much: the size of its eigenvalue.
+fn softest(mass: &Sparse, solve: &dyn Fn(&mut [f64])) -> (Vec<f64>, f64) {
+    /// Steps: each brings out what lies at zero by as much as it lies nearer than the rest.
+    const STEPS: usize = 3;
+    let size = |shape: &[f64]| shape.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let mut shape: Vec<f64> = (0..mass.nrows()).map(|k| 1.0 + 0.5 * (k as f64).sin()).collect();
     let mut nearest = f64::INFINITY;
     for _ in 0..STEPS {
         let before = size(&shape);
         shape.iter_mut().for_each(|x| *x /= before);
         let mut moved = product(mass, &shape);
-        factor.solve(&mut moved);
+        solve(&mut moved);
         nearest = 1.0 / size(&moved);
         shape = moved;
     }
-    // of a motion without force it is s itself
-    Ok((nearest <= 3.0 * limit).then_some(shape))
+    (shape, nearest)
 }

@@ -104,6 +104,9 @@ impl NullBasis {
 
     /// Lᵀ A R of two bases of the same freedoms.
     pub(crate) fn projected(left: &Self, matrix: &Sparse, right: &Self) -> Result<Sparse, AssemblyError> {
+        if left.dependent.is_empty() && right.dependent.is_empty() {
+            return Ok(matrix.clone());
+        }
         let mut entries = Vec::new();
         for Triplet { row, col, val } in triplets(matrix) {
             for (a, by_left) in left.rows[row].entries() {

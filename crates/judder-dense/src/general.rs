@@ -5,8 +5,11 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{ComputeEigenvectors, EvdParams, evd_cplx, evd_real, evd_scratch};
 use faer::linalg::lu::partial_pivoting::factor::{PartialPivLuParams, lu_in_place, lu_in_place_scratch};
 use faer::linalg::lu::partial_pivoting::solve::{solve_in_place_scratch, solve_in_place_with_conj};
+use faer::linalg::matmul::matmul;
+use faer::linalg::triangular_solve::{solve_unit_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::traits::ComplexField;
-use faer::{Conj, Mat, MatRef, Par, Spec, c64};
+use faer::{Accum, Conj, Mat, MatMut, MatRef, Par, Spec, c64};
+use rayon::prelude::*;
 
 /// A v = λ v for a complex matrix: the values, and vectors as columns. `None` where the iteration does not end.
 #[must_use]
@@ -28,7 +31,53 @@ pub fn complex_eigen(matrix: MatRef<'_, c64>) -> Option<(Vec<c64>, Mat<c64>)> {
 /// X with A X = B, in place of B; `None` where A is singular.
 #[must_use]
 pub fn solve(matrix: Mat<f64>, right: &mut Mat<f64>) -> Option<()> {
-    solve_over(matrix, right)
+    /// Rows from which on cores share the work.
+    const LARGE: usize = 512;
+    if matrix.nrows() >= LARGE { solve_shared(matrix, right) } else { solve_over(matrix, right) }
+}
+
+/// Columns that are eliminated together.
+const PANEL: usize = 128;
+/// Columns that are changed together: pieces do not depend on the number of threads, so neither does the result.
+const TILE: usize = 128;
+
+/// The same by panels whose effects on the columns after them are worked side by side.
+fn solve_shared(mut matrix: Mat<f64>, right: &mut Mat<f64>) -> Option<()> {
+    let size = matrix.nrows();
+    let parameters = Spec::<PartialPivLuParams, f64>::default();
+    for start in (0..size).step_by(PANEL) {
+        let (rows, width) = (size - start, PANEL.min(size - start));
+        let left = matrix.as_mut().submatrix_mut(start, start, rows, rows);
+        let (mut panel, rest) = left.split_at_col_mut(width);
+        let (mut forward, mut inverse) = (vec![0_usize; rows], vec![0; rows]);
+        let needed = lu_in_place_scratch::<usize, f64>(rows, width, Par::Seq, parameters);
+        let mut memory = MemBuffer::try_new(needed).ok()?;
+        lu_in_place(
+            panel.as_mut(),
+            &mut forward,
+            &mut inverse,
+            Par::Seq,
+            MemStack::new(&mut memory),
+            parameters,
+        );
+        let panel = panel.as_ref();
+        rest.par_col_chunks_mut(TILE).for_each(|tile| eliminate_from(panel, &forward, tile));
+        eliminate_from(panel, &forward, right.as_mut().subrows_mut(start, rows));
+    }
+    solve_upper_triangular_in_place(matrix.as_ref(), right.as_mut(), Par::Seq);
+    right.is_all_finite().then_some(())
+}
+
+/// Columns after a panel of L and U: their rows in its order, its own of them divided by L, the rows below less what these bring.
+fn eliminate_from(panel: MatRef<'_, f64>, order: &[usize], mut columns: MatMut<'_, f64>) {
+    for k in 0..columns.ncols() {
+        let before: Vec<f64> = (0..order.len()).map(|row| columns[(row, k)]).collect();
+        order.iter().enumerate().for_each(|(row, from)| columns[(row, k)] = before[*from]);
+    }
+    let (top, below) = panel.split_at_row(panel.ncols());
+    let (mut own, rest) = columns.split_at_row_mut(panel.ncols());
+    solve_unit_lower_triangular_in_place(top, own.as_mut(), Par::Seq);
+    matmul(rest, Accum::Add, below, own.as_ref(), -1.0, Par::Seq);
 }
 
 /// The same for complex matrices.
@@ -63,6 +112,18 @@ pub fn pivots(matrix: &mut Mat<c64>) -> Option<(Vec<c64>, bool)> {
     let (done, _) = lu_in_place(matrix.as_mut(), &mut forward, &mut inverse, Par::Seq, stack, parameters);
     let odd = done.transposition_count % 2 == 1;
     Some(((0..size).map(|k| matrix[(k, k)]).collect(), odd))
+}
+
+/// P A = L U in place of A: which row of A each row of the factors was; `None` where there is no memory.
+#[must_use]
+pub fn eliminate_complex(matrix: MatMut<'_, c64>) -> Option<Vec<usize>> {
+    let size = matrix.nrows();
+    let (mut forward, mut inverse) = (vec![0_usize; size], vec![0; size]);
+    let parameters = Spec::<PartialPivLuParams, c64>::default();
+    let needed = lu_in_place_scratch::<usize, c64>(size, size, Par::Seq, parameters);
+    let mut memory = MemBuffer::try_new(needed).ok()?;
+    lu_in_place(matrix, &mut forward, &mut inverse, Par::Seq, MemStack::new(&mut memory), parameters);
+    Some(forward)
 }
 
 /// A v = λ v and wᴴ A = λ wᴴ for a real matrix, those of its eigenvalues that a test picks; vectors are columns, of length one.
@@ -140,6 +201,18 @@ pub fn real_eigen(matrix: &Mat<f64>, pick: &dyn Fn(c64) -> bool) -> Option<Picke
 mod tests {
     use super::*;
     use judder_numerics::counter::uniform;
+
+    #[test]
+    fn a_large_system_is_solved_as_a_small_one() {
+        let size = 700;
+        let matrix = Mat::from_fn(size, size, |i, j| uniform(9, (size * i + j) as u64) - 0.5);
+        let right = Mat::from_fn(size, 2, |i, j| uniform(10, (2 * i + j) as u64));
+        let (mut shared, mut alone) = (right.clone(), right.clone());
+        solve_shared(matrix.clone(), &mut shared).unwrap();
+        solve_over(matrix.clone(), &mut alone).unwrap();
+        assert!((&matrix * &shared - &right).norm_max() < 1e-9);
+        assert!((&shared - &alone).norm_max() < 1e-9 * alone.norm_max());
+    }
 
     #[test]
     fn eigenvectors_of_real_matrices_belong_to_their_values_on_both_sides() {

@@ -24,7 +24,7 @@ use std::fmt::{self, Display, Formatter};
 use std::ops::Range;
 use tracking::SweepTracker;
 
-pub use problem_family::{ProblemFamily, projected};
+pub use problem_family::{ProblemFamily, ProjectedProblem};
 
 /// How the points are solved.
 #[derive(Debug, Clone, Copy, PartialEq)]

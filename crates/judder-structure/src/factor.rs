@@ -4,7 +4,9 @@
 //! Transactions on Mathematical Software 9 (1983). Subtrees of the elimination are worked side by side, and the large blocks above
 //! them piece by piece; pieces and the order of sums do not depend on the number of threads.
 
+mod compliance;
 mod front;
+pub(crate) mod general;
 mod ordering;
 mod substitution;
 mod tree;
@@ -149,7 +151,30 @@ fn eliminated<T: Send>(
         return Err(StructureError::WrongPattern { rows, expected: order.len() });
     }
     let permuted = Permuted::new(matrix, order, inverse)?;
-    let branch = |branch| eliminate_branch(tree, branch, &permuted, &keep);
+    let step = |block: usize, updates: &mut BTreeMap<usize, Vec<f64>>, shared: bool| {
+        eliminate(tree, block, &permuted, updates, shared)
+    };
+    over_tree(tree, step, keep)
+}
+
+/// Eliminates every block of a tree by a step that takes the updates of its children; what is to be kept of each, in their order.
+fn over_tree<F, U: Send, T: Send>(
+    tree: &Tree,
+    step: impl Fn(usize, &mut BTreeMap<usize, Vec<U>>, bool) -> Result<(F, Vec<U>), StructureError> + Sync,
+    keep: impl Fn(F) -> T + Sync,
+) -> Result<Vec<T>, StructureError> {
+    let branch = |branch: &Subtree| -> Result<(Vec<T>, Vec<U>), StructureError> {
+        let mut updates = BTreeMap::new();
+        let mut kept = Vec::with_capacity(branch.blocks.len());
+        for block in &branch.blocks {
+            let (front, update) = step(*block, &mut updates, false)?;
+            kept.push(keep(front));
+            updates.insert(*block, update);
+        }
+        // what its root changes
+        let update = branch.blocks.last().map(|root| taken_update(&mut updates, *root));
+        Ok((kept, update.unwrap_or_default()))
+    };
     let of_branches: Vec<_> = tree.branches.par_iter().map(branch).collect::<Result<_, _>>()?;
     let mut updates = BTreeMap::new();
     let mut kept: Vec<Option<T>> = (0..tree.blocks()).map(|_| None).collect();
@@ -163,7 +188,7 @@ fn eliminated<T: Send>(
     }
     let shared = !tree.branches.is_empty();
     for block in &tree.trunk {
-        let (front, update) = eliminate(tree, *block, &permuted, &mut updates, shared)?;
+        let (front, update) = step(*block, &mut updates, shared)?;
         kept[*block] = Some(keep(front));
         updates.insert(*block, update);
     }
@@ -171,22 +196,9 @@ fn eliminated<T: Send>(
     Ok(kept.into_iter().flatten().collect())
 }
 
-/// Eliminates the blocks of a branch; what its root changes comes back beside them.
-fn eliminate_branch<T>(
-    tree: &Tree,
-    branch: &Subtree,
-    matrix: &Permuted,
-    keep: impl Fn(Front) -> T,
-) -> Result<(Vec<T>, Vec<f64>), StructureError> {
-    let mut updates: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
-    let mut kept = Vec::with_capacity(branch.blocks.len());
-    for block in &branch.blocks {
-        let (front, update) = eliminate(tree, *block, matrix, &mut updates, false)?;
-        kept.push(keep(front));
-        updates.insert(*block, update);
-    }
-    let update = branch.blocks.last().and_then(|root| updates.remove(root));
-    Ok((kept, update.unwrap_or_default()))
+/// What a block changes, which is needed once.
+fn taken_update<U>(updates: &mut BTreeMap<usize, Vec<U>>, block: usize) -> Vec<U> {
+    updates.remove(&block).unwrap_or_default()
 }
 
 /// Assembles a block from the matrix and the updates of its children, which are taken, and eliminates it.
@@ -214,7 +226,7 @@ fn eliminate(
     for child in &tree.children[block] {
         let places: Vec<usize> =
             tree.rows(*child).iter().map(|row| place(*row)).collect::<Option<_>>().ok_or_else(wrong)?;
-        assembly.add_update(&updates.remove(child).unwrap_or_default(), &places);
+        assembly.add_update(&taken_update(updates, *child), &places);
     }
     let (front, update) = assembly.eliminate(shared)?;
     if front.is_regular() { Ok((front, update)) } else { Err(StructureError::Singular { rows: size }) }
@@ -266,6 +278,15 @@ mod tests {
             let rest =
                 product(&matrix, &x).iter().zip(&right).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             assert!(rest < 1e-9, "{side}: {rest:e}");
+            let forms = [vec![(0, 1.0), (side * side - 1, -2.0)], vec![(side / 2, 1.5)]];
+            let moved = factor.compliance(&forms.each_ref().map(Vec::as_slice), 1);
+            for (k, form) in forms.iter().enumerate() {
+                let mut solved = vec![0.0; side * side];
+                form.iter().for_each(|(row, value)| solved[*row] += value);
+                factor.solve(&mut solved);
+                let expected: f64 = forms[0].iter().map(|(row, value)| value * solved[*row]).sum();
+                assert!((moved[(0, k)] - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{side}");
+            }
             let (mut first, mut second) = (right.clone(), x.clone());
             factor.solve_together([&mut first, &mut second]);
             let mut alone = x.clone();

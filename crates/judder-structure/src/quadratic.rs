@@ -2,8 +2,10 @@
 
 use crate::StructureError;
 use crate::assembly::Sparse;
+use crate::factor::FactorPattern;
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
-use faer::{ColMut, ColRef, Mat, MatRef, c64};
+use faer::{ColRef, Mat, MatRef, c64};
+use std::sync::OnceLock;
 
 /// Q(λ) = λ² M + λ C + K with real matrices of one size, none of which need be symmetric.
 #[derive(Debug, Clone)]
@@ -12,6 +14,13 @@ pub struct Quadratic {
     damping: Sparse,
     stiffness: Sparse,
     norms: [f64; 3],
+    pattern: OnceLock<FactorPattern>,
+}
+
+/// Q(λ) X and Q′(λ) X of vectors with a λ each.
+pub(crate) struct QuadraticImages {
+    pub(crate) image: Mat<c64>,
+    pub(crate) slope: Mat<c64>,
 }
 
 /// Whether a matrix is meant or its transpose, whose right vectors are the conjugate left vectors.
@@ -60,7 +69,7 @@ impl Quadratic {
                 return Err(StructureError::EmptyMatrix { name: name.to_owned() });
             }
         }
-        Ok(Self { mass, damping, stiffness, norms })
+        Ok(Self { mass, damping, stiffness, norms, pattern: OnceLock::new() })
     }
 
     /// Rows of the matrices.
@@ -97,10 +106,11 @@ impl Quadratic {
     /// |z|ᵀ (|λ|² |M| + |λ| |C| + |K|) |x|.
     pub(crate) fn scale_by_entries(&self, value: c64, z: &[c64], x: &[c64]) -> f64 {
         let size = value.norm();
+        let z: Vec<f64> = z.iter().map(|z| z.norm()).collect();
         let of = |matrix: &Sparse| -> f64 {
             let column = |k: usize| {
                 let entries = matrix.row_idx_of_col(k).zip(matrix.val_of_col(k));
-                x[k].norm() * entries.map(|(row, entry)| z[row].norm() * entry.abs()).sum::<f64>()
+                x[k].norm() * entries.map(|(row, entry)| z[row] * entry.abs()).sum::<f64>()
             };
             (0..matrix.ncols()).map(column).sum()
         };
@@ -119,6 +129,18 @@ impl Quadratic {
         union(&parts).ok_or(StructureError::OutOfMemory { rows: self.size() })
     }
 
+    /// The pattern of the factors of Q(λ) on a symmetric pattern, one for every λ.
+    ///
+    /// # Errors
+    /// [`StructureError::OutOfMemory`].
+    pub(crate) fn pattern(&self) -> Result<FactorPattern, StructureError> {
+        if let Some(known) = self.pattern.get() {
+            return Ok(known.clone());
+        }
+        let found = FactorPattern::of_sums(&[&self.mass, &self.damping, &self.stiffness])?;
+        Ok(self.pattern.get_or_init(|| found).clone())
+    }
+
     /// Q(λ) X of a block of vectors, or Q(λ)ᵀ X.
     pub(crate) fn image(&self, side: MatrixSide, value: c64, x: MatRef<'_, c64>) -> Mat<c64> {
         let mut image = Mat::zeros(x.nrows(), x.ncols());
@@ -134,6 +156,25 @@ impl Quadratic {
         add_product(&self.mass, side, 2.0 * value, x, &mut image);
         add_product(&self.damping, side, c64::new(1.0, 0.0), x, &mut image);
         image
+    }
+
+    /// Q(λ) x and Q′(λ) x of vectors with a λ each, or with the transposes.
+    pub(crate) fn images(&self, side: MatrixSide, values: &[c64], x: MatRef<'_, c64>) -> QuadraticImages {
+        let one = c64::new(1.0, 0.0);
+        let of = |matrix: &Sparse| {
+            let mut image = Mat::zeros(x.nrows(), x.ncols());
+            add_product(matrix, side, one, x, &mut image);
+            image
+        };
+        let (mass, damping, stiffness) = (of(&self.mass), of(&self.damping), of(&self.stiffness));
+        let image = |row: usize, k: usize| {
+            (values[k] * mass[(row, k)] + damping[(row, k)]) * values[k] + stiffness[(row, k)]
+        };
+        let slope = |row: usize, k: usize| 2.0 * values[k] * mass[(row, k)] + damping[(row, k)];
+        QuadraticImages {
+            image: Mat::from_fn(x.nrows(), x.ncols(), image),
+            slope: Mat::from_fn(x.nrows(), x.ncols(), slope),
+        }
     }
 
     /// Y += a M X of a block of vectors, or with the transpose.
@@ -226,24 +267,52 @@ pub(crate) fn norm_of(matrix: &Sparse) -> f64 {
     (largest(&of_rows) * largest(&of_columns)).sqrt()
 }
 
+/// Vectors that a matrix is read for together.
+const TOGETHER: usize = 4;
+
 /// Y += a A X of a block of complex vectors, or with Aᵀ.
 fn add_product(matrix: &Sparse, side: MatrixSide, factor: c64, x: MatRef<'_, c64>, y: &mut Mat<c64>) {
-    for k in 0..x.ncols() {
-        let from = x.col(k).try_as_col_major().map(ColRef::as_slice);
-        let to = y.col_mut(k).try_as_col_major_mut().map(ColMut::as_slice_mut);
-        let (Some(from), Some(to)) = (from, to) else { continue };
-        for column in 0..matrix.ncols() {
-            let entries = matrix.row_idx_of_col_raw(column).iter().zip(matrix.val_of_col(column));
-            match side {
-                MatrixSide::Right => {
-                    let share = from[column] * factor;
-                    entries.for_each(|(row, value)| to[*row] += share * *value);
-                }
-                MatrixSide::Left => {
-                    to[column] += factor * entries.map(|(row, value)| from[*row] * *value).sum::<c64>();
+    for first in (0..x.ncols()).step_by(TOGETHER) {
+        if first + TOGETHER <= x.ncols() {
+            add_products::<TOGETHER>(matrix, side, factor, x.subcols(first, TOGETHER), first, y);
+        } else {
+            (first..x.ncols()).for_each(|k| add_products::<1>(matrix, side, factor, x.subcols(k, 1), k, y));
+        }
+    }
+}
+
+/// The same of N vectors, the first of which in Y is that number; of each its sums are those of a single one.
+fn add_products<const N: usize>(
+    matrix: &Sparse,
+    side: MatrixSide,
+    factor: c64,
+    x: MatRef<'_, c64>,
+    first: usize,
+    y: &mut Mat<c64>,
+) {
+    let from: Vec<[c64; N]> = (0..x.nrows()).map(|row| std::array::from_fn(|k| x[(row, k)])).collect();
+    let mut to: Vec<[c64; N]> =
+        (0..y.nrows()).map(|row| std::array::from_fn(|k| y[(row, first + k)])).collect();
+    for column in 0..matrix.ncols() {
+        let entries = matrix.row_idx_of_col_raw(column).iter().zip(matrix.val_of_col(column));
+        match side {
+            MatrixSide::Right => {
+                let shares = from[column].map(|from| from * factor);
+                for (row, value) in entries {
+                    to[*row].iter_mut().zip(&shares).for_each(|(to, share)| *to += share * *value);
                 }
             }
+            MatrixSide::Left => {
+                let mut sums = [c64::new(0.0, 0.0); N];
+                for (row, value) in entries {
+                    sums.iter_mut().zip(&from[*row]).for_each(|(sum, from)| *sum += from * *value);
+                }
+                to[column].iter_mut().zip(sums).for_each(|(to, sum)| *to += factor * sum);
+            }
         }
+    }
+    for (row, to) in to.iter().enumerate() {
+        to.iter().enumerate().for_each(|(k, to)| y[(row, first + k)] = *to);
     }
 }
 

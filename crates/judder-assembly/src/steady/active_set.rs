@@ -207,11 +207,10 @@ impl Solver<'_> {
             let own = if i == j { affine[j].opening.slope } else { 0.0 };
             own - of_normal[(i, j)] * normal[j].slope - of_slip[(i, j)] * affine[j].friction.slope
         });
-        let mut right = Mat::from_fn(count, 1, |i, _| {
-            let moved =
-                |j: usize| of_normal[(i, j)] * normal[j].offset + of_slip[(i, j)] * affine[j].friction.offset;
-            of_load[i] - affine[i].opening.offset + (0..count).map(moved).sum::<f64>()
-        });
+        let offsets: (Vec<f64>, Vec<f64>) =
+            normal.iter().zip(affine).map(|(normal, a)| (normal.offset, a.friction.offset)).unzip();
+        let moved = self.moved(&offsets.0, &offsets.1);
+        let mut right = Mat::from_fn(count, 1, |i, _| of_load[i] - affine[i].opening.offset + moved[i]);
         let closed = guess.closed.iter().filter(|closed| **closed).count();
         solve(matrix, &mut right).ok_or(AssemblyError::Undetermined { closed })?;
         Ok((0..count).map(|k| right[(k, 0)]).collect())
@@ -248,15 +247,25 @@ impl Solver<'_> {
 
     /// How far the equations of the points are off, in m.
     fn residual(&self, opening: &[f64], carried: &[Carried]) -> f64 {
-        let Compliance { of_normal, of_slip, of_load, spring, .. } = self.compliance;
-        let off = |i: usize| {
-            let moved = |j: usize| {
-                of_normal[(i, j)] * (carried[j].normal + spring * opening[j])
-                    + of_slip[(i, j)] * carried[j].friction
-            };
-            (opening[i] - of_load[i] - (0..opening.len()).map(moved).sum::<f64>()).abs()
-        };
+        let Compliance { of_load, spring, .. } = self.compliance;
+        let forces: (Vec<f64>, Vec<f64>) =
+            carried.iter().zip(opening).map(|(own, y)| (own.normal + spring * y, own.friction)).unzip();
+        let moved = self.moved(&forces.0, &forces.1);
+        let off = |i: usize| (opening[i] - of_load[i] - moved[i]).abs();
         (0..opening.len()).map(off).fold(0.0, f64::max)
+    }
+
+    /// S_nn N + S_nt T, column by column as they lie in memory.
+    fn moved(&self, normal: &[f64], friction: &[f64]) -> Vec<f64> {
+        let Compliance { of_normal, of_slip, .. } = self.compliance;
+        let mut moved = vec![0.0; normal.len()];
+        for (j, (normal, friction)) in normal.iter().zip(friction).enumerate() {
+            let (of_normal, of_slip) = (of_normal.col(j), of_slip.col(j));
+            for (i, moved) in moved.iter_mut().enumerate() {
+                *moved += of_normal[i] * normal + of_slip[i] * friction;
+            }
+        }
+        moved
     }
 
     /// What openings are measured by, in m: with the springs the forces of all points move each.

@@ -6,13 +6,14 @@ use super::case::contact::ContactForceSettings;
 use super::eigen::{BAND, band};
 use crate::error::ModelError;
 use crate::key_sweep::{KeySweep, KeySweepProblem, SweptSections};
-use faer::Mat;
+use faer::{Mat, MatRef};
 use judder_assembly::compliance::Compliance;
+use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::{SteadySliding, steady_sliding};
 use judder_keys::Settings;
 use judder_structure::complex_modes::{ComplexMode, ComplexModeSettings, Eigenvalue, Region, complex_modes};
-use judder_structure::eigen_sweep::{ProblemFamily, SolvedPoint, projected};
+use judder_structure::eigen_sweep::{ProblemFamily, ProjectedProblem, SolvedPoint};
 use judder_structure::quadratic::Quadratic;
 use judder_study::Silent;
 use std::sync::Arc;
@@ -65,6 +66,8 @@ pub(super) struct SlidingState {
     /// The assembly, where it shares its bodies with the case; that of other keys would fill the memory.
     built: Option<BuiltAssembly>,
     pub(super) steady: SteadySliding,
+    /// Which points are closed and rigid, and so take a freedom from small motions.
+    pub(super) held: Vec<bool>,
     /// What is to be said of it.
     pub(super) doubts: Vec<String>,
     /// The spheres that touch.
@@ -140,8 +143,8 @@ impl<'a> SweptAssembly<'a> {
         let built = self.built(values)?;
         if built.assembly.interfaces.is_empty() {
             let steady = SteadySliding::untouched(built.assembly.size());
-            let (doubts, spheres) = (Vec::new(), Vec::new());
-            return Ok(SlidingState { values: values.to_vec(), built: None, steady, doubts, spheres });
+            let (held, doubts, spheres) = (Vec::new(), Vec::new(), Vec::new());
+            return Ok(SlidingState { values: values.to_vec(), built: None, steady, held, doubts, spheres });
         }
         let told = |error| built.told(error);
         let steady = match &self.compliance {
@@ -152,8 +155,11 @@ impl<'a> SweptAssembly<'a> {
         let doubts = AssemblySubject { built: &built, ..*self.of }.doubts(&steady);
         let spheres = built.sliding_spheres(&steady);
         let spheres = spheres.map(|(_, sphere, state)| (Arc::clone(sphere), state)).collect();
+        let is_rigid =
+            |interface: usize| matches!(built.assembly.interfaces[interface].law, InterfaceLaw::Rigid(_));
+        let held = steady.points.iter().map(|point| point.is_closed && is_rigid(point.interface)).collect();
         let built = self.own().shares_bodies(&built).then_some(built);
-        Ok(SlidingState { values: values.to_vec(), built, steady, doubts, spheres })
+        Ok(SlidingState { values: values.to_vec(), built, steady, held, doubts, spheres })
     }
 
     /// Small motions about a state.
@@ -190,10 +196,10 @@ impl<'a> SweptAssembly<'a> {
     }
 }
 
-/// States with the same closed points, whose problems are of one size.
+/// States with the same held points, whose problems are of one size.
 impl ProblemFamily for SweptAssembly<'_> {
     type Point = SlidingState;
-    type OnBasis = ();
+    type OnBasis = ProjectedProblem;
     type Error = ModelError;
 
     fn at(&self, state: &SlidingState) -> Result<Quadratic, ModelError> {
@@ -204,10 +210,18 @@ impl ProblemFamily for SweptAssembly<'_> {
         state.values.clone()
     }
 
-    fn on_basis(&self, _: &[Vec<f64>]) {}
+    fn on_basis(&self, basis: MatRef<'_, f64>, sample: &Quadratic) -> ProjectedProblem {
+        ProjectedProblem::new(sample, basis)
+    }
 
-    fn projected(&self, (): &(), basis: &[Vec<f64>], _: &SlidingState, problem: &Quadratic) -> [Mat<f64>; 3] {
-        [problem.mass(), problem.damping(), problem.stiffness()].map(|matrix| projected(matrix, basis))
+    fn projected(
+        &self,
+        prepared: &ProjectedProblem,
+        basis: MatRef<'_, f64>,
+        _: &SlidingState,
+        problem: &Quadratic,
+    ) -> [Mat<f64>; 3] {
+        prepared.other(problem, basis)
     }
 }
 

@@ -12,10 +12,13 @@ use judder_numerics::counter::uniform;
 
 /// Vectors that are taken through the operator together: solving for four costs little more than for one.
 const WIDTH: usize = 4;
-/// Steps between looks at the eigenvalues.
+/// Steps between looks at the eigenvalues, and vectors for each step more: a look takes as long as many steps where there are many vectors.
 const STRIDE: usize = 4;
+const VECTORS_OF_A_STEP: usize = 32;
 /// Vectors before a search gives up on more than it has.
-const LARGEST: usize = 160;
+const LARGEST: usize = 256;
+/// By half of them a search has to reach so much of its part, or it gives up: the vectors that it takes grow at least as its reach.
+const HOPELESS: f64 = 0.3;
 /// Random vectors before a search gives up on a crowd.
 const MOST_STARTS: usize = 64;
 /// So many more for each random one after the first.
@@ -55,7 +58,7 @@ pub(super) fn search(
     let mut basis = Basis::start(operator, seed)?;
     let mut seen = None;
     loop {
-        for _ in 0..STRIDE {
+        for _ in 0..STRIDE.max(basis.filled / VECTORS_OF_A_STEP) {
             basis.grow()?;
         }
         let ritz = basis.ritz()?;
@@ -67,7 +70,8 @@ pub(super) fn search(
         // a value that comes late shows within one more look
         let settled = ritz.radius >= asked && seen == Some(ritz.inside(asked));
         let beyond_counting = outnumbered && crowd >= MOST_STARTS;
-        if (settled && !outnumbered) || basis.is_full() || beyond_counting {
+        let hopeless = basis.filled >= LARGEST / 2 && ritz.radius < HOPELESS * asked;
+        if (settled && !outnumbered) || basis.is_full() || beyond_counting || hopeless {
             return Ok(FoundAroundShift { crowded: outnumbered, ..basis.found(&ritz, ritz.radius) });
         }
         seen = (ritz.radius >= asked).then(|| ritz.inside(asked));

@@ -158,6 +158,26 @@ impl RefinedEigenvalue {
         Self { triple, rest, left_rest, residual, left_residual, slope }
     }
 
+    /// Triples with their residuals, the matrices read for several at a time.
+    pub(crate) fn all_measured(problem: &Quadratic, triples: Vec<Triple>) -> Vec<Self> {
+        let rows = problem.size();
+        let values: Vec<c64> = triples.iter().map(|triple| triple.value).collect();
+        let block = |vector: fn(&Triple) -> &Vec<c64>| {
+            Mat::from_fn(rows, triples.len(), |row, k| vector(&triples[k])[row])
+        };
+        let right = problem.images(MatrixSide::Right, &values, block(|triple| &triple.right).as_ref());
+        let left = problem.images(MatrixSide::Left, &values, block(|triple| &triple.left).as_ref());
+        let of_one = |(k, triple): (usize, Triple)| {
+            let (rest, left_rest): (Vec<c64>, Vec<c64>) =
+                (entries(right.image.col(k)).collect(), entries(left.image.col(k)).collect());
+            let scale = problem.scale(triple.value);
+            let slope = bilinear(&triple.left, right.slope.col(k));
+            let (residual, left_residual) = (length(&rest) / scale, length(&left_rest) / scale);
+            Self { triple, rest, left_rest, residual, left_residual, slope }
+        };
+        triples.into_iter().enumerate().map(of_one).collect()
+    }
+
     /// Both residuals.
     pub(crate) fn worse(&self) -> f64 {
         self.residual + self.left_residual

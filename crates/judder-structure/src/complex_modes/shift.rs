@@ -1,20 +1,34 @@
 //! Q(σ) factored once for many solutions, with it and with its transpose.
 
 use crate::StructureError;
+use crate::factor::general::GeneralFactor;
 use crate::quadratic::{MatrixSide, Quadratic};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::PartialPivLuParams;
+use faer::sparse::SparseColMat;
 use faer::sparse::linalg::LuError;
 use faer::sparse::linalg::lu::{LuRef, LuSymbolicParams, NumericLu, SymbolicLu, factorize_symbolic_lu};
 use faer::{Conj, Mat, Par, Spec, c64};
 
-/// P Q(σ) Pᶜ = L U.
+/// Q(σ) = L U up to the orders of rows and columns.
 #[derive(Debug)]
 pub(crate) struct ShiftedFactor {
     shift: c64,
-    symbolic: SymbolicLu<usize>,
-    numeric: NumericLu<usize, c64>,
+    factors: ShiftedFactors,
 }
+
+#[derive(Debug)]
+enum ShiftedFactors {
+    /// On the pattern of Q + Qᵀ, with pivots among the rows of a block.
+    OfBlocks(GeneralFactor),
+    /// With pivots among all rows.
+    OfRows { symbolic: Box<SymbolicLu<usize>>, numeric: Box<NumericLu<usize, c64>> },
+}
+
+/// Problems of fewer freedoms are factored with pivots among all rows.
+const LARGE: usize = 500;
+/// Pivots among the rows of a block have sufficed where they leave no more of a right side, over all that it is made of.
+const SUFFICIENT: f64 = 1e-12;
 
 impl ShiftedFactor {
     /// The factors at a shift, or beside it where Q(σ) is singular: no further off than the reach times a few thousandths.
@@ -37,29 +51,38 @@ impl ShiftedFactor {
 
     /// The factors at a shift; `None` where Q(σ) is singular to rounding.
     pub(crate) fn at(problem: &Quadratic, shift: c64) -> Result<Option<Self>, StructureError> {
-        let rows = problem.size();
-        let out_of_memory = || StructureError::OutOfMemory { rows };
         let matrix = problem.at(shift)?;
-        let symbolic = match factorize_symbolic_lu(matrix.symbolic(), LuSymbolicParams::default()) {
-            Ok(symbolic) => symbolic,
-            Err(_) => return Err(out_of_memory()),
-        };
-        let parameters = Spec::<PartialPivLuParams, c64>::default();
-        let needed = symbolic.factorize_numeric_lu_scratch::<c64>(Par::Seq, parameters);
-        let mut memory = MemBuffer::try_new(needed).map_err(|_| out_of_memory())?;
-        let mut numeric = NumericLu::new();
-        let stack = MemStack::new(&mut memory);
-        match symbolic.factorize_numeric_lu(&mut numeric, matrix.as_ref(), Par::Seq, stack, parameters) {
-            Ok(_) => {}
-            Err(LuError::SymbolicSingular { .. }) => return Ok(None),
-            Err(LuError::Generic(_)) => return Err(out_of_memory()),
+        if problem.size() >= LARGE
+            && let Some(factor) = GeneralFactor::new(&problem.pattern()?, &matrix)?
+        {
+            let factor = Self { shift, factors: ShiftedFactors::OfBlocks(factor) };
+            if factor.left_of_ones(&matrix)? <= SUFFICIENT {
+                return Ok(Some(factor));
+            }
         }
-        let factor = Self { shift, symbolic, numeric };
+        let Some(factors) = ShiftedFactors::of_rows(&matrix)? else { return Ok(None) };
+        let factor = Self { shift, factors };
         // a zero pivot shows as what is not finite
-        let mut probe = Mat::from_fn(rows, 1, |_, _| c64::new(1.0, 0.0));
-        factor.solve(MatrixSide::Right, &mut probe)?;
-        let finite = (0..rows).all(|row| probe[(row, 0)].re.is_finite() && probe[(row, 0)].im.is_finite());
-        Ok(finite.then_some(factor))
+        Ok(factor.left_of_ones(&matrix)?.is_finite().then_some(factor))
+    }
+
+    /// ‖Q x − b‖/(‖Q‖ ‖x‖ + ‖b‖) of the solution x for a b of ones, in the norm of the largest; not a number where that is not.
+    fn left_of_ones(&self, matrix: &SparseColMat<usize, c64>) -> Result<f64, StructureError> {
+        let rows = matrix.nrows();
+        let one = c64::new(1.0, 0.0);
+        let mut x = Mat::from_fn(rows, 1, |_, _| one);
+        self.solve(MatrixSide::Right, &mut x)?;
+        let (mut left, mut sizes) = (vec![-one; rows], vec![1.0; rows]);
+        for column in 0..rows {
+            for (row, value) in matrix.row_idx_of_col(column).zip(matrix.val_of_col(column)) {
+                let product = value * x[(column, 0)];
+                left[row] += product;
+                sizes[row] += product.norm();
+            }
+        }
+        let norm =
+            |values: &mut dyn Iterator<Item = f64>| values.map(|value| value * value).sum::<f64>().sqrt();
+        Ok(norm(&mut left.iter().map(|value| value.norm())) / norm(&mut sizes.iter().copied()))
     }
 
     /// σ.
@@ -72,11 +95,21 @@ impl ShiftedFactor {
     /// # Errors
     /// [`StructureError::OutOfMemory`].
     pub(crate) fn solve(&self, side: MatrixSide, block: &mut Mat<c64>) -> Result<(), StructureError> {
+        let (symbolic, numeric) = match (&self.factors, side) {
+            (ShiftedFactors::OfBlocks(factor), MatrixSide::Right) => {
+                factor.solve(block);
+                return Ok(());
+            }
+            (ShiftedFactors::OfBlocks(factor), MatrixSide::Left) => {
+                factor.solve_transposed(block);
+                return Ok(());
+            }
+            (ShiftedFactors::OfRows { symbolic, numeric }, _) => (symbolic, numeric),
+        };
         let rows = block.nrows();
-        let needed = self.symbolic.solve_in_place_scratch::<c64>(block.ncols(), Par::Seq);
+        let needed = symbolic.solve_in_place_scratch::<c64>(block.ncols(), Par::Seq);
         let mut memory = MemBuffer::try_new(needed).map_err(|_| StructureError::OutOfMemory { rows })?;
-        let (factor, stack) =
-            (LuRef::new_unchecked(&self.symbolic, &self.numeric), MemStack::new(&mut memory));
+        let (factor, stack) = (LuRef::new_unchecked(symbolic, numeric), MemStack::new(&mut memory));
         match side {
             MatrixSide::Right => {
                 factor.solve_in_place_with_conj(Conj::No, block.as_mut(), Par::Seq, stack);
@@ -86,5 +119,25 @@ impl ShiftedFactor {
             }
         }
         Ok(())
+    }
+}
+
+impl ShiftedFactors {
+    /// `None` where the pattern alone is singular.
+    fn of_rows(matrix: &SparseColMat<usize, c64>) -> Result<Option<Self>, StructureError> {
+        let out_of_memory = || StructureError::OutOfMemory { rows: matrix.nrows() };
+        let symbolic = factorize_symbolic_lu(matrix.symbolic(), LuSymbolicParams::default())
+            .map_err(|_| out_of_memory())?;
+        let parameters = Spec::<PartialPivLuParams, c64>::default();
+        let needed = symbolic.factorize_numeric_lu_scratch::<c64>(Par::Seq, parameters);
+        let mut memory = MemBuffer::try_new(needed).map_err(|_| out_of_memory())?;
+        let mut numeric = NumericLu::new();
+        let stack = MemStack::new(&mut memory);
+        match symbolic.factorize_numeric_lu(&mut numeric, matrix.as_ref(), Par::Seq, stack, parameters) {
+            Ok(_) => {}
+            Err(LuError::SymbolicSingular { .. }) => return Ok(None),
+            Err(LuError::Generic(_)) => return Err(out_of_memory()),
+        }
+        Ok(Some(Self::OfRows { symbolic: Box::new(symbolic), numeric: Box::new(numeric) }))
     }
 }

@@ -1,79 +1,123 @@
-//! Few vectors that carry many: proper orthogonal decomposition of snapshots.
+//! Few vectors that carry many: proper orthogonal decomposition of snapshots, batch by batch.
 
-use crate::statics::dot;
-use faer::Mat;
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, MatRef, Par};
 use judder_dense::symmetric::{Eigen, symmetric};
 use rayon::prelude::*;
 
 /// Directions that hold less than this share of the largest are left out.
 const CUT: f64 = 1e-6;
+/// Columns of a product that are worked together.
+const TILE: usize = 64;
 
-/// Orthonormal columns that carry the snapshots, all of one length; `None` where they have no finite directions.
-pub(super) fn decomposed(snapshots: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
-    let products: Vec<Vec<f64>> = (0..snapshots.len())
-        .into_par_iter()
-        .map(|i| (0..=i).map(|j| dot(&snapshots[i], &snapshots[j])).collect())
-        .collect();
-    let gram = Mat::from_fn(snapshots.len(), snapshots.len(), |i, j| products[i.max(j)][i.min(j)]);
-    let Eigen { values, vectors } = symmetric(&gram)?;
-    let largest = values.last().copied().filter(|value| *value > 0.0)?;
-    let kept = (0..values.len()).rev().filter(|k| values[*k] > CUT * CUT * largest);
-    let directions: Vec<Vec<f64>> = kept
-        .collect::<Vec<_>>()
-        .into_par_iter()
-        .map(|k| {
-            let mut sum = vec![0.0; snapshots[0].len()];
-            for (i, snapshot) in snapshots.iter().enumerate() {
-                add(&mut sum, vectors[(i, k)] / values[k].sqrt(), snapshot);
-            }
-            sum
-        })
-        .collect();
-    Some(orthonormal(directions))
+/// Orthonormal columns that carry snapshots.
+#[derive(Debug)]
+pub(super) struct SnapshotBasis {
+    vectors: Mat<f64>,
+    /// What the largest direction of the first batch holds, squared.
+    largest: f64,
 }
 
-/// Gram–Schmidt, twice: the squares in the products have cost half of the digits of small directions.
-fn orthonormal(directions: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
-    let mut basis: Vec<Vec<f64>> = Vec::with_capacity(directions.len());
-    for mut direction in directions {
-        for _ in 0..2 {
-            for vector in &basis {
-                let share = dot(vector, &direction);
-                add(&mut direction, -share, vector);
-            }
-        }
-        let length = dot(&direction, &direction).sqrt();
-        for entry in &mut direction {
-            *entry /= length;
-        }
-        basis.push(direction);
+impl Default for SnapshotBasis {
+    fn default() -> Self {
+        Self { vectors: Mat::zeros(0, 0), largest: 0.0 }
     }
-    basis
 }
 
-/// y += a x.
-fn add(y: &mut [f64], a: f64, x: &[f64]) {
-    for (y, x) in y.iter_mut().zip(x) {
-        *y += a * x;
+impl SnapshotBasis {
+    /// The columns.
+    pub(super) fn vectors(&self) -> MatRef<'_, f64> {
+        self.vectors.as_ref()
     }
+
+    /// With what snapshots, columns of one length, have beyond it; `None` where they have no finite directions.
+    pub(super) fn extended(self, mut snapshots: Mat<f64>) -> Option<Self> {
+        let (rows, known) = (snapshots.nrows(), self.vectors.ncols());
+        let before = if known == 0 { Mat::zeros(rows, 0) } else { self.vectors };
+        project_out(before.as_ref(), &mut snapshots);
+        let Eigen { values, vectors } = symmetric(&product(snapshots.transpose(), snapshots.as_ref()))?;
+        let largest = if known == 0 { values.last().copied().unwrap_or(0.0) } else { self.largest };
+        let kept: Vec<usize> = (0..values.len())
+            .rev()
+            .filter(|k| values[*k] > CUT * CUT * largest && values[*k] > 0.0)
+            .collect();
+        if kept.is_empty() {
+            return Some(Self { vectors: before, largest });
+        }
+        let shares =
+            Mat::from_fn(values.len(), kept.len(), |i, k| vectors[(i, kept[k])] / values[kept[k]].sqrt());
+        let mut directions = product(snapshots.as_ref(), shares.as_ref());
+        // the squares in the products have cost half of the digits of small directions
+        project_out(before.as_ref(), &mut directions);
+        let directions = orthonormal(directions)?;
+        let vectors = Mat::from_fn(rows, known + kept.len(), |row, k| match k.checked_sub(known) {
+            None => before[(row, k)],
+            Some(k) => directions[(row, k)],
+        });
+        Some(Self { vectors, largest })
+    }
+}
+
+/// B ← B − V Vᵀ B, twice (W. Kahan, B. N. Parlett).
+fn project_out(basis: MatRef<'_, f64>, block: &mut Mat<f64>) {
+    if basis.ncols() == 0 {
+        return;
+    }
+    for _ in 0..2 {
+        let shares = product(basis.transpose(), block.as_ref());
+        *block -= product(basis, shares.as_ref());
+    }
+}
+
+/// The orthonormal columns that are nearest to these, which are nearly so: B (Bᵀ B)^(−1/2), twice for all digits.
+fn orthonormal(mut block: Mat<f64>) -> Option<Mat<f64>> {
+    for _ in 0..2 {
+        let Eigen { values, vectors } = symmetric(&product(block.transpose(), block.as_ref()))?;
+        let size = values.len();
+        let scaled = Mat::from_fn(size, size, |i, k| vectors[(i, k)] / values[k].sqrt());
+        block = product(block.as_ref(), product(scaled.as_ref(), vectors.transpose()).as_ref());
+    }
+    block.is_all_finite().then_some(block)
+}
+
+/// A B, some columns at a time, side by side.
+pub(super) fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
+    let mut image = Mat::zeros(a.nrows(), b.ncols());
+    if image.nrows() == 0 || image.ncols() == 0 {
+        return image;
+    }
+    image.par_col_chunks_mut(TILE).enumerate().for_each(|(k, tile)| {
+        let own = b.subcols(k * TILE, tile.ncols());
+        matmul(tile, Accum::Replace, a, own, 1.0, Par::Seq);
+    });
+    image
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use judder_numerics::counter::uniform;
 
     #[test]
-    fn a_basis_is_orthonormal_and_carries_its_snapshots() {
-        let snapshots: Vec<Vec<f64>> = (0..9)
-            .map(|k| (0..40).map(|i| (f64::from(k % 6) * 0.3 + 0.1 * f64::from(i)).sin()).collect())
-            .collect();
-        let basis = decomposed(&snapshots).unwrap();
-        assert_eq!(basis.len(), 2, "sines of one frequency are sums of two");
-        assert!(dot(&basis[0], &basis[1]).abs() < 1e-14);
-        for snapshot in &snapshots {
-            let carried: f64 = basis.iter().map(|vector| dot(vector, snapshot).powi(2)).sum();
-            assert!((carried / dot(snapshot, snapshot) - 1.0).abs() < 1e-12);
+    fn a_basis_carries_every_snapshot_but_for_what_is_cut() {
+        let random = |i: usize, k: usize| uniform(11, (40 * k + i) as u64) - 0.5;
+        let first = Mat::from_fn(40, 6, random);
+        // the second batch is in the first but for two columns, one of which is below the cut
+        let second = Mat::from_fn(40, 5, |i, k| match k {
+            3 => first[(i, 0)] + random(i, 20),
+            4 => first[(i, 1)] + 1e-9 * random(i, 21),
+            k => first[(i, k)] - 2.0 * first[(i, k + 1)],
+        });
+        let basis =
+            SnapshotBasis::default().extended(first.clone()).unwrap().extended(second.clone()).unwrap();
+        let vectors = basis.vectors();
+        assert_eq!(vectors.ncols(), 7);
+        let unit = product(vectors.transpose(), vectors) - Mat::<f64>::identity(7, 7);
+        assert!(unit.norm_max() < 1e-14, "{:e}", unit.norm_max());
+        for snapshots in [first, second] {
+            let mut rest = snapshots;
+            project_out(vectors, &mut rest);
+            assert!(rest.norm_max() < 1e-8);
         }
-        assert!(decomposed(&[vec![0.0; 3]]).is_none());
     }
 }

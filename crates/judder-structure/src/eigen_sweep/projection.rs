@@ -4,7 +4,7 @@
 //! with the residuals r = Q(λ̃) x̃ and s = Q(λ̃)ᵀ z̃, both orthogonal to V. The inverse of the nearest sample stands in for Q⁻¹: on what
 //! V does not carry the two differ little. Twice ‖s‖ ‖Q⁻¹ r‖/|d| is shown as the error.
 
-use super::basis::decomposed;
+use super::basis::{SnapshotBasis, product};
 use super::problem_family::ProblemFamily;
 use crate::StructureError;
 use crate::complex_modes::{RefinedEigenvalue, SearchedRegion, ShiftedFactor, Triple, vectors};
@@ -15,7 +15,7 @@ use judder_dense::general::{real_eigen, solve};
 /// A family on a basis V.
 pub(super) struct Projection<'a, F: ProblemFamily> {
     family: &'a F,
-    basis: Vec<Vec<f64>>,
+    basis: SnapshotBasis,
     prepared: F::OnBasis,
 }
 
@@ -34,22 +34,20 @@ impl Projected {
 }
 
 impl<'a, F: ProblemFamily> Projection<'a, F> {
-    /// On the vectors of samples; `None` where these are no basis.
-    pub(super) fn new<'s>(family: &'a F, samples: impl Iterator<Item = &'s SearchedRegion>) -> Option<Self> {
-        let snapshots: Vec<Vec<f64>> = samples
-            .flat_map(|sample| &sample.refined)
-            .flat_map(|refined| [&refined.triple.right, &refined.triple.left])
-            .flat_map(|vector| {
-                [vector.iter().map(|v| v.re).collect(), vector.iter().map(|v| v.im).collect::<Vec<f64>>()]
-            })
-            .collect();
-        let basis = decomposed(&snapshots)?;
-        Some(Self { family, prepared: family.on_basis(&basis), basis })
+    /// On a basis, that of some samples, of one of which this is the problem; `None` where the basis is empty.
+    pub(super) fn new(family: &'a F, basis: SnapshotBasis, sample: &Quadratic) -> Option<Self> {
+        let has_vectors = basis.vectors().ncols() > 0;
+        has_vectors.then(|| Self { family, prepared: family.on_basis(basis.vectors(), sample), basis })
+    }
+
+    /// Its basis.
+    pub(super) fn into_basis(self) -> SnapshotBasis {
+        self.basis
     }
 
     /// Vectors of the basis.
     pub(super) fn size(&self) -> usize {
-        self.basis.len()
+        self.basis.vectors().ncols()
     }
 
     /// The eigenvalues in a region at a point; the factors of a sample near it measure what is left open. `None` where the
@@ -61,10 +59,9 @@ impl<'a, F: ProblemFamily> Projection<'a, F> {
         region: &Region,
         sample: &[ShiftedFactor],
     ) -> Result<Option<Projected>, StructureError> {
-        let matrices = self.family.projected(&self.prepared, &self.basis, point, problem);
+        let matrices = self.family.projected(&self.prepared, self.basis.vectors(), point, problem);
         let Some(triples) = self.triples(matrices, region) else { return Ok(None) };
-        let refined: Vec<RefinedEigenvalue> =
-            triples.into_iter().map(|triple| RefinedEigenvalue::measured(problem, triple)).collect();
+        let refined = RefinedEigenvalue::all_measured(problem, triples);
         let left_open = left_open(&refined, sample)?;
         Ok(Some(Projected { refined, left_open }))
     }
@@ -92,26 +89,35 @@ impl<'a, F: ProblemFamily> Projection<'a, F> {
             if k < count { entry.re } else { -entry.im }
         });
         solve(mass.transpose().to_owned(), &mut halves)?;
-        let triple = |k: usize| Triple {
-            value: picked.values[k] * unit,
-            right: self.lifted(|i| picked.right[(i, k)]),
-            left: self.lifted(|i| c64::new(halves[(i, k)], halves[(i, count + k)])),
+        // real and imaginary parts of the right vectors, then of the left ones
+        let parts = Mat::from_fn(size, 4 * count, |i, k| match (k / count, k % count) {
+            (0, k) => picked.right[(i, k)].re,
+            (1, k) => picked.right[(i, k)].im,
+            (part, k) => halves[(i, (part - 2) * count + k)],
+        });
+        let lifted = product(self.basis.vectors(), parts.as_ref());
+        let vector = |part: usize, k: usize| {
+            let entry =
+                |row: usize| c64::new(lifted[(row, part * count + k)], lifted[(row, (part + 1) * count + k)]);
+            let mut vector: Vec<c64> = (0..lifted.nrows()).map(entry).collect();
+            vectors::normalise(&mut vector);
+            vector
         };
+        let triple =
+            |k: usize| Triple { value: picked.values[k] * unit, right: vector(0, k), left: vector(2, k) };
         Some((0..count).map(triple).collect())
     }
+}
 
-    /// V times coordinates, of length one.
-    fn lifted(&self, coordinates: impl Fn(usize) -> c64) -> Vec<c64> {
-        let mut sum = vec![c64::new(0.0, 0.0); self.basis.first().map_or(0, Vec::len)];
-        for (i, vector) in self.basis.iter().enumerate() {
-            let share = coordinates(i);
-            for (s, v) in sum.iter_mut().zip(vector) {
-                *s += share * *v;
-            }
-        }
-        vectors::normalise(&mut sum);
-        sum
-    }
+/// The parts of the vectors of a sample as columns.
+pub(super) fn snapshots(sample: &SearchedRegion) -> Mat<f64> {
+    let both = sample.refined.iter().flat_map(|refined| [&refined.triple.right, &refined.triple.left]);
+    let all: Vec<&Vec<c64>> = both.collect();
+    let rows = all.first().map_or(0, |vector| vector.len());
+    Mat::from_fn(rows, 2 * all.len(), |row, k| {
+        let entry = all[k / 2][row];
+        if k % 2 == 0 { entry.re } else { entry.im }
+    })
 }
 
 /// Eigenvalues that lie outside of the region by this share of its size are looked at: their error may reach in.

@@ -1,7 +1,8 @@
 //! The points of a sweep that are solved in full to make a basis for the others.
 
+use super::basis::SnapshotBasis;
 use super::problem_family::ProblemFamily;
-use super::projection::{Projected, Projection};
+use super::projection::{Projected, Projection, snapshots};
 use crate::StructureError;
 use crate::complex_modes::{
     ComplexMode, ComplexModeSettings, Gap, Region, SearchedRegion, finished, left_by_residuals, searched,
@@ -64,8 +65,15 @@ impl<'a, F: ProblemFamily> FullSamples<'a, F> {
             .par_iter()
             .map(|number| Ok(searched(&self.family.at(self.points[*number])?, &wide)?))
             .collect::<Result<_, F::Error>>()?;
+        let mut basis =
+            self.projection.take().map(Projection::into_basis).or_else(|| Some(SnapshotBasis::default()));
+        for sample in solved.iter().filter(|sample| !sample.refined.is_empty()) {
+            basis = basis.and_then(|basis| basis.extended(snapshots(sample)));
+        }
         self.taken.extend(numbers.iter().copied().zip(solved));
-        self.projection = Projection::new(self.family, self.taken.iter().map(|(_, sample)| sample));
+        if let (Some(basis), Some((first, _))) = (basis, self.taken.first()) {
+            self.projection = Projection::new(self.family, basis, &self.family.at(self.points[*first])?);
+        }
         Ok(())
     }
 

@@ -2,6 +2,7 @@
 
 use crate::complex_modes::{ComplexMode, vectors::assurance};
 use faer::c64;
+use rayon::prelude::*;
 
 /// Follows branches from point to point.
 #[derive(Default)]
@@ -34,10 +35,13 @@ impl SweepTracker {
     /// The branch of each mode of the next point; one that follows none of the last point's begins a new one.
     pub(super) fn next(&mut self, modes: &[ComplexMode]) -> Vec<usize> {
         let mut candidates: Vec<(f64, usize, usize)> = Vec::new();
-        for (number, branch) in self.branches.iter().enumerate().filter(|(_, branch)| branch.alive) {
-            let costs = modes.iter().enumerate().map(|(k, mode)| (branch.distance(mode), number, k));
-            candidates.extend(costs.filter(|(cost, ..)| *cost < STRANGER));
-        }
+        let alive: Vec<(usize, &SeenBranch)> =
+            self.branches.iter().enumerate().filter(|(_, branch)| branch.alive).collect();
+        let costs = alive.par_iter().map(|(number, branch)| {
+            let costs = modes.iter().enumerate().map(|(k, mode)| (branch.distance(mode), *number, k));
+            costs.filter(|(cost, ..)| *cost < STRANGER).collect::<Vec<_>>()
+        });
+        candidates.extend(costs.collect::<Vec<_>>().into_iter().flatten());
         candidates.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         let mut of_mode: Vec<Option<usize>> = vec![None; modes.len()];
         for branch in &mut self.branches {

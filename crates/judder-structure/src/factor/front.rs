@@ -119,7 +119,12 @@ fn whole_mut(values: &mut [f64], rows: usize) -> MatMut<'_, f64> {
 }
 
 /// Works on the columns tile by tile, side by side where they are to be shared.
-fn each_tile(values: &mut [f64], rows: usize, shared: bool, work: impl Fn(usize, &mut [f64]) + Sync) {
+pub(super) fn each_tile<T: Send>(
+    values: &mut [T],
+    rows: usize,
+    shared: bool,
+    work: impl Fn(usize, &mut [T]) + Sync,
+) {
     let length = (TILE * rows).max(1);
     if shared {
         values.par_chunks_mut(length).enumerate().for_each(|(k, tile)| work(k * TILE, tile));

@@ -142,7 +142,7 @@ impl Front {
     }
 
     /// x = B⁻¹ x on a panel.
-    fn divide_panel(&self, top: MatRef<'_, f64>, start: usize, x: &mut [f64]) {
+    pub(super) fn divide_panel(&self, top: MatRef<'_, f64>, start: usize, x: &mut [f64]) {
         let mut k = 0;
         while k < x.len() {
             let pivot = Pivot::at(top, &self.subdiagonal[start..start + x.len()], k);

@@ -29,7 +29,7 @@ impl SolvedSweep {
             .par_iter()
             .map(|value| family.state(&[*value]).map_err(|error| error.to_string()))
             .collect();
-        let groups = ClosedGroup::of_states(&states);
+        let groups = HeldGroup::of_states(&states);
         let prepared = groups
             .iter()
             .map(|group| {
@@ -47,7 +47,7 @@ impl SolvedSweep {
                 return Err(StudyError::Interrupted.into());
             }
             let Ok(state) = &states[number] else { return Ok(SolvedPoint::unsolved()) };
-            let (group, place) = ClosedGroup::place(&groups, number);
+            let (group, place) = HeldGroup::place(&groups, number);
             let solved = prepared[group].point(place)?;
             progress.advance();
             if groups.len() == 1 { Ok(solved) } else { family.expanded(state, solved) }
@@ -63,7 +63,7 @@ impl SolvedSweep {
         let onsets = LocatedOnsets::new(values, &known, region, &mut |value, within| {
             let state = family.state(&[value])?;
             let closed = state.closed();
-            let solved = match groups.iter().position(|group| group.closed == closed) {
+            let solved = match groups.iter().position(|group| group.held == state.held) {
                 Some(group) => prepared[group].within(&state, within)?,
                 None => family.solved_alone(&state, within)?,
             };
@@ -80,21 +80,20 @@ impl SolvedSweep {
     }
 }
 
-/// Values at which the same points are closed.
-struct ClosedGroup {
-    closed: Vec<bool>,
+/// Values at which the same points are held: those of a finite stiffness may open and close within it.
+struct HeldGroup {
+    held: Vec<bool>,
     numbers: Vec<usize>,
 }
 
-impl ClosedGroup {
+impl HeldGroup {
     fn of_states(states: &[Result<SlidingState, String>]) -> Vec<Self> {
         let mut groups: Vec<Self> = Vec::new();
         for (number, state) in states.iter().enumerate() {
             let Ok(state) = state else { continue };
-            let closed = state.closed();
-            match groups.iter_mut().find(|group| group.closed == closed) {
+            match groups.iter_mut().find(|group| group.held == state.held) {
                 Some(group) => group.numbers.push(number),
-                None => groups.push(Self { closed, numbers: vec![number] }),
+                None => groups.push(Self { held: state.held.clone(), numbers: vec![number] }),
             }
         }
         groups

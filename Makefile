@@ -43,7 +43,7 @@ test: format lint rust-tests doc-tests python-tests page-tests ## what must hold
 validate: expensive-tests docs deny ## the expensive validation, the documentation, the licences
 	@printf '\nAll is validated.\n'
 
-bench: .venv/installed ## time the stability decision, the sliding contact, a limit cycle, modes, loci, marches and calls from Python, beside NumPy and SciPy peers
+bench: .venv/installed ## time the stability decision, the sliding contact, a limit cycle, modes, assemblies, loci, marches and calls from Python, beside NumPy and SciPy peers
 	$(CARGO) bench $(LOCKED) -p judder-oscillator
 	$(PYTHON) benches/compare.py
 	$(CARGO) bench $(LOCKED) -p judder-contact --bench contact
@@ -54,6 +54,7 @@ bench: .venv/installed ## time the stability decision, the sliding contact, a li
 	$(PYTHON) benches/compare_sweeps.py
 	$(PYTHON) benches/compare_modes.py
 	$(PYTHON) benches/compare_eigen.py $(JUDDER_DISC_BRAKE)
+	$(PYTHON) benches/compare_assemblies.py
 	$(CARGO) bench $(LOCKED) -p judder-structure --bench reduction
 	$(CARGO) bench $(LOCKED) -p judder-sliding
 

@@ -57,15 +57,15 @@ def search(solve, mass, slope, radius: float, size: int) -> tuple[np.ndarray, np
         count *= 2
 
 
-def eigenvalues(mass, damping, stiffness) -> list[complex]:
+def eigenvalues(mass, damping, stiffness, re=RE, im=IM, ordering="COLAMD") -> list[complex]:
     """The eigenvalues of the region, by rising imaginary part."""
     size = mass.shape[0]
     found: list[complex] = []
-    height = (IM[1] - IM[0]) / PARTS
+    height = (im[1] - im[0]) / PARTS
     for part in range(PARTS):
-        shift = complex(0.5 * (RE[0] + RE[1]), IM[0] + (part + 0.5) * height)
-        radius = float(np.hypot(0.5 * (RE[1] - RE[0]), 0.5 * height)) * 1.2
-        factor = splu((shift**2 * mass + shift * damping + stiffness).tocsc())
+        shift = complex(0.5 * (re[0] + re[1]), im[0] + (part + 0.5) * height)
+        radius = float(np.hypot(0.5 * (re[1] - re[0]), 0.5 * height)) * 1.2
+        factor = splu((shift**2 * mass + shift * damping + stiffness).tocsc(), permc_spec=ordering)
         slope = 2.0 * shift * mass + damping
         right, x = search(factor.solve, mass, slope, radius, size)
         left, z = search(lambda b: factor.solve(b, trans="T"), mass.T, slope.T, radius, size)
@@ -76,7 +76,7 @@ def eigenvalues(mass, damping, stiffness) -> list[complex]:
             vector = vector - factor.solve(image)
             image = (value**2 * mass + value * damping + stiffness) @ vector
             value -= (other @ image) / (other @ ((2.0 * value * mass + damping) @ vector))
-            inside = RE[0] < value.real < RE[1] and IM[0] + part * height < value.imag <= IM[0] + (part + 1) * height
+            inside = re[0] < value.real < re[1] and im[0] + part * height < value.imag <= im[0] + (part + 1) * height
             if inside:
                 found.append(value)
     return sorted(found, key=lambda value: value.imag)

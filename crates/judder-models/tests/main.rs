@@ -17,6 +17,7 @@ mod pictures;
 mod shown;
 mod sliding;
 mod sliding_cases;
+mod stopping;
 mod structure;
 mod substrates;
 mod sweep;

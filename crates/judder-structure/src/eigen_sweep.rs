@@ -103,6 +103,13 @@ impl SolvedPoint {
     pub fn unsolved() -> Self {
         Self { modes: Vec::new(), gaps: Vec::new(), full: true }
     }
+
+    /// What it says of stability with these contact points closed.
+    #[must_use]
+    pub fn stability(&self, closed: Vec<bool>) -> StabilityAt {
+        let eigenvalues = self.modes.iter().map(|mode| mode.eigenvalue).collect();
+        StabilityAt { eigenvalues, complete: self.gaps.is_empty(), closed }
+    }
 }
 
 /// An eigenvalue may have entered or left the region within so many of its last steps.
@@ -304,11 +311,11 @@ fn mark_torn(points: &mut [PointEigenvalues], region: &Region) {
 }
 
 impl PointEigenvalues {
-    /// What they say of stability, where nothing touches.
+    /// What they say of stability with these contact points closed.
     #[must_use]
-    pub fn stability(&self) -> StabilityAt {
+    pub fn stability(&self, closed: Vec<bool>) -> StabilityAt {
         let eigenvalues = self.eigenvalues.iter().map(|tracked| tracked.eigenvalue).collect();
-        StabilityAt { eigenvalues, closed: Vec::new() }
+        StabilityAt { eigenvalues, complete: self.gaps.is_empty(), closed }
     }
 
     /// The eigenvalue of a branch.

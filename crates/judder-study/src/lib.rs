@@ -44,5 +44,5 @@ pub mod text;
 mod way;
 
 pub use error::{ModelFault, StudyError};
-pub use progress::{Progress, Silent};
+pub use progress::{Progress, Silent, Untold};
 pub use registry::Registry;

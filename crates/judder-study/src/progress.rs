@@ -1,3 +1,5 @@
+use crate::error::StudyError;
+
 /// Who is told how far a run has come, and who may stop it.
 pub trait Progress: Sync {
     /// An analysis of so many steps begins.
@@ -10,6 +12,28 @@ pub trait Progress: Sync {
     fn end(&self);
     /// Whether the user wants the run to stop.
     fn interrupted(&self) -> bool;
+
+    /// Goes on, if the run is not to stop.
+    ///
+    /// # Errors
+    /// [`StudyError::Interrupted`].
+    fn go_on(&self) -> Result<(), StudyError> {
+        if self.interrupted() { Err(StudyError::Interrupted) } else { Ok(()) }
+    }
+}
+
+/// Tells nothing, and hears that the run is to stop: of what runs within a step.
+#[derive(Clone, Copy)]
+pub struct Untold<'a>(pub &'a dyn Progress);
+
+impl Progress for Untold<'_> {
+    fn begin(&self, _name: &str, _steps: usize) {}
+    fn expect(&self, _steps: usize) {}
+    fn advance(&self) {}
+    fn end(&self) {}
+    fn interrupted(&self) -> bool {
+        self.0.interrupted()
+    }
 }
 
 /// Tells nobody.

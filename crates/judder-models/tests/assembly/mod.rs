@@ -3,6 +3,7 @@
 mod deformed;
 mod joined;
 mod minimal;
+mod onsets;
 mod printed;
 mod sphere;
 mod turning;
@@ -72,33 +73,4 @@ fn reduced_blocks_come_to_the_whole_one() {
     let off = |count: usize| (growth(&format!("{{ count = {count} }}")) - whole).abs() / whole;
     let (few, many) = (off(4), off(40));
     assert!(many < 1e-4 && many < 0.1 * few, "{few} {many}");
-}
-
-/// Of a coarse block: on one side of every onset without a jump one mode more grows than on the other, by all modes of the band anew.
-#[test]
-fn onsets_stand_where_modes_begin_to_grow() {
-    let coarse = "structure.block.block.cells=[6, 3]";
-    let folder = tempfile::tempdir().unwrap();
-    let results = run_into(folder.path(), &case("assembly/block-on-plane.toml", &[coarse]), &["friction"])
-        .summary
-        .results;
-    let onsets = results["friction"]["onsets"].as_array().unwrap().clone();
-    assert!(onsets.iter().any(|onset| onset["jumps"] == false), "{onsets:?}");
-    for onset in onsets.iter().filter(|onset| onset["jumps"] == false) {
-        let value = number(&onset["value"]);
-        assert!(number(&onset["error"]) < 3e-9 * value, "{onset}");
-        let growing = |friction: f64| {
-            let folder = tempfile::tempdir().unwrap();
-            let friction = format!("contact.sole.friction_coefficient={friction:?}");
-            let options = [
-                coarse,
-                &friction,
-                "analysis.modes={ name = \"modes\", kind = \"eigen\", band = [\"1 kHz\", \"60 kHz\"], damping = false }",
-            ];
-            let file = case("assembly/block-on-plane.toml", &options);
-            number(&run_into(folder.path(), &file, &["modes"]).summary.results["modes"]["unstable"])
-        };
-        let change = growing(value + 1e-6) - growing(value - 1e-6);
-        assert_eq!(change, if onset["gains"] == true { -1.0 } else { 1.0 }, "{onset}");
-    }
 }

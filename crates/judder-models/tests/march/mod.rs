@@ -1,14 +1,14 @@
 //! Marches of sliding cases: what they leave, how they go on, what they refuse.
 
+use crate::stopping::Stopping;
 use judder_models::sliding::MODEL;
 use judder_store::StudyFolder;
 use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, RunReport, run};
-use judder_study::{Progress, Silent, StudyError};
+use judder_study::{Silent, StudyError};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
 use tempfile::TempDir;
 
 /// A short and soft pair: few modes, ramps of milliseconds.
@@ -61,22 +61,6 @@ fn studied(analyses: &str) -> (TempDir, RunReport) {
     let folder = TempDir::new().unwrap();
     let report = run(&case(analyses), &folder.path().join("study"), &RunOptions::default(), &Silent).unwrap();
     (folder, report)
-}
-
-/// Stops a run when it looks for the n-th time.
-struct Stopping {
-    looks: AtomicUsize,
-    at: usize,
-}
-
-impl Progress for Stopping {
-    fn begin(&self, _name: &str, _steps: usize) {}
-    fn expect(&self, _steps: usize) {}
-    fn advance(&self) {}
-    fn end(&self) {}
-    fn interrupted(&self) -> bool {
-        self.looks.fetch_add(1, Ordering::Relaxed) >= self.at
-    }
 }
 
 /// Every file below a folder with its content.
@@ -185,7 +169,7 @@ fn an_interrupted_march_goes_on_to_the_bit() {
     let folder = TempDir::new().unwrap();
     let study = folder.path().join("study");
     for at in [2, 7, 1] {
-        let stopping = Stopping { looks: AtomicUsize::new(0), at };
+        let stopping = Stopping::at(at);
         let stopped = run(&case(&analyses), &study, &RunOptions::default(), &stopping);
         assert!(matches!(stopped, Err(StudyError::Interrupted)), "{stopped:?}");
         assert!(study.join(".stream-film").exists());

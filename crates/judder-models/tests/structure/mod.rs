@@ -1,18 +1,18 @@
 //! Structure cases end to end: beams, a bar of bricks, a ring from a mesh file, matrices.
 
+use crate::stopping::Stopping;
 use crate::{case, number, run_into};
 use judder_exchange::freedom_table::read_freedoms;
 use judder_exchange::matrix::read_matrix;
 use judder_structure::modes::{WantedModes, modes};
 use judder_structure::statics::Statics;
+use judder_study::Silent;
 use judder_study::StudyError;
 use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, run};
-use judder_study::{Progress, Silent};
 use serde_json::Value;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(number).collect()
@@ -92,37 +92,16 @@ fn the_receptance_of_a_cantilever() {
     assert!(file.contains("Receptance") && file.lines().any(|line| line.trim() == "58"), "{file:.400}");
 }
 
-/// A run that is stopped at the n-th look.
-struct Stopping {
-    looks: AtomicUsize,
-    at: usize,
-    steps: AtomicUsize,
-}
-
-impl Progress for Stopping {
-    fn begin(&self, _name: &str, steps: usize) {
-        self.steps.fetch_add(steps, Ordering::Relaxed);
-    }
-    fn expect(&self, _steps: usize) {}
-    fn advance(&self) {
-        self.steps.fetch_sub(1, Ordering::Relaxed);
-    }
-    fn end(&self) {}
-    fn interrupted(&self) -> bool {
-        self.looks.fetch_add(1, Ordering::Relaxed) >= self.at
-    }
-}
-
 /// Each of its 2001 frequencies is a factorisation: it looks whether to stop in between, and announces the steps that it takes.
 #[test]
 fn a_receptance_can_be_stopped() {
     let file = case("benchmarks/cantilever-receptance.toml", &[]);
     let until = |at: usize| {
-        let progress = Stopping { looks: AtomicUsize::new(0), at, steps: AtomicUsize::new(0) };
+        let progress = Stopping::at(at);
         let folder = tempfile::tempdir().unwrap();
         let options = RunOptions { only: vec!["tip".to_owned()], ..RunOptions::default() };
         let stopped = matches!(run(&file, folder.path(), &options, &progress), Err(StudyError::Interrupted));
-        (stopped, progress.looks.into_inner(), progress.steps.into_inner())
+        (stopped, progress.looks(), progress.steps())
     };
     let (stopped, looks, left) = until(usize::MAX);
     assert!(!stopped && looks > 30 && left == 0, "{looks} {left}");

@@ -6,7 +6,7 @@ use crate::analyses::run_alone;
 use crate::error::StudyError;
 use crate::model::{OperatingPoints, OperatingQuantity, Prepared, placed};
 use crate::outcome::{CheckRecord, Outcome};
-use crate::progress::Progress;
+use crate::progress::{Progress, Untold};
 use judder_store::{PointFailure, StoredChunk};
 use std::any::Any;
 use std::borrow::Cow;
@@ -164,7 +164,7 @@ impl<'a> Evaluator<'a> {
         let file = self.plan.file.at(&self.plan.sweep, at)?;
         let mut told = ToldOutcome::default();
         if !self.wanted.is_empty() {
-            let (values, doubts) = file.case.operating_point(&self.wanted, &PointProgress(progress))?;
+            let (values, doubts) = file.case.operating_point(&self.wanted, &Untold(progress))?;
             self.fill_points(row, values);
             told.doubts = doubts;
         }
@@ -176,7 +176,7 @@ impl<'a> Evaluator<'a> {
         let paths: Vec<&str> = self.plan.sweep.axes.iter().map(|axis| axis.path.as_str()).collect();
         let prepared = file.case.preflight_at(&file, &|name| names.contains(&name), prepared, &paths)?;
         for (index, name) in wanted {
-            match run_alone(&file.case, &prepared, index, &PointProgress(progress)) {
+            match run_alone(&file.case, &prepared, index, &Untold(progress)) {
                 Ok(outcome) => self.fill_scalars(index, name, &outcome, row, &mut told),
                 Err(error) if is_passing(&error) => return Err(error),
                 // the quantities of the others stand
@@ -261,7 +261,7 @@ impl ToldOutcome {
 fn way(plan: &SweepPlan, progress: &dyn Progress) -> Result<EvaluationWay, StudyError> {
     let model = &plan.file.case;
     if plan.analyses().is_empty()
-        && let Some(points) = model.operating_points(&plan.sweep, &PointProgress(progress))?
+        && let Some(points) = model.operating_points(&plan.sweep, &Untold(progress))?
     {
         return Ok(EvaluationWay::Shared(points));
     }
@@ -303,17 +303,4 @@ fn panicked(panic: &(dyn Any + Send)) -> String {
     let text = panic.downcast_ref::<&str>().copied();
     let text = text.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
     format!("a fault of the program: {}", text.unwrap_or("it gave no reason"))
-}
-
-/// The progress of what runs within a point: it can be stopped, and tells nothing.
-struct PointProgress<'a>(&'a dyn Progress);
-
-impl Progress for PointProgress<'_> {
-    fn begin(&self, _name: &str, _steps: usize) {}
-    fn expect(&self, _steps: usize) {}
-    fn advance(&self) {}
-    fn end(&self) {}
-    fn interrupted(&self) -> bool {
-        self.0.interrupted()
-    }
 }

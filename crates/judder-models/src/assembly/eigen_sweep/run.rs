@@ -7,13 +7,13 @@ use crate::assembly::swept::{SweptAssembly, beyond_laws};
 use crate::axis::Curves;
 use crate::error::ModelError;
 use crate::structure::eigen_sweep::branches::SweptBranches;
-use crate::structure::eigen_sweep::onsets::ToldOnset;
+use crate::structure::eigen_sweep::onsets::{LocatedOnsets, ToldDoubt, ToldOnset};
 use judder_store::Results;
-use judder_structure::onset::{Onset, StabilityAt};
+use judder_structure::onset::Onset;
 use judder_study::axis::SweptAxis;
 use judder_study::labels::{SweptQuantity, any_key};
 use judder_study::outcome::Outcome;
-use judder_study::{Progress, Silent};
+use judder_study::{Progress, StudyError, Untold};
 
 /// What is told of a sweep beside its eigenvalues.
 #[derive(Results)]
@@ -28,6 +28,9 @@ pub(super) struct ToldSweep {
     closed: Vec<Option<usize>>,
     /// where modes begin or cease to grow if every contact point is held closed; none where all are closed anyway
     onsets_all_closed: Option<Vec<ToldOnset>>,
+    /// between which values those may be others
+    #[result(optional)]
+    onsets_all_closed_in_doubt: Option<Vec<ToldDoubt>>,
     /// of reduced bodies how far each onset lies from that of the whole ones, by a step of Newton's method; none where it is not known
     onset_reduction_errors: Option<Vec<Option<f64>>>,
     /// values without steady sliding
@@ -51,23 +54,26 @@ pub(super) fn run(
     let family = SweptAssembly::new(of, vec![sweep], settings.damping);
     let method = settings.method.method();
     let solved = SolvedSweep::new(&family, &sweep.values, method, &region, progress)?;
-    let onsets_all_closed = match solved.has_open_points() {
+    let all_closed = match solved.has_open_points() {
         true => {
-            let held = SolvedSweep::new(&family.all_closed(), &sweep.values, method, &region, &Silent)?;
-            Some(held.onsets.told())
+            let held =
+                SolvedSweep::new(&family.all_closed(), &sweep.values, method, &region, &Untold(progress))?;
+            Some(held.onsets)
         }
         false => None,
     };
     let quantity = SweptQuantity { name: "value".to_owned(), ..any_key(&sweep.path, sweep.dimension) };
     let axis = SweptAxis { quantity, values: sweep.values.clone(), scale: sweep.scale };
     let of_reduction = match of.case.is_reduced() {
-        true => Some(reduction_errors(&family.whole()?, &solved.onsets.onsets)),
+        true => Some(reduction_errors(&family.whole()?, &solved.onsets.onsets, progress)?),
         false => None,
     };
-    let told = ToldSweep::new(settings, &axis, &solved, onsets_all_closed, of_reduction);
+    let told = ToldSweep::new(settings, &axis, &solved, all_closed.as_ref(), of_reduction);
     let failed =
         told.failures.iter().map(|own| format!("{} = {}: {}", sweep.path, sweep.text(own.value), own.reason));
     let mut warnings: Vec<String> = failed.chain(family.doubts(solved.states.iter().flatten())).collect();
+    let held_in_doubt = all_closed.as_ref().and_then(LocatedOnsets::warning);
+    warnings.extend(held_in_doubt.map(|doubt| format!("with every contact point held closed, {doubt}")));
     let has_modes_beyond = solved.states.iter().zip(&solved.sweep.points).filter(|(state, point)| {
         let mut own = point.eigenvalues.iter().map(|tracked| &tracked.eigenvalue);
         state.as_ref().is_ok_and(|state| own.any(|eigenvalue| state.is_beyond_laws(eigenvalue)))
@@ -97,7 +103,7 @@ impl ToldSweep {
         settings: &AssemblySweep,
         axis: &SweptAxis,
         solved: &SolvedSweep,
-        onsets_all_closed: Option<Vec<ToldOnset>>,
+        all_closed: Option<&LocatedOnsets>,
         onset_reduction_errors: Option<Vec<Option<f64>>>,
     ) -> Self {
         let failures = axis.values.iter().zip(&solved.states).filter_map(|(value, state)| {
@@ -108,7 +114,10 @@ impl ToldSweep {
             unit: axis.quantity.unit.clone(),
             method: settings.method.method().to_string(),
             closed: solved.states.iter().map(|state| Some(state.as_ref().ok()?.closed_points())).collect(),
-            onsets_all_closed,
+            onsets_all_closed: all_closed.map(LocatedOnsets::told),
+            onsets_all_closed_in_doubt: all_closed
+                .map(LocatedOnsets::doubts)
+                .filter(|doubts| !doubts.is_empty()),
             onset_reduction_errors,
             failures: failures.collect(),
         }
@@ -116,14 +125,17 @@ impl ToldSweep {
 }
 
 /// How far each onset lies from that of the whole bodies; `None` where these have none to compare with.
-fn reduction_errors(whole: &SweptAssembly<'_>, onsets: &[Onset]) -> Vec<Option<f64>> {
-    let each = onsets.iter().map(|onset| {
+fn reduction_errors(
+    whole: &SweptAssembly<'_>,
+    onsets: &[Onset],
+    progress: &dyn Progress,
+) -> Result<Vec<Option<f64>>, StudyError> {
+    let of_one = |onset: &Onset| {
         let crossing = onset.crossing.as_ref()?;
         let state = whole.state(&[onset.value]).ok()?;
         let solved = whole.solved_alone(&state, &crossing.within).ok()?;
-        let eigenvalues = solved.modes.iter().map(|mode| mode.eigenvalue).collect();
-        let shift = crossing.shift(&StabilityAt { eigenvalues, closed: state.closed() });
+        let shift = crossing.shift(&solved.stability(state.closed()));
         Some(shift.abs()).filter(|shift| shift.is_finite())
-    });
-    each.collect()
+    };
+    onsets.iter().map(|onset| progress.go_on().map(|()| of_one(onset))).collect()
 }

@@ -27,8 +27,11 @@ impl SolvedSweep {
     ) -> Result<Self, ModelError> {
         let states: Vec<Result<SlidingState, String>> = values
             .par_iter()
-            .map(|value| family.state(&[*value]).map_err(|error| error.to_string()))
-            .collect();
+            .map(|value| {
+                progress.go_on()?;
+                Ok(family.state(&[*value]).map_err(|error| error.to_string()))
+            })
+            .collect::<Result<_, StudyError>>()?;
         let groups = HeldGroup::of_states(&states);
         let prepared = groups
             .iter()
@@ -43,9 +46,7 @@ impl SolvedSweep {
             })
             .collect::<Result<Vec<_>, _>>()?;
         let sweep = followed(0..values.len(), region, &|number| {
-            if progress.interrupted() {
-                return Err(StudyError::Interrupted.into());
-            }
+            progress.go_on()?;
             let Ok(state) = &states[number] else { return Ok(SolvedPoint::unsolved()) };
             let (group, place) = HeldGroup::place(&groups, number);
             let solved = prepared[group].point(place)?;
@@ -55,21 +56,18 @@ impl SolvedSweep {
         let known: Vec<Option<StabilityAt>> = states
             .iter()
             .zip(&sweep.points)
-            .map(|(state, point)| {
-                let closed = state.as_ref().ok()?.closed();
-                Some(StabilityAt { closed, ..point.stability() })
-            })
+            .map(|(state, point)| Some(point.stability(state.as_ref().ok()?.closed())))
             .collect();
         let onsets = LocatedOnsets::new(values, &known, region, &mut |value, within| {
+            progress.go_on()?;
             let state = family.state(&[value])?;
             let closed = state.closed();
             let solved = match groups.iter().position(|group| group.held == state.held) {
                 Some(group) => prepared[group].within(&state, within)?,
                 None => family.solved_alone(&state, within)?,
             };
-            let eigenvalues = solved.modes.iter().map(|mode| mode.eigenvalue).collect();
-            Ok::<_, ModelError>(StabilityAt { eigenvalues, closed })
-        });
+            Ok(solved.stability(closed))
+        })?;
         drop(prepared);
         Ok(Self { states, sweep, onsets })
     }

@@ -115,7 +115,6 @@ impl MapPoint {
             (_, Some(EigenvalueVerdict::Marginal)) => PointVerdict::Marginal,
             _ => PointVerdict::Stable,
         };
-        let eigenvalues = solved.modes.iter().map(|mode| mode.eigenvalue).collect();
         Ok(Self {
             verdict,
             growth: fastest.map_or(f64::NAN, |mode| mode.eigenvalue.value.re),
@@ -123,7 +122,7 @@ impl MapPoint {
             is_beyond_laws: verdict.is_unstable()
                 && fastest.is_some_and(|mode| state.is_beyond_laws(&mode.eigenvalue)),
             doubt: state.doubts.first().cloned(),
-            stability: Some(StabilityAt { eigenvalues, closed: state.closed() }),
+            stability: Some(solved.stability(state.closed())),
         })
     }
 }

@@ -7,7 +7,7 @@ use crate::assembly::swept::{SweptAssembly, beyond_laws};
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
 use judder_store::{Dataset, Results, Variable};
-use judder_structure::onset::{StabilityAt, onsets};
+use judder_structure::onset::onsets_between;
 use judder_structure::quadratic::Region;
 use judder_study::axis::SweptAxis;
 use judder_study::labels::{SweptQuantity, any_key};
@@ -52,7 +52,7 @@ pub(super) fn run(
     let start = std::time::Instant::now();
     let (points, reasons) = map.points(progress)?;
     let seconds = start.elapsed().as_secs_f64();
-    let boundary = if settings.boundaries { map.boundary(&points) } else { Vec::new() };
+    let boundary = if settings.boundaries { map.boundary(&points, progress)? } else { Vec::new() };
     let count = |is: &dyn Fn(PointVerdict) -> bool| points.iter().filter(|point| is(point.verdict)).count();
     let unresolved = count(&|verdict| verdict == PointVerdict::Unresolved);
     let beyond = points.iter().filter(|point| point.is_beyond_laws).count();
@@ -109,9 +109,7 @@ impl SolvedMap<'_> {
         let solved: Vec<Result<MapPoint, ModelError>> = (0..columns * self.y.values.len())
             .into_par_iter()
             .map(|index| {
-                if progress.interrupted() {
-                    return Err(StudyError::Interrupted.into());
-                }
+                progress.go_on()?;
                 let values = [self.x.values[index % columns], self.y.values[index / columns]];
                 let state = self.family.state(&values)?;
                 let point = MapPoint::new(&self.family, &state, &self.region);
@@ -134,16 +132,28 @@ impl SolvedMap<'_> {
     }
 
     /// Where stability changes between neighbours of a row or of a column.
-    fn boundary(&self, points: &[MapPoint]) -> Vec<[f64; 2]> {
+    fn boundary(&self, points: &[MapPoint], progress: &dyn Progress) -> Result<Vec<[f64; 2]>, ModelError> {
         let (columns, rows) = (self.x.values.len(), self.y.values.len());
         let across = (0..rows).flat_map(|row| (1..columns).map(move |k| [[k - 1, row], [k, row]]));
         let upwards = (0..columns).flat_map(|column| (1..rows).map(move |k| [[column, k - 1], [column, k]]));
         let pairs: Vec<[[usize; 2]; 2]> = across.chain(upwards).collect();
-        pairs.par_iter().filter_map(|pair| self.between(points, *pair)).collect()
+        // a search that was stopped has found nothing
+        let between = |pair: &[[usize; 2]; 2]| {
+            let found = self.between(points, *pair, progress);
+            progress.go_on().map(|()| found)
+        };
+        let found: Vec<Option<[f64; 2]>> =
+            pairs.par_iter().map(between).collect::<Result<_, StudyError>>()?;
+        Ok(found.into_iter().flatten().collect())
     }
 
     /// Where stability changes between two neighbours; `None` where it does not, or is not known.
-    fn between(&self, points: &[MapPoint], [one, other]: [[usize; 2]; 2]) -> Option<[f64; 2]> {
+    fn between(
+        &self,
+        points: &[MapPoint],
+        [one, other]: [[usize; 2]; 2],
+        progress: &dyn Progress,
+    ) -> Option<[f64; 2]> {
         let place = |[column, row]: [usize; 2]| [self.x.values[column], self.y.values[row]];
         let axis = usize::from(one[0] == other[0]);
         let point = |[column, row]: [usize; 2]| &points[row * self.x.values.len() + column];
@@ -153,19 +163,18 @@ impl SolvedMap<'_> {
         if low.1.verdict.is_unstable() == high.1.verdict.is_unstable() {
             return None;
         }
-        let known = [(low.0, low.1.stability.clone()?), (high.0, high.1.stability.clone()?)];
         let at = |value: f64| {
             let mut values = place(one);
             values[axis] = value;
             values
         };
-        let found = onsets(&known, &self.region, &mut |value, within: &Region| {
+        let known = |(value, point): (f64, &MapPoint)| Some((value, point.stability.clone()?));
+        let found = onsets_between(&known(low)?, &known(high)?, &self.region, &mut |value, within| {
+            progress.go_on()?;
             let state = self.family.state(&at(value))?;
-            let solved = self.family.solved_alone(&state, within)?;
-            let eigenvalues = solved.modes.iter().map(|mode| mode.eigenvalue).collect();
-            Ok::<_, ModelError>(StabilityAt { eigenvalues, closed: state.closed() })
+            Ok::<_, ModelError>(self.family.solved_alone(&state, within)?.stability(state.closed()))
         });
-        let found = found.ok()?;
+        let found = found.ok()?.onsets;
         // beyond the first onset modes grow, or before the last
         let onset = if high.1.verdict.is_unstable() { found.first() } else { found.last() };
         onset.map(|onset| at(onset.value))

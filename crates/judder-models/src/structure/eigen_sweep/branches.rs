@@ -1,7 +1,7 @@
 //! Eigenvalues along a parameter as branches: what is told, stored and listed of them.
 
 use super::super::eigen::run::{ToldMode, VERDICTS, code, gap_warnings, in_order};
-use super::onsets::{LocatedOnsets, ToldOnset};
+use super::onsets::{LocatedOnsets, ToldDoubt, ToldOnset};
 use crate::axis::Curves;
 use crate::error::ModelError;
 use judder_store::{Dataset, Results, Table, Variable};
@@ -37,6 +37,8 @@ pub(crate) struct EigenvalueCurve {
     unstable: Vec<bool>,
     /// where modes begin or cease to grow
     onsets: Vec<ToldOnset>,
+    /// between which values they may be others than those
+    onsets_in_doubt: Vec<ToldDoubt>,
     branches: usize,
     /// values that were solved on the full matrices
     solved_in_full: usize,
@@ -51,7 +53,7 @@ struct OnBranch {
 }
 
 impl EigenvalueCurve {
-    fn new(values: &[f64], sweep: &SweptEigenvalues, onsets: Vec<ToldOnset>) -> Self {
+    fn new(values: &[f64], sweep: &SweptEigenvalues, found: &LocatedOnsets) -> Self {
         let told = |own: &Tracked| OnBranch { mode: ToldMode::new(0, &own.eigenvalue), branch: own.branch };
         let is_unstable = |point: &PointEigenvalues| {
             point.eigenvalues.iter().any(|t| t.eigenvalue.verdict() == EigenvalueVerdict::Unstable)
@@ -65,7 +67,8 @@ impl EigenvalueCurve {
                 .collect(),
             complete: sweep.points.iter().all(|point| point.gaps.is_empty()),
             unstable: sweep.points.iter().map(is_unstable).collect(),
-            onsets,
+            onsets: found.told(),
+            onsets_in_doubt: found.doubts(),
             branches: sweep.branches,
             solved_in_full: sweep.points.iter().filter(|point| point.full).count(),
         }
@@ -115,8 +118,8 @@ impl<'a, I> SweptBranches<'a, I> {
     /// What is told of each curve.
     pub(crate) fn scalars(&self) -> Map<String, Value> {
         let curves = self.sweeps.iter().zip(&self.onsets);
-        let curves = curves
-            .map(|(sweep, found)| EigenvalueCurve::new(&self.axis.values, sweep, found.told()).scalars());
+        let curves =
+            curves.map(|(sweep, found)| EigenvalueCurve::new(&self.axis.values, sweep, found).scalars());
         self.curves.scalars(curves.collect())
     }
 
@@ -137,7 +140,7 @@ impl<'a, I> SweptBranches<'a, I> {
         if more > 0 {
             warnings.push(format!("eigenvalues may be missing at {more} more values"));
         }
-        warnings.extend(self.onsets.iter().flat_map(|found| found.warnings.iter().cloned()));
+        warnings.extend(self.onsets.iter().filter_map(LocatedOnsets::warning));
         warnings
     }
 

@@ -1,9 +1,10 @@
 //! Where along a parameter modes begin or cease to grow, and what is told of it.
 
+use crate::error::ModelError;
 use judder_store::Results;
 use judder_structure::complex_modes::Region;
-use judder_structure::onset::{Onset, StabilityAt, StabilityOf, onsets};
-use std::fmt::Display;
+use judder_structure::onset::{Onset, OnsetsBetween, StabilityAt, StabilityOf, onsets_between};
+use judder_study::StudyError;
 
 /// Where modes begin or cease to grow.
 #[derive(Debug, Clone, PartialEq, Results)]
@@ -29,11 +30,22 @@ impl From<&Onset> for ToldOnset {
     }
 }
 
-/// Onsets, and between which values they could not be located.
+/// Between which values onsets may be others than those that are told.
+#[derive(Debug, Clone, PartialEq, Results)]
+pub(crate) struct ToldDoubt {
+    /// the lower value
+    from: f64,
+    /// the higher value
+    to: f64,
+    /// why
+    reason: String,
+}
+
+/// Onsets, and where they are in doubt.
 #[derive(Default)]
 pub(crate) struct LocatedOnsets {
     pub(crate) onsets: Vec<Onset>,
-    pub(crate) warnings: Vec<String>,
+    doubts: Vec<ToldDoubt>,
 }
 
 impl LocatedOnsets {
@@ -42,27 +54,53 @@ impl LocatedOnsets {
         self.onsets.iter().map(ToldOnset::from).collect()
     }
 
+    /// What is told of where they are in doubt.
+    pub(crate) fn doubts(&self) -> Vec<ToldDoubt> {
+        self.doubts.clone()
+    }
+
+    /// That onsets are in doubt, and the first reason.
+    pub(crate) fn warning(&self) -> Option<String> {
+        let ToldDoubt { from, to, reason } = self.doubts.first()?;
+        let more = match self.doubts.len() - 1 {
+            0 => String::new(),
+            more => format!(", and for {more} more reasons (`onsets_in_doubt`)"),
+        };
+        Some(format!("between {from} and {to} onsets may be others than those that are told: {reason}{more}"))
+    }
+
     /// The onsets between neighbours of the values, ascending or descending, at which stability in a region is known; `at` tells it at
     /// any other.
-    pub(crate) fn new<E: Display>(
+    ///
+    /// # Errors
+    /// That the run is to stop.
+    pub(crate) fn new(
         values: &[f64],
         known: &[Option<StabilityAt>],
         region: &Region,
-        at: &mut StabilityOf<'_, E>,
-    ) -> Self {
-        let mut sorted: Vec<(f64, Option<&StabilityAt>)> =
-            values.iter().copied().zip(known.iter().map(Option::as_ref)).collect();
+        at: &mut StabilityOf<'_, ModelError>,
+    ) -> Result<Self, ModelError> {
+        let known = known.iter().cloned();
+        let mut sorted: Vec<(f64, Option<StabilityAt>)> = values.iter().copied().zip(known).collect();
         sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut located = Self::default();
         for pair in sorted.windows(2) {
-            let [(from, Some(low)), (to, Some(high))] = pair else { continue };
-            match onsets(&[(*from, (*low).clone()), (*to, (*high).clone())], region, at) {
-                Ok(found) => located.onsets.extend(found),
-                Err(error) => {
-                    located.warnings.push(format!("onsets between {from} and {to} are not located: {error}"));
+            let [(from, low), (to, high)] = pair else { continue };
+            let (from, to) = (*from, *to);
+            let mut doubt = |reason: String| located.doubts.push(ToldDoubt { from, to, reason });
+            let (Some(low), Some(high)) = (low, high) else {
+                doubt(format!("nothing is known at {}", if low.is_none() { from } else { to }));
+                continue;
+            };
+            match onsets_between(&(from, low.clone()), &(to, high.clone()), region, at) {
+                Ok(OnsetsBetween { onsets, doubts }) => {
+                    doubts.iter().for_each(|own| doubt(own.to_string()));
+                    located.onsets.extend(onsets);
                 }
+                Err(ModelError::Study(StudyError::Interrupted)) => return Err(StudyError::Interrupted.into()),
+                Err(error) => doubt(error.to_string()),
             }
         }
-        located
+        Ok(located)
     }
 }

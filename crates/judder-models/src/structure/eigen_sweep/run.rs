@@ -46,22 +46,14 @@ pub(super) fn run(
         .collect::<Result<Vec<_>, _>>()?;
     let onsets = curves.inputs.iter().zip(&sweeps).map(|(inputs, sweep)| {
         let known: Vec<Option<StabilityAt>> =
-            sweep.points.iter().map(|point| Some(point.stability())).collect();
-        LocatedOnsets::new(
-            values,
-            &known,
-            &settings.region,
-            &mut |value, within| -> Result<StabilityAt, ModelError> {
-                let factors = at(case, settings, inputs, value)?;
-                let modes = prepared.within(&factors, within)?.modes;
-                Ok(StabilityAt {
-                    eigenvalues: modes.iter().map(|mode| mode.eigenvalue).collect(),
-                    closed: Vec::new(),
-                })
-            },
-        )
+            sweep.points.iter().map(|point| Some(point.stability(Vec::new()))).collect();
+        LocatedOnsets::new(values, &known, &settings.region, &mut |value, within| {
+            progress.go_on()?;
+            let factors = at(case, settings, inputs, value)?;
+            Ok(prepared.within(&factors, within)?.stability(Vec::new()))
+        })
     });
-    let onsets = onsets.collect();
+    let onsets = onsets.collect::<Result<_, _>>()?;
     let quantity = SweptQuantity { name: "value".to_owned(), ..parameter(name_of(&settings.sweep.path)) };
     let axis = SweptAxis { quantity, values: settings.sweep.values.clone(), scale: settings.sweep.scale };
     let branches = SweptBranches::new(&settings.region, axis, curves, sweeps, onsets);

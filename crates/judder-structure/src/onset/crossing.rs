@@ -1,0 +1,92 @@
+//! The functions that vanish where modes begin or cease to grow.
+
+use super::StabilityAt;
+use crate::complex_modes::{Eigenvalue, EigenvalueVerdict, Region};
+use std::f64::consts::TAU;
+
+/// A function of the eigenvalues that vanishes at an onset.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Crossing {
+    pub(super) vanishing: Vanishing,
+    /// Of the mode, in Hz.
+    pub(super) frequency: f64,
+    /// By which the function changes with the parameter.
+    pub(super) slope: f64,
+    /// The region whose eigenvalues it is of.
+    pub within: Region,
+}
+
+impl Crossing {
+    /// By how much the onset of a problem that differs little lies higher, by a step of Newton's method; `stability` is what is known of
+    /// that problem in the crossing's region, at the value of the onset.
+    #[must_use]
+    pub fn shift(&self, stability: &StabilityAt) -> f64 {
+        -self.vanishing.value(stability, self.frequency) / self.slope
+    }
+}
+
+/// What vanishes at an onset.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Vanishing {
+    /// Among damped modes the growth rate that so many reach: as many as grow beyond the onset.
+    Growth(usize),
+    /// (λ₁ − λ₂)² of two undamped modes, whose eigenvalues meet: below zero before they do.
+    Difference,
+    /// λ² of an undamped mode whose eigenvalue comes to zero.
+    Square,
+}
+
+impl Vanishing {
+    /// By what is known beside the onset, where the mode does not grow, and by how many modes grow where it does.
+    pub(super) fn of(stable: &StabilityAt, growing: usize, frequency: f64) -> Self {
+        let is_damped = |own: &&Eigenvalue| own.verdict() == EigenvalueVerdict::Stable;
+        let decays = nearest(stable, frequency, 1).first().is_some_and(is_damped);
+        match (decays, frequency > 0.0) {
+            (true, _) => Self::Growth(growing),
+            (false, true) => Self::Difference,
+            (false, false) => Self::Square,
+        }
+    }
+
+    /// Its value; NaN where the modes are not there.
+    pub(super) fn value(self, stability: &StabilityAt, frequency: f64) -> f64 {
+        match (self, &nearest(stability, frequency, 2)[..]) {
+            (Self::Growth(growing), _) => ranked(stability, growing).map_or(f64::NAN, |own| own.value.re),
+            (Self::Difference, [one, other]) => {
+                let apart = one.value - other.value;
+                (apart * apart).re
+            }
+            (Self::Square, [one, ..]) => (one.value * one.value).re,
+            _ => f64::NAN,
+        }
+    }
+
+    /// How far it may be off, by the errors of the eigenvalues.
+    pub(super) fn error(self, stability: &StabilityAt, frequency: f64) -> f64 {
+        match (self, &nearest(stability, frequency, 2)[..]) {
+            (Self::Growth(growing), _) => ranked(stability, growing).map_or(f64::NAN, |own| own.error),
+            (Self::Difference, [one, other]) => {
+                let (apart, error) = ((one.value - other.value).norm(), one.error + other.error);
+                (2.0 * apart + error) * error
+            }
+            (Self::Square, [one, ..]) => (2.0 * one.value.norm() + one.error) * one.error,
+            _ => f64::NAN,
+        }
+    }
+}
+
+/// The eigenvalue of the so many-th largest growth rate.
+fn ranked(stability: &StabilityAt, rank: usize) -> Option<&Eigenvalue> {
+    let mut all: Vec<&Eigenvalue> = stability.eigenvalues.iter().collect();
+    all.sort_by(|a, b| b.value.re.total_cmp(&a.value.re));
+    all.get(rank.checked_sub(1)?).copied()
+}
+
+/// The eigenvalues whose frequencies are nearest to one in Hz.
+pub(super) fn nearest(stability: &StabilityAt, frequency: f64, count: usize) -> Vec<&Eigenvalue> {
+    let mut all: Vec<&Eigenvalue> = stability.eigenvalues.iter().collect();
+    let distance = |own: &Eigenvalue| (own.value.im / TAU - frequency).abs();
+    all.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+    all.truncate(count);
+    all
+}

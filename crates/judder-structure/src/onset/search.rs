@@ -1,0 +1,299 @@
+//! The search for onsets between two values.
+
+use super::crossing::{Crossing, Vanishing, nearest};
+use super::{Onset, OnsetDoubt, OnsetKind, OnsetsBetween, StabilityAt};
+use crate::complex_modes::{Eigenvalue, EigenvalueVerdict, Region};
+use judder_numerics::root::bracketed_root;
+use std::f64::consts::TAU;
+
+/// Onsets are located to so much of the range of values.
+const PRECISION: f64 = 1e-10;
+/// Frequencies of one mode at two values differ by less than this share; where they differ by more, values between show that nothing
+/// has changed.
+const SAME_MODE: f64 = 0.01;
+/// Around changes so much of their frequencies is looked at, and so much of the region.
+const AROUND: [f64; 2] = [0.05, 0.01];
+/// Modes that cannot be told apart are looked at again where the values lie nearer, down to so much of the range.
+const APART: f64 = 1.0 / 64.0;
+/// The spectrum is taken to run smoothly over so much of the range.
+const COARSE: f64 = 1e-3;
+/// An eigenvalue this near to the edge of the region, by the size of the region, is on it.
+const EDGE: f64 = 1e-6;
+
+/// Stability at a value, as far as a region goes.
+pub type StabilityOf<'a, E> = dyn FnMut(f64, &Region) -> Result<StabilityAt, E> + 'a;
+
+/// The onsets between two values, the lower one first, at which stability in a region is known; `at` tells it at any other.
+///
+/// # Errors
+/// Those of `at`.
+pub fn onsets_between<E>(
+    low: &(f64, StabilityAt),
+    high: &(f64, StabilityAt),
+    region: &Region,
+    at: &mut StabilityOf<'_, E>,
+) -> Result<OnsetsBetween, E> {
+    let mut search = OnsetSearch { at, range: high.0 - low.0, region, found: OnsetsBetween::default() };
+    let [low, high] = [low, high].map(|(value, stability)| search.taken(*value, stability.clone()));
+    search.between(&low, &high, region)?;
+    Ok(search.found)
+}
+
+/// A value and what is known of stability there.
+struct StabilitySample {
+    value: f64,
+    stability: StabilityAt,
+}
+
+/// A mode that grows at one end of an interval alone.
+#[derive(Clone, Copy)]
+struct ModeChange {
+    /// Its frequency there, in Hz.
+    frequency: f64,
+    /// Whether that is the lower end.
+    gains: bool,
+}
+
+/// What differs between two values.
+struct ModeChanges {
+    /// The modes that grow at one of them alone.
+    seen: Vec<ModeChange>,
+    /// The frequencies in Hz of modes that grow at both of them, or of two modes that have changed places.
+    alike: Vec<f64>,
+}
+
+impl StabilitySample {
+    /// The modes that grow, or that do not.
+    fn those_that_grow(&self, grow: bool) -> impl Iterator<Item = &Eigenvalue> {
+        let own = self.stability.eigenvalues.iter();
+        own.filter(move |own| (own.verdict() == EigenvalueVerdict::Unstable) == grow)
+    }
+
+    /// Its modes in a region.
+    fn within(&self, region: &Region) -> Self {
+        let eigenvalues =
+            self.stability.eigenvalues.iter().filter(|own| region.contains(own.value, 0.0)).copied();
+        let stability = StabilityAt {
+            eigenvalues: eigenvalues.collect(),
+            complete: self.stability.complete,
+            closed: self.stability.closed.clone(),
+        };
+        Self { value: self.value, stability }
+    }
+
+    /// The modes that grow here or at a higher value alone: of all pairs of frequencies the nearest are those of one mode.
+    fn changes(&self, high: &Self) -> ModeChanges {
+        let [here, there] = [self, high].map(|sample| sample.those_that_grow(true).collect::<Vec<_>>());
+        let [f_here, f_there] =
+            [&here, &there].map(|own| own.iter().map(|own| own.frequency_hz()).collect::<Vec<f64>>());
+        let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
+        for (i, own) in f_here.iter().enumerate() {
+            let alike = f_there
+                .iter()
+                .enumerate()
+                .filter(|(_, other)| (*other - own).abs() <= SAME_MODE * own.max(**other));
+            pairs.extend(alike.map(|(j, other)| ((other - own).abs(), i, j)));
+        }
+        pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        let mut paired = [vec![false; here.len()], vec![false; there.len()]];
+        let mut alike = Vec::new();
+        for (_, i, j) in pairs {
+            if !paired[0][i] && !paired[1][j] {
+                (paired[0][i], paired[1][j]) = (true, true);
+                let moved = (there[j].value - here[i].value).norm();
+                let is_apart = |sample: &Self, own: &Eigenvalue| {
+                    sample.those_that_grow(false).all(|other| 2.0 * moved < (other.value - own.value).norm())
+                };
+                if !is_apart(self, here[i]) && !is_apart(high, there[j]) {
+                    alike.push(f_here[i]);
+                }
+            }
+        }
+        let alone = |frequencies: &[f64], paired: &[bool], gains: bool| {
+            let own = frequencies.iter().zip(paired).filter(|(_, paired)| !**paired);
+            own.map(|(frequency, _)| ModeChange { frequency: *frequency, gains }).collect::<Vec<_>>()
+        };
+        let seen = [alone(&f_here, &paired[0], true), alone(&f_there, &paired[1], false)].concat();
+        ModeChanges { seen, alike }
+    }
+
+    /// Whether the growing mode of a frequency lies on the edge of the region, over which it comes or goes; eigenvalues without an
+    /// imaginary part come and go along the edge Im λ = 0.
+    fn leaves(&self, region: &Region, frequency: f64) -> bool {
+        let distance = |own: &Eigenvalue| (own.frequency_hz() - frequency).abs();
+        let growing = self.those_that_grow(true);
+        let Some(own) = growing.min_by(|a, b| distance(a).total_cmp(&distance(b))) else { return false };
+        let (re, im) = (own.value.re, own.value.im);
+        let near = |value: f64, edge: f64, [from, to]: [f64; 2]| (edge - value).abs() <= EDGE * (to - from);
+        let is_low = region.im[0] > 0.0 && near(im, region.im[0], region.im);
+        is_low || near(im, region.im[1], region.im) || near(re, region.re[1], region.re)
+    }
+}
+
+struct OnsetSearch<'a, 'b, E> {
+    at: &'a mut StabilityOf<'b, E>,
+    range: f64,
+    region: &'a Region,
+    found: OnsetsBetween,
+}
+
+impl<E> OnsetSearch<'_, '_, E> {
+    fn sample(&mut self, value: f64, within: &Region) -> Result<StabilitySample, E> {
+        let stability = (self.at)(value, within)?;
+        Ok(self.taken(value, stability))
+    }
+
+    /// A value at which growing modes may be missing is told.
+    fn taken(&mut self, value: f64, stability: StabilityAt) -> StabilitySample {
+        if !stability.complete {
+            self.found.doubts.push(OnsetDoubt::Missing { at: value });
+        }
+        StabilitySample { value, stability }
+    }
+
+    /// Finds the onsets between two values in a part of the region.
+    fn between(&mut self, low: &StabilitySample, high: &StabilitySample, within: &Region) -> Result<(), E> {
+        let ModeChanges { seen, alike } = low.changes(high);
+        let (width, middle) = (high.value - low.value, 0.5 * (low.value + high.value));
+        if !alike.is_empty() && width > APART * self.range {
+            return self.halves(low, middle, high, within);
+        }
+        let alike = alike.into_iter().map(|frequency_hz| OnsetDoubt::Alike {
+            from: low.value,
+            to: high.value,
+            frequency_hz,
+        });
+        self.found.doubts.extend(alike);
+        if seen.is_empty() {
+            return Ok(());
+        }
+        self.of_changes(low, high, &seen, within)
+    }
+
+    /// Finds the onsets of changes that are seen.
+    fn of_changes(
+        &mut self,
+        low: &StabilitySample,
+        high: &StabilitySample,
+        changes: &[ModeChange],
+        within: &Region,
+    ) -> Result<(), E> {
+        let (width, middle) = (high.value - low.value, 0.5 * (low.value + high.value));
+        if width <= PRECISION * self.range || !(middle > low.value && middle < high.value) {
+            changes.iter().for_each(|change| self.keep(low, high, *change));
+            return Ok(());
+        }
+        let around = self.around(changes);
+        let near = [low.within(&around), high.within(&around)];
+        let narrower = around.im[1] - around.im[0] < within.im[1] - within.im[0];
+        if narrower && near[0].changes(&near[1]).seen.len() == changes.len() {
+            return self.of_changes(&near[0], &near[1], changes, &around);
+        }
+        let is_smooth = low.stability.closed == high.stability.closed && width <= COARSE * self.range;
+        if let ([change], true) = (changes, is_smooth)
+            && let Some(onset) = self.root(low, high, *change, within)?
+        {
+            self.found.onsets.push(onset);
+            return Ok(());
+        }
+        self.halves(low, middle, high, within)
+    }
+
+    fn halves(
+        &mut self,
+        low: &StabilitySample,
+        middle: f64,
+        high: &StabilitySample,
+        within: &Region,
+    ) -> Result<(), E> {
+        let middle = self.sample(middle, within)?;
+        self.between(low, &middle, within)?;
+        self.between(&middle, high, within)
+    }
+
+    /// The part of the region around changes.
+    fn around(&self, changes: &[ModeChange]) -> Region {
+        let Region { re, im: [from, to] } = *self.region;
+        let frequencies = changes.iter().map(|change| TAU * change.frequency);
+        let [low, high] =
+            [frequencies.clone().fold(f64::INFINITY, f64::min), frequencies.fold(0.0, f64::max)];
+        let margin = AROUND[1] * (to - from);
+        let im = [(low * (1.0 - AROUND[0]) - margin).max(from), (high * (1.0 + AROUND[0]) + margin).min(to)];
+        Region { re, im }
+    }
+
+    /// Keeps what lies between two values that cannot be told apart, if it is no mode that comes or goes over the edge of the region.
+    fn keep(&mut self, low: &StabilitySample, high: &StabilitySample, change: ModeChange) {
+        let growing = if change.gains { low } else { high };
+        if growing.leaves(self.region, change.frequency) {
+            return;
+        }
+        self.found.onsets.push(Onset {
+            value: 0.5 * (low.value + high.value),
+            error: 0.5 * (high.value - low.value),
+            jumps: low.stability.closed != high.stability.closed,
+            ..change.onset()
+        });
+    }
+
+    /// The root of the function that vanishes at an onset; `None` where it does not vanish, or the closed points change.
+    fn root(
+        &mut self,
+        low: &StabilitySample,
+        high: &StabilitySample,
+        change: ModeChange,
+        within: &Region,
+    ) -> Result<Option<Onset>, E> {
+        let (stable, unstable) = if change.gains { (high, low) } else { (low, high) };
+        let vanishing =
+            Vanishing::of(&stable.stability, unstable.those_that_grow(true).count(), change.frequency);
+        let value_of = |sample: &StabilitySample| match sample.stability.closed == low.stability.closed {
+            true => vanishing.value(&sample.stability, change.frequency),
+            false => f64::NAN,
+        };
+        let precision = PRECISION * self.range;
+        let mut failure = None;
+        let found = bracketed_root(
+            |value| match self.sample(value, within) {
+                Ok(sample) => value_of(&sample),
+                Err(error) => {
+                    failure = Some(error);
+                    f64::NAN
+                }
+            },
+            low.value,
+            high.value,
+            precision,
+        );
+        if let Some(error) = failure {
+            return Err(error);
+        }
+        let Ok(value) = found else { return Ok(None) };
+        let at = self.sample(value, within)?;
+        let slope = (value_of(high) - value_of(low)) / (high.value - low.value);
+        // beside the root, where eigenvalues that meet are well conditioned
+        let unknown = vanishing.error(&stable.stability, change.frequency) / slope.abs();
+        let near = nearest(&at.stability, change.frequency, 1);
+        let frequency = near.first().map_or(change.frequency, |own| own.frequency_hz());
+        let error = if unknown.is_finite() { unknown.max(0.5 * precision) } else { high.value - low.value };
+        let crossing = Some(Crossing { vanishing, frequency, slope, within: *within });
+        Ok(Some(Onset { value, error, crossing, ..ModeChange { frequency, ..change }.onset() }))
+    }
+}
+
+impl ModeChange {
+    /// What it is, wherever it lies.
+    fn onset(self) -> Onset {
+        let Self { frequency, gains } = self;
+        let kind = if frequency == 0.0 { OnsetKind::Divergence } else { OnsetKind::Flutter };
+        Onset {
+            value: f64::NAN,
+            error: f64::NAN,
+            frequency_hz: frequency,
+            kind,
+            gains,
+            jumps: false,
+            crossing: None,
+        }
+    }
+}

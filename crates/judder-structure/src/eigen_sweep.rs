@@ -108,7 +108,7 @@ impl SolvedPoint {
     #[must_use]
     pub fn stability(&self, closed: Vec<bool>) -> StabilityAt {
         let eigenvalues = self.modes.iter().map(|mode| mode.eigenvalue).collect();
-        StabilityAt { eigenvalues, complete: self.gaps.is_empty(), closed }
+        StabilityAt { eigenvalues, branches: Vec::new(), complete: self.gaps.is_empty(), closed }
     }
 }
 
@@ -314,8 +314,9 @@ impl PointEigenvalues {
     /// What they say of stability with these contact points closed.
     #[must_use]
     pub fn stability(&self, closed: Vec<bool>) -> StabilityAt {
-        let eigenvalues = self.eigenvalues.iter().map(|tracked| tracked.eigenvalue).collect();
-        StabilityAt { eigenvalues, complete: self.gaps.is_empty(), closed }
+        let (eigenvalues, branches) =
+            self.eigenvalues.iter().map(|tracked| (tracked.eigenvalue, tracked.branch)).unzip();
+        StabilityAt { eigenvalues, branches, complete: self.gaps.is_empty(), closed }
     }
 
     /// The eigenvalue of a branch.

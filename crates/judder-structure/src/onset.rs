@@ -21,6 +21,8 @@ use std::fmt;
 pub struct StabilityAt {
     /// The eigenvalues of the region, Im λ ≥ 0.
     pub eigenvalues: Vec<Eigenvalue>,
+    /// The branch of each, which its vector tells; empty where they are not followed.
+    pub branches: Vec<usize>,
     /// Whether it is proven that there are no more.
     pub complete: bool,
     /// Which contact points are closed; empty where nothing touches.
@@ -118,7 +120,7 @@ mod tests {
     use super::*;
     use crate::StructureError;
     use crate::assembly::Sparse;
-    use crate::complex_modes::{ComplexModeSettings, Region, complex_modes};
+    use crate::complex_modes::{ComplexMode, ComplexModeSettings, Region, complex_modes};
     use crate::quadratic::Quadratic;
     use faer::sparse::Triplet;
     use std::f64::consts::TAU;
@@ -128,12 +130,13 @@ mod tests {
         Sparse::try_new_from_triplets(2, 2, &entries).unwrap()
     }
 
-    /// M = 1, C = diag(c₁, c₂) and K of the parameter.
+    /// M = 1, C = diag(c₁, c₂) and K of the parameter; uncoupled modes are followed by where they swing.
     fn searched(
         damping: impl Fn(f64) -> [f64; 2],
         values: &[f64],
         stiffness: fn(f64) -> [[f64; 2]; 2],
     ) -> OnsetsBetween {
+        let is_followed = values.iter().all(|value| stiffness(*value)[0][1] == 0.0);
         let region = Region { re: [-5.0, 5.0], im: [-1e-9, 10.0] };
         let mut at = |value: f64, within: &Region| -> Result<StabilityAt, StructureError> {
             let [a, b] = damping(value);
@@ -144,7 +147,9 @@ mod tests {
             )?;
             let found = complex_modes(&problem, within, &ComplexModeSettings::default())?;
             let eigenvalues = found.modes.iter().map(|mode| mode.eigenvalue).collect();
-            Ok(StabilityAt { eigenvalues, complete: found.complete(), closed: Vec::new() })
+            let branch = |mode: &ComplexMode| usize::from(mode.right[1].norm() > mode.right[0].norm());
+            let branches = if is_followed { found.modes.iter().map(branch).collect() } else { Vec::new() };
+            Ok(StabilityAt { eigenvalues, branches, complete: found.complete(), closed: Vec::new() })
         };
         let known: Vec<_> = values.iter().map(|value| (*value, at(*value, &region).unwrap())).collect();
         let mut all = OnsetsBetween::default();
@@ -231,7 +236,8 @@ mod tests {
     /// Eigenvalues may be missing at one end.
     #[test]
     fn what_may_be_missing_puts_onsets_in_doubt() {
-        let none = StabilityAt { eigenvalues: Vec::new(), complete: true, closed: Vec::new() };
+        let none =
+            StabilityAt { eigenvalues: Vec::new(), branches: Vec::new(), complete: true, closed: Vec::new() };
         let open = StabilityAt { complete: false, ..none.clone() };
         let region = Region { re: [-5.0, 5.0], im: [0.0, 10.0] };
         let found = onsets_between(&(0.0, none), &(1.0, open), &region, &mut |_, _| Err("not asked"));

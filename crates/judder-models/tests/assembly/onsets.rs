@@ -3,6 +3,7 @@
 use crate::stopping::Stopping;
 use crate::{case, number, run_into};
 use judder_study::StudyError;
+use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, run};
 
 /// Of a coarse block: on one side of every onset without a jump one mode more grows than on the other, by all modes of the band anew.
@@ -37,11 +38,12 @@ fn onsets_stand_where_modes_begin_to_grow() {
 /// Beyond cot 60° the strut has no steady sliding: between the last value that has and the first that has none nothing is known.
 #[test]
 fn onsets_beside_a_value_without_steady_sliding_are_in_doubt() {
-    let sweep = "analysis.sweep={ name = \"sweep\", kind = \"eigen-sweep\", band = [\"1 Hz\", \"10 kHz\"], \
-        sweep = { key = \"contact.surface.friction_coefficient\", values = [0.3, 0.5, 0.7] } }";
+    const SWEEP: &str = "\n[[analysis]]\nname = \"sweep\"\nkind = \"eigen-sweep\"\nband = [\"1 Hz\", \"10 kHz\"]\n\
+        sweep = { key = \"contact.surface.friction_coefficient\", values = [0.3, 0.5, 0.7] }\n";
+    let text = include_str!("../../../../cases/assembly/sprag-slip.toml").to_owned() + SWEEP;
     let folder = tempfile::tempdir().unwrap();
+    let file = judder_models::parse("case.toml", &text, &[]).unwrap();
     let options = RunOptions { only: vec!["sweep".to_owned()], ..RunOptions::default() };
-    let file = case("assembly/sprag-slip.toml", &[sweep]);
     let report = run(&file, folder.path(), &options, &judder_study::Silent).unwrap();
     let doubts = &report.summary.results["sweep"]["onsets_in_doubt"];
     let [doubt] = &doubts.as_array().unwrap()[..] else { panic!("{doubts}") };
@@ -49,19 +51,36 @@ fn onsets_beside_a_value_without_steady_sliding_are_in_doubt() {
     assert_eq!(doubt["reason"], "nothing is known at 0.7");
 }
 
+/// Whether the run of an analysis that is stopped at a look ends so, how often it looked, and what steps are left.
+fn stopped(file: &CaseFile, analysis: &str, at: usize) -> (bool, usize, usize) {
+    let progress = Stopping::at(at);
+    let folder = tempfile::tempdir().unwrap();
+    let options = RunOptions { only: vec![analysis.to_owned()], ..RunOptions::default() };
+    let stopped = matches!(run(file, folder.path(), &options, &progress), Err(StudyError::Interrupted));
+    (stopped, progress.looks(), progress.steps())
+}
+
 /// Onsets are many solutions after the values of the sweep: a run is stopped among them too.
 #[test]
 fn a_search_for_onsets_can_be_stopped() {
     let file = case("assembly/block-on-plane.toml", &["structure.block.block.cells=[6, 3]"]);
-    let until = |at: usize| {
-        let progress = Stopping::at(at);
-        let folder = tempfile::tempdir().unwrap();
-        let options = RunOptions { only: vec!["friction".to_owned()], ..RunOptions::default() };
-        let stopped = matches!(run(&file, folder.path(), &options, &progress), Err(StudyError::Interrupted));
-        (stopped, progress.looks(), progress.steps())
-    };
-    let (stopped, looks, left) = until(usize::MAX);
-    assert!(!stopped && left == 0, "{left}");
-    let (stopped, _, left) = until(looks - 2);
-    assert!(stopped && left == 0, "{left} values of the sweep were left");
+    let (is_stopped, looks, left) = stopped(&file, "friction", usize::MAX);
+    assert!(!is_stopped && left == 0, "{left}");
+    let (is_stopped, _, left) = stopped(&file, "friction", 3 * looks / 4);
+    assert!(is_stopped && left == 1, "{left}");
+}
+
+/// A map that is stopped has no points that are not known: it has none.
+#[test]
+fn a_map_can_be_stopped() {
+    let text = include_str!("../../../../cases/assembly/mode-coupling.toml").to_owned()
+        + "\n[[analysis]]\nname = \"map\"\nkind = \"stability-map\"\nregion = { re = [-3.0, 3.0], im = [0.1, 3.0] }\n\
+           x = { key = \"contact.belt.friction_coefficient\", from = 0.5, to = 1.0, points = 4 }\n\
+           y = { key = \"contact.belt.sliding.velocity\", values = [\"1 m/s\", \"2 m/s\"] }\n";
+    let file = judder_models::parse("case.toml", &text, &[]).unwrap();
+    let (is_stopped, looks, left) = stopped(&file, "map", usize::MAX);
+    assert!(!is_stopped && left == 0 && looks > 10, "{left} {looks}");
+    for at in [3, looks - 1] {
+        assert!(stopped(&file, "map", at).0, "{at} of {looks}");
+    }
 }

@@ -4,6 +4,7 @@ use super::crossing::{Crossing, Vanishing, nearest};
 use super::{Onset, OnsetDoubt, OnsetKind, OnsetsBetween, StabilityAt};
 use crate::complex_modes::{Eigenvalue, EigenvalueVerdict, Region};
 use judder_numerics::root::bracketed_root;
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// Onsets are located to so much of the range of values.
@@ -13,8 +14,10 @@ const PRECISION: f64 = 1e-10;
 const SAME_MODE: f64 = 0.01;
 /// Around changes so much of their frequencies is looked at, and so much of the region.
 const AROUND: [f64; 2] = [0.05, 0.01];
-/// Modes that cannot be told apart are looked at again where the values lie nearer, down to so much of the range.
-const APART: f64 = 1.0 / 64.0;
+/// Where an exchange hides, the range is searched in pieces of so much of it,
+const PIECE: f64 = 1.0 / 64.0;
+/// unless a growing mode has moved by less than so much of its distance to those that do not grow.
+const APART: f64 = 0.1;
 /// The spectrum is taken to run smoothly over so much of the range.
 const COARSE: f64 = 1e-3;
 /// An eigenvalue this near to the edge of the region, by the size of the region, is on it.
@@ -33,9 +36,16 @@ pub fn onsets_between<E>(
     region: &Region,
     at: &mut StabilityOf<'_, E>,
 ) -> Result<OnsetsBetween, E> {
-    let mut search = OnsetSearch { at, range: high.0 - low.0, region, found: OnsetsBetween::default() };
+    let found = OnsetsBetween::default();
+    let mut search = OnsetSearch { at, range: high.0 - low.0, region, hides: false, found };
     let [low, high] = [low, high].map(|(value, stability)| search.taken(*value, stability.clone()));
+    let exchanged = low.exchanged(&high);
+    search.hides = exchanged.len() > low.changes(&high).seen.len();
     search.between(&low, &high, region)?;
+    let is_told = search.found.onsets.len() >= exchanged.len() || !search.found.doubts.is_empty();
+    if let (true, false, Some(frequency)) = (search.hides, is_told, exchanged.first()) {
+        search.doubt(low.value, high.value, *frequency);
+    }
     Ok(search.found)
 }
 
@@ -75,10 +85,23 @@ impl StabilitySample {
             self.stability.eigenvalues.iter().filter(|own| region.contains(own.value, 0.0)).copied();
         let stability = StabilityAt {
             eigenvalues: eigenvalues.collect(),
+            branches: Vec::new(),
             complete: self.stability.complete,
             closed: self.stability.closed.clone(),
         };
         Self { value: self.value, stability }
+    }
+
+    /// The frequencies in Hz of branches that are followed from here to a higher value and grow at one of them alone.
+    fn exchanged(&self, high: &Self) -> Vec<f64> {
+        let grows = |own: &Eigenvalue| own.verdict() == EigenvalueVerdict::Unstable;
+        let followed = |sample: &Self| -> BTreeMap<usize, Eigenvalue> {
+            let StabilityAt { eigenvalues, branches, .. } = &sample.stability;
+            branches.iter().copied().zip(eigenvalues.iter().copied()).collect()
+        };
+        let there = followed(high);
+        let pairs = followed(self).into_iter().filter_map(|(branch, own)| Some((own, there.get(&branch)?)));
+        pairs.filter(|(own, other)| grows(own) != grows(other)).map(|(own, _)| own.frequency_hz()).collect()
     }
 
     /// The modes that grow here or at a higher value alone: of all pairs of frequencies the nearest are those of one mode.
@@ -102,7 +125,9 @@ impl StabilitySample {
                 (paired[0][i], paired[1][j]) = (true, true);
                 let moved = (there[j].value - here[i].value).norm();
                 let is_apart = |sample: &Self, own: &Eigenvalue| {
-                    sample.those_that_grow(false).all(|other| 2.0 * moved < (other.value - own.value).norm())
+                    sample
+                        .those_that_grow(false)
+                        .all(|other| moved < APART * (other.value - own.value).norm())
                 };
                 if !is_apart(self, here[i]) && !is_apart(high, there[j]) {
                     alike.push(f_here[i]);
@@ -134,6 +159,8 @@ struct OnsetSearch<'a, 'b, E> {
     at: &'a mut StabilityOf<'b, E>,
     range: f64,
     region: &'a Region,
+    /// Whether branches begin and cease to grow whose frequencies hide it.
+    hides: bool,
     found: OnsetsBetween,
 }
 
@@ -155,19 +182,29 @@ impl<E> OnsetSearch<'_, '_, E> {
     fn between(&mut self, low: &StabilitySample, high: &StabilitySample, within: &Region) -> Result<(), E> {
         let ModeChanges { seen, alike } = low.changes(high);
         let (width, middle) = (high.value - low.value, 0.5 * (low.value + high.value));
-        if !alike.is_empty() && width > APART * self.range {
-            return self.halves(low, middle, high, within);
+        // at the ends of the range nothing need tell them apart
+        if self.hides && (!alike.is_empty() || width >= self.range) {
+            if width > PIECE * self.range {
+                return self.halves(low, middle, high, within);
+            }
+            alike.into_iter().for_each(|frequency| self.doubt(low.value, high.value, frequency));
         }
-        let alike = alike.into_iter().map(|frequency_hz| OnsetDoubt::Alike {
-            from: low.value,
-            to: high.value,
-            frequency_hz,
-        });
-        self.found.doubts.extend(alike);
         if seen.is_empty() {
             return Ok(());
         }
         self.of_changes(low, high, &seen, within)
+    }
+
+    /// That two modes of a frequency may change places between two values, which may lie beside others.
+    fn doubt(&mut self, low: f64, high: f64, frequency: f64) {
+        if let Some(OnsetDoubt::Alike { to, frequency_hz, .. }) = self.found.doubts.last_mut()
+            && *to == low
+            && (*frequency_hz - frequency).abs() <= SAME_MODE * frequency
+        {
+            *to = high;
+            return;
+        }
+        self.found.doubts.push(OnsetDoubt::Alike { from: low, to: high, frequency_hz: frequency });
     }
 
     /// Finds the onsets of changes that are seen.

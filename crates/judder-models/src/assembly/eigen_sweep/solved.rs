@@ -47,10 +47,13 @@ impl SolvedSweep {
             .collect::<Result<Vec<_>, _>>()?;
         let sweep = followed(0..values.len(), region, &|number| {
             progress.go_on()?;
+            // who runs analyses takes the last step of each
+            if number > 0 {
+                progress.advance();
+            }
             let Ok(state) = &states[number] else { return Ok(SolvedPoint::unsolved()) };
             let (group, place) = HeldGroup::place(&groups, number);
             let solved = prepared[group].point(place)?;
-            progress.advance();
             if groups.len() == 1 { Ok(solved) } else { family.expanded(state, solved) }
         })?;
         let known: Vec<Option<StabilityAt>> = states

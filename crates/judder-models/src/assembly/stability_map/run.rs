@@ -110,17 +110,19 @@ impl SolvedMap<'_> {
             .into_par_iter()
             .map(|index| {
                 progress.go_on()?;
+                // who runs analyses takes the last step of each
+                if index > 0 {
+                    progress.advance();
+                }
                 let values = [self.x.values[index % columns], self.y.values[index / columns]];
                 let state = self.family.state(&values)?;
-                let point = MapPoint::new(&self.family, &state, &self.region);
-                progress.advance();
-                point
+                MapPoint::new(&self.family, &state, &self.region)
             })
             .collect();
         let (mut points, mut reasons) = (Vec::with_capacity(solved.len()), Vec::new());
         for point in solved {
             match point {
-                Err(ModelError::Study(StudyError::Interrupted)) => return Err(StudyError::Interrupted.into()),
+                Err(ModelError::Interrupted) => return Err(ModelError::Interrupted),
                 Err(error) => {
                     reasons.push(error.to_string());
                     points.push(MapPoint::UNKNOWN);

@@ -4,7 +4,6 @@ use crate::error::ModelError;
 use judder_store::Results;
 use judder_structure::complex_modes::Region;
 use judder_structure::onset::{Onset, OnsetsBetween, StabilityAt, StabilityOf, onsets_between};
-use judder_study::StudyError;
 
 /// Where modes begin or cease to grow.
 #[derive(Debug, Clone, PartialEq, Results)]
@@ -97,7 +96,7 @@ impl LocatedOnsets {
                     doubts.iter().for_each(|own| doubt(own.to_string()));
                     located.onsets.extend(onsets);
                 }
-                Err(ModelError::Study(StudyError::Interrupted)) => return Err(StudyError::Interrupted.into()),
+                Err(ModelError::Interrupted) => return Err(ModelError::Interrupted),
                 Err(error) => doubt(error.to_string()),
             }
         }

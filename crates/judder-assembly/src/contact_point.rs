@@ -195,15 +195,15 @@ mod tests {
             };
             let last = 3 * self.track.nodes.len();
             let (track, slider) = (moved(&self.track, 0), moved(&self.slider, last));
-            let body = |mesh, freedom| TouchingBody {
+            let body = |mesh, displacement| TouchingBody {
                 mesh,
                 width: 1.0,
-                freedom,
+                displacement,
                 displaced: &|_| [0.0; 3],
                 kept: KeptOfFaces { turns: true, passes: true },
             };
-            let of_track = |node: usize, direction: Direction| Some(3 * node + direction as usize);
-            let of_slider = |_: usize, direction: Direction| Some(last + direction as usize);
+            let of_track = |node: usize, direction: Direction| Row::of_freedom(3 * node + direction as usize);
+            let of_slider = |_: usize, direction: Direction| Row::of_freedom(last + direction as usize);
             let set = self.track.node_sets["z-max"].clone();
             let found = contact_points(
                 &body(&slider, &of_slider),

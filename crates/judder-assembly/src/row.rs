@@ -24,6 +24,12 @@ impl Row {
         Self { entries: merged }
     }
 
+    /// A freedom itself.
+    #[must_use]
+    pub fn of_freedom(freedom: usize) -> Self {
+        Self { entries: vec![(freedom, 1.0)] }
+    }
+
     /// Σ fᵢ rᵢ.
     #[must_use]
     pub fn sum<'a>(parts: impl IntoIterator<Item = (f64, &'a Self)>) -> Self {

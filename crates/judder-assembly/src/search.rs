@@ -16,8 +16,8 @@ pub struct TouchingBody<'a> {
     pub mesh: &'a Mesh,
     /// Its width across the plane in m; one for a body of space.
     pub width: f64,
-    /// The number of a displacement among the freedoms of the assembly; `None` where it is held.
-    pub freedom: &'a dyn Fn(usize, Direction) -> Option<usize>,
+    /// A displacement of a node as a form on the freedoms of the assembly; empty where it is held.
+    pub displacement: &'a dyn Fn(usize, Direction) -> Row,
     /// How a node is displaced whatever happens, in m: by supports that loads move.
     pub displaced: &'a dyn Fn(usize) -> [f64; 3],
     /// What of its faces contact points keep, where it is a track.
@@ -163,9 +163,7 @@ pub fn contact_points(
 impl TouchingBody<'_> {
     /// The displacement of a node along x, y and z.
     fn displacement(&self, node: usize) -> [Row; 3] {
-        Direction::ALL.map(|direction| {
-            Row::new((self.freedom)(node, direction).map(|freedom| (freedom, 1.0)).into_iter().collect())
-        })
+        Direction::ALL.map(|direction| (self.displacement)(node, direction))
     }
 }
 

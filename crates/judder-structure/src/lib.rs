@@ -12,6 +12,7 @@
 //! - [`modes`]: undamped modes, with a count that shows whether one is missing.
 //! - [`rigid`]: which eigenvalues are those of rigid motions.
 //! - [`craig_bampton`]: a structure on the freedoms that are kept and its lowest fixed-interface modes.
+//! - [`interface_modes`]: the freedoms that are kept for contacts, reduced themselves.
 //! - [`modal_form`]: a reduced structure in its own modes, and the flexibility of those that are cut off.
 //! - [`reduction_error`]: how far reduced frequencies can be from full ones, told by the reduction alone.
 //! - [`reduction_report`]: a reduced structure beside the full one.
@@ -39,6 +40,7 @@ mod error;
 pub mod factor;
 pub mod freedom;
 pub mod grid;
+pub mod interface_modes;
 pub mod material;
 pub mod mesh;
 pub mod modal_form;

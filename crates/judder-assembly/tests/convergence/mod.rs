@@ -4,6 +4,7 @@ use crate::common::undamped;
 use judder_assembly::assembly::Assembly;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::contact_point::ContactPoint;
+use judder_assembly::row::Row;
 use judder_assembly::search::{KeptOfFaces, Sliding, TouchingBody, Track, contact_points};
 use judder_assembly::steady::{PointState, steady_sliding};
 use judder_structure::assembly::{Sparse, assemble};
@@ -44,7 +45,9 @@ fn pressed(cells: [usize; 2], held: &Held, friction: f64) -> Vec<(ContactPoint, 
     let slider = TouchingBody {
         mesh: &mesh,
         width: 1.0,
-        freedom: &|node, direction| numbering.number(node, direction),
+        displacement: &|node, direction| {
+            numbering.number(node, direction).map_or_else(Row::default, Row::of_freedom)
+        },
         displaced: &|_| [0.0; 3],
         kept: KeptOfFaces::default(),
     };

@@ -9,6 +9,7 @@ use judder_assembly::friction::Friction;
 use judder_assembly::interface::{Interface, InterfaceLaw};
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::pressure::Pressure;
+use judder_assembly::row::Row;
 use judder_assembly::search::{KeptOfFaces, Sliding, TouchingBody, Track, contact_points};
 use judder_assembly::steady::{SteadySliding, steady_sliding};
 use judder_dense::general::solve;
@@ -40,7 +41,9 @@ fn block(law: InterfaceLaw, speed: f64) -> Assembly {
     let slider = TouchingBody {
         mesh: &mesh,
         width: WIDTH,
-        freedom: &|node, direction| numbering.number(node, direction),
+        displacement: &|node, direction| {
+            numbering.number(node, direction).map_or_else(Row::default, Row::of_freedom)
+        },
         displaced: &|_| [0.0; 3],
         kept: KeptOfFaces::default(),
     };

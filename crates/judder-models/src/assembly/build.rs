@@ -4,6 +4,7 @@
 //! - `load`: what acts on it.
 //! - `turning`: what turning does to it, and what of that is left out.
 //! - `interface`: contact points found, laws as the physics has them. `joint`: springs and ties.
+//! - `interface_modes`: which bodies may have their contact freedoms reduced.
 //! - `sphere`: laws of contacts that are a sphere on a substrate.
 //! - `deformed`: contact points of bodies as they lie in steady sliding.
 //! - `size`: how large a body is.
@@ -12,6 +13,7 @@
 mod body;
 mod deformed;
 mod interface;
+mod interface_modes;
 mod joint;
 mod load;
 mod shown;
@@ -102,10 +104,11 @@ impl BuiltAssembly {
             .map(|index| BuiltBody::structure(case, index))
             .collect::<Result<Vec<_>, _>>()?;
         let touching = interface::touching(case, &structures)?;
+        interface_modes::admit(case)?;
         let mut bodies: Vec<BuiltBody> = Vec::with_capacity(structures.len());
         for (index, structure) in structures.into_iter().enumerate() {
             let before = bodies.last().map_or([0, 0], BuiltBody::end);
-            bodies.push(BuiltBody::new(case, index, structure, &touching.of_body(index), before)?);
+            bodies.push(BuiltBody::new(case, index, structure, touching.of_body(index), before)?);
         }
         let all = |pick: fn(&BuiltBody) -> &Sparse| {
             stacked(&bodies.iter().map(pick).collect::<Vec<_>>())

@@ -46,7 +46,7 @@ use problem::AssemblyProblem;
 use serde_json::Value as Json;
 use std::path::Path;
 use std::sync::Arc;
-use structure::{AssemblyStructure, BodyReduction};
+use structure::{AssemblyStructure, BodyReduction, ReducedBody};
 
 /// A validated assembly case.
 #[derive(Debug, Clone)]
@@ -118,6 +118,24 @@ impl AssemblyCase {
     pub(super) fn whole(mut self) -> Self {
         for structure in &mut self.structures {
             structure.reduction = BodyReduction::None;
+        }
+        self
+    }
+
+    /// Whether freedoms of contacts are reduced.
+    pub(super) fn has_interface_modes(&self) -> bool {
+        let has = |own: &AssemblyStructure| {
+            matches!(own.reduction, BodyReduction::Modes(ReducedBody { interface_modes: Some(_), .. }))
+        };
+        self.structures.iter().any(has)
+    }
+
+    /// The case with all freedoms of contacts kept.
+    pub(super) fn with_interface_freedoms(mut self) -> Self {
+        for structure in &mut self.structures {
+            if let BodyReduction::Modes(reduced) = &mut structure.reduction {
+                reduced.interface_modes = None;
+            }
         }
         self
     }

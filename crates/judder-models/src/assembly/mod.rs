@@ -2,6 +2,7 @@
 //!
 //! - `build`: from the keys of a case to bodies with their contact points.
 //! - `check`: what `judder check` shows.
+//! - `interface_error`: what interface modes cost.
 //! - `swept`: steady sliding and small motions about it at any values of keys.
 //! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`.
 
@@ -10,6 +11,7 @@ pub mod case;
 mod check;
 pub mod eigen;
 pub mod eigen_sweep;
+mod interface_error;
 pub mod stability_map;
 pub mod steady_sliding;
 mod swept;

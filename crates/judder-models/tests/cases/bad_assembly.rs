@@ -379,3 +379,18 @@ fn maps_of_one_key_and_maps_without_end() {
     let many = map("normal.stiffness", 100_000);
     assert!(many.contains("10000000000 points, and 1000000 are allowed"), "{many}");
 }
+
+/// A rigid contact holds each of its points, a body that touches nowhere has none.
+#[test]
+fn interface_modes_where_there_is_no_compliant_contact() {
+    let (message, place) = unassembled(&spoilt(
+        BLOCK,
+        "[[contact]]",
+        "reduction = { count = 10, interface_modes = 4 }\n\n[[contact]]",
+    ));
+    assert!(
+        message.contains("`block` touches at the rigid contact `sole`, which holds each of its points"),
+        "{message}"
+    );
+    assert_eq!(place, "4");
+}

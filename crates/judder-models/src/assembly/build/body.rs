@@ -5,7 +5,7 @@ use super::load::{Imposed, load};
 use super::size::size_warning;
 use super::turning::Turning;
 use crate::assembly::case::AssemblyCase;
-use crate::assembly::case::structure::{AssemblyStructure, BodyReduction};
+use crate::assembly::case::structure::{AssemblyStructure, BodyReduction, ReducedBody};
 use crate::error::ModelError;
 use crate::structure::build::{Structure, factors, symmetric_part};
 use crate::structure::case::StructureCase;
@@ -17,10 +17,13 @@ use judder_assembly::AssemblyError;
 use judder_assembly::assembly::{
     Gyroscopic, from_triplets, placed, sum, symmetric_part as symmetrised, triplets,
 };
+use judder_assembly::row::Row;
 use judder_structure::assembly::{Sparse, inertia_load};
 use judder_structure::craig_bampton::{CraigBampton, CutOff};
 use judder_structure::freedom::{Direction, Numbering, Supports};
+use judder_structure::interface_modes::InterfaceModes;
 use num_complex::Complex64;
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// A body with its matrices on its freedoms, or on what a reduction leaves of them: its coordinates.
@@ -43,6 +46,8 @@ pub(crate) struct BuiltBody {
     basis: Option<Mat<f64>>,
     /// The coordinate of each freedom; `None` where a reduction does not keep it.
     coordinates: Vec<Option<usize>>,
+    /// Freedoms that follow from interface modes, as forms on its coordinates.
+    on_interface: BTreeMap<usize, Row>,
     pub(crate) warnings: Vec<String>,
 }
 
@@ -61,12 +66,12 @@ impl BuiltBody {
         made.map_err(|unbuilt| unbuilt.of_structure(&case.structures[index].name).into())
     }
 
-    /// A body whose coordinates and freedoms begin behind `before`, and whose nodes `touching` are in contact.
+    /// A body whose coordinates and freedoms begin behind `before`, and whose nodes `touching` need their freedoms.
     pub(super) fn new(
         case: &AssemblyCase,
         index: usize,
         structure: Structure,
-        touching: &[usize],
+        touching: TouchingNodes,
         [first, first_freedom]: [usize; 2],
     ) -> Result<Self, Unassembled> {
         let own = &case.structures[index];
@@ -88,6 +93,7 @@ impl BuiltBody {
             first,
             first_freedom,
             basis: None,
+            on_interface: BTreeMap::new(),
             warnings,
             structure,
         };
@@ -98,8 +104,9 @@ impl BuiltBody {
             }
             None => None,
         };
-        if let BodyReduction::Modes(modes) = own.reduction {
-            body.reduce(modes, touching).map_err(|error| Unassembled::because(path("reduction"), &error))?;
+        if let BodyReduction::Modes(reduced) = own.reduction {
+            let refused = |error: AssemblyError| Unassembled::because(path("reduction"), &error);
+            body.reduce(reduced, &touching).map_err(refused)?;
         }
         if let Some(softening) = softening {
             body.soften(&softening).map_err(|error| Unassembled::because(path("rotation"), &error))?;
@@ -117,10 +124,16 @@ impl BuiltBody {
         [self.first + self.size(), self.first_freedom + self.coordinates.len()]
     }
 
-    /// The coordinate of the assembly that is a displacement of a point; `None` where it is held.
-    pub(super) fn coordinate(&self, point: usize, direction: Direction) -> Option<usize> {
-        let freedoms = self.structure.layout.as_ref()?.freedoms.get(point)?;
-        Some(self.first + self.coordinates[freedoms[direction as usize]?]?)
+    /// The displacement of a point as a form on the coordinates of the assembly; empty where it is held.
+    pub(super) fn displacement(&self, point: usize, direction: Direction) -> Row {
+        let layout = self.structure.layout.as_ref();
+        let freedom = layout.and_then(|layout| layout.freedoms.get(point)?[direction as usize]);
+        let Some(freedom) = freedom else { return Row::default() };
+        match (self.coordinates[freedom], self.on_interface.get(&freedom)) {
+            (Some(coordinate), _) => Row::of_freedom(self.first + coordinate),
+            (None, Some(row)) => row.clone(),
+            (None, None) => Row::default(),
+        }
     }
 
     /// How a point is displaced whatever happens, in m.
@@ -181,41 +194,78 @@ impl BuiltBody {
         Ok(())
     }
 
-    /// The body on the freedoms that contacts and loads need, and fixed-interface modes.
-    fn reduce(&mut self, modes: FixedModes, touching: &[usize]) -> Result<(), AssemblyError> {
+    /// The body on the freedoms that contacts and loads need, or on interface modes of the contacts, and fixed-interface modes.
+    fn reduce(&mut self, asked: ReducedBody, touching: &TouchingNodes) -> Result<(), AssemblyError> {
+        let joined = self.freedoms_of(&touching.joined);
+        let of_contacts = self.freedoms_of(&touching.in_contact);
         // the centrifugal force acts everywhere, and needs none
         let of_load =
             |(k, force): (usize, &f64)| *force != self.centrifugal.as_ref().map_or(0.0, |own| own[k]);
         let mut needed: Vec<bool> = self.load.iter().enumerate().map(of_load).collect();
-        let layout = self.structure.layout.iter();
-        let of_points =
-            layout.flat_map(|layout| touching.iter().filter_map(|point| layout.freedoms.get(*point)));
-        for freedom in of_points.flatten().flatten() {
-            needed[*freedom] = true;
-        }
+        joined.into_iter().for_each(|freedom| needed[freedom] = true);
+        let is_kept = needed.clone();
+        of_contacts.into_iter().for_each(|freedom| needed[freedom] = true);
         let kept: Vec<usize> = (0..needed.len()).filter(|freedom| needed[*freedom]).collect();
-        let cut_off = match modes {
+        let cut_off = match asked.modes {
             FixedModes::Count(count) => CutOff::Count(count),
             FixedModes::CutOff(limit) => CutOff::Frequency(limit / TAU),
         };
-        let BodyMatrices { mass, damping, stiffness, gyroscopic } = &self.matrices;
-        let reduced = CraigBampton::new(stiffness, mass, &kept, cut_off)?;
-        let basis = reduced.basis;
+        let reduced = CraigBampton::new(&self.matrices.stiffness, &self.matrices.mass, &kept, cut_off)?;
+        self.coordinates = vec![None; needed.len()];
+        let Some(count) = asked.interface_modes else {
+            for (coordinate, freedom) in kept.iter().enumerate() {
+                self.coordinates[*freedom] = Some(coordinate);
+            }
+            return self.project(reduced.basis, &reduced.mass, &reduced.stiffness);
+        };
+        let (others, interface): (Vec<usize>, Vec<usize>) =
+            (0..kept.len()).partition(|place| is_kept[kept[*place]]);
+        let InterfaceModes { mass, stiffness, basis, shapes, first, .. } =
+            InterfaceModes::new(&reduced, &interface, count)?;
+        for (coordinate, place) in others.iter().enumerate() {
+            self.coordinates[kept[*place]] = Some(coordinate);
+        }
+        for (row, place) in interface.iter().enumerate() {
+            let of_mode = |mode: usize| (self.first + first + mode, shapes[(row, mode)]);
+            self.on_interface.insert(kept[*place], Row::new((0..shapes.ncols()).map(of_mode).collect()));
+        }
+        self.project(basis, &mass, &stiffness)
+    }
+
+    /// The freedoms of nodes.
+    fn freedoms_of(&self, nodes: &[usize]) -> Vec<usize> {
+        let layout = self.structure.layout.iter();
+        let of_nodes = layout.flat_map(|layout| nodes.iter().filter_map(|node| layout.freedoms.get(*node)));
+        of_nodes.flatten().flatten().copied().collect()
+    }
+
+    /// Its matrices and loads on the coordinates of a basis, on which mass and stiffness are known.
+    fn project(
+        &mut self,
+        basis: Mat<f64>,
+        mass: &Mat<f64>,
+        stiffness: &Mat<f64>,
+    ) -> Result<(), AssemblyError> {
+        let BodyMatrices { damping, gyroscopic, .. } = &self.matrices;
         self.matrices = BodyMatrices {
-            mass: sparse(&reduced.mass)?,
+            mass: sparse(mass)?,
             damping: projected(&basis, damping)?,
-            stiffness: sparse(&reduced.stiffness)?,
+            stiffness: sparse(stiffness)?,
             gyroscopic: gyroscopic.as_ref().map(|own| projected(&basis, own)).transpose()?,
         };
         let along = |k: usize| self.load.iter().enumerate().map(|(i, force)| basis[(i, k)] * force).sum();
         self.load = (0..basis.ncols()).map(along).collect();
-        self.coordinates = vec![None; needed.len()];
-        for (coordinate, freedom) in kept.iter().enumerate() {
-            self.coordinates[*freedom] = Some(coordinate);
-        }
         self.basis = Some(basis);
         Ok(())
     }
+}
+
+/// The nodes of a body whose freedoms others need.
+pub(super) struct TouchingNodes {
+    /// Those of contacts,
+    pub(super) in_contact: Vec<usize>,
+    /// and those of springs and ties.
+    pub(super) joined: Vec<usize>,
 }
 
 /// A body as a case of its own.

@@ -1,5 +1,6 @@
 //! The contact interfaces of a case: points found, laws as the physics has them.
 
+use super::body::TouchingNodes;
 use super::size::width;
 use super::turning::sliding_warning;
 use super::{BuiltBody, Unassembled};
@@ -14,6 +15,7 @@ use crate::structure::build::{Structure, points_of};
 use judder_assembly::AssemblyError;
 use judder_assembly::friction::Friction;
 use judder_assembly::interface::{Interface, InterfaceLaw};
+use judder_assembly::row::Row;
 use judder_assembly::search::{
     FoundPoints, KeptOfFaces, Sliding, TouchingBody, Track, contact_points, usual_reach,
 };
@@ -44,13 +46,15 @@ pub(super) struct Touching {
 
 impl Touching {
     /// All nodes of a body that are in some contact, spring or tie.
-    pub(super) fn of_body(&self, index: usize) -> Vec<usize> {
+    pub(super) fn of_body(&self, index: usize) -> TouchingNodes {
         let sides =
             self.contacts.iter().flat_map(|sides| [Some(&sides.slider), sides.track.as_ref()]).flatten();
-        let sides = sides.map(|side| (side.structure, &side.points));
-        let joined = self.joined.iter().map(|(structure, points)| (*structure, points));
-        let own = sides.chain(joined).filter(|(structure, _)| *structure == index);
-        own.flat_map(|(_, points)| points.iter().copied()).collect()
+        let own = sides.filter(|side| side.structure == index);
+        let joined = self.joined.iter().filter(|(structure, _)| *structure == index);
+        TouchingNodes {
+            in_contact: own.flat_map(|side| side.points.iter().copied()).collect(),
+            joined: joined.flat_map(|(_, points)| points.iter().copied()).collect(),
+        }
     }
 }
 
@@ -146,7 +150,7 @@ pub(super) fn interfaces(
 struct Sought<'a> {
     mesh: Mesh,
     width: f64,
-    freedom: Box<dyn Fn(usize, Direction) -> Option<usize> + 'a>,
+    displacement: Box<dyn Fn(usize, Direction) -> Row + 'a>,
     displaced: Box<dyn Fn(usize) -> [f64; 3] + 'a>,
     kept: KeptOfFaces,
 }
@@ -156,7 +160,7 @@ impl<'a> Sought<'a> {
         Self {
             mesh: mesh_of(&body.structure),
             width: width(&body.structure),
-            freedom: Box::new(|node, direction| body.coordinate(node, direction)),
+            displacement: Box::new(|node, direction| body.displacement(node, direction)),
             displaced: Box::new(|node| body.displaced(node)),
             kept: KeptOfFaces::default(),
         }
@@ -172,8 +176,8 @@ impl<'a> Sought<'a> {
     }
 
     fn touching(&self) -> TouchingBody<'_> {
-        let Self { mesh, width, freedom, displaced, kept } = self;
-        TouchingBody { mesh, width: *width, freedom, displaced, kept: *kept }
+        let Self { mesh, width, displacement, displaced, kept } = self;
+        TouchingBody { mesh, width: *width, displacement, displaced, kept: *kept }
     }
 
     /// How far a partner of these nodes is sought.

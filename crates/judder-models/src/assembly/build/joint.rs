@@ -61,8 +61,9 @@ impl End {
         };
         let mesh = mesh_of(&body.structure);
         let moved = Direction::ALL.map(|direction| {
-            let freedoms = points.iter().filter_map(|point| body.coordinate(*point, direction));
-            Row::new(freedoms.map(|freedom| (freedom, share)).collect())
+            let displacements: Vec<Row> =
+                points.iter().map(|point| body.displacement(*point, direction)).collect();
+            Row::sum(displacements.iter().map(|own| (share, own)))
         });
         Ok(Self {
             place: mean(&|point| mesh.nodes[point]),
@@ -105,10 +106,8 @@ fn tied_rows(own: &Tie, bodies: &[BuiltBody], warnings: &mut Vec<String>) -> Res
     let ((from, from_points), (to, to_points)) = (side(&own.from, "from")?, side(&own.to, "to")?);
     if let [node] = to_points[..] {
         let row = |point: usize, direction: Direction| {
-            let part = |body: &BuiltBody, point: usize, sign: f64| {
-                body.coordinate(point, direction).map(|freedom| (freedom, sign))
-            };
-            Row::new(part(from, point, 1.0).into_iter().chain(part(to, node, -1.0)).collect())
+            let (own, other) = (from.displacement(point, direction), to.displacement(node, direction));
+            Row::sum([(1.0, &own), (-1.0, &other)])
         };
         let of_point = |point: &usize| Direction::ALL.map(|direction| row(*point, direction));
         return Ok(from_points.iter().flat_map(of_point).collect());

@@ -158,6 +158,22 @@ pub enum AssemblyProblem {
         /// What the loads of the case press with, N.
         pressing: f64,
     },
+    /// Interface modes at a rigid contact.
+    #[error(
+        "`{structure}` touches at the rigid contact `{contact}`, which holds each of its points: a few interface modes cannot follow them all"
+    )]
+    RigidInterfaceModes {
+        /// The structure.
+        structure: String,
+        /// The contact.
+        contact: String,
+    },
+    /// Interface modes of a body without a contact.
+    #[error("`{structure}` touches nowhere: it has no interface whose freedoms could be reduced")]
+    NoInterface {
+        /// The structure.
+        structure: String,
+    },
     /// What a part of the case is refused for.
     #[error("{reason}")]
     Refused {
@@ -193,6 +209,8 @@ impl Problem for AssemblyProblem {
             Self::SeveralPoints { .. } => "more than one node",
             Self::NothingPresses { .. } => "nothing presses",
             Self::OtherLoad { .. } => "another load",
+            Self::RigidInterfaceModes { .. } => "of a rigid contact",
+            Self::NoInterface { .. } => "no interface",
             Self::Refused { .. } => "here",
         }
     }
@@ -242,6 +260,10 @@ impl Problem for AssemblyProblem {
             Self::OtherLoad { .. } => {
                 "leave normal_load out: it follows from the loads; or leave the loads out, then it presses by itself"
             }
+            Self::RigidInterfaceModes { .. } => {
+                "give the contact a stiffness: normal = { stiffness = \"1e12 N/m^3\" }; or leave interface_modes out, then each freedom is kept"
+            }
+            Self::NoInterface { .. } => "leave interface_modes out",
             Self::Refused { .. } => return None,
         };
         Some(help.to_owned())

@@ -5,10 +5,10 @@ use super::rotation::BodyRotation;
 use crate::entries::Scope;
 use crate::sliding::case::plain_name::PlainName;
 use crate::structure::case::damping::Damping;
-use crate::structure::case::reduction::FixedModes;
+use crate::structure::case::reduction::{FIXED_MODES_LIMIT, FixedModes};
 use crate::structure::case::{Matrices, StructureSource};
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Number, Setting, Settings as _, Several};
+use judder_keys::declared::{Allowed, Number, Setting, Settings as _, Several, Whole};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
@@ -61,7 +61,18 @@ pub enum BodyReduction {
     /// The whole body.
     None,
     /// The freedoms that contacts and loads need, and fixed-interface modes.
-    Modes(FixedModes),
+    Modes(ReducedBody),
+}
+
+/// What is left of a body that is reduced.
+#[derive(Debug, Clone, Copy, PartialEq, Settings)]
+pub struct ReducedBody {
+    /// The fixed-interface modes that are kept.
+    #[key(flatten)]
+    pub modes: FixedModes,
+    /// Interface modes to which the freedoms of its contacts are reduced, all of which must be compliant; none where left out: each freedom is kept.
+    #[key(rule = Whole { from: 1, to: FIXED_MODES_LIMIT }, omitted)]
+    pub interface_modes: Option<usize>,
 }
 
 impl AssemblyStructure {
@@ -124,7 +135,7 @@ impl Setting for BodyReduction {
 
     fn form((): &()) -> Allowed {
         let whole = Allowed::Choice { words: &[(NONE, "the whole body")] };
-        Allowed::Either(vec![whole, FixedModes::form(&())])
+        Allowed::Either(vec![whole, ReducedBody::form(&())])
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {

@@ -3,6 +3,7 @@
 use super::beyond_law::BeyondLaws;
 use super::{AssemblyEigen, SoughtModes};
 use crate::assembly::build::ShownBodies;
+use crate::assembly::interface_error::WithInterfaceFreedoms;
 use crate::assembly::{AssemblySubject, IMBALANCE};
 use crate::error::ModelError;
 use crate::structure::eigen::run::{ShownModes, found};
@@ -23,6 +24,10 @@ pub(super) struct AssemblyModes {
     closed: usize,
     /// what of bodies that turn is left out, in words
     left_out: Vec<String>,
+    /// by how much eigenvalues differ from those with each freedom of the contacts kept, over |λ|: the error of interface modes; none where
+    /// there are not as many
+    #[result(optional)]
+    interface_modes_error: Option<f64>,
     /// what makes each unstable mode grow, and of which modes it is made
     growing: Vec<GrowingMode>,
 }
@@ -51,6 +56,10 @@ struct Parent {
 const PARENTS: usize = 3;
 /// How far growths may be from the growth rate, over |λ|.
 const BALANCE: f64 = 1e-8;
+
+/// That interface modes lose modes.
+const FEWER: &str =
+    "with each freedom of the contacts kept there are not as many modes: take more interface modes";
 
 /// Growths below so much of the largest are rounding.
 const ROUNDING: f64 = 1e-10;
@@ -103,7 +112,16 @@ pub(super) fn run(of: &AssemblySubject<'_>, asked: &AssemblyEigen) -> Result<Out
     }
     let closed = steady.points.iter().filter(|point| point.is_closed).count();
     let left_out = built.left_out.clone();
-    outcome.scalars.extend(AssemblyModes { closed, left_out, growing }.scalars());
+    let interface_modes_error = match WithInterfaceFreedoms::of(of)? {
+        None => None,
+        Some(finer) => {
+            let own: Vec<Complex64> = found.modes.iter().map(|mode| mode.eigenvalue.value).collect();
+            let error = finer.of_eigenvalues(&own, terms, &region)?;
+            outcome.warnings.extend(error.is_none().then(|| FEWER.to_owned()));
+            error
+        }
+    };
+    outcome.scalars.extend(AssemblyModes { closed, left_out, interface_modes_error, growing }.scalars());
     let (beyond, warnings) = BeyondLaws::of(of, &steady, &found.modes);
     outcome.scalars.extend(beyond.scalars());
     outcome.warnings.extend(warnings);

@@ -3,6 +3,7 @@
 use super::faces::with_faces;
 use super::uniqueness::ToldUniqueness;
 use crate::assembly::build::{ShownBodies, SphereState, SubstrateSphere};
+use crate::assembly::interface_error::WithInterfaceFreedoms;
 use crate::assembly::{AssemblySubject, IMBALANCE};
 use crate::error::ModelError;
 use crate::structure::shapes;
@@ -33,6 +34,9 @@ pub(super) struct SteadyResults {
     friction_limit_known: bool,
     /// what of bodies that turn is left out, in words
     left_out: Vec<String>,
+    /// by how much normal forces differ from those with each freedom of the contacts kept, over those: the error of interface modes
+    #[result(optional)]
+    interface_modes_error: Option<f64>,
     /// each contact
     contacts: ByName<ContactSums>,
     /// each contact point
@@ -139,7 +143,8 @@ pub(super) fn run(of: &AssemblySubject<'_>) -> Result<Outcome, ModelError> {
     let compliance = of.compliance()?;
     let steady = of.steady(&compliance)?;
     let (uniqueness, lost) = ToldUniqueness::new(of, &compliance, &steady)?;
-    let results = results(of, &steady);
+    let finer = WithInterfaceFreedoms::of(of)?;
+    let results = results(of, &steady, finer.map(|finer| finer.of_forces(&steady)));
     let shown = ShownBodies::new(&of.built.bodies);
     let displacement: Vec<Complex64> = steady.displacement.iter().map(|u| Complex64::new(*u, 0.0)).collect();
     let displacement: Vec<f64> = of.built.expanded(&displacement).iter().map(|u| u.re).collect();
@@ -191,7 +196,11 @@ fn spheres(of: &AssemblySubject<'_>, steady: &SteadySliding) -> Option<SphereRes
     has_spheres.then(|| SphereResults { spheres: of.built.sliding_spheres(steady).map(told).collect() })
 }
 
-fn results(of: &AssemblySubject<'_>, steady: &SteadySliding) -> SteadyResults {
+fn results(
+    of: &AssemblySubject<'_>,
+    steady: &SteadySliding,
+    interface_modes_error: Option<f64>,
+) -> SteadyResults {
     let mut states = steady.points.iter();
     let (mut contacts, mut rows) = (Vec::new(), Vec::new());
     for interface in &of.built.assembly.interfaces {
@@ -209,6 +218,7 @@ fn results(of: &AssemblySubject<'_>, steady: &SteadySliding) -> SteadyResults {
         },
         friction_limit_known: steady.friction_limit != FrictionLimit::Unknown,
         left_out: of.built.left_out.clone(),
+        interface_modes_error,
         contacts: contacts.into_iter().collect(),
         rows,
     }

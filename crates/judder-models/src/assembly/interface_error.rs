@@ -1,0 +1,61 @@
+//! What interface modes cost: the same with each freedom of the contacts kept.
+
+use super::AssemblySubject;
+use super::build::BuiltAssembly;
+use super::case::AssemblyCase;
+use crate::error::ModelError;
+use judder_assembly::linearised::{Linearised, LinearisedTerms};
+use judder_assembly::steady::SteadySliding;
+use judder_structure::complex_modes::{ComplexModeSettings, Region, complex_modes};
+use num_complex::Complex64;
+
+/// An assembly with each freedom of its contacts kept, in steady sliding.
+pub(super) struct WithInterfaceFreedoms {
+    built: BuiltAssembly,
+    steady: SteadySliding,
+}
+
+impl WithInterfaceFreedoms {
+    /// `None` where no freedoms of contacts are reduced.
+    pub(super) fn of(of: &AssemblySubject<'_>) -> Result<Option<Self>, ModelError> {
+        if !of.case.has_interface_modes() {
+            return Ok(None);
+        }
+        let case: AssemblyCase = of.case.clone().with_interface_freedoms();
+        let built = BuiltAssembly::new(&case)?;
+        let finer = AssemblySubject { case: &case, built: &built, name: of.name };
+        let steady = finer.steady(&finer.compliance()?)?;
+        Ok(Some(Self { built, steady }))
+    }
+
+    /// ‖N − N′‖/‖N′‖ over the contact points.
+    pub(super) fn of_forces(&self, steady: &SteadySliding) -> f64 {
+        let pairs = steady.points.iter().zip(&self.steady.points);
+        let off = pairs.map(|(own, finer)| (own.normal_force - finer.normal_force).powi(2)).sum::<f64>();
+        let all = self.steady.points.iter().map(|point| point.normal_force.powi(2)).sum::<f64>();
+        (off / all).sqrt()
+    }
+
+    /// By how much eigenvalues of a region differ at most, over |λ|, each beside the nearest; `None` where there are not as many.
+    pub(super) fn of_eigenvalues(
+        &self,
+        eigenvalues: &[Complex64],
+        terms: LinearisedTerms,
+        region: &Region,
+    ) -> Result<Option<f64>, ModelError> {
+        let about = Linearised::new(&self.built.assembly, &self.steady, terms)?;
+        let found = complex_modes(&about.problem, region, &ComplexModeSettings::default())?.modes;
+        let mut finer: Vec<Complex64> = found.iter().map(|mode| mode.eigenvalue.value).collect();
+        if finer.len() != eigenvalues.len() || finer.is_empty() {
+            return Ok(None);
+        }
+        let mut largest = 0.0_f64;
+        for own in eigenvalues {
+            let distance = |k: &usize| (finer[*k] - own).norm();
+            let nearest = (0..finer.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+            let Some(other) = nearest.map(|k| finer.swap_remove(k)) else { continue };
+            largest = largest.max((other - own).norm() / own.norm());
+        }
+        Ok(Some(largest))
+    }
+}

@@ -11,6 +11,7 @@ use judder_assembly::friction::Friction;
 use judder_assembly::interface::{Interface, InterfaceLaw};
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::pressure::Pressure;
+use judder_assembly::row::Row;
 use judder_assembly::search::{
     FoundPoints, KeptOfFaces, Sliding, TouchingBody, Track, contact_points, usual_reach,
 };
@@ -143,17 +144,19 @@ fn machine(pad: [usize; 3], strip: [usize; 3], law: InterfaceLaw) -> Result<Asse
 
 /// The contact points of the pad on the strip, whose freedoms come first.
 fn found(pad: &Body, strip: &Body) -> Result<FoundPoints, Box<dyn Error>> {
-    let on_pad = |node, direction| Some(strip.size() + pad.numbering.number(node, direction)?);
-    let on_strip = |node, direction| strip.numbering.number(node, direction);
+    let row = |freedom: Option<usize>| freedom.map_or_else(Row::default, Row::of_freedom);
+    let on_pad =
+        |node, direction| row(pad.numbering.number(node, direction).map(|freedom| strip.size() + freedom));
+    let on_strip = |node, direction| row(strip.numbering.number(node, direction));
     let still = |_| [0.0; 3];
-    let touching = |mesh, freedom| TouchingBody {
+    let touching = |mesh, displacement| TouchingBody {
         mesh,
         width: 1.0,
-        freedom,
+        displacement,
         displaced: &still,
         kept: KeptOfFaces::default(),
     };
-    let slider = touching(&pad.mesh, &on_pad as &dyn Fn(usize, Direction) -> Option<usize>);
+    let slider = touching(&pad.mesh, &on_pad as &dyn Fn(usize, Direction) -> Row);
     let (under, over) = (&pad.mesh.node_sets["z-min"], &strip.mesh.node_sets["z-max"]);
     let reach = usual_reach(&strip.mesh, &Surface::of_nodes(&strip.mesh, over)?);
     let track = Track::Body(touching(&strip.mesh, &on_strip), over);

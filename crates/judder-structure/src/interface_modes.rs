@@ -6,8 +6,7 @@ use crate::StructureError;
 use crate::craig_bampton::CraigBampton;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatRef, Par};
-use judder_dense::symmetric::{Eigen, generalised};
-use std::f64::consts::TAU;
+use judder_dense::symmetric::generalised;
 
 /// A reduced structure whose interface freedoms follow from a few interface modes.
 ///
@@ -24,8 +23,6 @@ pub struct InterfaceModes {
     pub basis: Mat<f64>,
     /// X, interface freedoms in the order in which they were named by modes, in 1/√kg.
     pub shapes: Mat<f64>,
-    /// Frequencies in Hz of the interface modes that are kept, by rising size; of rigid motions zero.
-    pub frequencies_hz: Vec<f64>,
     /// Where ξ begins among the coordinates.
     pub first: usize,
 }
@@ -48,10 +45,14 @@ impl InterfaceModes {
         let on_interface = |matrix: &Mat<f64>| {
             Mat::from_fn(interface.len(), interface.len(), |i, j| matrix[(interface[i], interface[j])])
         };
-        let eigen = generalised(on_interface(&reduced.stiffness), &on_interface(&reduced.mass));
-        let Eigen { values, vectors } = eigen.ok_or(StructureError::NoModalForm)?;
         let modes = count.min(interface.len());
-        let shapes = vectors.subcols(0, modes).to_owned();
+        let shapes = match modes {
+            0 => Mat::zeros(interface.len(), 0),
+            _ => {
+                let eigen = generalised(on_interface(&reduced.stiffness), &on_interface(&reduced.mass));
+                eigen.ok_or(StructureError::NoModalForm)?.vectors.subcols(0, modes).to_owned()
+            }
+        };
         let others: Vec<usize> = (0..kept).filter(|freedom| !is_interface[*freedom]).collect();
         let first = others.len();
         let (before, inner) = (reduced.basis.ncols(), reduced.basis.ncols() - kept);
@@ -79,7 +80,6 @@ impl InterfaceModes {
             )),
             basis: product(reduced.basis.as_ref(), follow.as_ref()),
             shapes,
-            frequencies_hz: values[..modes].iter().map(|value| value.max(0.0).sqrt() / TAU).collect(),
             first,
         })
     }
@@ -159,6 +159,8 @@ mod tests {
             (own.shapes[(0, 0)], own.shapes[(1, 0)])
         );
         assert_eq!(own.basis[(1, 0)], 1.0);
+        let none = InterfaceModes::new(&reduced, &[], 3).unwrap();
+        assert_eq!((none.first, none.mass.nrows(), none.shapes.ncols()), (3, 6, 0));
         for twice in [[1, 1], [0, 3]] {
             assert!(matches!(
                 InterfaceModes::new(&reduced, &twice, 1),

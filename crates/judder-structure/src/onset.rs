@@ -122,6 +122,7 @@ mod tests {
     use crate::assembly::Sparse;
     use crate::complex_modes::{ComplexMode, ComplexModeSettings, Region, complex_modes};
     use crate::quadratic::Quadratic;
+    use faer::c64;
     use faer::sparse::Triplet;
     use std::f64::consts::TAU;
 
@@ -242,5 +243,49 @@ mod tests {
         let region = Region { re: [-5.0, 5.0], im: [0.0, 10.0] };
         let found = onsets_between(&(0.0, none), &(1.0, open), &region, &mut |_, _| Err("not asked"));
         assert_eq!(found.unwrap().doubts, [OnsetDoubt::Missing { at: 1.0 }]);
+    }
+
+    /// A mode whose frequency doubles while it ceases to grow, alone and among modes that do not: it leaves the part of the region that is
+    /// looked at, and comes to where others were.
+    #[test]
+    fn a_mode_that_moves_far_is_followed_to_its_onset() {
+        let rising = |p: f64| [[25.0 * (1.0 + p).powi(2), 0.0], [0.0, 81.0]];
+        for values in [&[0.0, 1.0][..], &[0.0, 0.25, 0.5, 0.75, 1.0]] {
+            for other in [0.3, 1e-3] {
+                let found = searched(|p| [0.2 * (p - 0.57), other], values, rising);
+                let [onset] = found.onsets[..] else { panic!("{found:?}") };
+                assert!((onset.value - 0.57).abs() < 1e-9 && onset.gains, "{found:?}");
+                assert!((onset.frequency_hz * TAU - 5.0 * 1.57).abs() < 1e-3);
+            }
+        }
+    }
+
+    /// The same where a third mode grows throughout and moves by more than those lie apart.
+    #[test]
+    fn a_growing_mode_beside_them_hides_no_exchange() {
+        let region = Region { re: [-5.0, 5.0], im: [-1e-9, 12.0] };
+        let mode = |value: c64| Eigenvalue {
+            value,
+            residual: 0.0,
+            left_residual: 0.0,
+            condition: 1.0,
+            error: 1e-12,
+            defective: false,
+        };
+        let mut at = |p: f64, within: &Region| -> Result<StabilityAt, StructureError> {
+            let all = [
+                c64::new(0.05 * (0.37 - p), 5.0),
+                c64::new(0.05 * (p - 0.61), 5.02),
+                c64::new(0.1, 9.0 * (1.0 + 0.1 * p).sqrt()),
+            ];
+            let inside = (0..3).filter(|k| within.contains(all[*k], 0.0));
+            let (eigenvalues, branches) = inside.map(|k| (mode(all[k]), k)).unzip();
+            Ok(StabilityAt { eigenvalues, branches, complete: true, closed: Vec::new() })
+        };
+        let ends = [0.0, 1.0].map(|value| (value, at(value, &region).unwrap()));
+        let found = onsets_between(&ends[0], &ends[1], &region, &mut at).unwrap();
+        let values: Vec<f64> = found.onsets.iter().map(|onset| onset.value).collect();
+        assert!(found.doubts.is_empty() && values.len() == 2, "{found:?}");
+        assert!((values[0] - 0.37).abs() < 1e-9 && (values[1] - 0.61).abs() < 1e-9, "{found:?}");
     }
 }

@@ -36,18 +36,24 @@ impl WithInterfaceFreedoms {
         (off / all).sqrt()
     }
 
-    /// By how much eigenvalues of a region differ at most, over |λ|, each beside the nearest; `None` where there are not as many.
+    /// By how much eigenvalues of a region differ at most, over |λ|, each beside the nearest; why that is not known where there are not as
+    /// many, or some may be missing.
     pub(super) fn of_eigenvalues(
         &self,
         eigenvalues: &[Complex64],
         terms: LinearisedTerms,
         region: &Region,
-    ) -> Result<Option<f64>, ModelError> {
+    ) -> Result<Result<f64, String>, ModelError> {
         let about = Linearised::new(&self.built.assembly, &self.steady, terms)?;
-        let found = complex_modes(&about.problem, region, &ComplexModeSettings::default())?.modes;
-        let mut finer: Vec<Complex64> = found.iter().map(|mode| mode.eigenvalue.value).collect();
-        if finer.len() != eigenvalues.len() || finer.is_empty() {
-            return Ok(None);
+        let found = complex_modes(&about.problem, region, &ComplexModeSettings::default())?;
+        let mut finer: Vec<Complex64> = found.modes.iter().map(|mode| mode.eigenvalue.value).collect();
+        let (own, all) = (eigenvalues.len(), finer.len());
+        if own != all || !found.complete() {
+            let least = if found.complete() { "" } else { "at least " };
+            return Ok(Err(format!(
+                "the error of interface modes is not known: with each freedom of the contacts kept there are {least}{all} modes in the \
+                 searched region, here {own}; take more interface modes"
+            )));
         }
         let mut largest = 0.0_f64;
         for own in eigenvalues {
@@ -56,6 +62,6 @@ impl WithInterfaceFreedoms {
             let Some(other) = nearest.map(|k| finer.swap_remove(k)) else { continue };
             largest = largest.max((other - own).norm() / own.norm());
         }
-        Ok(Some(largest))
+        Ok(Ok(largest))
     }
 }

@@ -48,7 +48,7 @@ fn onsets_beside_a_value_without_steady_sliding_are_in_doubt() {
     let doubts = &report.summary.results["sweep"]["onsets_in_doubt"];
     let [doubt] = &doubts.as_array().unwrap()[..] else { panic!("{doubts}") };
     assert_eq!((number(&doubt["from"]), number(&doubt["to"])), (0.5, 0.7));
-    assert_eq!(doubt["reason"], "nothing is known at 0.7");
+    assert_eq!(doubt["reason"], "there is no solution at 0.7");
 }
 
 /// Whether the run of an analysis that is stopped at a look ends so, how often it looked, and what steps are left.

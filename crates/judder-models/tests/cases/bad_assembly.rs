@@ -393,4 +393,8 @@ fn interface_modes_where_there_is_no_compliant_contact() {
         "{message}"
     );
     assert_eq!(place, "4");
+    let alone = "\n[[structure]]\nname = \"alone\"\nreduction = { count = 1, interface_modes = 1 }\n\
+        matrices = { mass = [[1]], stiffness = [[1]], freedoms = [[\"a\", \"x\"]] }\n";
+    let (message, _) = unassembled(&format!("{BLOCK}{alone}"));
+    assert!(message.contains("`alone` touches nowhere"), "{message}");
 }

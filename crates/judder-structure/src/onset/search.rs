@@ -20,6 +20,8 @@ const PIECE: f64 = 1.0 / 64.0;
 const APART: f64 = 0.1;
 /// The spectrum is taken to run smoothly over so much of the range.
 const COARSE: f64 = 1e-3;
+/// What is left at a root of the function that vanishes there, over its change between the ends of a smooth piece.
+const VANISHED: f64 = 1e-2;
 /// An eigenvalue this near to the edge of the region, by the size of the region, is on it.
 const EDGE: f64 = 1e-6;
 
@@ -37,14 +39,15 @@ pub fn onsets_between<E>(
     at: &mut StabilityOf<'_, E>,
 ) -> Result<OnsetsBetween, E> {
     let found = OnsetsBetween::default();
-    let mut search = OnsetSearch { at, range: high.0 - low.0, region, hides: false, found };
+    let range = high.0 - low.0;
+    let mut search =
+        OnsetSearch { at, range, region, hides: false, narrows: true, has_strayed: false, found };
     let [low, high] = [low, high].map(|(value, stability)| search.taken(*value, stability.clone()));
-    let exchanged = low.exchanged(&high);
-    search.hides = exchanged.len() > low.changes(&high).seen.len();
+    let (exchanged, seen) = (low.exchanged(&high), low.changes(&high).seen);
+    search.hides = exchanged.iter().any(|change| !seen.contains(change));
     search.between(&low, &high, region)?;
-    let is_told = search.found.onsets.len() >= exchanged.len() || !search.found.doubts.is_empty();
-    if let (true, false, Some(frequency)) = (search.hides, is_told, exchanged.first()) {
-        search.doubt(low.value, high.value, *frequency);
+    if let Some(change) = exchanged.iter().find(|change| search.lacks(&exchanged, change.gains)) {
+        search.doubt(low.value, high.value, change.frequency);
     }
     Ok(search.found)
 }
@@ -56,7 +59,7 @@ struct StabilitySample {
 }
 
 /// A mode that grows at one end of an interval alone.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 struct ModeChange {
     /// Its frequency there, in Hz.
     frequency: f64,
@@ -92,8 +95,8 @@ impl StabilitySample {
         Self { value: self.value, stability }
     }
 
-    /// The frequencies in Hz of branches that are followed from here to a higher value and grow at one of them alone.
-    fn exchanged(&self, high: &Self) -> Vec<f64> {
+    /// The branches that are followed from here to a higher value and grow at one of them alone.
+    fn exchanged(&self, high: &Self) -> Vec<ModeChange> {
         let grows = |own: &Eigenvalue| own.verdict() == EigenvalueVerdict::Unstable;
         let followed = |sample: &Self| -> BTreeMap<usize, Eigenvalue> {
             let StabilityAt { eigenvalues, branches, .. } = &sample.stability;
@@ -101,7 +104,12 @@ impl StabilitySample {
         };
         let there = followed(high);
         let pairs = followed(self).into_iter().filter_map(|(branch, own)| Some((own, there.get(&branch)?)));
-        pairs.filter(|(own, other)| grows(own) != grows(other)).map(|(own, _)| own.frequency_hz()).collect()
+        let changed = pairs.filter(|(own, other)| grows(own) != grows(other));
+        let change = |(own, other): (Eigenvalue, &Eigenvalue)| match grows(&own) {
+            true => ModeChange { frequency: own.frequency_hz(), gains: true },
+            false => ModeChange { frequency: other.frequency_hz(), gains: false },
+        };
+        changed.map(change).collect()
     }
 
     /// The modes that grow here or at a higher value alone: of all pairs of frequencies the nearest are those of one mode.
@@ -161,6 +169,10 @@ struct OnsetSearch<'a, 'b, E> {
     region: &'a Region,
     /// Whether branches begin and cease to grow whose frequencies hide it.
     hides: bool,
+    /// Whether only the part of the region around changes is looked at,
+    narrows: bool,
+    /// and whether a mode has left that part.
+    has_strayed: bool,
     found: OnsetsBetween,
 }
 
@@ -195,6 +207,13 @@ impl<E> OnsetSearch<'_, '_, E> {
         self.of_changes(low, high, &seen, within)
     }
 
+    /// Whether fewer onsets, or ends of growth, are found than branches show, and no modes are in doubt.
+    fn lacks(&self, exchanged: &[ModeChange], gains: bool) -> bool {
+        let shown = exchanged.iter().filter(|change| change.gains == gains).count();
+        let found = self.found.onsets.iter().filter(|onset| onset.gains == gains).count();
+        found < shown && !self.found.doubts.iter().any(|doubt| matches!(doubt, OnsetDoubt::Alike { .. }))
+    }
+
     /// That two modes of a frequency may change places between two values, which may lie beside others.
     fn doubt(&mut self, low: f64, high: f64, frequency: f64) {
         if let Some(OnsetDoubt::Alike { to, frequency_hz, .. }) = self.found.doubts.last_mut()
@@ -217,16 +236,14 @@ impl<E> OnsetSearch<'_, '_, E> {
     ) -> Result<(), E> {
         let (width, middle) = (high.value - low.value, 0.5 * (low.value + high.value));
         if width <= PRECISION * self.range || !(middle > low.value && middle < high.value) {
-            changes.iter().for_each(|change| self.keep(low, high, *change));
+            changes.iter().for_each(|change| self.keep(low, high, *change, within));
             return Ok(());
         }
-        let around = self.around(changes);
-        let near = [low.within(&around), high.within(&around)];
-        let narrower = around.im[1] - around.im[0] < within.im[1] - within.im[0];
-        if narrower && near[0].changes(&near[1]).seen.len() == changes.len() {
-            return self.of_changes(&near[0], &near[1], changes, &around);
+        let has_jumped = low.stability.closed != high.stability.closed;
+        if self.narrows && self.of_narrower(low, high, changes, within)? {
+            return Ok(());
         }
-        let is_smooth = low.stability.closed == high.stability.closed && width <= COARSE * self.range;
+        let is_smooth = !has_jumped && width <= COARSE * self.range;
         if let ([change], true) = (changes, is_smooth)
             && let Some(onset) = self.root(low, high, *change, within)?
         {
@@ -234,6 +251,38 @@ impl<E> OnsetSearch<'_, '_, E> {
             return Ok(());
         }
         self.halves(low, middle, high, within)
+    }
+
+    /// Finds the onsets of changes in the part of the region around them; false where that is no narrower, or where modes leave it.
+    fn of_narrower(
+        &mut self,
+        low: &StabilitySample,
+        high: &StabilitySample,
+        changes: &[ModeChange],
+        within: &Region,
+    ) -> Result<bool, E> {
+        let around = self.around(changes);
+        let near = [low.within(&around), high.within(&around)];
+        let [here, there] = near.each_ref().map(|sample| sample.stability.eigenvalues.len());
+        let has_jumped = low.stability.closed != high.stability.closed;
+        let is_narrower = around.im[1] - around.im[0] < within.im[1] - within.im[0];
+        if !is_narrower
+            || near[0].changes(&near[1]).seen.len() != changes.len()
+            || (here != there && !has_jumped)
+        {
+            return Ok(false);
+        }
+        let before = self.found.clone();
+        self.of_changes(&near[0], &near[1], changes, &around)?;
+        if !std::mem::take(&mut self.has_strayed) {
+            return Ok(true);
+        }
+        // what was found where a mode left the part is no onset: the same again, without parts
+        self.found = before;
+        self.narrows = false;
+        let found = self.of_changes(low, high, changes, within);
+        self.narrows = true;
+        found.map(|()| true)
     }
 
     fn halves(
@@ -260,11 +309,12 @@ impl<E> OnsetSearch<'_, '_, E> {
     }
 
     /// Keeps what lies between two values that cannot be told apart, if it is no mode that comes or goes over the edge of the region.
-    fn keep(&mut self, low: &StabilitySample, high: &StabilitySample, change: ModeChange) {
+    fn keep(&mut self, low: &StabilitySample, high: &StabilitySample, change: ModeChange, within: &Region) {
         let growing = if change.gains { low } else { high };
         if growing.leaves(self.region, change.frequency) {
             return;
         }
+        self.has_strayed |= growing.leaves(within, change.frequency);
         self.found.onsets.push(Onset {
             value: 0.5 * (low.value + high.value),
             error: 0.5 * (high.value - low.value),
@@ -307,6 +357,10 @@ impl<E> OnsetSearch<'_, '_, E> {
         }
         let Ok(value) = found else { return Ok(None) };
         let at = self.sample(value, within)?;
+        // where the mode has left the part of the region another takes its rank, and nothing vanishes
+        if value_of(&at).abs() > VANISHED * (value_of(high) - value_of(low)).abs() {
+            return Ok(None);
+        }
         let slope = (value_of(high) - value_of(low)) / (high.value - low.value);
         // beside the root, where eigenvalues that meet are well conditioned
         let unknown = vanishing.error(&stable.stability, change.frequency) / slope.abs();

@@ -57,10 +57,6 @@ const PARENTS: usize = 3;
 /// How far growths may be from the growth rate, over |λ|.
 const BALANCE: f64 = 1e-8;
 
-/// That interface modes lose modes.
-const FEWER: &str =
-    "with each freedom of the contacts kept there are not as many modes: take more interface modes";
-
 /// Growths below so much of the largest are rounding.
 const ROUNDING: f64 = 1e-10;
 
@@ -112,20 +108,31 @@ pub(super) fn run(of: &AssemblySubject<'_>, asked: &AssemblyEigen) -> Result<Out
     }
     let closed = steady.points.iter().filter(|point| point.is_closed).count();
     let left_out = built.left_out.clone();
-    let interface_modes_error = match WithInterfaceFreedoms::of(of)? {
-        None => None,
-        Some(finer) => {
-            let own: Vec<Complex64> = found.modes.iter().map(|mode| mode.eigenvalue.value).collect();
-            let error = finer.of_eigenvalues(&own, terms, &region)?;
-            outcome.warnings.extend(error.is_none().then(|| FEWER.to_owned()));
-            error
-        }
-    };
+    let interface_modes_error = interface_modes_error(of, &found, terms, &region, &mut outcome.warnings)?;
     outcome.scalars.extend(AssemblyModes { closed, left_out, interface_modes_error, growing }.scalars());
     let (beyond, warnings) = BeyondLaws::of(of, &steady, &found.modes);
     outcome.scalars.extend(beyond.scalars());
     outcome.warnings.extend(warnings);
     Ok(outcome)
+}
+
+/// The error of interface modes, where there are some and it is known.
+fn interface_modes_error(
+    of: &AssemblySubject<'_>,
+    found: &ComplexModes,
+    terms: LinearisedTerms,
+    region: &Region,
+    warnings: &mut Vec<String>,
+) -> Result<Option<f64>, ModelError> {
+    let Some(finer) = WithInterfaceFreedoms::of(of)? else { return Ok(None) };
+    let own: Vec<Complex64> = found.modes.iter().map(|mode| mode.eigenvalue.value).collect();
+    match finer.of_eigenvalues(&own, terms, region)? {
+        Ok(error) => Ok(Some(error)),
+        Err(why) => {
+            warnings.push(why);
+            Ok(None)
+        }
+    }
 }
 
 /// The modes that an analysis asks for, and the rectangle in which there are no others.

@@ -88,7 +88,7 @@ impl LocatedOnsets {
             let (from, to) = (*from, *to);
             let mut doubt = |reason: String| located.doubts.push(ToldDoubt { from, to, reason });
             let (Some(low), Some(high)) = (low, high) else {
-                doubt(format!("nothing is known at {}", if low.is_none() { from } else { to }));
+                doubt(format!("there is no solution at {}", if low.is_none() { from } else { to }));
                 continue;
             };
             match onsets_between(&(from, low.clone()), &(to, high.clone()), region, at) {

@@ -15,6 +15,7 @@ use crate::error::check_length;
 use crate::interface::FramedPoint;
 use active_set::{FoundContacts, Solver};
 use faer::sparse::Triplet;
+pub(crate) use friction_limit::first_singular;
 use friction_limit::friction_limit;
 
 pub use friction_limit::FrictionLimit;

@@ -15,7 +15,7 @@ use crate::AssemblyError;
 use crate::assembly::Assembly;
 use crate::compliance::Compliance;
 use crate::steady::SteadySliding;
-use complementarity::{Complementarity, PIVOTED};
+use complementarity::{Complementarity, PIVOTED, is_definite};
 use minors::{has_positive_minors, is_diagonally_dominant};
 
 pub use limits::{FrictionOnset, FrictionOnsets};
@@ -64,8 +64,15 @@ pub enum UniquenessProof {
 const MINORS: usize = 20;
 /// The same up to which all sets of closed points are tried.
 const SETS: usize = 12;
+/// Up to so many sets times the cube of all points, those that stay closed among them: 12 of 64 points.
+const SETS_WORK: usize = 1 << 30;
 /// Points up to which dense matrices are looked at.
 const LARGEST: usize = 1000;
+
+/// Whether all sets of so many free points are few enough: up to `most` of them, and to `work` with the cubes of all points.
+fn are_few(free: usize, points: usize, most: usize, work: usize) -> bool {
+    free <= most && points <= LARGEST && points.pow(3) <= work >> free
+}
 
 /// Whether a state is the only one, as far as one of the proofs above goes.
 ///
@@ -77,12 +84,12 @@ pub fn uniqueness(
     steady: &SteadySliding,
 ) -> Result<Uniqueness, AssemblyError> {
     let points = assembly.framed()?;
+    if points.len() > LARGEST {
+        return Ok(Uniqueness { verdict: UniquenessVerdict::NotProved, onsets: FrictionOnsets::default() });
+    }
     let problem = Complementarity::new(assembly, compliance, &points)?;
     let onsets = FrictionOnsets::new(assembly, &points, problem.as_ref(), steady);
-    let verdict = match &problem {
-        Some(problem) if points.len() <= LARGEST => verdict(problem, steady),
-        _ => UniquenessVerdict::NotProved,
-    };
+    let verdict = problem.map_or(UniquenessVerdict::NotProved, |problem| verdict(&problem, steady));
     Ok(Uniqueness { verdict, onsets })
 }
 
@@ -94,27 +101,32 @@ fn verdict(problem: &Complementarity, steady: &SteadySliding) -> UniquenessVerdi
         if free <= MINORS && has_positive_minors(&pivoted.matrix) {
             return UniquenessVerdict::Unique(UniquenessProof::Minors);
         }
-        if pivoted.is_definite(PIVOTED) {
+        if is_definite(&pivoted.matrix, PIVOTED) {
             return UniquenessVerdict::Unique(UniquenessProof::Definite);
         }
         if is_diagonally_dominant(&pivoted.matrix) {
             return UniquenessVerdict::Unique(UniquenessProof::Dominant);
         }
     }
-    if pivoted.is_definite(-PIVOTED) && pivoted.is_decided {
+    // of tables the state does not solve the problem, and sets cannot be tried
+    if problem.is_curved {
+        return UniquenessVerdict::NotProved;
+    }
+    if pivoted.is_decided && is_definite(&pivoted.matrix, -PIVOTED) {
         return UniquenessVerdict::UniqueForLoads(UniquenessProof::Definite);
     }
-    if free > SETS || problem.is_curved {
+    if !are_few(free, steady.points.len(), SETS, SETS_WORK) {
         return UniquenessVerdict::NotProved;
     }
     let states = problem.states(steady);
-    let own: Vec<usize> = (0..steady.points.len()).filter(|k| steady.points[*k].is_closed).collect();
-    match &states[..] {
-        [only] if *only == own => UniquenessVerdict::UniqueForLoads(UniquenessProof::AllSets),
-        [] | [_] => UniquenessVerdict::NotProved,
-        _ => match states.iter().find(|closed| **closed != own) {
-            Some(other) => UniquenessVerdict::Several { states: states.len(), other: other.clone() },
-            None => UniquenessVerdict::NotProved,
-        },
+    let own: Vec<f64> = steady.points.iter().map(|point| point.normal_force).collect();
+    // the state shown must be among them, else neither is right
+    let others: Vec<_> = states.iter().filter(|state| !state.has_forces(&own)).collect();
+    match others[..] {
+        [] if states.len() == 1 => UniquenessVerdict::UniqueForLoads(UniquenessProof::AllSets),
+        [other, ..] if others.len() + 1 == states.len() => {
+            UniquenessVerdict::Several { states: states.len(), other: other.closed.clone() }
+        }
+        _ => UniquenessVerdict::NotProved,
     }
 }

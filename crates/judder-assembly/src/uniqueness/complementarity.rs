@@ -24,7 +24,7 @@ pub(super) struct Complementarity {
     /// Whether something else than contacts holds the bodies: M is regular.
     pub(super) is_held: bool,
     /// Whether the pressure of some point is no multiple of its closure: then it is that of a table, which rises, and its compliance is
-    /// left out of Q. A state is still the only one where A is a P-matrix, but sets cannot be tried.
+    /// left out of Q. A state is still the only one where A is a P-matrix, but sets cannot be tried, and where A is singular means nothing.
     pub(super) is_curved: bool,
     /// M⁻¹ S_nn + k⁻¹ and M⁻¹ S_nt μ, where M is regular.
     pub(super) parts: Option<[Mat<f64>; 2]>,
@@ -38,10 +38,20 @@ pub(super) struct Pivoted {
     pub(super) is_decided: bool,
 }
 
+/// A state that one set of closed points has.
+pub(super) struct SetState {
+    /// What is closed.
+    pub(super) closed: Vec<usize>,
+    /// The normal force of every point in N.
+    forces: Vec<f64>,
+}
+
 /// What of a scaled matrix is rounding.
 pub(super) const PIVOTED: f64 = 1e-10;
 /// Forces and gaps below so much of the largest are none.
 const NONE: f64 = 1e-10;
+/// States whose forces differ by less than so much of the largest are the same.
+const SAME: f64 = 1e-7;
 /// Solutions larger than those of the state by so much are those of singular equations.
 const SINGULAR: f64 = 1e9;
 
@@ -149,11 +159,11 @@ impl Complementarity {
         Some(Pivoted { matrix, is_decided })
     }
 
-    /// The sets of closed points that solve the problem, each tried; of those whose equations are singular none does under loads that are not made for it.
-    pub(super) fn states(&self, steady: &SteadySliding) -> Vec<Vec<usize>> {
+    /// The states that solve the problem, every set of closed points tried: what is closed, and all forces. Of those sets whose equations are singular none does under loads that are not made for it.
+    pub(super) fn states(&self, steady: &SteadySliding) -> Vec<SetState> {
         let free = self.free();
         let most = steady.points.iter().map(|point| point.normal_force.abs()).fold(0.0, f64::max);
-        let mut solutions: Vec<(Vec<usize>, Vec<f64>)> = Vec::new();
+        let mut solutions: Vec<SetState> = Vec::new();
         for set in 0..1_usize << free.len() {
             let among =
                 |k: usize| free.iter().position(|own| *own == k).is_some_and(|own| set >> own & 1 == 1);
@@ -173,16 +183,15 @@ impl Complementarity {
                 continue;
             }
             // a point that neither presses nor is open belongs to several sets
-            let carried: Vec<f64> =
-                (0..values.len()).map(|k| if is_closed(k) { values[k] } else { 0.0 }).collect();
-            let is_known = |(_, other): &(Vec<usize>, Vec<f64>)| {
-                carried.iter().zip(other).all(|(a, b)| (a - b).abs() <= 1e3 * NONE * forces)
+            let state = SetState {
+                forces: (0..values.len()).map(|k| if is_closed(k) { values[k] } else { 0.0 }).collect(),
+                closed: (0..values.len()).filter(|k| is_closed(*k)).collect(),
             };
-            if !solutions.iter().any(is_known) {
-                solutions.push(((0..values.len()).filter(|k| is_closed(*k)).collect(), carried));
+            if !solutions.iter().any(|known| known.has_forces(&state.forces)) {
+                solutions.push(state);
             }
         }
-        solutions.into_iter().map(|(closed, _)| closed).collect()
+        solutions
     }
 
     /// What gaps are measured by, in m.
@@ -191,12 +200,19 @@ impl Complementarity {
     }
 }
 
-impl Pivoted {
-    /// Whether the symmetric part is positive definite by so much; by less than nothing: semidefinite.
-    pub(super) fn is_definite(&self, by: f64) -> bool {
-        let count = self.matrix.nrows();
-        let half = |i: usize, j: usize| 0.5 * (self.matrix[(i, j)] + self.matrix[(j, i)]);
-        let less = Mat::from_fn(count, count, |i, j| half(i, j) - if i == j { by } else { 0.0 });
-        negative_eigenvalues(&less) == Some(0)
+impl SetState {
+    /// Whether its forces are these.
+    pub(super) fn has_forces(&self, others: &[f64]) -> bool {
+        let largest = self.forces.iter().map(|own| own.abs()).fold(0.0, f64::max);
+        self.forces.len() == others.len()
+            && self.forces.iter().zip(others).all(|(a, b)| (a - b).abs() <= SAME * largest)
     }
+}
+
+/// Whether the symmetric part is positive definite by so much; by less than nothing: semidefinite.
+pub(super) fn is_definite(matrix: &Mat<f64>, by: f64) -> bool {
+    let count = matrix.nrows();
+    let half = |i: usize, j: usize| 0.5 * (matrix[(i, j)] + matrix[(j, i)]);
+    let less = Mat::from_fn(count, count, |i, j| half(i, j) - if i == j { by } else { 0.0 });
+    less.norm_max().is_finite() && negative_eigenvalues(&less) == Some(0)
 }

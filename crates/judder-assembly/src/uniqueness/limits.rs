@@ -1,11 +1,11 @@
 //! With how much friction steady sliding ceases to be the only one.
 
-use super::complementarity::Complementarity;
+use super::are_few;
+use super::complementarity::{Complementarity, PIVOTED, is_definite};
 use crate::assembly::Assembly;
 use crate::interface::{FramedPoint, InterfaceLaw};
-use crate::steady::SteadySliding;
+use crate::steady::{FrictionLimit, SteadySliding, first_singular};
 use faer::Mat;
-use judder_dense::general::{real_eigenvalues, solve};
 use judder_structure::factor::SymmetricFactor;
 
 /// Where something begins as all friction coefficients grow alike.
@@ -17,14 +17,14 @@ pub struct FrictionOnset {
     pub point: usize,
 }
 
-/// Where states and motions begin to be lost; none where that is at no friction, or not known.
+/// Where states and motions begin to be lost; none where that is for no friction coefficient, or not known.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FrictionOnsets {
     /// Where the equations of some set of closed points become singular, of whichever: up to there, there is one state whatever the loads.
     pub any_set: Option<FrictionOnset>,
-    /// Where a closed point, were it the only one, would dig in: c·K⁻¹ e = 0.
+    /// Where a closed point, were it the only one, would dig in: c·K⁻¹ e + k⁻¹ = 0.
     pub one_point: Option<FrictionOnset>,
-    /// Where a closed point, were it the only one, would lock at once, its inertia alone: c·M⁻¹ e = 0.
+    /// Where a closed rigid point, were it the only one, would lock at once, its inertia alone: c·M⁻¹ e = 0. A normal spring lets no point lock at once.
     pub one_point_inertia: Option<FrictionOnset>,
     /// Whether all sets were looked at.
     pub all_sets_known: bool,
@@ -36,10 +36,8 @@ pub struct FrictionOnsets {
 
 /// Points that may open up to which every set of them is looked at.
 const SETS: usize = 10;
-/// Points up to which their inertia is looked at.
-const LARGEST: usize = 2000;
-/// An eigenvalue is real where its imaginary part is below so much of its size.
-const REAL: f64 = 1e-8;
+/// Up to so many sets times the cube of all points, those that stay closed among them: 10 of 25 points.
+const SETS_WORK: usize = 1 << 24;
 /// What pushes on by less than so much of what resists does so by rounding.
 const ROUNDING: f64 = 1e-12;
 
@@ -52,21 +50,25 @@ impl FrictionOnsets {
     ) -> Self {
         let closed = |k: &usize| steady.points[*k].is_closed;
         let mut onsets = Self::default();
-        if let Some([normal, friction]) = problem.and_then(|problem| problem.parts.as_ref()) {
-            onsets.one_point_known = true;
-            let own = |k: usize| onset(normal[(k, k)], friction[(k, k)], k);
-            onsets.one_point = first((0..points.len()).filter(closed).filter_map(own));
-        }
         if let Some(problem) = problem
             && let Some(parts) = &problem.parts
-            && problem.free().len() <= SETS
+            && !problem.is_curved
         {
-            onsets.all_sets_known = true;
-            onsets.any_set = any_set(problem, parts);
+            let [normal, friction] = parts;
+            // of what pulls itself shut without friction already nothing is said
+            if (0..points.len()).filter(closed).all(|k| normal[(k, k)] > 0.0) {
+                onsets.one_point_known = true;
+                let own = |k: usize| onset(normal[(k, k)], friction[(k, k)], k);
+                onsets.one_point = first((0..points.len()).filter(closed).filter_map(own));
+            }
+            if are_few(problem.free().len(), points.len(), SETS, SETS_WORK)
+                && let Some(found) = any_set(problem, parts)
+            {
+                onsets.all_sets_known = true;
+                onsets.any_set = first(found.into_iter());
+            }
         }
-        if points.len() <= LARGEST
-            && let Some(found) = inertia(assembly, points, &closed)
-        {
+        if let Some(found) = inertia(assembly, points, &closed) {
             onsets.inertia_known = true;
             onsets.one_point_inertia = first(found.into_iter());
         }
@@ -84,35 +86,34 @@ fn first(onsets: impl Iterator<Item = FrictionOnset>) -> Option<FrictionOnset> {
     onsets.min_by(|a, b| a.factor.total_cmp(&b.factor))
 }
 
-/// The least friction with which the equations of some set of closed points are singular, and its point that moves most.
-fn any_set(problem: &Complementarity, [normal, friction]: &[Mat<f64>; 2]) -> Option<FrictionOnset> {
+/// With how much friction the equations of the sets of closed points are singular, and the point of each that moves most; `None` where that
+/// is not known of one of them, or without friction there is not one state for all loads.
+fn any_set(problem: &Complementarity, [normal, friction]: &[Mat<f64>; 2]) -> Option<Vec<FrictionOnset>> {
+    let scale = |i: usize, j: usize| (normal[(i, i)] * normal[(j, j)]).sqrt();
+    let scaled = Mat::from_fn(normal.nrows(), normal.nrows(), |i, j| normal[(i, j)] / scale(i, j));
+    let is_positive = (0..normal.nrows()).all(|k| normal[(k, k)] > 0.0);
+    if !is_positive || !is_definite(&scaled, PIVOTED) {
+        return None;
+    }
     let (free, bound) = (problem.free(), problem.bound());
-    let sets = (0..1_usize << free.len()).map(|set| {
-        let chosen = free.iter().enumerate().filter(|(k, _)| set >> k & 1 == 1).map(|(_, point)| *point);
-        bound.iter().copied().chain(chosen).collect::<Vec<_>>()
-    });
-    first(sets.filter(|set| !set.is_empty()).filter_map(|set| {
+    let mut found = Vec::new();
+    for chosen in 0..1_usize << free.len() {
+        let chosen = free.iter().enumerate().filter(|(k, _)| chosen >> k & 1 == 1).map(|(_, point)| *point);
+        let set: Vec<usize> = bound.iter().copied().chain(chosen).collect();
+        if set.is_empty() {
+            continue;
+        }
         let part = |of: &Mat<f64>| Mat::from_fn(set.len(), set.len(), |i, j| of[(set[i], set[j])]);
-        let (normal, friction) = (part(normal), part(friction));
-        let mut moved = friction.clone();
-        solve(normal.clone(), &mut moved)?;
-        let values = real_eigenvalues(&moved)?;
-        let real =
-            values.iter().filter(|value| value.re < -ROUNDING && value.im.abs() <= REAL * value.norm());
-        let factor = -1.0 / real.map(|value| value.re).reduce(f64::min)?;
-        // one step of inverse iteration beside the singular matrix gives what moves
-        let near = Mat::from_fn(set.len(), set.len(), |i, j| {
-            normal[(i, j)] + factor * (1.0 + 1e-6) * friction[(i, j)]
-        });
-        let mut shape = Mat::from_fn(set.len(), 1, |i, _| 1.0 + (i as f64).sin());
-        solve(near, &mut shape)?;
-        let size = |k: &usize| shape[(*k, 0)].abs();
-        let largest = (0..set.len()).max_by(|a, b| size(a).total_cmp(&size(b)).then(b.cmp(a)))?;
-        Some(FrictionOnset { factor, point: set[largest] })
-    }))
+        match first_singular(&part(normal), &part(friction)) {
+            FrictionLimit::At { factor, point } => found.push(FrictionOnset { factor, point: set[point] }),
+            FrictionLimit::None => {}
+            FrictionLimit::Unknown => return None,
+        }
+    }
+    Some(found)
 }
 
-/// Where the closed points would lock by their inertia, each by itself; `None` where masses are missing.
+/// Where the closed rigid points would lock by their inertia, each by itself; `None` where masses are missing.
 fn inertia(
     assembly: &Assembly,
     points: &[FramedPoint<'_>],
@@ -126,7 +127,9 @@ fn inertia(
     for k in (0..points.len()).filter(closed) {
         let FramedPoint { frame, law, .. } = &points[k];
         let friction = match law {
-            InterfaceLaw::Rigid(friction) | InterfaceLaw::Compliant(_, friction) => friction,
+            InterfaceLaw::Rigid(friction) => friction,
+            // its spring gives way first
+            InterfaceLaw::Compliant(..) => continue,
             InterfaceLaw::Asperity(_) => return None,
         };
         let mut moved = vec![0.0; assembly.size()];

@@ -5,7 +5,7 @@ use judder_assembly::assembly::Assembly;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::friction::Friction;
 use judder_assembly::interface::InterfaceLaw;
-use judder_assembly::pressure::Pressure;
+use judder_assembly::pressure::{Pressure, PressureTable};
 use judder_assembly::steady::steady_sliding;
 use judder_assembly::uniqueness::{Uniqueness, UniquenessProof, UniquenessVerdict, uniqueness};
 use judder_structure::assembly::Sparse;
@@ -34,6 +34,13 @@ fn one_point_digs_in_by_its_stiffness_and_locks_by_its_inertia() {
     near(onsets.any_set, 1.5);
     near(onsets.one_point_inertia, 4.0);
     assert!(onsets.one_point_known && onsets.all_sets_known && onsets.inertia_known);
+    // on a spring it digs in later, and does not lock at once
+    let mut assembly = assembly;
+    let law = Pressure::PointStiffness(11.0);
+    assembly.interfaces[0].law = InterfaceLaw::Compliant(law, Friction::Constant(friction));
+    let onsets = told(&assembly).onsets;
+    near(onsets.one_point, 2.0);
+    assert_eq!((onsets.inertia_known, onsets.one_point_inertia), (true, None));
 }
 
 /// Two points, each of which the friction of the other presses: A = (1, μ; μ, 1) by K⁻¹ with unit compliance along y, 2 along x, `sign` between x of one and y of the other.
@@ -65,6 +72,12 @@ fn two_points_that_press_each_other_apart_have_three_states() {
     assert_eq!(more.verdict, UniquenessVerdict::Unique(UniquenessProof::Minors));
     assert!((1.5 * more.onsets.any_set.unwrap().factor - 2.0).abs() < 1e-12);
     assert!(matches!(less.verdict, UniquenessVerdict::Several { states: 3, .. }), "{less:?}");
+    // those springs as a table: of it the compliance is not in A, and nothing is said where that ends; springs let no point lock at once
+    let table = PressureTable { closure: vec![0.0, 1.0], pressure: vec![0.0, 4.0] };
+    let rising = told(&two_points(1.5, 1.0, Some(Pressure::Table(table))));
+    assert_eq!(rising.verdict, UniquenessVerdict::NotProved);
+    assert!(!rising.onsets.all_sets_known && !rising.onsets.one_point_known);
+    assert!(rising.onsets.inertia_known && rising.onsets.one_point_inertia.is_none());
 }
 
 /// Two points carry what nothing else holds, bodies by themselves or joined by a spring: other loads would lift them off, these do not.
@@ -99,4 +112,25 @@ fn many_points_are_shown_to_have_one_state_by_definiteness() {
     let told = told(&assembly);
     assert_eq!(told.verdict, UniquenessVerdict::Unique(UniquenessProof::Definite));
     assert!(!told.onsets.all_sets_known);
+}
+
+/// Pairs of points of which the friction of one weighs much on the other, and not the other way round: not definite, but dominant once scaled.
+#[test]
+fn many_points_are_shown_to_have_one_state_by_dominance() {
+    const COUNT: usize = 24;
+    let size = 2 * COUNT;
+    // x of one point is tied to y of the other
+    let mut rows = vec![vec![0.0; size]; size];
+    for k in 0..COUNT {
+        (rows[2 * k][2 * k], rows[2 * k + 1][2 * k + 1]) = (1.0, if k % 2 == 0 { 1.0 } else { 100.0 });
+        if k % 2 == 0 {
+            (rows[2 * k][2 * k + 3], rows[2 * k + 3][2 * k]) = (9.9, 9.9);
+        }
+    }
+    let rows: Vec<&[f64]> = rows.iter().map(Vec::as_slice).collect();
+    let point = |k: usize| point_on_plane([Some(2 * k), Some(2 * k + 1), None], [1.0, 0.0, 0.0]);
+    let load = (0..size).map(|k| if k % 2 == 1 { -1.0 } else { 0.0 }).collect();
+    let interface = rigid((0..COUNT).map(point).collect(), 0.5);
+    let assembly = undamped(diagonal(&vec![1.0; size]), dense(&rows), load, vec![interface]);
+    assert_eq!(told(&assembly).verdict, UniquenessVerdict::Unique(UniquenessProof::Dominant));
 }

@@ -28,7 +28,7 @@ pub(super) struct SteadyResults {
     /// linear systems that were solved
     iterations: usize,
     /// by what all friction coefficients are multiplied where the equations of the points that are closed become singular; none where that
-    /// is at no friction, or not known
+    /// is for no friction coefficient, or not known
     friction_limit: Option<f64>,
     /// whether that was looked for
     friction_limit_known: bool,

@@ -3,7 +3,8 @@
 use crate::assembly::AssemblySubject;
 use crate::error::ModelError;
 use judder_assembly::compliance::Compliance;
-use judder_assembly::interface::InterfaceLaw;
+use judder_assembly::contact_point::ContactPoint;
+use judder_assembly::interface::{Interface, InterfaceLaw};
 use judder_assembly::steady::{FrictionLimit, SteadySliding};
 use judder_assembly::uniqueness::{
     FrictionOnset, Uniqueness, UniquenessProof, UniquenessVerdict, uniqueness,
@@ -31,7 +32,7 @@ pub(super) struct ToldUniqueness {
 pub(super) struct ToldFrictionOnset {
     /// whether it was looked for
     known: bool,
-    /// by what the friction coefficients are multiplied; none where it begins at no friction
+    /// by what the friction coefficients are multiplied; none where that is for no friction coefficient, or not known
     factor: Option<f64>,
     /// the friction coefficient of the point where it begins
     friction_coefficient: Option<f64>,
@@ -46,7 +47,7 @@ const BEGINS: [(&str, &str); 4] = [
     ("closed-points", "the closed points move without a change of force"),
     ("any-points", "so do those of another set: for some loads there are other states"),
     ("one-point", "a closed point, were it the only one, digs in"),
-    ("one-point-inertia", "a closed point, were it the only one, locks by its inertia alone"),
+    ("one-point-inertia", "a closed rigid point, were it the only one, locks by its inertia alone"),
 ];
 
 impl ToldUniqueness {
@@ -70,11 +71,7 @@ impl ToldUniqueness {
         let told = found.map(|(onset, known)| ToldFrictionOnset::new(of, onset, known));
         let mut warnings = Vec::new();
         if let UniquenessVerdict::Several { states, other } = &verdict {
-            warnings.push(format!(
-                "there are {states} states of steady sliding under these loads: in another one {} of {} contact points are closed",
-                other.len(),
-                steady.points.len(),
-            ));
+            warnings.push(several(of, steady, (*states, other), onsets.any_set));
         }
         warnings.extend(told[3].locks());
         let by = |proof: UniquenessProof| match proof {
@@ -97,11 +94,46 @@ impl ToldUniqueness {
     }
 }
 
+/// A point, by its place in the order of all interfaces, and its interface.
+fn point_of<'a>(of: &AssemblySubject<'a>, place: usize) -> Option<(&'a Interface, &'a ContactPoint)> {
+    let interfaces = of.built.assembly.interfaces.iter();
+    interfaces.flat_map(|own| own.points.iter().map(move |point| (own, point))).nth(place)
+}
+
+fn coordinates(place: &[f64]) -> String {
+    let each: Vec<String> = place.iter().map(f64::to_string).collect();
+    format!("({})", each.join(", "))
+}
+
+/// That there are other states, where another one differs, and what leaves one alone.
+fn several(
+    of: &AssemblySubject<'_>,
+    steady: &SteadySliding,
+    (states, other): (usize, &[usize]),
+    any_set: Option<FrictionOnset>,
+) -> String {
+    let count = steady.points.len();
+    let differs = (0..count).find(|k| steady.points[*k].is_closed != other.contains(k));
+    let at = differs.and_then(|k| Some((k, point_of(of, k)?)));
+    let at = at.map_or_else(String::new, |(k, (interface, point))| {
+        let does = if other.contains(&k) { "presses" } else { "is open" };
+        format!(", and the point of `{}` at {} m {does}", interface.name, coordinates(&point.place))
+    });
+    let remedy = match any_set {
+        Some(FrictionOnset { factor, .. }) => {
+            format!("below {factor:.6} times the friction coefficients there is one state alone")
+        }
+        None => "with less friction there may be one alone".to_owned(),
+    };
+    format!(
+        "there are {states} states of steady sliding under these loads: in another one {} of {count} contact points are closed{at}; {remedy}",
+        other.len(),
+    )
+}
+
 impl ToldFrictionOnset {
     fn new(of: &AssemblySubject<'_>, onset: Option<FrictionOnset>, known: bool) -> Self {
-        let interfaces = &of.built.assembly.interfaces;
-        let points = interfaces.iter().flat_map(|own| own.points.iter().map(move |point| (own, point)));
-        let at = onset.and_then(|onset| points.clone().nth(onset.point));
+        let at = onset.and_then(|onset| point_of(of, onset.point));
         let coefficient = at.and_then(|(interface, point)| {
             let (InterfaceLaw::Rigid(friction) | InterfaceLaw::Compliant(_, friction)) = &interface.law
             else {
@@ -125,7 +157,8 @@ impl ToldFrictionOnset {
         let (factor, contact, place) = (self.factor?, self.contact.as_ref()?, self.place.as_ref()?);
         (factor <= 1.0).then(|| {
             format!(
-                "a point of `{contact}` at {place:?} m locks: at {factor:.6} times the friction coefficients its inertia alone no longer lets it go on sliding"
+                "a point of `{contact}` at {} m locks: at {factor:.6} times the friction coefficients its inertia alone no longer lets it go on sliding",
+                coordinates(place),
             )
         })
     }
@@ -143,7 +176,7 @@ pub(super) fn table(results: &Map<String, Value>) -> Option<PageTable> {
     let row = |(name, what): (&str, &str)| {
         let told = onsets.get(name)?;
         let numbers = match (&told["factor"], &told["known"]) {
-            (Value::Null, Value::Bool(true)) => ["at no friction".to_owned(), String::new()],
+            (Value::Null, Value::Bool(true)) => ["for no friction coefficient".to_owned(), String::new()],
             (Value::Null, _) => ["not known".to_owned(), String::new()],
             (factor, _) => [short(factor), short(&told["friction_coefficient"])],
         };

@@ -186,7 +186,10 @@ pub(crate) fn searched(problem: &Quadratic, region: &Region) -> Result<SearchedR
     let mut gaps = cover.gaps;
     for ((disc, place), refined) in cover.members.iter().zip(&refined) {
         let (from, to) = (cover.discs[*disc].triples[*place].value, refined.triple.value);
-        if (to - from).norm() > SAME * cover.discs[*disc].reach {
+        let moved = (to - from).norm();
+        // of those beside the region that came along none is looked for
+        let concerns = [from, to].iter().any(|value| region.contains(*value, moved));
+        if concerns && moved > SAME * cover.discs[*disc].reach {
             gaps.push(Gap::Strayed { from, to });
         }
     }

@@ -57,7 +57,7 @@ impl Turning {
         let problem = self.problem(speed, frame);
         let region = Region { re: [-50.0, 50.0], im: [TAU * from, TAU * to] };
         let found = complex_modes(&problem, &region, &ComplexModeSettings::default()).unwrap();
-        assert!(found.complete());
+        assert!(found.complete(), "{:?}", found.gaps);
         let told = found.modes.iter().map(|mode| {
             let value = mode.eigenvalue.value;
             assert!(value.re.abs() <= mode.eigenvalue.error.max(1e-6 * value.im), "{value}");

@@ -23,7 +23,7 @@ pub struct Sweep<K> {
     pub to: f64,
     /// The number of points, at least 2.
     pub points: usize,
-    /// The spacing; with [`Scale::Log`] both ends have one sign.
+    /// The spacing; with [`Spacing::Log`] both ends have one sign.
     pub scale: Spacing,
     /// Whether the values are groups or in SI units.
     pub form: Form,

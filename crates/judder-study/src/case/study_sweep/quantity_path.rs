@@ -40,7 +40,7 @@ pub enum QuantitySource {
 /// A step from results to a number.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum QuantityStep {
-    /// Into an object, or into every object of a list; at the end of a path, one of [`Reduction::ALL`] reduces a list.
+    /// Into an object, or into every object of a list; at the end of a path, one of [`ListReduction::ALL`] reduces a list.
     Name(String),
     /// To an item of a list, counted from 0.
     Item(usize),

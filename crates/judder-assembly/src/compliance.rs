@@ -43,7 +43,7 @@ pub struct Compliance {
 const MOST_POINTS: usize = 10_000;
 
 impl Compliance {
-    /// The compliance of the contact points, one solution a point.
+    /// The compliance of the contact points: of a symmetric stiffness from its elimination, of another one solution a point.
     ///
     /// # Errors
     /// [`AssemblyError::TooManyPoints`], [`AssemblyError::RigidMotion`] where a motion is held neither by supports nor by contacts, what [`Assembly::framed`] says, and

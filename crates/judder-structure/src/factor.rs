@@ -7,6 +7,7 @@
 mod compliance;
 mod front;
 pub(crate) mod general;
+mod lines;
 mod ordering;
 mod substitution;
 mod tree;

@@ -4,8 +4,8 @@
 
 use crate::StructureError;
 use crate::craig_bampton::CraigBampton;
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, MatRef, Par};
+use faer::Mat;
+use judder_dense::product::product;
 use judder_dense::symmetric::generalised;
 
 /// A reduced structure whose interface freedoms follow from a few interface modes.
@@ -83,13 +83,6 @@ impl InterfaceModes {
             first,
         })
     }
-}
-
-/// A B, the same for any number of threads.
-fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
-    let mut product = Mat::zeros(a.nrows(), b.ncols());
-    matmul(&mut product, Accum::Replace, a, b, 1.0, Par::Seq);
-    product
 }
 
 /// (A + Aᵀ)/2 of what is symmetric but for rounding.

@@ -28,12 +28,12 @@ impl WithInterfaceFreedoms {
         Ok(Some(Self { built, steady }))
     }
 
-    /// ‖N − N′‖/‖N′‖ over the contact points.
-    pub(super) fn of_forces(&self, steady: &SteadySliding) -> f64 {
+    /// ‖N − N′‖/‖N′‖ over the contact points; `None` where nothing presses.
+    pub(super) fn of_forces(&self, steady: &SteadySliding) -> Option<f64> {
         let pairs = steady.points.iter().zip(&self.steady.points);
         let off = pairs.map(|(own, finer)| (own.normal_force - finer.normal_force).powi(2)).sum::<f64>();
         let all = self.steady.points.iter().map(|point| point.normal_force.powi(2)).sum::<f64>();
-        (off / all).sqrt()
+        (all > 0.0).then(|| (off / all).sqrt())
     }
 
     /// By how much eigenvalues of a region differ at most, over |λ|, each beside the nearest; why that is not known where there are not as

@@ -1,14 +1,11 @@
 //! Few vectors that carry many: proper orthogonal decomposition of snapshots, batch by batch.
 
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, MatRef, Par};
+use faer::{Mat, MatRef};
+use judder_dense::product::product;
 use judder_dense::symmetric::{Eigen, symmetric};
-use rayon::prelude::*;
 
 /// Directions that hold less than this share of the largest are left out.
 const CUT: f64 = 1e-6;
-/// Columns of a product that are worked together.
-const TILE: usize = 64;
 
 /// Orthonormal columns that carry snapshots.
 #[derive(Debug)]
@@ -78,19 +75,6 @@ fn orthonormal(mut block: Mat<f64>) -> Option<Mat<f64>> {
         block = product(block.as_ref(), product(scaled.as_ref(), vectors.transpose()).as_ref());
     }
     block.is_all_finite().then_some(block)
-}
-
-/// A B, some columns at a time, side by side.
-pub(super) fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
-    let mut image = Mat::zeros(a.nrows(), b.ncols());
-    if image.nrows() == 0 || image.ncols() == 0 {
-        return image;
-    }
-    image.par_col_chunks_mut(TILE).enumerate().for_each(|(k, tile)| {
-        let own = b.subcols(k * TILE, tile.ncols());
-        matmul(tile, Accum::Replace, a, own, 1.0, Par::Seq);
-    });
-    image
 }
 
 #[cfg(test)]

@@ -1,12 +1,12 @@
 //! Problems over parameters, as a sweep sees them.
 
-use super::basis::product;
 use crate::StructureError;
 use crate::affine::{AffineFamily, Factors, Term};
 use crate::assembly::Sparse;
 use crate::quadratic::Quadratic;
 use crate::statics;
 use faer::{Mat, MatRef};
+use judder_dense::product::product;
 use rayon::prelude::*;
 use std::array;
 

@@ -4,13 +4,14 @@
 //! with the residuals r = Q(λ̃) x̃ and s = Q(λ̃)ᵀ z̃, both orthogonal to V. The inverse of the nearest sample stands in for Q⁻¹: on what
 //! V does not carry the two differ little. Twice ‖s‖ ‖Q⁻¹ r‖/|d| is shown as the error.
 
-use super::basis::{SnapshotBasis, product};
+use super::basis::SnapshotBasis;
 use super::problem_family::ProblemFamily;
 use crate::StructureError;
 use crate::complex_modes::{RefinedEigenvalue, SearchedRegion, ShiftedFactor, Triple, vectors};
 use crate::quadratic::{MatrixSide, Quadratic, Region};
 use faer::{Mat, c64};
 use judder_dense::general::{real_eigen, solve};
+use judder_dense::product::product;
 
 /// A family on a basis V.
 pub(super) struct Projection<'a, F: ProblemFamily> {

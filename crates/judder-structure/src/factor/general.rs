@@ -5,16 +5,16 @@
 //! fill then is that of the symmetric pattern; where the rows of a block offer no pivot, the caller has to take another method.
 
 use super::front::each_tile;
+use super::lines::MatrixLines;
 use super::tree::Tree;
 use super::{FactorPattern, over_tree, taken_update};
 use crate::StructureError;
-use crate::assembly::Sparse;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_unit_lower_triangular_in_place,
     solve_unit_upper_triangular_in_place, solve_upper_triangular_in_place,
 };
-use faer::sparse::{SparseColMat, SymbolicSparseColMat};
+use faer::sparse::SparseColMat;
 use faer::{Accum, Mat, MatMut, MatRef, Par, c64};
 use judder_dense::general::eliminate_complex;
 use rayon::prelude::*;
@@ -44,72 +44,6 @@ struct GeneralFront {
     order: Vec<usize>,
 }
 
-/// Entries by lines, each with its place along the line.
-struct Lines {
-    starts: Vec<usize>,
-    entries: Vec<(usize, c64)>,
-}
-
-impl Lines {
-    fn new(count: usize, entries: impl Iterator<Item = (usize, usize, c64)> + Clone) -> Self {
-        let (starts, entries) = sorted(count, entries);
-        Self { starts, entries }
-    }
-
-    fn of(&self, line: usize) -> &[(usize, c64)] {
-        &self.entries[self.starts[line]..self.starts[line + 1]]
-    }
-}
-
-/// What lies on lines, by their numbers, in the order in which it comes: where each line begins, and places with what is there.
-fn sorted<T: Copy + Default>(
-    count: usize,
-    entries: impl Iterator<Item = (usize, usize, T)> + Clone,
-) -> (Vec<usize>, Vec<(usize, T)>) {
-    let mut starts = vec![0; count + 1];
-    entries.clone().for_each(|(line, ..)| starts[line + 1] += 1);
-    for line in 0..count {
-        starts[line + 1] += starts[line];
-    }
-    let mut next = starts.clone();
-    let mut all = vec![(0, T::default()); starts[count]];
-    for (line, place, value) in entries {
-        all[next[line]] = (place, value);
-        next[line] += 1;
-    }
-    (starts, all)
-}
-
-impl FactorPattern {
-    /// The pattern of the factors of any sum of matrices of one size, which need not be symmetric.
-    ///
-    /// # Errors
-    /// [`StructureError::OutOfMemory`].
-    pub(crate) fn of_sums(matrices: &[&Sparse]) -> Result<Self, StructureError> {
-        let size = matrices.first().map_or(0, |matrix| matrix.nrows());
-        let entries = matrices.iter().flat_map(|matrix| {
-            let of_column = |column: usize| matrix.row_idx_of_col(column).map(move |row| (row, column));
-            (0..size).flat_map(of_column)
-        });
-        // the upper triangle mirrored into the lower
-        let lower = entries.map(|(row, column)| (row.min(column), row.max(column)));
-        let (starts, all) = sorted(size, lower.map(|(line, place)| (line, place, ())));
-        let (mut kept, mut rows, mut seen) = (vec![0], Vec::new(), vec![usize::MAX; size]);
-        for column in 0..size {
-            let first = rows.len();
-            for (row, ()) in &all[starts[column]..starts[column + 1]] {
-                if std::mem::replace(&mut seen[*row], column) != column {
-                    rows.push(*row);
-                }
-            }
-            rows[first..].sort_unstable();
-            kept.push(rows.len());
-        }
-        let values = vec![0.0; rows.len()];
-        Self::new(&Sparse::new(SymbolicSparseColMat::new_checked(size, size, kept, None, rows), values))
-    }
-}
-
 impl GeneralFactor {
     /// The factors of a matrix none of whose entries lies outside of the pattern; `None` where a block offers no pivot.
     ///
@@ -130,8 +64,8 @@ impl GeneralFactor {
         });
         let below = all.clone().filter(|(row, column, _)| row >= column);
         let beyond = all.filter(|(row, column, _)| row < column);
-        let columns = Lines::new(size, below.map(|(row, column, value)| (column, row, value)));
-        let rows = Lines::new(size, beyond);
+        let columns = MatrixLines::new(size, below.map(|(row, column, value)| (column, row, value)));
+        let rows = MatrixLines::new(size, beyond);
         let step = |block: usize, updates: &mut BTreeMap<usize, Vec<c64>>, shared: bool| {
             eliminated(tree, block, [&columns, &rows], updates, shared)
         };
@@ -184,12 +118,12 @@ impl GeneralFactor {
 fn eliminated(
     tree: &Tree,
     block: usize,
-    [of_columns, of_rows]: [&Lines; 2],
+    [of_columns, of_rows]: [&MatrixLines; 2],
     updates: &mut BTreeMap<usize, Vec<c64>>,
     shared: bool,
 ) -> Result<(Option<GeneralFront>, Vec<c64>), StructureError> {
     let (own, rows) = (tree.columns(block), tree.rows(block));
-    let size = of_columns.starts.len() - 1;
+    let size = of_columns.count();
     let (begin, width, count) = (own.start, own.len(), rows.len());
     let wrong = || StructureError::WrongPattern { rows: size, expected: size };
     let place = |row: usize| match row < own.end {
@@ -366,6 +300,7 @@ fn lose(matrix: MatRef<'_, c64>, own: MatRef<'_, c64>, rows: &[usize], x: &mut M
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::assembly::Sparse;
     use faer::sparse::Triplet;
     use judder_numerics::counter::uniform;
 

@@ -144,7 +144,7 @@ pub(super) fn run(of: &AssemblySubject<'_>) -> Result<Outcome, ModelError> {
     let steady = of.steady(&compliance)?;
     let (uniqueness, lost) = ToldUniqueness::new(of, &compliance, &steady)?;
     let finer = WithInterfaceFreedoms::of(of)?;
-    let results = results(of, &steady, finer.map(|finer| finer.of_forces(&steady)));
+    let results = results(of, &steady, finer.and_then(|finer| finer.of_forces(&steady)));
     let shown = ShownBodies::new(&of.built.bodies);
     let displacement: Vec<Complex64> = steady.displacement.iter().map(|u| Complex64::new(*u, 0.0)).collect();
     let displacement: Vec<f64> = of.built.expanded(&displacement).iter().map(|u| u.re).collect();

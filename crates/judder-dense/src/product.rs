@@ -1,0 +1,22 @@
+//! The product of two dense matrices.
+
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, MatRef, Par};
+use rayon::prelude::*;
+
+/// Columns that are worked together: pieces do not depend on the number of threads, so neither does the result.
+const TILE: usize = 64;
+
+/// A B, some columns at a time, side by side.
+#[must_use]
+pub fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
+    let mut image = Mat::zeros(a.nrows(), b.ncols());
+    if image.nrows() == 0 || image.ncols() == 0 {
+        return image;
+    }
+    image.par_col_chunks_mut(TILE).enumerate().for_each(|(k, tile)| {
+        let own = b.subcols(k * TILE, tile.ncols());
+        matmul(tile, Accum::Replace, a, own, 1.0, Par::Seq);
+    });
+    image
+}

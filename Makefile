@@ -26,6 +26,24 @@ CHART := crates/judder-report/assets/chart
 BROWSER_TESTS := crates/judder-explorer/tests/browser
 NEXTEST := $(shell $(CARGO) nextest --version >/dev/null 2>&1 && echo yes)
 
+# The tests of the Python package that are marked so. The wheel goes into a fresh environment whose PATH has no cargo: what users get.
+define package-tests
+	tools/python-environment .venv-package tests/python/package/requirements.txt
+	@wheel=$$(mktemp -d); trap 'rm -rf "$$wheel"' EXIT; set -x; \
+		PATH="$(CURDIR)/.venv/bin:$$PATH" maturin build --profile dev --out "$$wheel"; \
+		PATH="$(CURDIR)/.venv/bin:$$PATH" maturin sdist --out "$$wheel"; \
+		.venv-package/bin/python -m pip install --quiet --disable-pip-version-check "$$wheel"/*.whl; \
+		JUDDER_WHEEL="$$wheel" JUDDER_SOURCES="$(abspath $(TARGET))/debug/lib_judder.d" PATH="$(CURDIR)/.venv-package/bin:/usr/bin:/bin" \
+		.venv-package/bin/python -m pytest -q -p no:cacheprovider -m "$1" tests/python/package
+endef
+
+# Those of the page that are chosen by their tags.
+define browser-tests
+	$(CARGO) build $(LOCKED) --workspace --bins --examples
+	chromium=$$(tools/chromium); cd $(BROWSER_TESTS) && \
+		CHROMIUM="$$chromium" JUDDER="$(abspath $(TARGET))/debug/judder" npm run --silent test -- $1
+endef
+
 .PHONY: help demo test bench bench-cluster bench-explorer bench-rough validate expensive-tests sdist-tests setup format lint rust-tests doc-tests python-tests page page-tests docs deny advisories
 
 help: ## print this list
@@ -36,11 +54,11 @@ demo: ## build judder, reproduce the oscillator paper, say where the report lies
 	"$(JUDDER)" reproduce oscillator-paper --quick
 	@printf '\nThe report lies here: %s\n' "$(CURDIR)/out/reproduce/oscillator-paper/report.html"
 
-test: format lint rust-tests doc-tests python-tests page-tests ## what must hold before a change is proposed
+test: format rust-tests doc-tests python-tests page-tests ## what must hold before a change is proposed
 	@printf '\nEvery check passed.\n'
 
 # What takes long, and what looks at all sources for what a change seldom touches. CI runs it after `make test`.
-validate: expensive-tests docs deny ## the expensive validation, the documentation, the licences
+validate: lint expensive-tests docs deny ## clippy, the expensive validation, the documentation, the licences
 	@printf '\nAll is validated.\n'
 
 bench: .venv/installed ## time the stability decision, the sliding contact, a limit cycle, modes, assemblies, loci, marches and calls from Python, beside NumPy and SciPy peers
@@ -66,12 +84,14 @@ bench-cluster: .venv/installed ## what sweeps on a cluster cost beside their poi
 bench-rough: .venv-peers/installed ## time the elastic contact of rough surfaces, beside Tamaas and ASPHER
 	.venv-peers/bin/python benches/compare_rough.py
 
-expensive-tests: ## the tests that `make test` leaves out
+expensive-tests: .venv/installed $(BROWSER_TESTS)/node_modules/installed ## the tests that `make test` leaves out
 ifeq ($(NEXTEST),yes)
 	$(CARGO) nextest run $(LOCKED) --workspace --run-ignored only --no-tests pass
 else
 	$(CARGO) test $(LOCKED) --workspace --lib --bins --tests --examples -- --ignored
 endif
+	$(call package-tests,expensive)
+	$(call browser-tests,--grep @expensive)
 
 # With a target folder of its own: in a shared one Cargo takes a crate for built whose files outside of it lie elsewhere.
 sdist-tests: .venv/installed ## a wheel from the source distribution alone, compiled and called
@@ -106,20 +126,13 @@ doc-tests: ## the examples in the docs and in the book
 	$(CARGO) test $(LOCKED) --workspace --doc
 
 # Built for the whole workspace, as the Rust tests are: a build of one crate would choose other features and start over.
-# The wheel goes into a fresh environment whose PATH has no cargo: what users get.
 python-tests: .venv/installed ## study folders in the real xarray, the book's links, the cases; the Python package from its wheel
 	$(CARGO) build $(LOCKED) --workspace --bins --examples
 	@sample=$$(mktemp -d); trap 'rm -rf "$$sample"' EXIT; \
 		"$(TARGET)/debug/examples/sample_study" "$$sample/study"; \
 		set -x; JUDDER="$(abspath $(TARGET))/debug/judder" JUDDER_SAMPLE_STUDY="$$sample/study" \
 		$(PYTHON) -m pytest -q -p no:cacheprovider tests/python --ignore tests/python/package
-	tools/python-environment .venv-package tests/python/package/requirements.txt
-	@wheel=$$(mktemp -d); trap 'rm -rf "$$wheel"' EXIT; set -x; \
-		PATH="$(CURDIR)/.venv/bin:$$PATH" maturin build --profile dev --out "$$wheel"; \
-		PATH="$(CURDIR)/.venv/bin:$$PATH" maturin sdist --out "$$wheel"; \
-		.venv-package/bin/python -m pip install --quiet --disable-pip-version-check "$$wheel"/*.whl; \
-		JUDDER_WHEEL="$$wheel" JUDDER_SOURCES="$(abspath $(TARGET))/debug/lib_judder.d" PATH="$(CURDIR)/.venv-package/bin:/usr/bin:/bin" \
-		.venv-package/bin/python -m pytest -q -p no:cacheprovider tests/python/package
+	$(call package-tests,not expensive)
 
 page: $(PAGE)/node_modules/installed ## build the page of `judder explore` and the chart of reports anew, into the sources that the program embeds
 	cd $(PAGE) && npm run --silent build
@@ -133,9 +146,7 @@ page-tests: $(PAGE)/node_modules/installed $(BROWSER_TESTS)/node_modules/install
 			diff -r "$$built/$${part%%:*}" "$${part#*:}" || { \
 			echo 'What is embedded is not what its sources build: `make page`, and commit what it changes.'; exit 1; }; \
 		done
-	$(CARGO) build $(LOCKED) --workspace --bins --examples
-	chromium=$$(tools/chromium); cd $(BROWSER_TESTS) && \
-		CHROMIUM="$$chromium" JUDDER="$(abspath $(TARGET))/debug/judder" npm run --silent test
+	$(call browser-tests,--grep-invert @expensive)
 
 bench-explorer: $(BROWSER_TESTS)/node_modules/installed ## time the page of `judder explore` in a browser: its start, the map after a slider has moved, frames of a drag
 	$(CARGO) build --profile dist $(LOCKED) -p judder-cli

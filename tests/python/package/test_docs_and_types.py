@@ -65,7 +65,11 @@ def blocks(text, language):
     return re.findall(rf"^```{language}\n(.*?)^```", text, flags=re.DOTALL | re.MULTILINE)
 
 
-PAGES = [("README.md", 1, "map.png"), ("docs/src/python.md", 10, "law.json"), ("docs/src/interchange.md", 4, "study.nc")]
+PAGES = [
+    ("README.md", 1, "map.png"),
+    ("docs/src/python.md", 10, "law.json"),
+    pytest.param("docs/src/interchange.md", 4, "study.nc", marks=pytest.mark.expensive),
+]
 
 
 @pytest.mark.parametrize(("page", "least", "left"), PAGES)
@@ -110,6 +114,7 @@ def check(*words):
     assert done.returncode == 0, done.stdout + done.stderr
 
 
+@pytest.mark.expensive
 @pytest.mark.skipif(not importlib.util.find_spec("mypy"), reason="mypy is not installed")
 def test_mypy_is_content_with_the_package_its_stubs_and_a_script(tmp_path):
     cache = f"--cache-dir={tmp_path}"

@@ -33,7 +33,13 @@ def test_a_notebook_is_stored_without_what_a_run_leaves(path):
     assert not notebooks.differs(path), f"{path.name}: `python {notebooks.__file__}` stores it without outputs and metadata"
 
 
-@pytest.mark.parametrize("path", notebooks.paths(), ids=lambda path: path.stem)
+def runs():
+    """Every notebook: that of the paper before each change, the others with what is expensive."""
+    for path in notebooks.paths():
+        yield pytest.param(path, id=path.stem, marks=() if path.stem == "from-a-papers-figure-to-your-own" else pytest.mark.expensive)
+
+
+@pytest.mark.parametrize("path", [*runs()])
 def test_a_notebook_runs_and_draws(path, kernel_folders):
     before = files()
     notebook = nbformat.read(path, as_version=4)

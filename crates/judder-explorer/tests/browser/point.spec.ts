@@ -26,7 +26,7 @@ test("a motion is drawn while it runs, and its numbers are those of a run", asyn
   await compared(explorer, "Motion from here", "motion", ["rms", "stick_fraction", "steps"]);
 });
 
-test("a limit cycle is that of a run, and can be heard", async ({ explorer }) => {
+test("a limit cycle is that of a run, and can be heard", { tag: "@expensive" }, async ({ explorer }) => {
   const { page } = explorer;
   await explorer.open("/point?run=cycle&set=operation.velocity=1e-3");
   await expect(card(explorer, "Limit cycle").locator("[data-key='cycle.period']")).toBeVisible();

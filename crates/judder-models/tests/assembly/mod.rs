@@ -51,7 +51,7 @@ fn a_pad_carries_its_load_and_says_so_point_by_point() {
 fn pressures_on_surfaces_are_drawn_on_their_faces() {
     let folder = tempfile::tempdir().unwrap();
     let far = "structure.pad.block.origin=[\"95 mm\", \"-20 mm\", \"10 mm\"]";
-    let file = case("assembly/pad-on-turning-disc.toml", &[far]);
+    let file = case("assembly/pad-on-turning-disc.toml", &[&turning::COARSE[..], &[far]].concat());
     let report = run_into(folder.path(), &file, &["steady"]);
     assert!(report.complete, "{:?}", report.messages);
     let picture = std::fs::read_to_string(folder.path().join("figures/steady.svg")).unwrap();

@@ -202,7 +202,7 @@ fn long_analyses_end_when_they_are_given_up() {
         "kind = \"engines\"\ntime_step = { from = 1e-7, to = 1e-1, points = 50 }\nwidth = { from = 1e-9, to = 1.0, points = 50 }",
     ];
     let of_contact = [
-        "kind = \"contact\"\nvelocity = 1e-1\nindentation = 1e-2\naccuracy = 1e-6\ncells = 2048",
+        "kind = \"contact\"\nvelocity = 1e-1\nindentation = 1e-2\naccuracy = 1e-6\ncells = 1024",
         "kind = \"contact-law\"\nvelocity = { from = 1e-3, to = 1e3, points = 200 }\nindentation = { from = 1e-4, to = 1e-1, points = 200 }\naccuracy = 1e-3",
         "kind = \"fit\"\nvelocity = { from = 1e-4, to = 1e4, points = 40 }\nindentation = { from = 1e-4, to = 1e-1, points = 40 }\naccuracy = 1e-3",
         "kind = \"transient\"\nmotion = \"start\"\nvelocity = 0.1\nindentation = 1e-2\nduration = 4000\ncells = 64",

@@ -95,7 +95,7 @@ fn a_sweep_tells_where_the_slider_locks() {
     let folder = tempfile::tempdir().unwrap();
     let few = [
         "analysis.locus-friction.sweep.to=8.0",
-        "analysis.locus-friction.sweep.points=5",
+        "analysis.locus-friction.sweep.points=3",
         "analysis.locus-friction.configuration=undeformed",
         // between two nodes, where the track yields most
         "analysis.locus-friction.at=74.5 mm",
@@ -113,7 +113,7 @@ fn a_sweep_tells_where_the_slider_locks() {
     }
     let rates = result["growth_rates"].as_array().unwrap();
     assert!(lowest(&rates[0]).iter().all(|rate| *rate < 0.0), "{}", rates[0]);
-    assert!(rates[4].as_array().unwrap().iter().all(Value::is_null), "{}", rates[4]);
+    assert!(rates[2].as_array().unwrap().iter().all(Value::is_null), "{}", rates[2]);
 }
 
 /// Where a load meets values that lift the slider off, a zone ends at the last that does not: that is said.

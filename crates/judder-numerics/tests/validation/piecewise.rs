@@ -104,6 +104,7 @@ fn a_start_on_the_wall_crosses_at_once_or_not_at_all() {
 }
 
 #[test]
+#[ignore = "expensive: run by make validate"]
 fn a_million_events_are_all_counted() {
     let wall = Wall { place: 0.0, stiffness: 3.0 };
     // half a period at ω = 1 and one at ω = 2, touching and leaving once in each

@@ -64,6 +64,7 @@ fn moving_by_time_stepping(velocity: f64, shear_strength: f64, starts: u64) -> f
 /// F̃_n = 1e-6, v̂ = 0.04: the branch from the threshold turns at 0.0646; judder's own basin had no start at 0.0594 that comes to rest, and
 /// three of four moving at 0.03.
 #[test]
+#[ignore = "expensive: run by make validate"]
 fn cycles_of_other_branches_are_found_below_the_fold() {
     let Margins { branch_fold, fold, found, .. } = margins(0.04);
     assert!((branch_fold - 0.0646).abs() < 1e-4, "{branch_fold}");

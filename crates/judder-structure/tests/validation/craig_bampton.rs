@@ -108,6 +108,7 @@ fn reduced_frequencies_are_within_the_bounds_that_the_reduction_tells_and_these_
 }
 
 #[test]
+#[ignore = "expensive: run by make validate"]
 fn below_the_limit_that_the_reduction_reports_every_frequency_is_within_its_tolerance() {
     for (sample, counts) in [(track(), [5, 20, 60]), (slider(), [6, 20, 40]), (block(), [4, 10, 30])] {
         let mut before = 0.0;

@@ -124,7 +124,7 @@ fn thin_ring(around: usize) -> Turning {
 /// The first is that of a formula, which is met to 1.5 %: a ring as a beam has 73.16 Hz, one whose edges cannot curl 76.69 Hz.
 #[test]
 fn a_ring_that_turns_has_the_frequencies_of_its_waves() {
-    let ring = thin_ring(160);
+    let ring = thin_ring(112);
     let Assembled { stiffness, mass } = &ring.assembled;
     let found = modes(stiffness, mass, WantedModes::Band(40.0, 260.0)).unwrap();
     let at_rest: Vec<f64> = found.modes.iter().map(judder_structure::modes::Mode::frequency_hz).collect();
@@ -235,7 +235,7 @@ fn a_wave_stands_still_in_space_at_the_critical_speed() {
         let (first, last) = (ahead(low), ahead(high));
         (low + (high - low) * first / (first - last)) * 30.0 / PI
     };
-    let [coarse, fine, finest] = [[4, 32, 1], [8, 32, 1], [16, 32, 1]].map(critical);
+    let [coarse, fine, finest] = [[3, 24, 1], [6, 24, 1], [12, 24, 1]].map(critical);
     assert!((finest / 2650.0 - 1.0).abs() < 0.01, "{finest}");
     assert!((finest - fine).abs() < 0.5 * (fine - coarse).abs(), "{coarse} {fine} {finest}");
 }

@@ -32,6 +32,7 @@ def test_the_bytes_are_those_of_the_serial_run(quick, maps, cluster, tmp_path):
     assert list(study.folder.rglob("mark-*")) == []
 
 
+@pytest.mark.expensive
 def test_no_more_tasks_are_handed_out_than_keep_all_threads_busy(quick, cluster, tmp_path, monkeypatch):
     client = cluster(2, 2)
     handed, known = [], []
@@ -92,6 +93,7 @@ def preparations():
     return package.preparations
 
 
+@pytest.mark.expensive
 def test_what_all_points_share_is_made_once_in_each_worker(cluster, tmp_path):
     client = cluster(2, 1)
     client.run(timed_preparations)
@@ -142,6 +144,7 @@ def test_a_worker_killed_in_the_middle_loses_nothing(maps, cluster, tmp_path):
     assert files(study.folder / "results.zarr" / "maps") == maps[1]
 
 
+@pytest.mark.expensive
 def test_all_workers_killed_one_after_the_other_lose_nothing(maps, cluster, tmp_path):
     client = cluster()
     victims = list(client.run(os.getpid).values())
@@ -169,7 +172,7 @@ def cancel_all(client):
     client.cancel([distributed.Future(key, client) for key in [*client.futures]])
 
 
-@pytest.mark.parametrize("way", [distributed.Client.restart, restart_another, cancel_all])
+@pytest.mark.parametrize("way", [pytest.param(distributed.Client.restart, marks=pytest.mark.expensive), pytest.param(restart_another, marks=pytest.mark.expensive), cancel_all])
 def test_cancelled_tasks_are_done_again_and_blame_no_point(maps, cluster, tmp_path, way):
     client = cluster()
     did = []
@@ -184,7 +187,7 @@ def test_cancelled_tasks_are_done_again_and_blame_no_point(maps, cluster, tmp_pa
     assert files(study.folder / "results.zarr" / "maps") == maps[1]
 
 
-@pytest.mark.parametrize("shares", [True, False])
+@pytest.mark.parametrize("shares", [True, pytest.param(False, marks=pytest.mark.expensive)])
 def test_a_poisoned_point_is_recorded_and_the_study_goes_on(quick, poison, cluster, tmp_path, shares):
     poison("quick_map", 7, 11)
     with dask.config.set({"distributed.scheduler.allowed-failures": 0}):
@@ -208,6 +211,7 @@ def test_a_poisoned_point_is_recorded_and_the_study_goes_on(quick, poison, clust
     assert not study.complete
 
 
+@pytest.mark.expensive
 def test_files_of_a_case_travel_with_it(cluster, tmp_path):
     law = judder.contact.Law.from_function(
         lambda v, d: (d**1.5 * (1 + v / (v + 1e-3)), d, 0.1 + 0 * d), velocity=(1e-7, 2.0), indentation=(1e-6, 1.0), tolerance=1e-3
@@ -263,6 +267,7 @@ def test_an_interrupted_study_goes_on_where_it_was(maps, cluster, tmp_path):
     assert files(study.folder / "results.zarr" / "maps") == maps[1]
 
 
+@pytest.mark.expensive
 def test_two_clients_share_a_folder(maps, cluster, tmp_path):
     clients = [cluster(1), cluster(1)]
     failed = []
@@ -282,6 +287,7 @@ def test_two_clients_share_a_folder(maps, cluster, tmp_path):
     assert files(tmp_path / "study" / "results.zarr" / "maps") == maps[1]
 
 
+@pytest.mark.expensive
 def test_a_client_waits_for_others_who_hold_the_study(quick, cluster, tmp_path):
     sweep = judder.sweep.plan(quick[0])
     sweep.run(tmp_path / "study")
@@ -308,6 +314,7 @@ asyncio.run(serve())
 """
 
 
+@pytest.mark.expensive
 def test_a_lost_scheduler_is_named_and_what_is_done_is_kept(maps, cluster, tmp_path):
     with subprocess.Popen([sys.executable, "-c", SCHEDULER], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as scheduler:
         with dask.config.set({"distributed.comm.timeouts.connect": "2s"}):
@@ -345,6 +352,7 @@ chunk = 8000000
 """
 
 
+@pytest.mark.expensive
 def test_workers_stop_where_nobody_wants_their_chunk_any_more(cluster, tmp_path):
     client = cluster(1)
     began = []

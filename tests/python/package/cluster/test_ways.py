@@ -121,6 +121,7 @@ def stiffer(velocity, indentation):
     return 4.0 * indentation * depth, np.pi * indentation, 0.3 / (1.0 + 1e3 * velocity)
 
 
+@pytest.mark.expensive
 def test_a_law_of_ones_own_by_every_way(tmp_path):
     law = judder.contact.Law.from_function(stiffer, velocity=(1e-7, 1e1), indentation=(1e-8, 1e-1), tolerance=1e-4)
     law.save(tmp_path / "law.json")

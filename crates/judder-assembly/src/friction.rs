@@ -1,6 +1,7 @@
 //! The friction coefficient against the slip speed.
 
 use crate::AssemblyError;
+pub use judder_contact::FallingFriction;
 #[cfg(feature = "keys")]
 use judder_keys::{
     declared::{Allowed, Number, Setting, Several},
@@ -27,21 +28,6 @@ pub enum Friction {
     Falling(FallingFriction),
     /// A table.
     Table(FrictionTable),
-}
-
-/// A friction coefficient that falls from rest: μ = μ_∞ + (μ_0 − μ_∞) exp(−|v|/v_d).
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "keys", derive(judder_keys::Settings))]
-pub struct FallingFriction {
-    /// The friction coefficient at rest.
-    #[cfg_attr(feature = "keys", key(rule = COEFFICIENT, symbol = "μ_0"))]
-    pub at_rest: f64,
-    /// That at high speed.
-    #[cfg_attr(feature = "keys", key(rule = COEFFICIENT, symbol = "μ_∞"))]
-    pub at_speed: f64,
-    /// The speed over which it falls, m/s.
-    #[cfg_attr(feature = "keys", key(rule = Number::positive(Dimension::SPEED), symbol = "v_d"))]
-    pub decay_speed: f64,
 }
 
 /// Friction coefficients at slip speeds.
@@ -110,9 +96,9 @@ impl Friction {
     pub fn at(&self, speed: f64) -> FrictionAt {
         match self {
             Self::Constant(coefficient) => FrictionAt { coefficient: *coefficient, slope: 0.0 },
-            Self::Falling(FallingFriction { at_rest, at_speed, decay_speed }) => {
-                let falling = (at_rest - at_speed) * (-speed / decay_speed).exp();
-                FrictionAt { coefficient: at_speed + falling, slope: -falling / decay_speed }
+            Self::Falling(falling) => {
+                let (coefficient, slope) = falling.at(speed);
+                FrictionAt { coefficient, slope }
             }
             Self::Table(FrictionTable { velocity: speeds, coefficient: coefficients }) => {
                 let (coefficient, slope) = on_table(speeds, coefficients, speed);

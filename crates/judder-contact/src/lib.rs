@@ -12,6 +12,7 @@
 //! - [`periodic_contact`]: a rough surface that repeats itself, pressed on the substrate or sliding over it.
 //! - [`response`]: where a law is evaluated, and what it gives: F̃_k, Ã, μ_visc with their first derivatives.
 //! - [`contact_law`]: what every law answers.
+//! - [`falling_friction`]: a friction coefficient that falls with the speed, for contacts that know no more of theirs.
 //! - [`fitted`]: the three fitted functions of the oscillator paper (eqs. 34–39), as printed and with the corrected velocity axis.
 //! - [`fit`]: these functions fitted to computed contacts, with confidence intervals (appendix B).
 //! - [`hertz`]: the elastic contact in closed form, the test bench of everything else.
@@ -20,6 +21,7 @@
 //! Everything is dimensionless: v̂ = v τ/R and ŷ = y/R go in; F̃_k = F_k/(E0* R²), Ã = A/R² and μ_visc come out.
 
 pub mod contact_law;
+pub mod falling_friction;
 pub mod fit;
 pub mod fitted;
 pub mod hertz;
@@ -35,6 +37,7 @@ pub mod transient;
 pub mod unilateral;
 
 pub use contact_law::{ContactLaw, ValidityConcern};
+pub use falling_friction::FallingFriction;
 pub use fitted::FittedLaw;
 pub use hertz::HertzLaw;
 pub use law::{CollapsedLaw, Law, LawError, SampledLaw, TabulatedLaw};

@@ -13,6 +13,7 @@
 //! - [`sensitivity`]: Sobol' indices of first order and total, with confidence intervals.
 //! - [`signal`]: sampled histories: decimation, resampling, spectrograms, bursts.
 //! - [`stopping`]: long computations that may be stopped.
+//! - [`verdict`]: stable, marginal, unstable.
 //! - [`words`]: numbers in sentences.
 //!
 //! What a library does is called, not wrapped; these stand here because no library gives them in this form.
@@ -30,4 +31,5 @@ pub mod sampling;
 pub mod sensitivity;
 pub mod signal;
 pub mod stopping;
+pub mod verdict;
 pub mod words;

@@ -1,7 +1,7 @@
 //! The characteristic polynomial (21) and the Hurwitz determinants that decide stability.
 
 use crate::linear_system::ReducedSystem;
-use crate::verdict::Verdict;
+use judder_numerics::verdict::Verdict;
 
 /// Relative width of the band around a vanishing Hurwitz condition in which a point is called marginal: a condition is a
 /// sum of terms, and below this share of their magnitudes its sign is rounding.

@@ -11,7 +11,7 @@
 //! - [`characteristic`]: the characteristic polynomial (21) and Hurwitz determinants, which decide stability.
 //! - [`conservative`]: the eigenvalues without damping (24), (25), their coalescence (26), the threshold of the shear strength in closed form (27).
 //! - [`spectrum`]: eigenvalues and eigenvectors.
-//! - [`verdict`], [`mechanism`]: stable or not, and why; and [`growth`]: which force feeds the growth.
+//! - [`mechanism`]: stable or not ([`Verdict`]), and why; and [`growth`]: which force feeds the growth.
 //! - [`within_law`]: what the errors of the contact law leave of all that, and [`undecided`]: what of thresholds.
 //! - [`block`]: the stability decision for many points at once, in vector arithmetic.
 //! - [`critical`]: thresholds, all of them, over a range (Figs. 7, 8).
@@ -46,15 +46,14 @@ pub mod quasi_steady;
 pub mod spectrum;
 pub mod sphere;
 pub mod undecided;
-pub mod verdict;
 pub mod within_law;
 
 pub use error::OscillatorError;
 pub use friction::FrictionLoad;
 pub use groups::{Coefficients, Dimensional, Groups};
+pub use judder_numerics::verdict::Verdict;
 pub use linear_system::LinearSystem;
 pub use mechanism::Mechanism;
-pub use verdict::Verdict;
 
 /// The contact: which law, and which load carries the viscoelastic friction.
 #[derive(Debug, Clone, PartialEq)]

@@ -22,7 +22,7 @@ use crate::characteristic::Characteristic;
 use crate::conservative::{discriminant, discriminant_share};
 use crate::error::OscillatorError;
 use crate::linear_system::{LinearSystem, ReducedSystem};
-use crate::verdict::Verdict;
+use judder_numerics::verdict::Verdict;
 
 /// What carries an instability.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

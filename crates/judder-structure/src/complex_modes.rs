@@ -22,6 +22,7 @@ mod whole;
 
 pub use crate::quadratic::Region;
 pub use cover::Gap;
+pub use judder_numerics::verdict::Verdict;
 
 use disc::SAME;
 pub(crate) use disc::Triple;
@@ -91,17 +92,6 @@ pub struct Eigenvalue {
     pub defective: bool,
 }
 
-/// What an eigenvalue says of stability.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum EigenvalueVerdict {
-    /// Disturbances decay.
-    Stable,
-    /// The sign of the growth rate is not known: it is below its own error, which of a defective eigenvalue is that of a square root.
-    Marginal,
-    /// Disturbances grow.
-    Unstable,
-}
-
 impl ComplexModes {
     /// Whether every check closed: nothing is missing.
     #[must_use]
@@ -111,16 +101,16 @@ impl ComplexModes {
 }
 
 impl Eigenvalue {
-    /// Stable, marginal or unstable.
+    /// Stable, marginal or unstable: marginal where the sign of the growth rate is not known, which is below its own error.
     #[must_use]
-    pub fn verdict(&self) -> EigenvalueVerdict {
+    pub fn verdict(&self) -> Verdict {
         if self.value.re > self.error {
-            EigenvalueVerdict::Unstable
+            Verdict::Unstable
         } else if self.value.re < -self.error {
-            EigenvalueVerdict::Stable
+            Verdict::Stable
         } else {
             // so too where the error is not a number
-            EigenvalueVerdict::Marginal
+            Verdict::Marginal
         }
     }
 
@@ -134,18 +124,6 @@ impl Eigenvalue {
     #[must_use]
     pub fn frequency_hz(&self) -> f64 {
         if self.value.im.abs() <= self.error { 0.0 } else { self.value.im / std::f64::consts::TAU }
-    }
-}
-
-impl EigenvalueVerdict {
-    /// The word in reports.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Stable => "stable",
-            Self::Marginal => "marginal",
-            Self::Unstable => "unstable",
-        }
     }
 }
 

@@ -4,28 +4,9 @@ use super::ContactState;
 use super::measures::{Measures, Powers};
 use super::sliding_system::SlidingSystem;
 use crate::OscillatorError;
+pub use judder_contact::FallingFriction;
 use judder_numerics::piecewise::tangent::{SquareMatrix, along_leg};
 use judder_numerics::piecewise::{Advance, Leg, MarchError, PiecewiseMarch, PiecewiseSmooth};
-
-/// A friction coefficient that falls from rest with the speed: μ(v) = μ_∞ + (μ_0 − μ_∞) e^{−|v|/v_0}.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FallingFriction {
-    /// μ_0, at rest, which is also the limit of stick.
-    pub at_rest: f64,
-    /// μ_∞, at high speed.
-    pub at_speed: f64,
-    /// v_0, the speed over which it falls.
-    pub decay_speed: f64,
-}
-
-impl FallingFriction {
-    /// μ and dμ/d|v| at a speed |v|.
-    #[must_use]
-    pub fn at(&self, speed: f64) -> (f64, f64) {
-        let bump = (self.at_rest - self.at_speed) * (-speed / self.decay_speed).exp();
-        (self.at_speed + bump, -bump / self.decay_speed)
-    }
-}
 
 /// x″ + 2ξ x′ + x = −sgn(x′ − v) N μ(|x′ − v|), in units of the mass and the natural frequency; a state is x, x′.
 #[derive(Debug, Clone, PartialEq)]

@@ -112,10 +112,10 @@ impl ProjectedProblem {
 }
 
 /// Row, column and value of an entry.
-type Entry = (usize, usize, f64);
+type PlacedEntry = (usize, usize, f64);
 
 /// What a matrix has beyond another; `None` where they differ in more than a few of their entries.
-fn difference(from: &Sparse, to: &Sparse) -> Option<Vec<Entry>> {
+fn difference(from: &Sparse, to: &Sparse) -> Option<Vec<PlacedEntry>> {
     /// One of so many entries.
     const FEW: usize = 4;
     if (from.nrows(), from.ncols()) != (to.nrows(), to.ncols()) {
@@ -142,15 +142,15 @@ fn difference(from: &Sparse, to: &Sparse) -> Option<Vec<Entry>> {
 }
 
 /// Vᵀ A V of a matrix with few entries.
-fn projected_entries(entries: &[Entry], basis: MatRef<'_, f64>) -> Mat<f64> {
-    let sorted = |pick: fn(&Entry) -> usize| {
+fn projected_entries(entries: &[PlacedEntry], basis: MatRef<'_, f64>) -> Mat<f64> {
+    let sorted = |pick: fn(&PlacedEntry) -> usize| {
         let mut all: Vec<usize> = entries.iter().map(pick).collect();
         all.sort_unstable();
         all.dedup();
         all
     };
     let (rows, columns) = (sorted(|entry| entry.0), sorted(|entry| entry.1));
-    let places: Vec<Entry> = entries
+    let places: Vec<PlacedEntry> = entries
         .iter()
         .map(|(row, column, value)| {
             (rows.partition_point(|own| own < row), columns.partition_point(|own| own < column), *value)

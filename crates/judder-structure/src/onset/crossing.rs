@@ -1,7 +1,7 @@
 //! The functions that vanish where modes begin or cease to grow.
 
 use super::StabilityAt;
-use crate::complex_modes::{Eigenvalue, EigenvalueVerdict, Region};
+use crate::complex_modes::{Eigenvalue, Region, Verdict};
 use std::f64::consts::TAU;
 
 /// A function of the eigenvalues that vanishes at an onset.
@@ -39,7 +39,7 @@ pub(super) enum Vanishing {
 impl Vanishing {
     /// By what is known beside the onset, where the mode does not grow, and by how many modes grow where it does.
     pub(super) fn of(stable: &StabilityAt, growing: usize, frequency: f64) -> Self {
-        let is_damped = |own: &&Eigenvalue| own.verdict() == EigenvalueVerdict::Stable;
+        let is_damped = |own: &&Eigenvalue| own.verdict() == Verdict::Stable;
         let decays = nearest(stable, frequency, 1).first().is_some_and(is_damped);
         match (decays, frequency > 0.0) {
             (true, _) => Self::Growth(growing),

@@ -2,7 +2,7 @@
 
 use super::crossing::{Crossing, Vanishing, nearest};
 use super::{Onset, OnsetDoubt, OnsetKind, OnsetsBetween, StabilityAt};
-use crate::complex_modes::{Eigenvalue, EigenvalueVerdict, Region};
+use crate::complex_modes::{Eigenvalue, Region, Verdict};
 use judder_numerics::root::bracketed_root;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -79,7 +79,7 @@ impl StabilitySample {
     /// The modes that grow, or that do not.
     fn those_that_grow(&self, grow: bool) -> impl Iterator<Item = &Eigenvalue> {
         let own = self.stability.eigenvalues.iter();
-        own.filter(move |own| (own.verdict() == EigenvalueVerdict::Unstable) == grow)
+        own.filter(move |own| (own.verdict() == Verdict::Unstable) == grow)
     }
 
     /// Its modes in a region.
@@ -97,7 +97,7 @@ impl StabilitySample {
 
     /// The branches that are followed from here to a higher value and grow at one of them alone.
     fn exchanged(&self, high: &Self) -> Vec<ModeChange> {
-        let grows = |own: &Eigenvalue| own.verdict() == EigenvalueVerdict::Unstable;
+        let grows = |own: &Eigenvalue| own.verdict() == Verdict::Unstable;
         let followed = |sample: &Self| -> BTreeMap<usize, Eigenvalue> {
             let StabilityAt { eigenvalues, branches, .. } = &sample.stability;
             branches.iter().copied().zip(eigenvalues.iter().copied()).collect()

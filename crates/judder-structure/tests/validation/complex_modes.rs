@@ -5,9 +5,7 @@ use faer::sparse::Triplet;
 use judder_numerics::counter::uniform;
 use judder_structure::StructureError;
 use judder_structure::assembly::Sparse;
-use judder_structure::complex_modes::{
-    ComplexModeSettings, ComplexModes, EigenvalueVerdict, Region, complex_modes,
-};
+use judder_structure::complex_modes::{ComplexModeSettings, ComplexModes, Region, Verdict, complex_modes};
 use judder_structure::quadratic::Quadratic;
 
 pub(super) fn sparse(size: usize, entries: impl IntoIterator<Item = (usize, usize, f64)>) -> Sparse {
@@ -87,7 +85,7 @@ fn known_spectra_are_found_whole() {
     assert_spectrum(&modes, &expected);
     for mode in &modes.modes {
         let unstable = mode.eigenvalue.value.re > 0.0;
-        assert_eq!(mode.eigenvalue.verdict() == EigenvalueVerdict::Unstable, unstable);
+        assert_eq!(mode.eigenvalue.verdict() == Verdict::Unstable, unstable);
     }
 }
 
@@ -156,7 +154,7 @@ fn a_defective_eigenvalue_on_the_axis_is_marginal() {
     for mode in &modes.modes {
         let eigenvalue = mode.eigenvalue;
         assert!(eigenvalue.defective, "{eigenvalue:?}");
-        assert_eq!(eigenvalue.verdict(), EigenvalueVerdict::Marginal);
+        assert_eq!(eigenvalue.verdict(), Verdict::Marginal);
         let distance = (eigenvalue.value - c64::new(0.0, frequency)).norm();
         assert!(distance <= eigenvalue.error && eigenvalue.error < 1e-2, "{distance:e} {eigenvalue:?}");
     }
@@ -173,10 +171,10 @@ fn mode_coupling_flutter_is_found_where_it_begins() {
         all_of(&problem, &Region { re: [-1.0, 1.0], im: [0.1, 3.0] })
     };
     let before = at(0.2);
-    assert!(before.modes.iter().all(|mode| mode.eigenvalue.verdict() == EigenvalueVerdict::Marginal));
+    assert!(before.modes.iter().all(|mode| mode.eigenvalue.verdict() == Verdict::Marginal));
     let after = at(0.4);
-    let verdicts: Vec<EigenvalueVerdict> = after.modes.iter().map(|mode| mode.eigenvalue.verdict()).collect();
-    assert!(verdicts.contains(&EigenvalueVerdict::Unstable) && verdicts.contains(&EigenvalueVerdict::Stable));
+    let verdicts: Vec<Verdict> = after.modes.iter().map(|mode| mode.eigenvalue.verdict()).collect();
+    assert!(verdicts.contains(&Verdict::Unstable) && verdicts.contains(&Verdict::Stable));
     // λ² = −(k₁ + k₂)/2 ± √((k₁ − k₂)²/4 − c²)
     let expected = |coupling: f64| -> Vec<c64> {
         let inner = c64::new((stiff - soft).powi(2) / 4.0 - coupling * coupling, 0.0).sqrt();

@@ -6,7 +6,7 @@ use judder_numerics::counter::uniform;
 use judder_structure::StructureError;
 use judder_structure::affine::{AffineFamily, Factors, Term};
 use judder_structure::assembly::Sparse;
-use judder_structure::complex_modes::{ComplexModeSettings, EigenvalueVerdict, Region};
+use judder_structure::complex_modes::{ComplexModeSettings, Region, Verdict};
 use judder_structure::eigen_sweep::{SweepMethod, SweptEigenvalues, eigen_sweep, eigen_sweeps};
 
 fn term(name: &str, size: usize, entries: impl IntoIterator<Item = (usize, usize, f64)>) -> Term {
@@ -47,14 +47,9 @@ fn two_modes_lock_in_as_two_branches() {
         assert_eq!(values(&sweep, branch).len(), POINTS, "a branch goes through");
     }
     for (k, point) in sweep.points.iter().enumerate() {
-        let verdicts: Vec<EigenvalueVerdict> =
-            point.eigenvalues.iter().map(|t| t.eigenvalue.verdict()).collect();
+        let verdicts: Vec<Verdict> = point.eigenvalues.iter().map(|t| t.eigenvalue.verdict()).collect();
         // the frequencies meet at a coupling of a quarter
-        assert_eq!(
-            verdicts.contains(&EigenvalueVerdict::Unstable),
-            coupling(k) > 0.2500001,
-            "{k}: {verdicts:?}"
-        );
+        assert_eq!(verdicts.contains(&Verdict::Unstable), coupling(k) > 0.2500001, "{k}: {verdicts:?}");
     }
     let last = &sweep.points[POINTS - 1].eigenvalues;
     assert!((last[0].eigenvalue.value.im - last[1].eigenvalue.value.im).abs() < 1e-9);

@@ -10,7 +10,7 @@ use crate::structure::eigen::run::{ShownModes, found};
 use judder_assembly::linearised::{ContactTerm, Linearised, LinearisedTerms};
 use judder_assembly::work::{GrowthShares, Worker, growth_shares};
 use judder_store::{ByName, Results};
-use judder_structure::complex_modes::{ComplexMode, ComplexModes, EigenvalueVerdict};
+use judder_structure::complex_modes::{ComplexMode, ComplexModes, Verdict};
 use judder_structure::diagnosis::participations;
 use judder_structure::modes::{Mode, WantedModes, modes};
 use judder_structure::quadratic::Region;
@@ -86,7 +86,7 @@ pub(super) fn run(of: &AssemblySubject<'_>, asked: &AssemblyEigen) -> Result<Out
         outcome.warnings.push(format!("{few} of {count} modes: in the searched region there are no more"));
     }
     let parents = if outcome.scalars["unstable"] == 0 { Vec::new() } else { parents(&about, &region)? };
-    let is_unstable = |mode: &&ComplexMode| mode.eigenvalue.verdict() == EigenvalueVerdict::Unstable;
+    let is_unstable = |mode: &&ComplexMode| mode.eigenvalue.verdict() == Verdict::Unstable;
     let (mut growing, mut balances) = (Vec::new(), Vec::new());
     for mode in found.modes.iter().filter(is_unstable) {
         let shape = about.expanded(&mode.right);

@@ -5,7 +5,7 @@ use crate::error::ModelError;
 use judder_assembly::linearised::ContactTerm;
 use judder_assembly::work::{Worker, growth_shares};
 use judder_report::Role;
-use judder_structure::complex_modes::{ComplexMode, EigenvalueVerdict};
+use judder_structure::complex_modes::{ComplexMode, Verdict};
 use judder_structure::onset::StabilityAt;
 use judder_structure::quadratic::Region;
 
@@ -109,10 +109,10 @@ impl MapPoint {
             solved.modes.iter().max_by(|a, b| a.eigenvalue.value.re.total_cmp(&b.eigenvalue.value.re));
         let grows = fastest.map(|mode| mode.eigenvalue.verdict());
         let verdict = match (fastest, grows) {
-            (Some(mode), Some(EigenvalueVerdict::Unstable)) => fed_by(family, state, mode)?,
+            (Some(mode), Some(Verdict::Unstable)) => fed_by(family, state, mode)?,
             // growing modes may be among those that are missing
             _ if !solved.gaps.is_empty() => PointVerdict::Unresolved,
-            (_, Some(EigenvalueVerdict::Marginal)) => PointVerdict::Marginal,
+            (_, Some(Verdict::Marginal)) => PointVerdict::Marginal,
             _ => PointVerdict::Stable,
         };
         Ok(Self {

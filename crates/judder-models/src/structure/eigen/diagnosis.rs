@@ -8,9 +8,7 @@ use judder_store::Results;
 use judder_structure::StructureError;
 use judder_structure::affine::Factors;
 use judder_structure::assembly::Sparse;
-use judder_structure::complex_modes::{
-    ComplexMode, ComplexModeSettings, EigenvalueVerdict, Region, complex_modes,
-};
+use judder_structure::complex_modes::{ComplexMode, ComplexModeSettings, Region, Verdict, complex_modes};
 use judder_structure::diagnosis::{Diagnosis, EnergySign, Influence, MatrixSum, diagnosis, participations};
 use judder_structure::modes::{Mode, WantedModes, modes};
 use judder_structure::quadratic::Quadratic;
@@ -113,11 +111,8 @@ pub(super) fn of_growing(
     sought: &Region,
     found: &[ComplexMode],
 ) -> Result<Option<GrowingModes>, ModelError> {
-    let mut growing: Vec<(usize, &ComplexMode)> = found
-        .iter()
-        .enumerate()
-        .filter(|(_, mode)| mode.eigenvalue.verdict() == EigenvalueVerdict::Unstable)
-        .collect();
+    let mut growing: Vec<(usize, &ComplexMode)> =
+        found.iter().enumerate().filter(|(_, mode)| mode.eigenvalue.verdict() == Verdict::Unstable).collect();
     if growing.is_empty() {
         return Ok(None);
     }

@@ -9,7 +9,7 @@ use crate::structure::case::StructureCase;
 use judder_store::{Results, Variable};
 use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{
-    ComplexMode, ComplexModeSettings, ComplexModes, Eigenvalue, EigenvalueVerdict, Gap, Region, complex_modes,
+    ComplexMode, ComplexModeSettings, ComplexModes, Eigenvalue, Gap, Region, Verdict, complex_modes,
 };
 use judder_structure::mesh::Mesh;
 use judder_structure::quadratic::Quadratic;
@@ -23,11 +23,11 @@ const RESIDUAL_LIMIT: f64 = 1e-12;
 /// The verdicts as codes of arrays.
 pub(crate) const VERDICTS: [(u8, &str); 3] = [(0, "stable"), (1, "marginal"), (2, "unstable")];
 
-pub(crate) fn code(verdict: EigenvalueVerdict) -> u8 {
+pub(crate) fn code(verdict: Verdict) -> u8 {
     match verdict {
-        EigenvalueVerdict::Stable => 0,
-        EigenvalueVerdict::Marginal => 1,
-        EigenvalueVerdict::Unstable => 2,
+        Verdict::Stable => 0,
+        Verdict::Marginal => 1,
+        Verdict::Unstable => 2,
     }
 }
 
@@ -94,7 +94,7 @@ impl ShownModes<'_> {
         let told = ToldRegion {
             eigenvalues: (1..).zip(&values).map(|(mode, value)| ToldMode::new(mode, value)).collect(),
             complete: found.complete(),
-            unstable: values.iter().filter(|value| value.verdict() == EigenvalueVerdict::Unstable).count(),
+            unstable: values.iter().filter(|value| value.verdict() == Verdict::Unstable).count(),
             degrees_of_freedom: problem.size(),
             shifts: found.shifts.len(),
             diagnosis,

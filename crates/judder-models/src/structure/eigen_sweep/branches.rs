@@ -5,7 +5,7 @@ use super::onsets::{LocatedOnsets, ToldDoubt, ToldOnset};
 use crate::axis::Curves;
 use crate::error::ModelError;
 use judder_store::{Dataset, Results, Table, Variable};
-use judder_structure::complex_modes::EigenvalueVerdict;
+use judder_structure::complex_modes::Verdict;
 use judder_structure::eigen_sweep::{PointEigenvalues, SweptEigenvalues, Tracked};
 use judder_structure::quadratic::Region;
 use judder_study::axis::SweptAxis;
@@ -56,7 +56,7 @@ impl EigenvalueCurve {
     fn new(values: &[f64], sweep: &SweptEigenvalues, found: &LocatedOnsets) -> Self {
         let told = |own: &Tracked| OnBranch { mode: ToldMode::new(0, &own.eigenvalue), branch: own.branch };
         let is_unstable = |point: &PointEigenvalues| {
-            point.eigenvalues.iter().any(|t| t.eigenvalue.verdict() == EigenvalueVerdict::Unstable)
+            point.eigenvalues.iter().any(|t| t.eigenvalue.verdict() == Verdict::Unstable)
         };
         Self {
             value: values.to_vec(),

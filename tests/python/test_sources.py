@@ -1,0 +1,41 @@
+"""The sources: a type has a name of its own, so that a word means one thing wherever it is read."""
+
+import collections
+import pathlib
+import re
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SOURCES = sorted(ROOT.glob("crates/*/src/**/*.rs"))
+VISIBILITY = r"(?:pub(?:\([^)]*\))?\s+)?"
+NAMED = re.compile(rf"\s*{VISIBILITY}(struct|enum|trait|type|union)\s+([A-Z]\w*)")
+BODY = re.compile(rf"\s*{VISIBILITY}(?:unsafe\s+)?(?:impl|trait)\b(?!.*\}}$)")
+
+
+def types(path):
+    """Line and name of every type in a file, but for those of test modules and associated ones. As rustfmt has it, a block ends where its first line begins."""
+    tests, body, is_next = None, None, False
+    for number, line in enumerate(path.read_text("utf-8").splitlines(), start=1):
+        margin = line[: len(line) - len(line.lstrip())]
+        if tests is not None:
+            tests = None if line == tests + "}" else tests
+            continue
+        if is_next and not line.lstrip().startswith("#["):
+            is_next, tests = False, margin if line.endswith("{") else None
+            continue
+        is_next = is_next or line.strip() == "#[cfg(test)]"
+        if body is not None and line == body + "}":
+            body = None
+        found = NAMED.match(line)
+        if found and not (found[1] == "type" and body is not None):
+            yield number, found[2]
+        if body is None and BODY.match(line):
+            body = margin
+
+
+def test_a_type_has_a_name_of_its_own():
+    places = collections.defaultdict(dict)
+    for path in SOURCES:
+        for number, name in types(path):
+            places[name].setdefault(path, f"{path.relative_to(ROOT)}:{number}")
+    assert len(places) > 1000
+    assert [f"{name}: {', '.join(found.values())}" for name, found in places.items() if len(found) > 1] == []

@@ -1,7 +1,7 @@
 //! Steady sliding and what is told of it.
 
 use super::faces::with_faces;
-use super::uniqueness::ToldUniqueness;
+use super::uniqueness::{ToldUniqueness, of_closed_points};
 use crate::assembly::build::{ShownBodies, SphereState, SubstrateSphere};
 use crate::assembly::interface_error::WithInterfaceFreedoms;
 use crate::assembly::{AssemblySubject, IMBALANCE};
@@ -9,7 +9,7 @@ use crate::error::ModelError;
 use crate::structure::shapes;
 use crate::written::written;
 use judder_assembly::contact_point::ContactPoint;
-use judder_assembly::steady::{FrictionLimit, PointState, SteadySliding};
+use judder_assembly::steady::{PointState, SteadySliding};
 use judder_exchange::geometry::Geometry;
 use judder_exchange::vtu::{FieldValues, VtuField, write_vtu};
 use judder_store::{ByName, Results, Variable};
@@ -27,8 +27,8 @@ pub(super) struct SteadyResults {
     residual: f64,
     /// linear systems that were solved
     iterations: usize,
-    /// by what all friction coefficients are multiplied where the equations of the points that are closed become singular; none where that
-    /// is for no friction coefficient, or not known
+    /// by what all friction coefficients are multiplied where the equations of the points that are closed become singular, the `factor` of
+    /// `closed-points` of `friction_onsets`; none where that is for no friction coefficient, or not known
     friction_limit: Option<f64>,
     /// whether that was looked for
     friction_limit_known: bool,
@@ -208,15 +208,13 @@ fn results(
         contacts.push((interface.name.clone(), ContactSums::new(&own)));
         rows.extend(own.iter().map(|(point, state)| PointRow::new(&interface.name, point, state)));
     }
+    let (closed_points_begin, friction_limit_known) = of_closed_points(steady);
     SteadyResults {
         converged: steady.residual <= IMBALANCE,
         residual: steady.residual,
         iterations: steady.iterations,
-        friction_limit: match steady.friction_limit {
-            FrictionLimit::At { factor, .. } => Some(factor),
-            FrictionLimit::None | FrictionLimit::Unknown => None,
-        },
-        friction_limit_known: steady.friction_limit != FrictionLimit::Unknown,
+        friction_limit: closed_points_begin.map(|onset| onset.factor),
+        friction_limit_known,
         left_out: of.built.left_out.clone(),
         interface_modes_error,
         contacts: contacts.into_iter().collect(),

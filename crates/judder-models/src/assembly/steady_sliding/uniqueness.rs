@@ -58,12 +58,8 @@ impl ToldUniqueness {
         steady: &SteadySliding,
     ) -> Result<(Self, Vec<String>), ModelError> {
         let Uniqueness { verdict, onsets } = uniqueness(&of.built.assembly, compliance, steady)?;
-        let of_closed = match steady.friction_limit {
-            FrictionLimit::At { factor, point } => Some(FrictionOnset { factor, point }),
-            FrictionLimit::None | FrictionLimit::Unknown => None,
-        };
         let found = [
-            (of_closed, steady.friction_limit != FrictionLimit::Unknown),
+            of_closed_points(steady),
             (onsets.any_set, onsets.all_sets_known),
             (onsets.one_point, onsets.one_point_known),
             (onsets.one_point_inertia, onsets.inertia_known),
@@ -91,6 +87,15 @@ impl ToldUniqueness {
         let names = BEGINS.map(|(name, _)| name.to_owned());
         let friction_onsets = names.into_iter().zip(told).collect();
         Ok((Self { uniqueness, uniqueness_by, states, friction_onsets }, warnings))
+    }
+}
+
+/// Where the closed points begin to move without a change of force, and whether that was looked for.
+pub(super) fn of_closed_points(steady: &SteadySliding) -> (Option<FrictionOnset>, bool) {
+    match steady.friction_limit {
+        FrictionLimit::At { factor, point } => (Some(FrictionOnset { factor, point }), true),
+        FrictionLimit::None => (None, true),
+        FrictionLimit::Unknown => (None, false),
     }
 }
 

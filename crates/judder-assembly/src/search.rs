@@ -9,6 +9,7 @@ use judder_structure::freedom::Direction;
 use judder_structure::mesh::Mesh;
 use rstar::{AABB, RTree, RTreeObject};
 use std::array;
+use std::collections::BTreeMap;
 
 /// A body of an assembly where it may touch others.
 pub struct TouchingBody<'a> {
@@ -96,31 +97,14 @@ pub fn contact_points(
 ) -> Result<FoundPoints, AssemblyError> {
     let surface = Surface::of_nodes(slider.mesh, nodes)?;
     let (areas, normals) = (surface.tributary(slider.mesh), surface.normals(slider.mesh));
-    let opposite: Box<dyn Fn(usize) -> Option<Partner> + '_> = match track {
-        Track::Plane(normal) | Track::Carried(_, _, normal) => {
-            let normal = unit(*normal).ok_or(AssemblyError::NoNormal { normal: *normal })?;
-            if normals.values().map(|outward| dot(*outward, normal)).sum::<f64>() > 0.0 {
-                return Err(AssemblyError::WrongNormal { normal });
-            }
-            let height = move |node: &usize| dot(normal, slider.mesh.nodes[*node]);
-            let foremost = nodes.iter().map(height).fold(f64::INFINITY, f64::min);
-            let (moved, displaced) = match track {
-                Track::Carried(body, node, _) => (body.displacement(*node), (body.displaced)(*node)),
-                _ => Default::default(),
-            };
-            Box::new(move |node| {
-                Some(Partner {
-                    normal,
-                    gap: height(&node) - foremost,
-                    moved: moved.clone(),
-                    displaced,
-                    foot: None,
-                })
-            })
+    let opposite = match track {
+        Track::Plane(normal) => above_plane(slider, nodes, *normal, &normals, Default::default())?,
+        Track::Carried(body, node, normal) => {
+            let carried = (body.displacement(*node), (body.displaced)(*node));
+            above_plane(slider, nodes, *normal, &normals, carried)?
         }
         Track::Body(body, nodes) => {
-            let faces = TrackFaces::new(body, nodes)?;
-            let normals = &normals;
+            let (faces, normals) = (TrackFaces::new(body, nodes)?, &normals);
             Box::new(move |node| {
                 faces.opposite(body, slider.mesh.nodes[node], normals.get(&node).copied(), reach)
             })
@@ -158,6 +142,28 @@ pub fn contact_points(
         });
     }
     Ok(found)
+}
+
+/// Finds what lies opposite a node of the slider, where anything does.
+type Opposite<'a> = Box<dyn Fn(usize) -> Option<Partner> + 'a>;
+
+/// What lies opposite a node above the plane through the foremost one, which is carried so.
+fn above_plane<'a>(
+    slider: &'a TouchingBody<'_>,
+    nodes: &[usize],
+    normal: Vector,
+    outward: &BTreeMap<usize, Vector>,
+    (moved, displaced): ([Row; 3], Vector),
+) -> Result<Opposite<'a>, AssemblyError> {
+    let normal = unit(normal).ok_or(AssemblyError::NoNormal { normal })?;
+    if outward.values().map(|own| dot(*own, normal)).sum::<f64>() > 0.0 {
+        return Err(AssemblyError::WrongNormal { normal });
+    }
+    let height = move |node: &usize| dot(normal, slider.mesh.nodes[*node]);
+    let foremost = nodes.iter().map(height).fold(f64::INFINITY, f64::min);
+    Ok(Box::new(move |node| {
+        Some(Partner { normal, gap: height(&node) - foremost, moved: moved.clone(), displaced, foot: None })
+    }))
 }
 
 impl TouchingBody<'_> {

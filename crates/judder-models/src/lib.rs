@@ -37,6 +37,7 @@ mod measured_band;
 pub mod motion;
 pub mod oscillator;
 pub mod parameters;
+mod read_family;
 mod read_sweep;
 pub mod sliding;
 mod spectrum_source;

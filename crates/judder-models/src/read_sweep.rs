@@ -1,16 +1,14 @@
-//! Reading of sweeps, families, root ranges and maps from the tables of an analysis.
+//! Reading of sweeps, root ranges and maps from the tables of an analysis.
 
-use crate::sweep::{
-    Family, MAP_BYTES_LIMIT, MAP_BYTES_PER_POINT, MapOptions, StabilityMapAnalysis, Sweep, Within,
-};
+use crate::sweep::{MAP_BYTES_LIMIT, MAP_BYTES_PER_POINT, MapOptions, StabilityMapAnalysis, Sweep, Within};
 use crate::swept_keys::SweptKeys;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Declaration, Scaled, Setting, Settings, Whole, all, both};
-use judder_keys::document::{Data, Node};
+use judder_keys::declared::{Allowed, Declaration, Scaled, Setting, Settings, Whole, both};
+use judder_keys::document::Data;
 use judder_keys::error::{Fault, Place};
 use judder_keys::keys::Key;
 use judder_keys::numeric_key::{Form, Range, Value};
-use judder_keys::section::{Section, list, text, wrong_type};
+use judder_keys::section::{Section, text, wrong_type};
 use judder_study::case::scale::Spacing;
 use serde_json::{Map, Value as Json, json};
 
@@ -39,7 +37,7 @@ pub(crate) fn required(name: &'static str, doc: &'static str, form: Allowed) -> 
 }
 
 /// The names of keys.
-fn names(keys: &[Declaration]) -> Vec<&'static str> {
+pub(crate) fn names(keys: &[Declaration]) -> Vec<&'static str> {
     keys.iter().map(|key| key.name).collect()
 }
 
@@ -91,50 +89,18 @@ impl AxisKey {
     }
 }
 
-/// The keys of a family.
-fn family_keys<S: SweptKeys>() -> Vec<Declaration> {
-    let values = Allowed::List { of: Box::new(S::value_form()), length: [1, usize::MAX] };
-    vec![required("key", "dotted path of the key", S::key_form()), required("values", "its values", values)]
-}
-
-/// What is said of the family of an analysis.
-pub(crate) fn family_declaration<S: SweptKeys>() -> Declaration {
-    let doc = "one curve for each value of another key";
-    let form = Allowed::Table { doc, keys: family_keys::<S>() };
-    Declaration { is_required: false, ..required("family", doc, form) }
-}
-
-/// Puts a family into a canonical form.
-pub(crate) fn write_family<S: SweptKeys>(family: Option<&Family<S::Key>>, json: &mut Map<String, Json>) {
-    let own = family.map(|family| {
-        let value = |number: &f64| S::write(family.key, Value { number: *number, form: family.form });
-        json!({ "key": family.path, "values": family.values.iter().map(value).collect::<Vec<_>>() })
-    });
-    json.insert("family".to_owned(), json!(own));
-}
-
 /// A sweep with the places that later checks point at.
 pub(crate) struct PlacedSweep<K> {
     pub(crate) sweep: Sweep<K>,
     pub(crate) key: Place,
-    points: Place,
+    pub(crate) points: Place,
     whole: Place,
 }
 
 impl<K: Copy> PlacedSweep<K> {
-    fn ends(&self) -> [Value; 2] {
+    pub(crate) fn ends(&self) -> [Value; 2] {
         [self.sweep.from, self.sweep.to].map(|number| Value { number, form: self.sweep.form })
     }
-}
-
-/// A family with the places that later checks point at.
-pub(crate) struct PlacedFamily<K> {
-    pub(crate) family: Family<K>,
-    pub(crate) key: Place,
-    /// Of each value.
-    pub(crate) places: Vec<Place>,
-    /// Of all values.
-    pub(crate) whole: Place,
 }
 
 impl AxisKey {
@@ -149,7 +115,7 @@ impl AxisKey {
         Ok(sweep.sweep)
     }
 
-    /// Reads it; conditions between keys are left to [`read_family`] and [`read_map`], which know what else varies.
+    /// Reads it; conditions between keys are left to [`crate::read_family`] and [`read_map`], which know what else varies.
     pub(crate) fn read<S: SweptKeys>(
         &self,
         keys: &S,
@@ -188,74 +154,11 @@ impl AxisKey {
     }
 }
 
-fn check_ends<S: SweptKeys>(keys: &S, sweep: &PlacedSweep<S::Key>) -> Result<(), Fault> {
+pub(crate) fn check_ends<S: SweptKeys>(keys: &S, sweep: &PlacedSweep<S::Key>) -> Result<(), Fault> {
     sweep
         .ends()
         .into_iter()
         .try_for_each(|end| keys.check(&[(sweep.sweep.key, end)]).map_err(|cause| cause.at(sweep.whole)))
-}
-
-/// Reads the family of an analysis that sweeps `sweep`, one curve a value, and checks the ends of every curve.
-pub(crate) fn read_family<S: SweptKeys>(
-    keys: &S,
-    analysis: &Section<'_>,
-    sweep: &PlacedSweep<S::Key>,
-) -> Result<Option<Family<S::Key>>, Fault> {
-    let Some(placed) = read_placed_family(keys, analysis, sweep.sweep.key)? else {
-        return check_ends(keys, sweep).map(|()| None);
-    };
-    let PlacedFamily { family, places, whole, .. } = placed;
-    let checked = all(family.values.iter().zip(&places).map(|(number, place)| {
-        let value = Value { number: *number, form: family.form };
-        let mut ends = sweep.ends().into_iter();
-        ends.try_for_each(|end| keys.check(&[(family.key, value), (sweep.sweep.key, end)]))
-            .map_err(|cause| cause.at(*place))
-    }));
-    let size = check_size(&[(family.values.len(), whole), (sweep.sweep.points, sweep.points)]);
-    both(checked, size).map(|_| Some(family))
-}
-
-/// Reads the family of an analysis that sweeps `swept`; whether its values go together with the sweep is left to the caller.
-pub(crate) fn read_placed_family<S: SweptKeys>(
-    keys: &S,
-    analysis: &Section<'_>,
-    swept: S::Key,
-) -> Result<Option<PlacedFamily<S::Key>>, Fault> {
-    let Some(section) = analysis.inner("family")? else { return Ok(None) };
-    let strangers = section.refuse_others(&names(&family_keys::<S>()));
-    let listed = section.required("values", "values = [ … ], one curve each");
-    let listed = listed.and_then(|node| Ok((list("family.values", node)?, node.place)));
-    let (key, key_place) = match read_key(keys, &section) {
-        Ok(key) => key,
-        Err(fault) => return Err(beside(fault, both(strangers, listed).map(drop))),
-    };
-    let other = match keys.same(key, swept) {
-        true => Err(key_twice(keys.path(key), "sweep", "family").at(key_place)),
-        false => Ok(()),
-    };
-    let values = listed.and_then(|(nodes, whole)| read_family_values(keys, key, nodes, whole));
-    let ((), ((), (values, form, places, whole))) = both(strangers, both(other, values))?;
-    let family = Family { key, path: keys.path(key), values, form };
-    Ok(Some(PlacedFamily { family, key: key_place, places, whole }))
-}
-
-/// The values of a family in their form, each with its place, and the place of all.
-type FamilyValues = (Vec<f64>, Form, Vec<Place>, Place);
-
-fn read_family_values<S: SweptKeys>(
-    keys: &S,
-    key: S::Key,
-    nodes: &[Node],
-    whole: Place,
-) -> Result<FamilyValues, Fault> {
-    let values = all(nodes.iter().map(|node| keys.read(key, "family.values", node)))?;
-    let Some(form) = values.first().map(|value| value.form) else {
-        return Err(Cause::EmptyList { key: "family.values".to_owned() }.at(whole));
-    };
-    let places: Vec<Place> = nodes.iter().map(|node| node.place).collect();
-    let alike = values.iter().zip(&places);
-    all(alike.map(|(value, place)| same_form("`family.values`".to_owned(), form, value.form, *place)))?;
-    Ok((values.iter().map(|value| value.number).collect(), form, places, whole))
 }
 
 /// The keys of a range of roots.
@@ -336,7 +239,7 @@ pub(crate) fn read_map<S: SweptKeys>(
     Ok(StabilityMapAnalysis { x: x.sweep, y: y.sweep, options, global_margin: false })
 }
 
-fn read_key<S: SweptKeys>(keys: &S, section: &Section<'_>) -> Result<(S::Key, Place), Fault> {
+pub(crate) fn read_key<S: SweptKeys>(keys: &S, section: &Section<'_>) -> Result<(S::Key, Place), Fault> {
     let node = section.required("key", "the dotted path of a numeric key, key = \"…\"")?;
     let path = text(&section.path("key"), node)?;
     let place = node.part(0..path.len());
@@ -361,7 +264,7 @@ fn read_varied<S: SweptKeys>(keys: &S, section: &Section<'_>) -> Result<Varied<S
 }
 
 /// A fault with another one beside it, where there is one.
-fn beside(fault: Fault, other: Result<(), Fault>) -> Fault {
+pub(crate) fn beside(fault: Fault, other: Result<(), Fault>) -> Fault {
     match other {
         Ok(()) => fault,
         Err(other) => fault.and(other),
@@ -389,7 +292,7 @@ fn ends_of(section: &Section<'_>) -> String {
     format!("`{}` and `{}`", section.path("from"), section.path("to"))
 }
 
-fn key_twice(key: String, first: &'static str, second: &'static str) -> Cause {
+pub(crate) fn key_twice(key: String, first: &'static str, second: &'static str) -> Cause {
     Cause::KeyTwice { key, first, second }
 }
 

@@ -5,9 +5,9 @@ use crate::motion::{MotionAnalysis, MotionOf};
 use crate::oscillator::Operated;
 use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::keys::OscillatorKey;
+use crate::read_family::{family_declaration, read_family, write_family};
 use crate::read_sweep::{
-    PlacedSweep, SWEEP, family_declaration, map_declarations, read_family, read_map, read_within,
-    within_declaration, write_family, write_map, write_within,
+    PlacedSweep, SWEEP, map_declarations, read_map, read_within, within_declaration, write_map, write_within,
 };
 use crate::sweep::{Family, StabilityMapAnalysis, Sweep, Within};
 use crate::swept_keys::SweptKeys;

@@ -10,6 +10,8 @@
 pub mod arrays;
 pub mod body;
 pub mod damping;
+pub mod disc;
+pub mod extent;
 pub(crate) mod lists;
 pub mod matrices;
 pub mod orientation;

@@ -1,9 +1,9 @@
 //! The reference page of the book: every key and every kind of analysis, from the tables that read them.
 
 use crate::case::analysis::KindEntry;
+use crate::case::study_sweep::asked::SweepKeys;
 use crate::case::study_sweep::design::POINTS_LIMIT;
 use crate::case::study_sweep::quantity_path::ListReduction;
-use crate::case::study_sweep::read::SweepKeys;
 use crate::registry::{ModelKind, Registry};
 use judder_keys::declared::Settings;
 use judder_keys::reference::{settings, table, without_repetition};

@@ -1,7 +1,7 @@
 //! The JSON Schema of case files, so that editors complete and check.
 
 use crate::case::analysis::KindEntry;
-use crate::case::study_sweep::read::SweepKeys;
+use crate::case::study_sweep::asked::SweepKeys;
 use crate::registry::{ModelKind, Registry};
 use judder_keys::declared::{Settings, declared_table, with_declared};
 use judder_keys::schema::{names, object, reference};

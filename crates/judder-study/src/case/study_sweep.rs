@@ -5,9 +5,10 @@
 //!
 //! - [`design`]: which points, computed from their index alone.
 //! - [`quantity_path`]: what is kept of them; `known_result`: whether there is such a result.
-//! - `read`, `read_axis`, `trial`: reading, and the case at a point.
+//! - `asked`: its keys; `read`, `read_axis`, `trial`: reading, and the case at a point.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
 
+pub(crate) mod asked;
 pub mod design;
 mod known_result;
 pub mod problem;

@@ -1,5 +1,6 @@
 //! `transient`: a contact that is followed in time.
 
+mod asked;
 mod figure;
 mod run;
 pub mod settings;
@@ -11,13 +12,14 @@ use crate::contact::problem::ContactProblem;
 use crate::contact::settings::ContactScope;
 use crate::contact::transient::settings::TransientSettings;
 use crate::error::ModelError;
+use asked::AskedTransient;
 use judder_contact::transient::TransientError;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
-use run::{AskedTransient, ToldHistory};
+use run::ToldHistory;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 

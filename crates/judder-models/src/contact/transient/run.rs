@@ -1,23 +1,20 @@
 //! `transient`: a contact that is followed in time.
 
 use crate::contact::case::ContactCase;
-use crate::contact::shape::ShapeSettings;
-use crate::contact::single::run::{RESIDUAL_LIMIT, pressed};
-use crate::contact::transient::settings::{IndenterMotion, OscillationSettings, TransientSettings};
+use crate::contact::single::run::RESIDUAL_LIMIT;
+use crate::contact::transient::asked::AskedTransient;
+use crate::contact::transient::settings::{IndenterMotion, TransientSettings};
 use crate::error::ModelError;
 use crate::indenter::profile;
 use crate::material::ContactScales;
 use judder_contact::steady::profile::Profile;
 use judder_contact::steady::{GridChoice, SteadyQuestion, solve};
-use judder_contact::transient::{
-    Before, CreepingSubstrate, IndenterPath, NormalCourse, PathCourse, TransientHistory, TransientQuestion,
-    TransientSample, run as follow,
-};
+use judder_contact::transient::{TransientHistory, TransientQuestion, TransientSample, run as follow};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
 use judder_store::{Dataset, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Outcome};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
 /// What the energies may leave of the work: the cells' error.
@@ -30,114 +27,6 @@ const STEADY_ACCURACY: f64 = 3e-3;
 const SETTLING: f64 = 5.0;
 /// The last part of a start, over which the ripple of the cells is averaged.
 const LAST_PART: f64 = 0.1;
-
-/// The question of the settings in groups.
-pub(crate) struct AskedTransient {
-    /// R and τ are the units.
-    pub(crate) path: IndenterPath,
-    /// t/τ.
-    pub(crate) duration: f64,
-    /// Period of the motion or of the depth, over τ.
-    period: Option<f64>,
-    /// ω τ of the depth.
-    depth_frequency: Option<f64>,
-    /// v τ/R of a start.
-    velocity: Option<f64>,
-    loading: Loading,
-    before: Before,
-}
-
-impl AskedTransient {
-    pub(crate) fn new(shape: &ShapeSettings, settings: &TransientSettings, scales: &ContactScales) -> Self {
-        let wave = |wave: &OscillationSettings| {
-            (scales.length(wave.amplitude), scales.angular_frequency(wave.frequency))
-        };
-        let loading = pressed(shape, settings.loading(), scales);
-        let oscillation = settings.oscillation.as_ref().map(wave);
-        let normal = match (loading, oscillation) {
-            (Loading::Indentation(mean), Some((amplitude, frequency))) => {
-                NormalCourse::Indentation(PathCourse::sine(mean, amplitude, frequency))
-            }
-            (Loading::Indentation(depth), None) => NormalCourse::Indentation(PathCourse::Constant(depth)),
-            (Loading::Load(force), _) => NormalCourse::Load(PathCourse::Constant(force)),
-        };
-        let (mut frequency, mut velocity) = (oscillation.map(|(_, frequency)| frequency), None);
-        let path = match settings.motion() {
-            IndenterMotion::Rest => IndenterPath::at_rest(normal),
-            IndenterMotion::Start(speed) => {
-                let speed = scales.velocity(speed);
-                velocity = Some(speed);
-                IndenterPath::start_of_sliding(speed, 0.0, normal)
-            }
-            IndenterMotion::Reciprocation(motion) => {
-                let (amplitude, angular_frequency) = wave(&motion);
-                frequency = Some(angular_frequency);
-                IndenterPath::reciprocation(amplitude, angular_frequency, normal)
-            }
-        };
-        let is_relaxation = settings.motion() == IndenterMotion::Rest && oscillation.is_none();
-        Self {
-            path,
-            duration: scales.over_time(settings.duration),
-            period: frequency.map(|frequency| TAU / frequency),
-            depth_frequency: oscillation.map(|(_, frequency)| frequency),
-            velocity,
-            loading,
-            before: if is_relaxation { Before::Untouched } else { Before::Settled },
-        }
-    }
-
-    /// The question of a contact in time.
-    pub(crate) fn question<'a>(
-        &'a self,
-        substrate: &'a CreepingSubstrate,
-        profile: &'a dyn Profile,
-        settings: &TransientSettings,
-    ) -> TransientQuestion<'a> {
-        let mut question = TransientQuestion::new(substrate, profile, &self.path, self.duration);
-        question.before = self.before;
-        question.grid.cells = settings.cells;
-        question.grid.memory_limit = settings.memory.bytes;
-        question.energy = true;
-        question
-    }
-
-    /// The largest δ/R of an imposed indentation; zero under a load.
-    pub(crate) fn largest_depth(&self) -> f64 {
-        match &self.path.normal {
-            NormalCourse::Indentation(course) => course.range(self.duration)[1],
-            NormalCourse::Load(_) => 0.0,
-        }
-    }
-
-    /// What presses the indenter down, in groups.
-    pub(crate) fn loading(&self) -> Loading {
-        self.loading
-    }
-
-    /// ω τ of the largest speed over a half length of the contact, and of what swings.
-    pub(crate) fn frequencies(&self, half_length: f64) -> Vec<f64> {
-        let swing = self.period.map(|period| TAU / period);
-        [Some(self.path.position.largest_rate() / half_length), swing].into_iter().flatten().collect()
-    }
-
-    /// What is asked, in groups, in words.
-    pub(crate) fn words(&self, settings: &TransientSettings) -> String {
-        format!("{}, t/τ = {}", settings.word.name(), judder_study::text::number(self.duration))
-    }
-
-    /// Steps that motion and frequencies will take over cells of a side.
-    pub(crate) fn steps(&self, cells: usize) -> usize {
-        let depth = match self.loading {
-            Loading::Indentation(depth) => depth,
-            Loading::Load(force) => (0.75 * force).powf(2.0 / 3.0),
-        };
-        let cell = 2.0 * (2.0 * depth).sqrt() / cells as f64;
-        let rate = (self.path.position.largest_rate() / cell).max(self.period.map_or(0.0, |p| 24.0 / p));
-        // the decay of the first moments takes a few dozen
-        50 + (self.duration * rate) as usize
-    }
-}
 
 pub(super) fn run(
     case: &ContactCase,

@@ -2,10 +2,9 @@
 
 use super::assembled::{add_supports, assembled, dimension_of, hold, section};
 use super::{Structure, Unbuilt};
-use crate::structure::case::body::{
-    BeamSettings, Block, BodyGeometry, BodySettings, DiscSettings, EndCondition,
-};
+use crate::structure::case::body::{BeamSettings, Block, BodyGeometry, BodySettings, EndCondition};
 use crate::structure::case::damping::Damping;
+use crate::structure::case::disc::DiscSettings;
 use judder_structure::beam;
 use judder_structure::freedom::Supports;
 use judder_structure::grid::Grid;

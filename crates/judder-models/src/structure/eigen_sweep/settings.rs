@@ -1,8 +1,7 @@
 //! What a case says of complex modes along a parameter.
 
-use crate::read_sweep::{
-    PlacedFamily, SWEEP, check_size, family_declaration, read_placed_family, required, write_family,
-};
+use crate::read_family::{PlacedFamily, family_declaration, read_placed_family, write_family};
+use crate::read_sweep::{SWEEP, check_size, required};
 use crate::structure::case::problem::StructureProblem;
 use crate::structure::case::scope::StructureScope;
 use crate::structure::case::{Matrices, StructureSource};

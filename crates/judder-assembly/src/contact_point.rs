@@ -51,7 +51,7 @@ pub struct ContactFrame {
     /// t,
     pub(crate) tangent: Vector,
     /// How the slip velocity along the slip and across it follows the displacements; empty where the track's material stays.
-    pub(crate) convected: [Row; 2],
+    pub convected: [Row; 2],
 }
 
 impl ContactPoint {

@@ -1,0 +1,240 @@
+//! Bodies as the modes of all of them together, which their damping leaves free of each other.
+
+use super::{BodyEnergy, BodyWork, StepRule};
+use faer::Mat;
+use judder_assembly::assembly::{Assembly, triplets};
+use judder_assembly::row::Row;
+use judder_dense::symmetric::generalised;
+use judder_structure::assembly::Sparse;
+use pulp::Arch;
+
+/// Numbers that are worked together, whatever the machine: sums are in the same order on all.
+const LANES: usize = 8;
+/// Freedoms up to which all modes are computed: some seconds.
+const MOST: usize = 1200;
+/// Damping between modes that is rounding, as a share of the modes' own.
+const ROUNDING: f64 = 1e-8;
+
+/// z̈ + d ż + λ z = f of each mode, with vectors filled up to whole groups of lanes.
+#[derive(Debug, Clone)]
+pub(super) struct ModalBodies {
+    arch: Arch,
+    rule: StepRule,
+    /// Modes, filled up.
+    size: usize,
+    /// λ in rad²/s².
+    eigenvalues: Vec<f64>,
+    /// d in 1/s.
+    damping: Vec<f64>,
+    /// 1/(1 + h θ d + h² θ² λ).
+    inverse: Vec<f64>,
+    /// H Φ row after row, and the same times the inverse.
+    rows: Vec<f64>,
+    pushes: Vec<f64>,
+    /// Φ and M Φ, freedoms × modes.
+    shapes: Mat<f64>,
+    weighted: Mat<f64>,
+}
+
+impl ModalBodies {
+    /// `None` where the modes are too many, their damping joins them, or a matrix is not symmetric.
+    pub(super) fn new(assembly: &Assembly, rows: &[Row], rule: StepRule) -> Option<Self> {
+        let freedoms = assembly.size();
+        if freedoms > MOST || !assembly.gyroscopic.is_empty() || !is_symmetric(&assembly.stiffness) {
+            return None;
+        }
+        let mass = full(&assembly.mass);
+        let eigen = generalised(full(&assembly.stiffness), &mass)?;
+        let shapes = eigen.vectors;
+        let damping = modal_damping(&assembly.damping, &shapes, &eigen.values)?;
+        let size = freedoms.next_multiple_of(LANES);
+        let filled = |values: &[f64]| [values, &vec![0.0; size - freedoms]].concat();
+        let (eigenvalues, damping) = (filled(&eigen.values), filled(&damping));
+        let StepRule { step, implicitness } = rule;
+        let share = step * implicitness;
+        let inverse: Vec<f64> = eigenvalues
+            .iter()
+            .zip(&damping)
+            .map(|(l, d)| 1.0 / (1.0 + share * d + share * share * l))
+            .collect();
+        let mut on_modes = vec![0.0; rows.len() * size];
+        for (row, own) in rows.iter().zip(on_modes.chunks_exact_mut(size)) {
+            for (mode, value) in own.iter_mut().enumerate().take(freedoms) {
+                *value = row.entries().iter().map(|(freedom, share)| share * shapes[(*freedom, mode)]).sum();
+            }
+        }
+        let pushes = on_modes
+            .chunks_exact(size)
+            .flat_map(|own| own.iter().zip(&inverse).map(|(value, inverse)| value * inverse))
+            .collect();
+        let weighted = judder_dense::product::product(mass.as_ref(), shapes.as_ref());
+        Some(Self {
+            arch: Arch::new(),
+            rule,
+            size,
+            eigenvalues,
+            damping,
+            inverse,
+            rows: on_modes,
+            pushes,
+            shapes,
+            weighted,
+        })
+    }
+
+    pub(super) fn size(&self) -> usize {
+        self.size
+    }
+
+    pub(super) fn coordinates(&self, freedoms: &[f64]) -> Vec<f64> {
+        self.projected(&self.weighted, freedoms)
+    }
+
+    pub(super) fn forces(&self, freedoms: &[f64]) -> Vec<f64> {
+        self.projected(&self.shapes, freedoms)
+    }
+
+    fn projected(&self, basis: &Mat<f64>, freedoms: &[f64]) -> Vec<f64> {
+        let of = |mode: usize| freedoms.iter().enumerate().map(|(k, value)| basis[(k, mode)] * value).sum();
+        let mut own: Vec<f64> = (0..basis.ncols()).map(of).collect();
+        own.resize(self.size, 0.0);
+        own
+    }
+
+    pub(super) fn freedoms(&self, z: &[f64]) -> Vec<f64> {
+        let of = |freedom: usize| {
+            (0..self.shapes.ncols()).map(|mode| self.shapes[(freedom, mode)] * z[mode]).sum()
+        };
+        (0..self.shapes.nrows()).map(of).collect()
+    }
+
+    pub(super) fn free(&self, z: &[f64], v: &[f64], load: &[f64], out: &mut [f64]) {
+        let StepRule { step, implicitness } = self.rule;
+        let ahead = step * implicitness;
+        let (z, v, load, out) = (&z[..self.size], &v[..self.size], &load[..self.size], &mut out[..self.size]);
+        let (eigenvalues, damping) = (&self.eigenvalues[..self.size], &self.damping[..self.size]);
+        let inverse = &self.inverse[..self.size];
+        self.arch.dispatch(
+            #[inline(always)]
+            || {
+                for k in 0..out.len() {
+                    let force = damping[k] * v[k] + eigenvalues[k] * (z[k] + ahead * v[k]) - load[k];
+                    out[k] = v[k] - step * force * inverse[k];
+                }
+            },
+        );
+    }
+
+    pub(super) fn seen(&self, z: &[f64], first: usize, every: usize, out: &mut [f64]) {
+        let z = &z[..self.size];
+        let rows = self.rows.chunks_exact(self.size.max(1)).skip(first).step_by(every);
+        self.arch.dispatch(
+            #[inline(always)]
+            || {
+                for (row, out) in rows.zip(out) {
+                    *out = dot(row, z);
+                }
+            },
+        );
+    }
+
+    pub(super) fn push(&self, impulses: &[f64], v: &mut [f64]) {
+        let v = &mut v[..self.size];
+        self.arch.dispatch(
+            #[inline(always)]
+            || {
+                for (row, impulse) in self.pushes.chunks_exact(self.size).zip(impulses) {
+                    if *impulse != 0.0 {
+                        v.iter_mut().zip(row).for_each(|(v, push)| *v += impulse * push);
+                    }
+                }
+            },
+        );
+    }
+
+    pub(super) fn energy(&self, z: &[f64], v: &[f64], load: &[f64]) -> BodyEnergy {
+        let back = if self.rule.implicitness == 0.0 { self.rule.step } else { 0.0 };
+        let mut energy = BodyEnergy::default();
+        for k in 0..self.size {
+            energy.kinetic += 0.5 * v[k] * v[k];
+            energy.potential += 0.5 * self.eigenvalues[k] * z[k] * (z[k] - back * v[k])
+                - load[k] * (z[k] - 0.5 * back * v[k]);
+        }
+        energy
+    }
+
+    pub(super) fn work(&self, before: &[f64], after: &[f64]) -> BodyWork {
+        let share = self.rule.implicitness;
+        let (before, after, damping) =
+            (&before[..self.size], &after[..self.size], &self.damping[..self.size]);
+        let taken = self.arch.dispatch(
+            #[inline(always)]
+            || {
+                let mut sums = [0.0; LANES];
+                for first in (0..before.len()).step_by(LANES) {
+                    for lane in 0..LANES {
+                        let k = first + lane;
+                        let damped = before[k] + share * (after[k] - before[k]);
+                        sums[lane] += damping[k] * damped * (before[k] + after[k]);
+                    }
+                }
+                total(sums)
+            },
+        );
+        BodyWork { damping: -0.5 * self.rule.step * taken, circulation: 0.0 }
+    }
+
+    pub(super) fn fastest(&self) -> [f64; 2] {
+        let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
+        [largest(&self.eigenvalues).sqrt(), largest(&self.damping)]
+    }
+}
+
+/// a·b of whole groups of lanes.
+#[inline(always)]
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; LANES];
+    for (a, b) in a.as_chunks::<LANES>().0.iter().zip(b.as_chunks::<LANES>().0) {
+        for lane in 0..LANES {
+            sums[lane] += a[lane] * b[lane];
+        }
+    }
+    total(sums)
+}
+
+#[inline(always)]
+fn total(sums: [f64; LANES]) -> f64 {
+    ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]))
+}
+
+/// A sparse matrix with all its zeros.
+fn full(matrix: &Sparse) -> Mat<f64> {
+    let mut all = Mat::zeros(matrix.nrows(), matrix.ncols());
+    triplets(matrix).for_each(|entry| all[(entry.row, entry.col)] += entry.val);
+    all
+}
+
+/// Whether a matrix is its own transpose but for rounding.
+pub(super) fn is_symmetric(matrix: &Sparse) -> bool {
+    let largest = triplets(matrix).map(|entry| entry.val.abs()).fold(0.0, f64::max);
+    triplets(matrix).all(|entry| {
+        let mirrored = matrix.get(entry.col, entry.row).copied().unwrap_or(0.0);
+        (mirrored - entry.val).abs() <= 1e-11 * largest
+    })
+}
+
+/// d of each mode, where Φᵀ C Φ has no other entries.
+fn modal_damping(damping: &Sparse, shapes: &Mat<f64>, eigenvalues: &[f64]) -> Option<Vec<f64>> {
+    let product = judder_dense::product::product(full(damping).as_ref(), shapes.as_ref());
+    let projected = judder_dense::product::product(shapes.transpose(), product.as_ref());
+    let size = shapes.ncols();
+    let own: Vec<f64> = (0..size).map(|mode| projected[(mode, mode)]).collect();
+    let largest = own.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+    let fastest = eigenvalues.iter().fold(0.0_f64, |most, own| most.max(own.abs())).sqrt();
+    let joins = |i: usize, j: usize| {
+        let size = (own[i].abs() * own[j].abs()).sqrt().max(f64::EPSILON * largest.max(fastest));
+        projected[(i, j)].abs() > ROUNDING * size
+    };
+    let is_free = (0..size).all(|i| (0..i).all(|j| !joins(i, j) && !joins(j, i)));
+    is_free.then_some(own)
+}

@@ -1,0 +1,270 @@
+//! What one step asks of the contact.
+//!
+//! The velocities beside each other follow from impulses, U = b + W P, with components along the normal, along the slip and, in space,
+//! across it. At every point
+//!
+//! - where it is unilateral, 0 ≤ P_N ⟂ U_N + s P_N + u ≥ 0, with s = 0 where it is rigid and u what the law of the normal asks for;
+//! - |P_T| ≤ μ(0) P_N where U_T = 0, else P_T = −μ(|U_T|) P_N U_T/|U_T|.
+
+use crate::one_point::PointBlock;
+use judder_assembly::friction::Friction;
+
+/// The most components of a point: along the normal, along the slip, across it.
+pub(crate) const MOST: usize = 3;
+
+/// What the normal of a point asks of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NormalCondition {
+    /// It is open: no impulse.
+    Open,
+    /// 0 ≤ P_N ⟂ U_N + s P_N + u ≥ 0.
+    Unilateral {
+        /// u in m/s.
+        velocity: f64,
+        /// s in 1/kg.
+        softness: f64,
+    },
+    /// U_N + s P_N + u = 0 whatever the impulse: a point that stays closed.
+    Bilateral {
+        /// u in m/s.
+        velocity: f64,
+        /// s in 1/kg.
+        softness: f64,
+    },
+    /// The impulse is known.
+    Given {
+        /// P_N in N s.
+        impulse: f64,
+    },
+}
+
+/// The friction coefficient of a point in a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FrictionCondition<'a> {
+    /// μ(|U_T|) of a law.
+    Law(&'a Friction),
+    /// A coefficient of its own at rest and at the speed that it has now.
+    Now {
+        /// μ at rest.
+        at_rest: f64,
+        /// μ now.
+        now: f64,
+    },
+}
+
+impl FrictionCondition<'_> {
+    fn at_rest(&self) -> f64 {
+        match self {
+            Self::Law(law) => law.at(0.0).coefficient,
+            Self::Now { at_rest, .. } => *at_rest,
+        }
+    }
+
+    pub(crate) fn at(&self, speed: f64) -> f64 {
+        match self {
+            Self::Law(law) => law.at(speed).coefficient,
+            Self::Now { now, .. } => *now,
+        }
+    }
+}
+
+/// What a point does after a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum PointMotion {
+    /// It carries no force.
+    #[default]
+    Open,
+    /// It moves with the track.
+    Stick,
+    /// It slides.
+    Slip,
+}
+
+/// W: how impulses at all points change the velocities there.
+#[derive(Debug, Clone)]
+pub struct Delassus {
+    /// Components of a point: two in the plane, three in space.
+    dimension: usize,
+    points: usize,
+    /// Column after column, in 1/kg.
+    entries: Vec<f64>,
+    blocks: Vec<PointBlock>,
+}
+
+impl Delassus {
+    /// W of so many components a point, column after column, in 1/kg.
+    #[must_use]
+    pub fn new(dimension: usize, entries: Vec<f64>) -> Self {
+        let size = entries.len().isqrt();
+        let points = size / dimension.max(1);
+        let block = |point: usize| {
+            let mut own = [[0.0; MOST]; MOST];
+            for (i, row) in own.iter_mut().enumerate().take(dimension) {
+                for (j, entry) in row.iter_mut().enumerate().take(dimension) {
+                    *entry = entries[(point * dimension + j) * size + point * dimension + i];
+                }
+            }
+            PointBlock::new(own)
+        };
+        let blocks = (0..points).map(block).collect();
+        Self { dimension, points, entries, blocks }
+    }
+
+    /// Components of a point.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// Points.
+    #[must_use]
+    pub fn points(&self) -> usize {
+        self.points
+    }
+
+    /// Components of all points.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.dimension * self.points
+    }
+
+    /// What a unit impulse at a component does to all.
+    pub(crate) fn column(&self, component: usize) -> &[f64] {
+        let size = self.size();
+        &self.entries[component * size..(component + 1) * size]
+    }
+
+    /// That of one point by itself.
+    pub(crate) fn block(&self, point: usize) -> &PointBlock {
+        &self.blocks[point]
+    }
+
+    /// A point that no impulse moves along its normal.
+    #[must_use]
+    pub fn held_point(&self) -> Option<usize> {
+        self.blocks.iter().position(|block| !block.yields())
+    }
+
+    /// U = b + W P.
+    pub(crate) fn velocities(&self, free: &[f64], impulse: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(free);
+        for (component, value) in impulse.iter().enumerate().filter(|(_, value)| **value != 0.0) {
+            add(out, *value, self.column(component));
+        }
+    }
+}
+
+/// a += f b.
+#[inline]
+pub(crate) fn add(a: &mut [f64], factor: f64, b: &[f64]) {
+    a.iter_mut().zip(b).for_each(|(a, b)| *a += factor * b);
+}
+
+/// The contact of one step.
+#[derive(Debug, Clone, Copy)]
+pub struct ContactProblem<'a> {
+    /// W.
+    pub delassus: &'a Delassus,
+    /// b in m/s.
+    pub free: &'a [f64],
+    /// Of each point.
+    pub normal: &'a [NormalCondition],
+    /// Of each point.
+    pub friction: &'a [FrictionCondition<'a>],
+    /// An impulse in N s by which residuals are measured.
+    pub scale: f64,
+}
+
+/// How far a solution has come.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Progress {
+    /// Sweeps over all points, or steps of Newton's method.
+    pub iterations: usize,
+    /// The largest residual of the complementarity of a point, as a share of the scale.
+    pub residual: f64,
+    /// The point that has it.
+    pub point: usize,
+}
+
+/// Impulses and velocities of a step, kept from one to the next as its start.
+#[derive(Debug, Clone)]
+pub struct ContactSolution {
+    /// P in N s.
+    pub impulse: Vec<f64>,
+    /// U in m/s.
+    pub velocity: Vec<f64>,
+    /// What each point does.
+    pub motion: Vec<PointMotion>,
+}
+
+impl ContactSolution {
+    /// No impulses.
+    #[must_use]
+    pub fn none(delassus: &Delassus) -> Self {
+        let size = delassus.size();
+        Self {
+            impulse: vec![0.0; size],
+            velocity: vec![0.0; size],
+            motion: vec![PointMotion::Open; delassus.points()],
+        }
+    }
+}
+
+impl ContactProblem<'_> {
+    /// The components of a point of a vector on all.
+    pub(crate) fn of_point(&self, values: &[f64], point: usize) -> [f64; MOST] {
+        let dimension = self.delassus.dimension();
+        let mut own = [0.0; MOST];
+        own[..dimension].copy_from_slice(&values[point * dimension..(point + 1) * dimension]);
+        own
+    }
+
+    /// μ at rest and at the speed of a velocity.
+    pub(crate) fn coefficients(&self, point: usize, velocity: [f64; MOST]) -> [f64; 2] {
+        let friction = &self.friction[point];
+        [friction.at_rest(), friction.at(velocity[1].hypot(velocity[2]))]
+    }
+
+    /// The largest residual of a point: by how much its impulses change when they are projected on what the contact allows,
+    /// P_N − max(0, P_N − U_N/W_NN) and the same of the friction on its disc, as a share of the scale.
+    #[must_use]
+    pub fn residual(&self, solution: &ContactSolution) -> Progress {
+        let mut worst = Progress::default();
+        for point in 0..self.delassus.points() {
+            let own = self.residual_of(point, solution);
+            // so too where it is not a number
+            if !(own <= worst.residual) {
+                (worst.residual, worst.point) = (own, point);
+            }
+        }
+        worst
+    }
+
+    fn residual_of(&self, point: usize, solution: &ContactSolution) -> f64 {
+        let impulse = self.of_point(&solution.impulse, point);
+        let velocity = self.of_point(&solution.velocity, point);
+        let block = self.delassus.block(point);
+        let normal = match self.normal[point] {
+            NormalCondition::Open => 0.0,
+            NormalCondition::Given { impulse } => impulse,
+            NormalCondition::Bilateral { velocity: asked, softness } => {
+                impulse[0] - (velocity[0] + softness * impulse[0] + asked) / (block.normal() + softness)
+            }
+            NormalCondition::Unilateral { velocity: asked, softness } => {
+                let gap = velocity[0] + softness * impulse[0] + asked;
+                (impulse[0] - gap / (block.normal() + softness)).max(0.0)
+            }
+        };
+        let [at_rest, now] = self.coefficients(point, velocity);
+        let speed = velocity[1].hypot(velocity[2]);
+        let pressed = impulse[0].max(0.0);
+        let tried = [1, 2].map(|k| impulse[k] - velocity[k] / block.tangential());
+        let size = tried[0].hypot(tried[1]);
+        // on a falling law a point that sticks carries more than one that slides
+        let moves = speed * self.scale.recip() > f64::EPSILON * block.tangential();
+        let bound = pressed * if moves { now } else { at_rest };
+        let factor = if size > bound { bound / size } else { 1.0 };
+        let off = [impulse[0] - normal, impulse[1] - factor * tried[0], impulse[2] - factor * tried[1]];
+        off[0].hypot(off[1]).hypot(off[2]) / self.scale
+    }
+}

@@ -1,0 +1,74 @@
+use judder_assembly::AssemblyError;
+use judder_numerics::words::plain;
+use judder_structure::StructureError;
+use thiserror::Error;
+
+/// Why an assembly does not march.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum NonsmoothError {
+    /// A number is out of its range.
+    #[error("{name} is {value}: it must be {requirement}", value = plain(*.value))]
+    InvalidNumber {
+        /// Which.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it must be.
+        requirement: &'static str,
+    },
+    /// A list has another length than what it belongs to.
+    #[error("{name}: there are {found}, but must be {expected}")]
+    Length {
+        /// Which.
+        name: &'static str,
+        /// How many there are.
+        found: usize,
+        /// How many there must be.
+        expected: usize,
+    },
+    /// A step that lets the fastest mode grow whatever it does.
+    #[error(
+        "a step of {} s is too long: the fastest mode, with the contact's stiffness, allows {} s; \
+         shorten the step, reduce the bodies, or take the implicit method `moreau`",
+        plain(*.step), plain(*.limit)
+    )]
+    StepOverLimit {
+        /// Asked for, in s.
+        step: f64,
+        /// Allowed, in s.
+        limit: f64,
+    },
+    /// A freedom without mass, which an explicit step cannot move.
+    #[error(
+        "the mass matrix is not positive definite: an explicit step needs mass at every freedom; take the method `moreau`"
+    )]
+    NoMass,
+    /// A contact point that no impulse moves.
+    #[error("contact point {point} of interface `{interface}` is held: no force at it moves the bodies")]
+    HeldPoint {
+        /// The interface.
+        interface: String,
+        /// The point, counted from 1.
+        point: usize,
+    },
+    /// Normals that turn with the deformed track.
+    #[error(
+        "interface `{interface}` follows the deformed configuration, which a march does not: its normals stay those of the undeformed bodies"
+    )]
+    TurningNormal {
+        /// The interface.
+        interface: String,
+    },
+    /// A motion that leaves the numbers.
+    #[error("the motion is no longer finite after {} s: it grows without bound", plain(*.time))]
+    NotFinite {
+        /// When, in s.
+        time: f64,
+    },
+    /// What is wrong with the assembly.
+    #[error(transparent)]
+    Assembly(#[from] AssemblyError),
+    /// What is wrong with a matrix.
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+}

@@ -1,0 +1,24 @@
+//! Motion of structures that touch at many points, through stick, slip and lift-off.
+//!
+//! In the order in which the data flows:
+//!
+//! - [`contact_problem`]: what one step asks of the contact: impulses and velocities that complement each other at every point.
+//! - `one_point`: its exact solution at one point; [`gauss_seidel`], [`newton`]: at all of them.
+//! - [`bodies`]: the bodies as a step moves them: modes that are free of each other, or whole matrices.
+//! - [`contact`]: the contact points on the coordinates of the bodies.
+//! - [`scheme`]: Moreau–Jean, forward increment Lagrange multipliers, and a smoothed contact to doubt them.
+//! - [`march`]: a motion, step by step, with its balance of energy.
+//! - [`statistics`]: what its points do on average.
+
+pub mod bodies;
+pub mod contact;
+pub mod contact_problem;
+mod error;
+pub mod gauss_seidel;
+pub mod march;
+pub mod newton;
+mod one_point;
+pub mod scheme;
+pub mod statistics;
+
+pub use error::NonsmoothError;

@@ -1,0 +1,327 @@
+//! A motion, step by step.
+
+mod step;
+
+use crate::NonsmoothError;
+use crate::bodies::{Bodies, BodyEnergy};
+use crate::contact::ContactPoints;
+use crate::contact_problem::{
+    ContactSolution, Delassus, FrictionCondition, NormalCondition, PointMotion, Progress,
+};
+use crate::gauss_seidel::ContactAccuracy;
+use crate::scheme::{Scheme, SmoothContact};
+use judder_assembly::assembly::Assembly;
+use judder_assembly::row::Row;
+
+/// What a march is to do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MarchSettings {
+    /// How.
+    pub scheme: Scheme,
+    /// h in s.
+    pub step: f64,
+    /// How well the contact is solved.
+    pub accuracy: ContactAccuracy,
+}
+
+/// Where work went since the start, in J: what it added to the bodies.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Works {
+    /// Of friction on the bodies, Σ T·(velocity of the slider beside the track's undisturbed motion).
+    pub friction: f64,
+    /// What became heat between the bodies, Σ −T·(slip velocity).
+    pub heat: f64,
+    /// Of normal forces: what impacts took, and what compliant contacts hold.
+    pub normal: f64,
+    /// Of the damping.
+    pub damping: f64,
+    /// Of stiffness that brings circulation.
+    pub circulation: f64,
+    /// Of forces that change with time.
+    pub excitation: f64,
+}
+
+/// How well the contact was solved, over all steps.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ContactRecord {
+    /// Sweeps, all together.
+    pub iterations: u64,
+    /// The largest residual of a step.
+    pub residual: f64,
+    /// Steps beyond the tolerance.
+    pub unsolved: u64,
+    /// The first of them, its time in s, its point.
+    pub first_unsolved: Option<(f64, usize)>,
+}
+
+/// A march: bodies, contact, and where they are.
+#[derive(Debug, Clone)]
+pub struct March<'a> {
+    settings: MarchSettings,
+    bodies: Bodies,
+    contact: ContactPoints<'a>,
+    delassus: Delassus,
+    smooth: SmoothContact,
+    /// Forms on the coordinates of how slip follows displacements, as rows after those of the contact and the observed ones.
+    convected: Vec<usize>,
+    observed: usize,
+    /// f on the coordinates.
+    load: Vec<f64>,
+    z: Vec<f64>,
+    v: Vec<f64>,
+    next: Vec<f64>,
+    /// g at the beginning of the next step.
+    gap: Vec<f64>,
+    /// H v, without what the track moves.
+    relative: Vec<f64>,
+    free: Vec<f64>,
+    carried: Vec<f64>,
+    normal: Vec<NormalCondition>,
+    friction: Vec<FrictionCondition<'a>>,
+    /// H v before the last step.
+    before_step: Vec<f64>,
+    solution: ContactSolution,
+    rounding: f64,
+    /// An impulse by which residuals are measured.
+    scale: f64,
+    steps: u64,
+    works: Works,
+    record: ContactRecord,
+}
+
+impl<'a> March<'a> {
+    /// A march from rest of the undeformed bodies, with rows on the freedoms that are observed.
+    ///
+    /// # Errors
+    /// [`NonsmoothError::InvalidNumber`], [`NonsmoothError::StepOverLimit`], [`NonsmoothError::NoMass`], [`NonsmoothError::HeldPoint`], and what
+    /// [`ContactPoints::new`] says.
+    pub fn new(
+        assembly: &'a Assembly,
+        observed: &[Row],
+        settings: MarchSettings,
+    ) -> Result<Self, NonsmoothError> {
+        let MarchSettings { scheme, step, .. } = settings;
+        if !(step.is_finite() && step > 0.0) {
+            return Err(NonsmoothError::InvalidNumber {
+                name: "the step",
+                value: step,
+                requirement: "finite and positive",
+            });
+        }
+        let contact = ContactPoints::new(assembly)?;
+        let carried = contact.convected();
+        let rows: Vec<Row> =
+            contact.rows.iter().chain(observed).chain(carried.iter().map(|(_, row)| row)).cloned().collect();
+        let mut bodies = Bodies::new(assembly, &rows, scheme.rule(step))?;
+        let delassus = Delassus::new(contact.dimension, bodies.compliance(contact.rows.len()));
+        if let Some(point) = delassus.held_point() {
+            let interface = contact.points[point].interface;
+            let before = contact.points.iter().filter(|own| own.interface < interface).count();
+            let name = assembly.interfaces[interface].name.clone();
+            return Err(NonsmoothError::HeldPoint { interface: name, point: point - before + 1 });
+        }
+        let load = bodies.forces(&assembly.load);
+        let (size, points, components) = (bodies.size(), contact.points.len(), contact.rows.len());
+        let solution = ContactSolution::none(&delassus);
+        let mut march = Self {
+            settings,
+            smooth: SmoothContact::new(&delassus, step),
+            convected: carried.iter().map(|(component, _)| *component).collect(),
+            observed: observed.len(),
+            load,
+            z: vec![0.0; size],
+            v: vec![0.0; size],
+            next: vec![0.0; size],
+            gap: vec![0.0; points],
+            relative: vec![0.0; components],
+            free: vec![0.0; components],
+            carried: vec![0.0; carried.len()],
+            normal: vec![NormalCondition::Open; points],
+            friction: Vec::with_capacity(points),
+            before_step: vec![0.0; components],
+            solution,
+            rounding: 0.0,
+            scale: 1.0,
+            steps: 0,
+            works: Works::default(),
+            record: ContactRecord::default(),
+            bodies,
+            contact,
+            delassus,
+        };
+        march.check_step()?;
+        march.start(&vec![0.0; assembly.size()], &vec![0.0; assembly.size()]);
+        Ok(march)
+    }
+
+    /// Whether an explicit step is short enough.
+    fn check_step(&self) -> Result<(), NonsmoothError> {
+        if self.settings.scheme.implicitness() > 0.0 {
+            return Ok(());
+        }
+        let step = self.settings.step;
+        let [omega, damping] = self.bodies.fastest();
+        let stiffest = |point: usize| match self.contact.is_compliant(point) {
+            true => self.contact.first_stiffness(point) * self.delassus.block(point).normal(),
+            false => 0.0,
+        };
+        // springs at the points stiffen the bodies at most by their sum
+        let added: f64 = (0..self.contact.points.len()).map(stiffest).fold(0.0, f64::max);
+        let squared = omega * omega + added;
+        // h² ω² + 2 h d ≤ 4
+        let limit = ((damping * damping + 4.0 * squared).sqrt() - damping) / squared;
+        if step > limit {
+            return Err(NonsmoothError::StepOverLimit { step, limit });
+        }
+        Ok(())
+    }
+
+    /// Begins anew from displacements and velocities of the freedoms.
+    pub fn start(&mut self, displacement: &[f64], velocity: &[f64]) {
+        self.z = self.bodies.coordinates(displacement);
+        self.v = self.bodies.coordinates(velocity);
+        (self.steps, self.works, self.record) = (0, Works::default(), ContactRecord::default());
+        self.solution = ContactSolution::none(&self.delassus);
+        self.look();
+        let mut seen = vec![0.0; self.gap.len()];
+        self.bodies.seen(&self.z, 0, self.contact.dimension, &mut seen);
+        let farthest = seen.iter().zip(0..).fold(0.0_f64, |most, (moved, point)| {
+            most.max(moved.abs()).max(self.contact.first_gap(point).abs())
+        });
+        let fastest = (0..self.gap.len()).map(|point| self.contact.speed(point)).fold(0.0, f64::max);
+        self.rounding = 1e-11 * farthest.max(self.settings.step * fastest);
+        self.bodies.seen(&self.v, 0, 1, &mut self.relative);
+        self.before_step.copy_from_slice(&self.relative);
+    }
+
+    /// What a step's impulses are measured by, in N: of the order of the contact forces of steady sliding.
+    pub fn set_force_scale(&mut self, force: f64) {
+        self.scale = force * self.settings.step;
+    }
+
+    /// Starts the contact solver from these forces along normal and slip of each point, in N.
+    pub fn guess(&mut self, forces: &[[f64; 2]]) {
+        let dimension = self.contact.dimension;
+        for (point, [normal, friction]) in forces.iter().enumerate() {
+            self.solution.impulse[point * dimension] = normal * self.settings.step;
+            self.solution.impulse[point * dimension + 1] = friction * self.settings.step;
+        }
+    }
+
+    /// Gaps where the bodies are.
+    fn look(&mut self) {
+        self.bodies.seen(&self.z, 0, self.contact.dimension, &mut self.gap);
+        for (point, gap) in self.gap.iter_mut().enumerate() {
+            *gap += self.contact.first_gap(point);
+        }
+        let first = self.contact.rows.len() + self.observed;
+        self.bodies.seen(&self.z, first, 1, &mut self.carried);
+    }
+
+    /// Steps since the start.
+    #[must_use]
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// The time in s.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.steps as f64 * self.settings.step
+    }
+
+    /// What it is to do.
+    #[must_use]
+    pub fn settings(&self) -> &MarchSettings {
+        &self.settings
+    }
+
+    /// The contact points.
+    #[must_use]
+    pub fn contact(&self) -> &ContactPoints<'a> {
+        &self.contact
+    }
+
+    /// Whether its coordinates are the modes of all bodies together.
+    #[must_use]
+    pub fn is_modal(&self) -> bool {
+        self.bodies.are_modal()
+    }
+
+    /// What a point does after the last step.
+    #[must_use]
+    pub fn motion(&self, point: usize) -> PointMotion {
+        self.solution.motion[point]
+    }
+
+    /// N and the friction along and across the slip on the slider, over the last step, in N.
+    #[must_use]
+    pub fn force(&self, point: usize) -> [f64; 3] {
+        self.component(&self.solution.impulse, point).map(|impulse| impulse / self.settings.step)
+    }
+
+    /// The velocity of the slider beside the track's undisturbed place, along normal, slip and across it, in m/s.
+    #[must_use]
+    pub fn velocity(&self, point: usize) -> [f64; 3] {
+        self.component(&self.relative, point)
+    }
+
+    /// g in m.
+    #[must_use]
+    pub fn gap(&self, point: usize) -> f64 {
+        self.gap[point]
+    }
+
+    fn component(&self, values: &[f64], point: usize) -> [f64; 3] {
+        let dimension = self.contact.dimension;
+        let mut own = [0.0; 3];
+        own[..dimension].copy_from_slice(&values[point * dimension..(point + 1) * dimension]);
+        own
+    }
+
+    /// The observed displacements in m.
+    pub fn observed_displacements(&self, out: &mut [f64]) {
+        self.bodies.seen(&self.z, self.contact.rows.len(), 1, &mut out[..self.observed]);
+    }
+
+    /// The observed velocities in m/s; of the explicit schemes half a step before the displacements.
+    pub fn observed_velocities(&self, out: &mut [f64]) {
+        self.bodies.seen(&self.v, self.contact.rows.len(), 1, &mut out[..self.observed]);
+    }
+
+    /// Displacements and velocities of the freedoms.
+    #[must_use]
+    pub fn state(&self) -> [Vec<f64>; 2] {
+        [self.bodies.freedoms(&self.z), self.bodies.freedoms(&self.v)]
+    }
+
+    /// The energy of the bodies.
+    #[must_use]
+    pub fn energy(&self) -> BodyEnergy {
+        self.bodies.energy(&self.z, &self.v, &self.load)
+    }
+
+    /// Where work went since the start.
+    #[must_use]
+    pub fn works(&self) -> Works {
+        self.works
+    }
+
+    /// How well the contact was solved.
+    #[must_use]
+    pub fn record(&self) -> ContactRecord {
+        self.record
+    }
+
+    /// The last step's iterations and residual.
+    fn note(&mut self, progress: Progress) {
+        let record = &mut self.record;
+        record.iterations += progress.iterations as u64;
+        record.residual = record.residual.max(progress.residual);
+        if !(progress.residual <= self.settings.accuracy.tolerance) {
+            record.unsolved += 1;
+            let time = self.steps as f64 * self.settings.step;
+            record.first_unsolved.get_or_insert((time, progress.point));
+        }
+    }
+}

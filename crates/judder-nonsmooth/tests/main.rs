@@ -1,0 +1,6 @@
+//! Marches against closed forms, against each other, and what must hold for all of them.
+#![allow(clippy::expect_used, clippy::panic, clippy::unwrap_used)]
+
+mod common;
+mod property;
+mod validation;

@@ -8,14 +8,16 @@
 //! - [`contact`]: the contact points on the coordinates of the bodies.
 //! - [`scheme`]: Moreau–Jean, forward increment Lagrange multipliers, and a smoothed contact to doubt them.
 //! - [`march`]: a motion, step by step, with its balance of energy.
-//! - [`statistics`]: what its points do on average.
+//! - [`statistics`]: what its points do on average. [`mode_share`], [`growth`]: how much of a mode a motion has, and how that grows.
 
 pub mod bodies;
 pub mod contact;
 pub mod contact_problem;
 mod error;
 pub mod gauss_seidel;
+pub mod growth;
 pub mod march;
+pub mod mode_share;
 pub mod newton;
 mod one_point;
 pub mod scheme;

@@ -295,6 +295,28 @@ impl<'a> March<'a> {
         [self.bodies.freedoms(&self.z), self.bodies.freedoms(&self.v)]
     }
 
+    /// A sum over the displacements of the freedoms, ready to be taken at every step.
+    #[must_use]
+    pub fn functional(&self, on_freedoms: &[f64]) -> Vec<f64> {
+        self.bodies.forces(on_freedoms)
+    }
+
+    /// w·q + u·q̇ of two functionals, at the beginning of the last step: the velocity is the mean of those before and after, which is that of
+    /// the place to the second order of the step.
+    #[must_use]
+    pub fn middle(&self, on_displacement: &[f64], on_velocity: &[f64]) -> f64 {
+        let [before, after] = self.settings.scheme.shares().map(|share| share * self.settings.step);
+        let (mut sum, explicit) = (0.0, self.settings.scheme.implicitness() == 0.0);
+        for k in 0..self.z.len() {
+            // after a step `next` holds the velocities before it
+            let (old, new) = (self.next[k], self.v[k]);
+            let place = self.z[k] - before * old - after * new;
+            let velocity = if explicit { 0.5 * (old + new) } else { old };
+            sum += on_displacement[k] * place + on_velocity[k] * velocity;
+        }
+        sum
+    }
+
     /// The energy of the bodies.
     #[must_use]
     pub fn energy(&self) -> BodyEnergy {

@@ -1,4 +1,6 @@
-//! Closed forms.
+//! Closed forms, and eigenvalues.
+
+mod block;
 
 use crate::common::{IMPLICIT, assembly, coulomb, diagonal, mass_on_plane, point_on_plane, settings};
 use judder_nonsmooth::contact_problem::PointMotion;

@@ -10,6 +10,7 @@ use judder_contact::transient::TransientError;
 use judder_exchange::ExchangeError;
 use judder_keys::cause::Cause;
 use judder_keys::error::CaseError;
+use judder_nonsmooth::NonsmoothError;
 use judder_numerics::piecewise::MarchError;
 use judder_numerics::signal::SignalError;
 use judder_oscillator::OscillatorError;
@@ -45,6 +46,9 @@ pub enum ModelError {
     /// An assembly does not slide steadily, or its stability is not known.
     #[error(transparent)]
     Assembly(#[from] AssemblyError),
+    /// An assembly does not march.
+    #[error(transparent)]
+    Nonsmooth(NonsmoothError),
     /// A signal of a march cannot be treated.
     #[error("the signal: {0}")]
     Signal(#[from] SignalError),
@@ -192,6 +196,16 @@ impl From<LostMotion> for ModelError {
     }
 }
 
+impl From<NonsmoothError> for ModelError {
+    fn from(error: NonsmoothError) -> Self {
+        match error {
+            NonsmoothError::Assembly(error) => Self::Assembly(error),
+            NonsmoothError::Structure(error) => Self::Structure(error),
+            _ => Self::Nonsmooth(error),
+        }
+    }
+}
+
 impl From<CycleError> for ModelError {
     fn from(error: CycleError) -> Self {
         match error {
@@ -235,6 +249,7 @@ impl ModelFault for ModelError {
                     | AssemblyError::NoEigenvalues { .. }
                     | AssemblyError::Structure(_)
             ),
+            Self::Nonsmooth(error) => !matches!(error, NonsmoothError::NotFinite { .. }),
             // a window that was chosen, not given
             Self::Transient(error) => !matches!(error, TransientError::WindowTooSmall { .. }),
             Self::Structure(error) => !matches!(

@@ -34,6 +34,7 @@ pub mod law_cache;
 pub mod mass;
 pub mod material;
 mod measured_band;
+mod measured_growth;
 pub mod motion;
 pub mod oscillator;
 pub mod parameters;

@@ -31,7 +31,7 @@ pub struct Bodies {
 
 #[derive(Debug, Clone)]
 enum BodyCoordinates {
-    Modal(ModalBodies),
+    Modal(Box<ModalBodies>),
     Whole(Box<WholeBodies>),
 }
 
@@ -60,7 +60,7 @@ impl Bodies {
     /// [`NonsmoothError::NoMass`] for an explicit step, and of matrices that cannot be factored.
     pub fn new(assembly: &Assembly, rows: &[Row], rule: StepRule) -> Result<Self, NonsmoothError> {
         let kind = match ModalBodies::new(assembly, rows, rule) {
-            Some(modal) => BodyCoordinates::Modal(modal),
+            Some(modal) => BodyCoordinates::Modal(Box::new(modal)),
             None => BodyCoordinates::Whole(Box::new(WholeBodies::new(assembly, rows, rule)?)),
         };
         Ok(Self { kind, rows: rows.len() })

@@ -232,8 +232,7 @@ impl ContactProblem<'_> {
         let mut worst = Progress::default();
         for point in 0..self.delassus.points() {
             let own = self.residual_of(point, solution);
-            // so too where it is not a number
-            if !(own <= worst.residual) {
+            if own > worst.residual || own.is_nan() {
                 (worst.residual, worst.point) = (own, point);
             }
         }

@@ -340,7 +340,7 @@ impl<'a> March<'a> {
         let record = &mut self.record;
         record.iterations += progress.iterations as u64;
         record.residual = record.residual.max(progress.residual);
-        if !(progress.residual <= self.settings.accuracy.tolerance) {
+        if progress.residual > self.settings.accuracy.tolerance || progress.residual.is_nan() {
             record.unsolved += 1;
             let time = self.steps as f64 * self.settings.step;
             record.first_unsolved.get_or_insert((time, progress.point));

@@ -104,7 +104,7 @@ pub(crate) fn about_closure(
     let closure = if stays_closed { at } else { at.max(0.0) };
     let forces = contact.forces(point, closure, speed).normal;
     let slope = if closure > 0.0 { forces.by_closure } else { contact.first_stiffness(point) };
-    if !(slope > 0.0) {
+    if slope <= 0.0 || slope.is_nan() {
         return NormalCondition::Given { impulse: step * forces.value };
     }
     // the velocity that ends at this closure

@@ -6,12 +6,14 @@
 //! - `interface`: contact points found, laws as the physics has them. `joint`: springs and ties.
 //! - `interface_modes`: which bodies may have their contact freedoms reduced.
 //! - `sphere`: laws of contacts that are a sphere on a substrate.
+//! - `field`: fields over the bodies on the freedoms.
 //! - `deformed`: contact points of bodies as they lie in steady sliding.
 //! - `size`: how large a body is.
 //! - `shown`: all bodies as one, for pictures and files.
 
 mod body;
 mod deformed;
+mod field;
 mod interface;
 mod interface_modes;
 mod joint;

@@ -4,14 +4,16 @@
 //! - `check`: what `judder check` shows.
 //! - `interface_error`: what interface modes cost.
 //! - `swept`: steady sliding and small motions about it at any values of keys.
-//! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`.
+//! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`.
 
 pub(crate) mod build;
 pub mod case;
 mod check;
 pub mod eigen;
 pub mod eigen_sweep;
+pub mod growth;
 mod interface_error;
+pub mod march;
 pub mod stability_map;
 pub mod steady_sliding;
 mod swept;
@@ -34,8 +36,14 @@ use judder_study::{Silent, StudyError};
 use std::sync::Arc;
 
 /// The kinds of analyses.
-pub(crate) static KINDS: Kinds<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> =
-    Kinds::new(&[steady_sliding::KIND, eigen::KIND, eigen_sweep::KIND, stability_map::KIND]);
+pub(crate) static KINDS: Kinds<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> = Kinds::new(&[
+    steady_sliding::KIND,
+    eigen::KIND,
+    eigen_sweep::KIND,
+    stability_map::KIND,
+    growth::KIND,
+    march::KIND,
+]);
 
 /// What the forces of a converged solution may be off, over all forces.
 const IMBALANCE: f64 = 1e-9;
@@ -135,6 +143,7 @@ pub(crate) const MODEL: ModelKind = ModelKind {
             terminal: |_| None,
         },
         KindTables { kind: eigen::KIND.name, report: eigen::tables::report, terminal: |_| None },
+        KindTables { kind: march::KIND.name, report: march::tables::report, terminal: |_| None },
         KindTables {
             kind: eigen_sweep::KIND.name,
             report: crate::structure::eigen_sweep::tables::report,

@@ -172,10 +172,10 @@ impl ModalBodies {
             || {
                 let mut sums = [0.0; LANES];
                 for first in (0..before.len()).step_by(LANES) {
-                    for lane in 0..LANES {
+                    for (lane, sum) in sums.iter_mut().enumerate() {
                         let k = first + lane;
                         let damped = before[k] + share * (after[k] - before[k]);
-                        sums[lane] += damping[k] * damped * (before[k] + after[k]);
+                        *sum += damping[k] * damped * (before[k] + after[k]);
                     }
                 }
                 total(sums)

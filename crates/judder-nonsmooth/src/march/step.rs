@@ -50,8 +50,12 @@ impl March<'_> {
     }
 
     fn before(&self, point: usize) -> PointBefore {
+        /// A share of how far the largest force moves the point in a step, which the scheme does not resolve: what solving the contact to its
+        /// tolerance adds up to over millions of steps is less.
+        const UNRESOLVED: f64 = 1e-4;
         let opening = self.relative[point * self.contact.dimension];
-        PointBefore { gap: self.gap[point], opening, rounding: self.rounding }
+        let in_step = self.settings.step * self.scale * self.delassus.block(point).normal();
+        PointBefore { gap: self.gap[point], opening, rounding: self.rounding.max(UNRESOLVED * in_step) }
     }
 
     /// The slip speed that a point ended the last step with.

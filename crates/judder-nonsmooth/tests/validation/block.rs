@@ -12,7 +12,7 @@ use judder_assembly::search::{KeptOfFaces, Sliding, TouchingBody, Track, contact
 use judder_assembly::steady::steady_sliding;
 use judder_nonsmooth::growth::growth;
 use judder_nonsmooth::scheme::Scheme;
-use judder_structure::assembly::assemble;
+use judder_structure::assembly::{assemble, displacement_load};
 use judder_structure::complex_modes::{ComplexModeSettings, Region, complex_modes};
 use judder_structure::element::ElementKind;
 use judder_structure::freedom::{Direction, Numbering, Supports};
@@ -23,19 +23,39 @@ const WIDTH: f64 = 0.01;
 
 /// 40 × 20 mm in 8 × 4 cells, nine nodes on the plane; its top is held along x and pressed.
 pub(crate) fn block(law: InterfaceLaw, speed: f64, damping: [f64; 2]) -> Assembly {
+    made(law, speed, damping, false)
+}
+
+/// The same with its top held and pushed down by 20 µm.
+pub(crate) fn block_held(law: InterfaceLaw, speed: f64, damping: [f64; 2]) -> Assembly {
+    made(law, speed, damping, true)
+}
+
+fn made(law: InterfaceLaw, speed: f64, damping: [f64; 2], is_held: bool) -> Assembly {
     let grid = Grid { kind: ElementKind::Quad4, size: [0.04, 0.02, 0.0], cells: [8, 4, 0] };
     let mesh = grid.mesh("block", |place| place).unwrap();
     let top = mesh.node_sets["y-max"].clone();
-    let supports =
-        Supports { fixed: top.iter().map(|node| (*node, Direction::X)).collect(), ..Supports::default() };
+    let supports = Supports {
+        fixed: top
+            .iter()
+            .flat_map(|node| [(*node, Direction::X), (*node, Direction::Y)])
+            .filter(|(_, direction)| is_held || *direction == Direction::X)
+            .collect(),
+        ..Supports::default()
+    };
     let numbering = Numbering::new(&mesh, 2, &supports).unwrap();
     let material = Elastic::new(2e9, 0.35, 1200.0).unwrap();
     let section = ElementSection::PlaneStrain { thickness: WIDTH };
     let materials = [("block".to_owned(), (material, section))].into();
     let assembled = assemble(&mesh, &materials, &numbering).unwrap();
     let mut load = vec![0.0; numbering.freedoms().len()];
-    for node in &top {
-        load[numbering.number(*node, Direction::Y).unwrap()] = -1e3 / top.len() as f64;
+    if is_held {
+        let imposed = top.iter().map(|node| ((*node, Direction::Y), -20e-6)).collect();
+        load = displacement_load(&mesh, &materials, &numbering, &imposed).unwrap();
+    } else {
+        for node in &top {
+            load[numbering.number(*node, Direction::Y).unwrap()] = -1e3 / top.len() as f64;
+        }
     }
     let slider = TouchingBody {
         mesh: &mesh,

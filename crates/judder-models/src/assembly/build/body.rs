@@ -43,7 +43,7 @@ pub(crate) struct BuiltBody {
     /// Where its freedoms begin among those of all bodies.
     pub(crate) first_freedom: usize,
     /// T of a reduced body.
-    basis: Option<Mat<f64>>,
+    pub(super) basis: Option<Mat<f64>>,
     /// The coordinate of each freedom; `None` where a reduction does not keep it.
     coordinates: Vec<Option<usize>>,
     /// Freedoms that follow from interface modes, as forms on its coordinates.

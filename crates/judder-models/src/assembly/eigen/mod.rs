@@ -20,7 +20,7 @@ use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::short;
 use run::AssemblyModes;
-pub(super) use run::band;
+pub(super) use run::{band, lowest};
 use serde_json::{Map, Value as Json};
 use std::f64::consts::TAU;
 use std::sync::Arc;

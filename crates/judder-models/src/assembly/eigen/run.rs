@@ -154,7 +154,10 @@ pub(in crate::assembly) fn band(from: f64, to: f64) -> Region {
 }
 
 /// The lowest modes: as far up as so many of frictionless contact lie, and farther while damping and friction leave fewer there.
-fn lowest(about: &Linearised, count: usize) -> Result<(Region, ComplexModes), ModelError> {
+pub(in crate::assembly) fn lowest(
+    about: &Linearised,
+    count: usize,
+) -> Result<(Region, ComplexModes), ModelError> {
     /// How much farther at a time, and how often.
     const FARTHER: (f64, usize) = (1.5, 4);
     let (mass, stiffness) = about.frictionless()?;

@@ -13,13 +13,21 @@ const ROOM: (f64, f64) = (0.8, 4.0);
 /// Periods of the march that are marked, at most.
 const MARKS: usize = 25;
 
-/// Amplitudes over time, the eigenvalue's growth, the stretch of the measurement; `None` where no history was kept.
+/// Amplitudes of the normal force over time, the eigenvalue's growth, the stretch of the measurement; `None` where no history was kept.
 pub(crate) fn growth(dataset: &Dataset) -> Option<Vec<Panel>> {
+    let number = |name: &str| dataset.attributes().get(name).and_then(Value::as_f64);
+    let method = dataset.attributes().get("method").and_then(Value::as_str).unwrap_or_default();
+    let title = format!("{method}, held at {:.3} mm", 1e3 * number("position_m")?);
+    growth_of(dataset, "Amplitude of $N$ (N)", number("start_amplitude_n")?, title)
+}
+
+/// The same of any amplitude that starts from a value.
+pub(crate) fn growth_of(dataset: &Dataset, label: &str, start: f64, title: String) -> Option<Vec<Panel>> {
     let (time, amplitude) = (reals(dataset, "time")?, reals(dataset, "amplitude")?);
     let rate = |name: &str| complexes(dataset, name)?.first().copied();
     let (measured, predicted) = (rate("measured")?, rate("predicted")?);
     let number = |name: &str| dataset.attributes().get(name).and_then(Value::as_f64);
-    let (start, until) = (number("start_amplitude_n")?, number("measured_until_s")?);
+    let until = number("measured_until_s")?;
     let milliseconds: Vec<f64> = time.iter().map(|time| 1e3 * time).collect();
     let promised = time.iter().map(|time| start * (predicted.re * time).exp()).collect();
     let interval = ShadedRegion {
@@ -35,10 +43,8 @@ pub(crate) fn growth(dataset: &Dataset) -> Option<Vec<Panel>> {
     ];
     let (low, high) =
         amplitude.iter().fold((start, start), |(low, high), own| (low.min(*own), high.max(*own)));
-    let up = Axis::log("Amplitude of $N$ (N)").over(ROOM.0 * low, ROOM.1 * high);
+    let up = Axis::log(label).over(ROOM.0 * low, ROOM.1 * high);
     let across = Axis::linear("Time $t$ (ms)").over(0.0, 1e3 * time.last()?);
-    let method = dataset.attributes().get("method").and_then(Value::as_str).unwrap_or_default();
-    let title = format!("{method}, held at {:.3} mm", 1e3 * number("position_m")?);
     Some(vec![Panel::new(across, up, layers).with_title(title).with_legend(Legend::Inside)])
 }
 

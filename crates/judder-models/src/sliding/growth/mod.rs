@@ -1,6 +1,6 @@
 //! `growth`: the growth of a mode in a march with the contact held, against the eigenvalue there.
 
-mod figure;
+pub(crate) mod figure;
 mod history;
 mod run;
 pub mod settings;

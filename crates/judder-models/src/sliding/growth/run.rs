@@ -2,6 +2,7 @@
 
 use super::history::ForceHistory;
 use crate::error::ModelError;
+use crate::measured_growth::{FAR, MeantMode, SOUGHT, checks, far_off, near};
 use crate::sliding::case::SlidingCase;
 use crate::sliding::growth::settings::GrowthAnalysis;
 use crate::sliding::system::{MarchStep, ReducedPair, step};
@@ -11,22 +12,9 @@ use judder_sliding::pair::Pair;
 use judder_sliding::spectrum::{Spectrum, WantedEigenvalues};
 use judder_store::{Results, Variable};
 use judder_study::Progress;
-use judder_study::outcome::{CheckRecord, Outcome};
+use judder_study::outcome::Outcome;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
-
-/// What measured and predicted growth may differ by.
-const GROWTH_LIMIT: f64 = 1e-2;
-/// What their frequencies may differ by: a march of three steps a radian is off by (ω h)²/24.
-const FREQUENCY_LIMIT: f64 = 1e-3;
-/// Eigenvalues so near the asked frequency, as a share of it, may be meant: of two that are coupled the growing one is.
-const NEAR: f64 = 1e-2;
-/// Up to which multiple of the asked frequency eigenvalues are sought.
-const SOUGHT: f64 = 1.5;
-/// An eigenvalue farther from the asked frequency, as a share of it, is not the one that is meant.
-const FAR: f64 = 0.5;
-/// One farther than this is meant, but worth a word.
-const OFF: f64 = 0.03;
 
 pub(super) fn run(
     case: &SlidingCase,
@@ -105,32 +93,6 @@ pub(super) struct ToldGrowth {
     step_limit_s: f64,
 }
 
-/// What there is to say of a mode that swings otherwise than was asked, rad/s.
-fn far_off(frequency: f64, asked: f64) -> Option<String> {
-    let (hz, off) = (frequency / TAU, 100.0 * (frequency / asked - 1.0));
-    (off.abs() > 100.0 * OFF)
-        .then(|| format!("the mode nearest to the frequency asked for swings at {hz:.1} Hz, {off:.1} % off"))
-}
-
-/// Growth rate and frequency in the march against those of the eigenvalue, in 1/s.
-fn checks(method: &str, measured: Complex64, predicted: Complex64) -> Vec<CheckRecord> {
-    let compared = format!("{method} against {:.6} 1/s at {:.4} Hz", predicted.re, predicted.im / TAU);
-    vec![
-        CheckRecord::new(
-            "the march grows as the eigenvalue says",
-            format!("relative difference of growth rates, {compared}"),
-            ((measured.re - predicted.re) / predicted.re).abs().into(),
-            GROWTH_LIMIT,
-        ),
-        CheckRecord::new(
-            "the march swings as the eigenvalue says",
-            format!("relative difference of frequencies, {compared}"),
-            ((measured.im - predicted.im) / predicted.im).abs().into(),
-            FREQUENCY_LIMIT,
-        ),
-    ]
-}
-
 /// The eigenvalue that is meant by a frequency in rad/s: of those near it the one that grows fastest, else the nearest.
 ///
 /// # Errors
@@ -144,13 +106,11 @@ fn meant(pair: &Pair, held: &Held, position: f64, frequency: f64) -> Result<Comp
     let function = PairCharacteristic::new(&held.coupling, &pair.eigenvalues(), &pair.damping())?;
     let all = Spectrum::new(&function, position, WantedEigenvalues::Below(SOUGHT * frequency))?.eigenvalues;
     let swinging: Vec<Complex64> = all.into_iter().filter(|s| s.im > 0.0).collect();
-    let away = |s: &Complex64| (s.im - frequency).abs();
-    let near = swinging.iter().filter(|s| away(s) <= NEAR * frequency);
-    let fastest = near.max_by(|a, b| a.re.total_cmp(&b.re));
-    let nearest = swinging.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
-    match fastest.or(nearest) {
-        Some(found) if away(found) <= FAR * frequency => Ok(*found),
-        Some(found) => refuse(format!("the nearest swings at {:.1} Hz", found.im / TAU)),
+    match near(&swinging, frequency) {
+        Some(MeantMode::Found(place)) => Ok(swinging[place]),
+        Some(MeantMode::TooFar(place)) => {
+            refuse(format!("the nearest swings at {:.1} Hz", swinging[place].im / TAU))
+        }
         None => refuse(format!("there is none up to {:.1} Hz", SOUGHT * frequency / TAU)),
     }
 }

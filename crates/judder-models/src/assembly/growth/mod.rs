@@ -1,0 +1,72 @@
+//! `growth`: the growth of a mode in a march that is started in it, against its eigenvalue.
+
+mod run;
+
+use super::AssemblySubject;
+use crate::assembly::case::AssemblyCase;
+use crate::assembly::march::settings::SchemeWord;
+use crate::error::ModelError;
+use crate::sliding::growth::figure::growth_of;
+use judder_keys::Settings;
+use judder_keys::declared::{Number, Settings};
+use judder_keys::dimension::Dimension;
+use judder_report::Panel;
+use judder_store::{Dataset, Declared, Results};
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Task};
+use judder_study::outcome::Outcome;
+use judder_study::text::short;
+use run::ToldMarchGrowth;
+use serde_json::{Map, Value as Json};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// A march that is started in a mode, against the eigenvalue.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct AssemblyGrowth {
+    /// Frequency near which the mode lies that is meant.
+    #[key(rule = Number::positive(Dimension::ANGULAR_FREQUENCY), symbol = "ω")]
+    pub frequency: f64,
+    /// How the motion is integrated.
+    #[key(default = SchemeWord::Moreau)]
+    pub method: SchemeWord,
+    /// The time step.
+    #[key(rule = Number::positive(Dimension::TIME), symbol = "h")]
+    pub step: f64,
+}
+
+/// The kind.
+pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> = Kind {
+    name: "growth",
+    doc: "the growth of one mode in a march that is started in it, against its eigenvalue",
+    declared: AssemblyGrowth::declarations,
+    read: |_, section| Ok(Arc::new(AssemblyGrowth::read_table(section)?)),
+    picture: Some(Picture {
+        draw: growth,
+        caption: "A march from steady sliding disturbed by one mode: how much of the mode the motion has, by its left vector, and how the eigenvalue says that it grows, from \
+        the same start. Nothing is fitted to the line; the march's own rate is measured over the shaded interval.",
+    }),
+};
+
+fn growth(dataset: &Dataset) -> Option<Vec<Panel>> {
+    let method = dataset.attributes().get("method").and_then(Json::as_str).unwrap_or_default();
+    growth_of(dataset, "Amplitude of the mode, of its start (1)", 1.0, method.to_owned())
+}
+
+impl Analysis<AssemblyCase> for AssemblyGrowth {
+    fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run(of, self, task.progress)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldMarchGrowth::declared()
+    }
+
+    fn estimate(&self, _: &AssemblySubject<'_>) -> Result<String, ModelError> {
+        Ok(format!("a march in the mode near {} Hz", short(self.frequency / TAU)))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

@@ -1,0 +1,68 @@
+//! A motion: forces over time, and what every contact point does.
+
+use crate::sliding::march::figure::history;
+use judder_numerics::contact_state::ContactState;
+use judder_report::figure::{Class, ClassMap};
+use judder_report::{Axis, Layer, Legend, Panel, Role};
+use judder_store::Dataset;
+use judder_study::pictures::{codes, reals, words};
+
+/// Columns of the picture of states.
+const COLUMNS: usize = 900;
+/// Instants of its end that are shown closely.
+const CLOSE: usize = 400;
+
+/// The colours of the states, as of every model.
+const STATES: [(ContactState, Role); 4] = [
+    (ContactState::Stick, Role::Stick),
+    (ContactState::SlipBehind, Role::Stable),
+    (ContactState::SlipAhead, Role::SlipAhead),
+    (ContactState::LiftOff, Role::LiftOff),
+];
+
+/// Normal and friction forces of each contact, then the states of its points over the whole motion and over its end.
+pub(super) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
+    let names = words(dataset, "contact").unwrap_or_default();
+    let mut contacts: Vec<&String> = names.iter().collect();
+    contacts.dedup();
+    let mut panels = Vec::new();
+    for contact in contacts {
+        for what in ["normal_force", "friction_force"] {
+            panels.push(history(dataset, &format!("{contact}.{what}"), Role::Series(0).solid())?);
+        }
+        let instants = reals(dataset, "state_time")?.len();
+        panels.push(states(dataset, contact, 0)?.with_title(format!("{contact}: states of the points")));
+        if instants > 2 * CLOSE {
+            panels
+                .push(states(dataset, contact, instants - CLOSE)?.with_title(format!("{contact}: its end")));
+        }
+    }
+    Some(panels)
+}
+
+/// The states of the points of a contact from an instant on: time across, points in their order upwards.
+fn states(dataset: &Dataset, contact: &str, first: usize) -> Option<Panel> {
+    let (times, all) = (reals(dataset, "state_time")?, codes(dataset, "state")?);
+    let names = words(dataset, "contact")?;
+    let own: Vec<usize> = (0..names.len()).filter(|point| names[*point] == contact).collect();
+    let shown: Vec<usize> =
+        (first..times.len()).step_by((times.len() - first).div_ceil(COLUMNS).max(1)).collect();
+    let code = |instant: usize, point: usize| all[instant * names.len() + point];
+    let is_there = |state: ContactState| {
+        shown.iter().any(|instant| own.iter().any(|point| code(*instant, *point) == state.number()))
+    };
+    let drawn: Vec<(ContactState, Role)> = STATES.into_iter().filter(|(state, _)| is_there(*state)).collect();
+    let place = |number: u8| drawn.iter().position(|(state, _)| state.number() == number).unwrap_or(0) as u8;
+    let map = ClassMap {
+        x: shown.iter().map(|instant| 1e3 * times[*instant]).collect(),
+        y: (1..=own.len()).map(|number| number as f64).collect(),
+        codes: own
+            .iter()
+            .flat_map(|point| shown.iter().map(move |instant| (*instant, *point)))
+            .map(|(instant, point)| place(code(instant, point)))
+            .collect(),
+        classes: drawn.iter().map(|(state, role)| Class::new(state.name(), *role)).collect(),
+    };
+    let (across, up) = (Axis::linear("Time $t$ (ms)"), Axis::linear("Contact point"));
+    Some(Panel::new(across, up, vec![Layer::Classes(map)]).with_legend(Legend::Below))
+}

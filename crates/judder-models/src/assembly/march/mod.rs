@@ -1,0 +1,55 @@
+//! `march`: the motion through stick, slip and lift-off at every contact point.
+
+pub mod field;
+mod figure;
+mod recorded;
+mod run;
+pub mod settings;
+mod start;
+pub(super) mod tables;
+
+use super::AssemblySubject;
+use crate::assembly::case::AssemblyCase;
+use crate::error::ModelError;
+use judder_keys::declared::Settings;
+use judder_store::{Declared, Results};
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Task};
+use judder_study::outcome::Outcome;
+use run::ToldMotion;
+use serde_json::{Map, Value as Json};
+use settings::AssemblyMarch;
+use std::sync::Arc;
+
+/// The kind.
+pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> = Kind {
+    name: "march",
+    doc: "the motion through stick, slip and lift-off at every contact point, with its balance of energy",
+    declared: AssemblyMarch::declarations,
+    read: |_, section| Ok(Arc::new(AssemblyMarch::read_table(section)?)),
+    picture: Some(Picture {
+        draw: figure::march,
+        caption: "Forces of each contact over time: each line fills the space between the smallest and the largest sample of a column. What each contact point does, \
+        in the order of its points, over the whole motion and at its end.",
+    }),
+};
+
+impl Analysis<AssemblyCase> for AssemblyMarch {
+    fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run(of, self, task.progress)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldMotion::declared()
+    }
+
+    fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {
+        let points: usize = of.built.nodes.iter().map(Vec::len).sum();
+        let [steps, _] = self.steps();
+        Ok(format!("{steps} steps with {points} contact points"))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

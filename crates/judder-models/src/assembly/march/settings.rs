@@ -1,0 +1,148 @@
+//! `march`: how a motion is integrated, from where, and what is kept of it.
+
+use super::field::PlaceExpression;
+use crate::assembly::case::problem::AssemblyProblem;
+use crate::sliding::case::signals::Hertz;
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Number, Several, Whole};
+use judder_keys::dimension::Dimension;
+use judder_keys::error::Fault;
+use judder_keys::numeric_key::Range;
+use judder_keys::problem::Placed;
+use judder_keys::section::Section;
+use judder_keys::{Choice, Settings};
+use judder_nonsmooth::gauss_seidel::ContactAccuracy;
+use judder_nonsmooth::march::MarchSettings;
+use judder_nonsmooth::scheme::Scheme;
+
+/// The word of a scheme.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
+#[choice(what = "method")]
+pub enum SchemeWord {
+    /// Moreau and Jean: implicit, on velocities, with impacts.
+    Moreau,
+    /// Forward increment Lagrange multipliers: explicit, on places.
+    Film,
+    /// Springs and dampers in place of the contact: explicit, to doubt the others.
+    Smoothed,
+}
+
+impl SchemeWord {
+    /// What it stands for.
+    pub(in crate::assembly) fn march(self, step: f64, restitution: f64) -> MarchSettings {
+        let scheme = match self {
+            Self::Moreau => Scheme::MoreauJean { restitution },
+            Self::Film => Scheme::ForwardIncrement,
+            Self::Smoothed => Scheme::Smoothed,
+        };
+        MarchSettings { scheme, step, accuracy: ContactAccuracy::default() }
+    }
+}
+
+/// A motion through stick, slip and lift-off.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = AssemblyMarch::check)]
+pub struct AssemblyMarch {
+    /// How the motion is integrated.
+    #[key(default = SchemeWord::Moreau)]
+    pub method: SchemeWord,
+    /// The time step.
+    #[key(rule = STEP, symbol = "h")]
+    pub step: f64,
+    /// How long it takes.
+    #[key(rule = STEP)]
+    pub duration: f64,
+    /// What of its beginning is left out of shares, means and frequencies.
+    #[key(rule = Number::non_negative(Dimension::TIME), default = 0.0)]
+    pub transient: f64,
+    /// How it begins, beside steady sliding; at rest there where left out.
+    #[key(omitted)]
+    pub start: Option<MotionStart>,
+    /// Of `moreau`: how much of the velocity with which a point meets the track it leaves it with.
+    #[key(rule = RESTITUTION, symbol = "e", usual = 0.0, omitted)]
+    pub restitution: Option<f64>,
+    /// Samples of signals and of the states of the contact that are kept, at least.
+    #[key(symbol = "2π f_s", default = Hertz(100e3))]
+    pub sample_rate: Hertz,
+}
+
+const STEP: Number = Number::positive(Dimension::TIME);
+const RESTITUTION: Number = Number { dimension: Dimension::NUMBER, range: Range::Fraction };
+/// The most steps: hours.
+const STEPS: f64 = 1e10;
+
+/// What a motion begins with.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = MotionStart::check)]
+pub struct MotionStart {
+    /// Velocities along x, y and z beside steady sliding, in m/s: numbers or expressions of the place x, y, z in m.
+    #[key(rule = VELOCITY, example = "[\"1e-3*(1 - y/0.02)\", \"0\"], in m/s", omitted)]
+    pub velocity: Option<Vec<PlaceExpression>>,
+    /// In place of velocity: a complex mode about steady sliding, by its number as `eigen` lists them.
+    #[key(rule = Whole { from: 1, to: 2000 }, omitted)]
+    pub mode: Option<usize>,
+    /// The largest displacement of the mode.
+    #[key(rule = Number::positive(Dimension::LENGTH), omitted)]
+    pub amplitude: Option<f64>,
+}
+
+const VELOCITY: Several<()> = Several { of: (), length: [2, 3] };
+
+impl AssemblyMarch {
+    fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        if let (Some(node), false) = (section.get("restitution"), self.method == SchemeWord::Moreau) {
+            let with = format!("method = \"{}\"", self.method.name());
+            return Err(Cause::Meaningless { key: "restitution", with }.at(node.place));
+        }
+        let refused = |key: &'static str, reason: String| {
+            Err(AssemblyProblem::Refused { reason }.at(section.place_of(&[key])))
+        };
+        if self.transient >= self.duration {
+            return refused(
+                "transient",
+                "the transient takes the whole duration: nothing is left to look at".to_owned(),
+            );
+        }
+        let steps = self.duration / self.step;
+        if steps > STEPS {
+            return refused(
+                "step",
+                format!("{steps:.1e} steps are more than the {STEPS:.0e} that a march may have"),
+            );
+        }
+        match steps < 1.0 {
+            true => refused("step", "the step is longer than the duration".to_owned()),
+            false => Ok(()),
+        }
+    }
+
+    /// How the motion is integrated.
+    pub(super) fn march(&self) -> MarchSettings {
+        self.method.march(self.step, self.restitution.unwrap_or(0.0))
+    }
+
+    /// Steps in all, and those of the transient.
+    pub(super) fn steps(&self) -> [u64; 2] {
+        [self.duration, self.transient].map(|time| (time / self.step).round() as u64)
+    }
+}
+
+impl MotionStart {
+    fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        if let (Some(field), Some(node)) = (&self.velocity, section.get("velocity"))
+            && !(2..=3).contains(&field.len())
+        {
+            let (key, found) = (section.path("velocity"), field.len());
+            let expected = "two or three numbers or expressions, along x, y and z";
+            return Err(Cause::Length { key, expected, found }.at(node.place));
+        }
+        let problem = match (&self.velocity, self.mode, self.amplitude) {
+            (Some(_), None, None) | (None, Some(_), Some(_)) => return Ok(()),
+            (None, Some(_), None) => "a mode needs an `amplitude`, its largest displacement",
+            (None, None, Some(_)) => "an `amplitude` is that of a `mode`",
+            (None, None, None) => "a start has a `velocity`, or a `mode` with an `amplitude`",
+            (Some(_), _, _) => "a start has either a `velocity` or a `mode` with an `amplitude`",
+        };
+        Err(AssemblyProblem::Refused { reason: problem.to_owned() }.at(section.place))
+    }
+}

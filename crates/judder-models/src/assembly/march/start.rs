@@ -1,0 +1,71 @@
+//! Where a motion begins.
+
+use super::field::PlaceExpression;
+use super::settings::MotionStart;
+use crate::assembly::AssemblySubject;
+use crate::assembly::eigen::lowest;
+use crate::error::ModelError;
+use judder_assembly::linearised::{Linearised, LinearisedTerms};
+use judder_assembly::steady::SteadySliding;
+use num_complex::Complex64;
+
+/// Displacements and velocities on the freedoms of an assembly.
+pub(super) struct MotionState {
+    pub(super) displacement: Vec<f64>,
+    pub(super) velocity: Vec<f64>,
+}
+
+impl MotionState {
+    /// Steady sliding, with what the start adds.
+    pub(super) fn new(
+        of: &AssemblySubject<'_>,
+        steady: &SteadySliding,
+        start: Option<&MotionStart>,
+    ) -> Result<Self, ModelError> {
+        let mut state = Self {
+            displacement: steady.displacement.clone(),
+            velocity: vec![0.0; steady.displacement.len()],
+        };
+        match start {
+            Some(MotionStart { velocity: Some(field), .. }) => {
+                state.velocity = of.built.on_freedoms(&|place| values(field, place))?;
+            }
+            Some(MotionStart { mode: Some(number), amplitude: Some(amplitude), .. }) => {
+                state.disturb(of, steady, *number, *amplitude)?;
+            }
+            _ => {}
+        }
+        Ok(state)
+    }
+
+    /// Adds a complex mode whose largest displacement is so large.
+    fn disturb(
+        &mut self,
+        of: &AssemblySubject<'_>,
+        steady: &SteadySliding,
+        number: usize,
+        amplitude: f64,
+    ) -> Result<(), ModelError> {
+        let about = Linearised::new(&of.built.assembly, steady, LinearisedTerms::default())?;
+        let (_, found) = lowest(&about, number)?;
+        let Some(mode) = found.modes.get(number - 1) else {
+            let known = found.modes.len();
+            return Err(ModelError::Unsupported(format!(
+                "there is no mode {number} to start with: {known} were found"
+            )));
+        };
+        let shape = about.expanded(&mode.right);
+        let moved = of.built.expanded(&shape);
+        let largest = moved.iter().map(|own| own.norm()).fold(0.0, f64::max);
+        let factor = Complex64::from(amplitude / largest);
+        for (k, own) in shape.iter().enumerate() {
+            self.displacement[k] += (factor * own).re;
+            self.velocity[k] += (factor * mode.eigenvalue.value * own).re;
+        }
+        Ok(())
+    }
+}
+
+fn values(field: &[PlaceExpression], place: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|k| field.get(k).map_or(0.0, |own| own.at(place)))
+}

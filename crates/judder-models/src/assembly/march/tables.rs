@@ -1,0 +1,36 @@
+//! The tables of a motion in the report.
+
+use judder_report::page::PageTable;
+use judder_study::report_tables::short;
+use serde_json::{Map, Value};
+
+/// What each contact does on average, and where the energy goes.
+pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
+    let heads =
+        ["contact", "points", "stick", "slip", "lift-off", "normal force (N)", "largest rms velocity (m/s)"];
+    let numbers = |told: &Value, key: &str| -> Vec<f64> {
+        told[key].as_array().into_iter().flatten().filter_map(Value::as_f64).collect()
+    };
+    let row = |(name, told): (&String, &Value)| {
+        let mean = |key: &str| {
+            let own = numbers(told, key);
+            if own.is_empty() { Value::Null } else { (own.iter().sum::<f64>() / own.len() as f64).into() }
+        };
+        let force = numbers(told, "normal_force_mean").iter().sum::<f64>();
+        let rms = numbers(told, "tangential_velocity_rms").into_iter().fold(0.0, f64::max);
+        let shares = ["stick_share", "slip_share", "open_share"].map(|key| short(&mean(key)));
+        let points = numbers(told, "x_m").len().to_string();
+        [vec![name.clone(), points], shares.to_vec(), vec![short(&force.into()), short(&rms.into())]].concat()
+    };
+    let contacts = results.get("contacts").and_then(Value::as_object);
+    let rows: Vec<Vec<String>> = contacts.into_iter().flatten().map(row).collect();
+    let table = |caption: &str, head: Vec<String>, rows: Vec<Vec<String>>| {
+        (!rows.is_empty()).then(|| PageTable { caption: caption.to_owned(), head, rows })
+    };
+    let power = results.get("power").and_then(Value::as_object);
+    let powers: Vec<Vec<String>> =
+        power.into_iter().flatten().map(|(name, value)| vec![name.clone(), short(value)]).collect();
+    let shares = table("Contacts, averages over points and time", heads.map(String::from).to_vec(), rows);
+    let powers = table("Power into the bodies, on average", vec!["from".to_owned(), "W".to_owned()], powers);
+    shares.into_iter().chain(powers).collect()
+}

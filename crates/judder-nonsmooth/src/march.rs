@@ -121,6 +121,7 @@ impl<'a> March<'a> {
             return Err(NonsmoothError::HeldPoint { interface: name, point: point - before + 1 });
         }
         let load = bodies.forces(&assembly.load);
+        let force = assembly.load.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
         let (size, points, components) = (bodies.size(), contact.points.len(), contact.rows.len());
         let solution = ContactSolution::none(&delassus);
         let mut march = Self {
@@ -141,7 +142,7 @@ impl<'a> March<'a> {
             before_step: vec![0.0; components],
             solution,
             rounding: 0.0,
-            scale: 1.0,
+            scale: step * if force > 0.0 { force } else { 1.0 },
             steps: 0,
             works: Works::default(),
             record: ContactRecord::default(),
@@ -194,7 +195,7 @@ impl<'a> March<'a> {
         self.before_step.copy_from_slice(&self.relative);
     }
 
-    /// What a step's impulses are measured by, in N: of the order of the contact forces of steady sliding.
+    /// What a step's impulses are measured by, in N: of the order of the contact forces of steady sliding; the largest load where nothing is said.
     pub fn set_force_scale(&mut self, force: f64) {
         self.scale = force * self.settings.step;
     }

@@ -97,13 +97,13 @@ fn modes_grow_in_the_march_as_their_eigenvalues_say() {
         InterfaceLaw::Rigid(Friction::Falling(falling)),
         InterfaceLaw::Compliant(Pressure::Stiffness(1e12), Friction::Constant(0.5)),
     ];
-    for law in laws {
-        let case = block(law.clone(), 1.0, [100.0, 5e-8]);
+    let cases = laws.iter().flat_map(|law| [block, block_held].map(|make| (law, make)));
+    for (law, make) in cases {
+        let case = make(law.clone(), 1.0, [100.0, 5e-8]);
         let steady = steady_sliding(&case, &Compliance::new(&case).unwrap()).unwrap();
         let about = Linearised::new(&case, &steady, LinearisedTerms::default()).unwrap();
         let region = Region { re: [-5e4, 5e4], im: [1e3, 4e5] };
         let found = complex_modes(&about.problem, &region, &ComplexModeSettings::default()).unwrap();
-        let mut measured = 0;
         let mode = found
             .modes
             .iter()
@@ -112,15 +112,9 @@ fn modes_grow_in_the_march_as_their_eigenvalues_say() {
         for (scheme, step) in [(IMPLICIT, 5e-8), (Scheme::ForwardIncrement, 5e-8)] {
             let told = growth(&case, &steady, &about, mode, settings(scheme, step)).unwrap();
             let off = (told.measured.re - told.predicted.re).abs() / told.predicted.re.abs();
-            println!(
-                "{scheme:?} {} {} off {off:.2e} small {} steps {}",
-                told.predicted, told.measured, told.is_small, told.steps
-            );
             assert!(told.is_small);
             assert!(off < 2e-3, "{law:?} {scheme:?}: {told:?}");
             assert!((told.measured.im / told.predicted.im - 1.0).abs() < 1e-3);
-            measured += 1;
         }
-        assert_eq!(measured, 2);
     }
 }

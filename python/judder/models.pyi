@@ -563,3 +563,27 @@ class Assembly(Model):
         progress: Progress | None = None,
     ) -> Result:
         """Where steady sliding is stable over two keys, and what feeds the fastest growing mode."""
+    def growth(
+        self,
+        *,
+        frequency: str,
+        method: Literal["moreau", "film", "smoothed"] | None = None,
+        step: str,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Result:
+        """The growth of one mode in a march that is started in it, against its eigenvalue."""
+    def march(
+        self,
+        *,
+        method: Literal["moreau", "film", "smoothed"] | None = None,
+        step: str,
+        duration: str,
+        transient: str | None = None,
+        start: Mapping[str, Any] | None = None,
+        restitution: float | None = None,
+        sample_rate: str | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Result:
+        """The motion through stick, slip and lift-off at every contact point, with its balance of energy."""

@@ -15,8 +15,8 @@ use oscillator::{critical, equivalent_damping, spectrum, stability_map};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use structure::{
-    assembly_map, eigen, eigen_sweep, growth, locus, march, modes, receptance, reduction, spectrogram,
-    steady_sliding,
+    assembly_map, assembly_march, eigen, eigen_sweep, growth, locus, march, mode_growth, modes, receptance,
+    reduction, spectrogram, steady_sliding,
 };
 
 pub(super) type Point = (f64, f64);
@@ -31,7 +31,7 @@ pub(super) struct Planted {
 
 type Plant = fn(u64) -> Vec<Planted>;
 
-pub(super) const PLANTED: [(&str, &str, Plant); 35] = [
+pub(super) const PLANTED: [(&str, &str, Plant); 37] = [
     ("oscillator", "equivalent-damping", equivalent_damping),
     ("oscillator", "spectrum", spectrum),
     ("oscillator", "critical-shear-strength", critical),
@@ -67,6 +67,8 @@ pub(super) const PLANTED: [(&str, &str, Plant); 35] = [
     ("assembly", "eigen", eigen),
     ("assembly", "eigen-sweep", eigen_sweep),
     ("assembly", "stability-map", assembly_map),
+    ("assembly", "growth", mode_growth),
+    ("assembly", "march", assembly_march),
 ];
 
 const NAN: f64 = f64::NAN;

@@ -6,6 +6,7 @@ use judder_report::figure::{Class, ClassMap};
 use judder_report::{Axis, Layer, Legend, Panel, Role};
 use judder_store::Dataset;
 use judder_study::pictures::{codes, reals, words};
+use serde_json::Value;
 
 /// Columns of the picture of states.
 const COLUMNS: usize = 900;
@@ -28,7 +29,8 @@ pub(super) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
     let mut panels = Vec::new();
     for contact in contacts {
         for what in ["normal_force", "friction_force"] {
-            panels.push(history(dataset, &format!("{contact}.{what}"), Role::Series(0).solid())?);
+            let panel = history(dataset, &format!("{contact}.{what}"), Role::Series(0).solid())?;
+            panels.push(with_transient(dataset, panel));
         }
         let instants = reals(dataset, "state_time")?.len();
         panels.push(states(dataset, contact, 0)?.with_title(format!("{contact}: states of the points")));
@@ -38,6 +40,16 @@ pub(super) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
         }
     }
     Some(panels)
+}
+
+/// The same panel with the end of the transient.
+fn with_transient(dataset: &Dataset, mut panel: Panel) -> Panel {
+    let until = dataset.attributes().get("transient_s").and_then(Value::as_f64);
+    if let Some(until) = until.filter(|until| *until > 0.0) {
+        panel.layers.push(Layer::vertical_rule(until, ""));
+        panel.layers.push(Layer::key("end of the transient", Role::Reference.dotted()));
+    }
+    panel
 }
 
 /// The states of the points of a contact from an instant on: time across, points in their order upwards.

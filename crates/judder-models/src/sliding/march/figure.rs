@@ -56,7 +56,7 @@ pub fn panel(dataset: &Dataset, name: &str, mut layers: Vec<Layer>) -> Option<Pa
     let across = Axis::linear("Time $t$ (s)");
     let across = if last > first { across.over(first, last) } else { across };
     let panel = Panel::new(across, axis(dataset.variable(name)?), layers).with_legend(Legend::Below);
-    Some(match positions(time, reals(dataset, "position")?) {
+    Some(match reals(dataset, "position").and_then(|own| positions(time, own)) {
         Some(second) => panel.with_second_axis(second),
         None => panel,
     })

@@ -151,8 +151,17 @@ pub(super) fn locus(seed: u64) -> Vec<Planted> {
 }
 
 pub(super) fn growth(seed: u64) -> Vec<Planted> {
+    growth_from(seed, 2.0)
+}
+
+/// The amplitude of a mode starts at one.
+pub(super) fn mode_growth(seed: u64) -> Vec<Planted> {
+    growth_from(seed, 1.0)
+}
+
+fn growth_from(seed: u64, start: f64) -> Vec<Planted> {
     let (time, amplitude) = (steps(20), Random(seed).gappy(20, 1.0));
-    let promised = time.iter().map(|time| (1e3 * time, 2.0 * (0.1 * time).exp())).collect();
+    let promised = time.iter().map(|time| (1e3 * time, start * (0.1 * time).exp())).collect();
     let variables = vec![
         along("time", "time", time),
         along("amplitude", "time", amplitude),
@@ -160,7 +169,7 @@ pub(super) fn growth(seed: u64) -> Vec<Planted> {
         along("predicted", "rate", vec![Complex64::new(0.1, 5.0)]),
     ];
     let attributes =
-        [("start_amplitude_n", json!(2.0)), ("measured_until_s", json!(9.0)), ("position_m", json!(0.1))];
+        [("start_amplitude_n", json!(start)), ("measured_until_s", json!(9.0)), ("position_m", json!(0.1))];
     alone(dataset(variables, &attributes), vec![promised])
 }
 
@@ -197,6 +206,22 @@ pub(super) fn march(seed: u64) -> Vec<Planted> {
     }
     variables.push(along("position", "time", time));
     alone(dataset(variables, &[("signal", json!("normal_force"))]), runs)
+}
+
+/// Forces of a contact, one sample of which is none, and states of its two points.
+pub(super) fn assembly_march(seed: u64) -> Vec<Planted> {
+    let mut random = Random(seed);
+    let time = steps(20);
+    let (mut runs, mut variables) = (Vec::new(), vec![Variable::coordinate("time", time.clone())]);
+    for (base, name) in ["sole.normal_force", "sole.friction_force"].into_iter().enumerate() {
+        let values = random.gappy(20, base as f64);
+        runs.push(run(&time, &values));
+        variables.push(along(name, "time", values));
+    }
+    variables.push(along("contact", "contact_point", vec!["sole".to_owned(); 2]));
+    variables.push(Variable::coordinate("state_time", vec![0.0, 1.0]));
+    variables.push(over("state", &["state_time", "contact_point"], &[2, 2], vec![0_u8, 1, 2, 3]));
+    alone(dataset(variables, &[("transient_s", json!(3.0))]), runs)
 }
 
 /// Two spectra one behind the other, with levels so low that nothing is hidden; frames about two zones.

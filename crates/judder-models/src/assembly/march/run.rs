@@ -275,15 +275,14 @@ fn dataset(
         .attribute("sample_rate_hz", signals.rate)?
         .with(time.attribute("label", "Time $t$ (s)"))?;
     for interface in interfaces {
-        for (what, symbol, words) in [
-            ("normal_force", "N", "normal forces"),
-            ("friction_force", "T", "friction on the slider along the slip"),
+        for (what, symbol, head, words) in [
+            ("normal_force", "N", "Normal force", "normal forces"),
+            ("friction_force", "T", "Friction", "friction on the slider along the slip"),
         ] {
             let name = format!("{}.{what}", interface.name);
             let values = columns.next().unwrap_or_default();
             let variable = Variable::new(&name, &["time"], &[samples], values).units("N");
-            let label =
-                format!("{} of {}, ${symbol}$ (N)", words.split(' ').next().unwrap_or(words), interface.name);
+            let label = format!("{head} of {}, ${symbol}$ (N)", interface.name);
             dataset = dataset.with(
                 variable.long_name(&format!("{words} of {}", interface.name)).attribute("label", label),
             )?;

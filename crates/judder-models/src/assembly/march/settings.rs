@@ -19,11 +19,11 @@ use judder_nonsmooth::scheme::Scheme;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
 #[choice(what = "method")]
 pub enum SchemeWord {
-    /// Moreau and Jean: implicit, on velocities, with impacts.
+    /// Implicit, on velocities, with impacts, after Moreau and Jean.
     Moreau,
-    /// Forward increment Lagrange multipliers: explicit, on places.
+    /// Explicit, on places: forward increment Lagrange multipliers.
     Film,
-    /// Springs and dampers in place of the contact: explicit, to doubt the others.
+    /// Explicit, springs and dampers in place of the contact, to doubt the others.
     Smoothed,
 }
 

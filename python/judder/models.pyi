@@ -582,6 +582,7 @@ class Assembly(Model):
         transient: str | None = None,
         start: Mapping[str, Any] | None = None,
         restitution: float | None = None,
+        modes: int | None = None,
         sample_rate: str | None = None,
         threads: int | None = None,
         progress: Progress | None = None,

@@ -9,7 +9,7 @@ use judder_structure::assembly::Sparse;
 /// The amplitude of a mode in a deviation from steady sliding: a = yᴴ ((λ M + C) q + M q̇)/(yᴴ (2 λ M + C) x), with all damping, that of the
 /// contacts too.
 ///
-/// Of a motion a e^{λt} x it is a e^{λt}, and zero of every other mode; what belongs to closed rigid points drops out with y.
+/// Of a motion a e^{λt} x it is a e^{λt}, of its real part half of that, and zero of every other mode; what belongs to closed rigid points drops out with y.
 #[derive(Debug, Clone)]
 pub struct ModeShare {
     /// Of the displacements, real and imaginary part, on the coordinates of a march.
@@ -62,4 +62,64 @@ fn transposed(matrix: &Sparse, left: &[c64]) -> Vec<c64> {
     let mut sums = vec![c64::ZERO; matrix.ncols()];
     triplets(matrix).for_each(|entry| sums[entry.col] += left[entry.row].conj() * entry.val);
     sums
+}
+
+/// How much of each of some modes a motion has on average, about its mean, and how fast that turns.
+#[derive(Debug, Clone)]
+pub struct ModalContent {
+    shares: Vec<ModeShare>,
+    sums: Vec<ModeSums>,
+    samples: u64,
+    /// When the last sample was taken, and how long after the one before, in s.
+    last: f64,
+    apart: f64,
+}
+
+#[derive(Debug, Clone, Copy, Default)]
+struct ModeSums {
+    /// About the first amplitude, so that a small swing about a large mean keeps its digits.
+    origin: c64,
+    sum: c64,
+    squared: f64,
+    last: c64,
+    /// Σ |aₖ − aₖ₋₁|².
+    changed: f64,
+}
+
+impl ModalContent {
+    /// Of these modes, before the first step.
+    #[must_use]
+    pub fn new(shares: Vec<ModeShare>) -> Self {
+        let sums = vec![ModeSums::default(); shares.len()];
+        Self { shares, sums, samples: 0, last: 0.0, apart: 0.0 }
+    }
+
+    /// Takes the step that a march is at; evenly apart, several in every half period of each mode.
+    pub fn take(&mut self, march: &March<'_>) {
+        let time = march.time();
+        for (share, sums) in self.shares.iter().zip(&mut self.sums) {
+            let amplitude = share.of(march);
+            if self.samples == 0 {
+                (sums.origin, sums.last) = (amplitude, amplitude);
+            }
+            let deviation = amplitude - sums.origin;
+            sums.sum += deviation;
+            sums.squared += deviation.norm_sqr();
+            sums.changed += (amplitude - sums.last).norm_sqr();
+            sums.last = amplitude;
+        }
+        (self.apart, self.last) = (time - self.last, time);
+        self.samples += 1;
+    }
+
+    /// The root mean square of |a| of a mode about its mean, and the angular frequency with which it turned, in rad/s: that of an even turn
+    /// which changes as much from sample to sample. Of no samples nothing.
+    #[must_use]
+    pub fn of(&self, mode: usize) -> Option<[f64; 2]> {
+        let sums = self.sums.get(mode).filter(|_| self.samples > 1)?;
+        let count = self.samples as f64;
+        let variance = (sums.squared / count - (sums.sum / count).norm_sqr()).max(0.0);
+        let half_chord = 0.5 * (sums.changed / (count - 1.0) / variance).sqrt();
+        Some([variance.sqrt(), 2.0 * half_chord.min(1.0).asin() / self.apart])
+    }
 }

@@ -11,6 +11,8 @@ use judder_assembly::row::Row;
 use judder_assembly::search::{KeptOfFaces, Sliding, TouchingBody, Track, contact_points};
 use judder_assembly::steady::steady_sliding;
 use judder_nonsmooth::growth::growth;
+use judder_nonsmooth::march::March;
+use judder_nonsmooth::mode_share::{ModalContent, ModeShare};
 use judder_nonsmooth::scheme::Scheme;
 use judder_structure::assembly::{assemble, displacement_load};
 use judder_structure::complex_modes::{ComplexModeSettings, Region, complex_modes};
@@ -116,5 +118,43 @@ fn modes_grow_in_the_march_as_their_eigenvalues_say() {
             assert!(off < 2e-3, "{law:?} {scheme:?}: {told:?}");
             assert!((told.measured.im / told.predicted.im - 1.0).abs() < 1e-3);
         }
+    }
+}
+
+/// A motion that is started in a mode has that mode alone, with its amplitude and its frequency.
+#[test]
+fn a_motion_in_a_mode_has_that_mode() {
+    let case = block(InterfaceLaw::Rigid(Friction::Constant(0.1)), 1.0, [100.0, 5e-8]);
+    let steady = steady_sliding(&case, &Compliance::new(&case).unwrap()).unwrap();
+    let about = Linearised::new(&case, &steady, LinearisedTerms::default()).unwrap();
+    let region = Region { re: [-5e4, 5e4], im: [1e3, 2e5] };
+    let found = complex_modes(&about.problem, &region, &ComplexModeSettings::default()).unwrap();
+    let step = 1e-7;
+    let mut march = March::new(&case, &[], settings(IMPLICIT, step)).unwrap();
+    let shares = found.modes.iter().map(|mode| {
+        let (right, left) = (about.expanded(&mode.right), about.expanded_left(&mode.left));
+        ModeShare::new(&march, &about, mode.eigenvalue.value, [&right, &left], &steady.displacement)
+    });
+    let mut content = ModalContent::new(shares.collect());
+    let value = found.modes[0].eigenvalue.value;
+    let (shape, size) = (about.expanded(&found.modes[0].right), 1e-9);
+    let state = |factor: faer::c64, rest: &dyn Fn(usize) -> f64| -> Vec<f64> {
+        (0..shape.len()).map(|k| rest(k) + size * (factor * shape[k]).re).collect()
+    };
+    march.start(&state(faer::c64::ONE, &|k| steady.displacement[k]), &state(value, &|_| 0.0));
+    let steps = (20.0 * std::f64::consts::TAU / value.im / step) as u64;
+    for _ in 0..steps {
+        march.advance().unwrap();
+        content.take(&march);
+    }
+    // the mean square of e^{σt}
+    let time = steps as f64 * step;
+    let grown = ((2.0 * value.re * time).exp_m1() / (2.0 * value.re * time)).sqrt();
+    let [rms, turning] = content.of(0).unwrap();
+    assert!((rms / (0.5 * size * grown) - 1.0).abs() < 5e-3, "{rms} {}", 0.5 * size * grown);
+    assert!((turning / value.im - 1.0).abs() < 2e-3, "{turning} {}", value.im);
+    for mode in 1..found.modes.len() {
+        let [other, _] = content.of(mode).unwrap();
+        assert!(other < 2e-2 * rms, "mode {mode}: {other} beside {rms}");
     }
 }

@@ -10,8 +10,8 @@ use serde_json::Value;
 
 /// Columns of the picture of states.
 const COLUMNS: usize = 900;
-/// Instants of its end that are shown closely.
-const CLOSE: usize = 400;
+/// Periods of the strongest line that are shown closely, at its end.
+const CLOSE: f64 = 12.0;
 
 /// The colours of the states, as of every model.
 const STATES: [(ContactState, Role); 4] = [
@@ -32,14 +32,19 @@ pub(super) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
             let panel = history(dataset, &format!("{contact}.{what}"), Role::Series(0).solid())?;
             panels.push(with_transient(dataset, panel));
         }
-        let instants = reals(dataset, "state_time")?.len();
         panels.push(states(dataset, contact, 0)?.with_title(format!("{contact}: states of the points")));
-        if instants > 2 * CLOSE {
-            panels
-                .push(states(dataset, contact, instants - CLOSE)?.with_title(format!("{contact}: its end")));
+        if let Some(first) = last_periods(dataset, reals(dataset, "state_time")?) {
+            panels.push(states(dataset, contact, first)?.with_title(format!("{contact}: the last periods")));
         }
     }
     Some(panels)
+}
+
+/// The first instant of the last periods; none where all instants are of these.
+fn last_periods(dataset: &Dataset, times: &[f64]) -> Option<usize> {
+    let frequency = dataset.attributes().get("frequency_hz").and_then(Value::as_f64)?;
+    let from = times.last()? - CLOSE / frequency;
+    Some(times.partition_point(|time| *time < from)).filter(|first| 2 * first > times.len())
 }
 
 /// The same panel with the end of the transient.
@@ -75,6 +80,7 @@ fn states(dataset: &Dataset, contact: &str, first: usize) -> Option<Panel> {
             .collect(),
         classes: drawn.iter().map(|(state, role)| Class::new(state.name(), *role)).collect(),
     };
-    let (across, up) = (Axis::linear("Time $t$ (ms)"), Axis::linear("Contact point"));
+    let (across, up) =
+        (Axis::linear("Time $t$ (ms)"), Axis::linear("Contact point").over(0.5, own.len() as f64 + 0.5));
     Some(Panel::new(across, up, vec![Layer::Classes(map)]).with_legend(Legend::Below))
 }

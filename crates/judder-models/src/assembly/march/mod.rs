@@ -1,5 +1,6 @@
 //! `march`: the motion through stick, slip and lift-off at every contact point.
 
+mod content;
 pub mod field;
 mod figure;
 mod recorded;

@@ -1,5 +1,6 @@
 //! The motion, and what is told of it.
 
+use super::content::{SoughtContent, ToldMode};
 use super::recorded::{Recorded, Signals};
 use super::settings::AssemblyMarch;
 use super::start::MotionState;
@@ -41,6 +42,8 @@ pub(super) struct ToldMotion {
     contact_unsolved: u64,
     /// sweeps over the contact points in a step, on average
     contact_sweeps: f64,
+    /// the lowest complex modes about steady sliding, and how much of each the motion has
+    modes: Vec<ToldMode>,
     /// each contact
     contacts: ByName<ToldContact>,
 }
@@ -94,6 +97,8 @@ struct Marched<'a> {
     settled: (Works, f64),
     first_energy: f64,
     seconds: f64,
+    /// The modes in it, or why they are not known.
+    content: Result<SoughtContent, ModelError>,
 }
 
 /// Marches, and tells.
@@ -106,7 +111,7 @@ pub(super) fn run(
     let state = MotionState::new(of, &steady, asked.start.as_ref())?;
     let marched = march(of, asked, progress, &steady, &state)?;
     let counts = points_of(of);
-    let Marched { march, statistics, mut recorded, settled, first_energy, seconds } = marched;
+    let Marched { march, statistics, mut recorded, settled, first_energy, seconds, content } = marched;
     let signals = recorded.signals();
     let points: Vec<PointStatistics> =
         (0..steady.points.len()).filter_map(|point| statistics.of(point)).collect();
@@ -120,12 +125,13 @@ pub(super) fn run(
     let time = statistics.steps() as f64 * asked.step;
     let mean = |pick: fn(&Works) -> f64| (pick(&works) - pick(&settled.0)) / time;
     let sum = |pick: fn(&PointStatistics) -> f64| points.iter().map(pick).sum::<f64>();
+    let frequency = frequency(&signals, &points, counts.len(), asked.transient);
     let results = ToldMotion {
         method: asked.method.name(),
         steps: march.steps(),
         step_s: asked.step,
         seconds,
-        frequency_hz: frequency(&signals, &points, counts.len(), asked.transient),
+        frequency_hz: frequency,
         normal_force_mean: sum(|own| own.normal_force_mean),
         friction_force_mean: sum(|own| own.friction_force_mean),
         power: ToldPower {
@@ -140,10 +146,14 @@ pub(super) fn run(
         contact_residual: record.residual,
         contact_unsolved: record.unsolved,
         contact_sweeps: record.iterations as f64 / march.steps().max(1) as f64,
+        modes: content.as_ref().map(SoughtContent::told).unwrap_or_default(),
         contacts: contacts(of, &points),
     };
     let Outcome { scalars, .. } = Outcome::of(&results)?;
     let mut warnings = of.doubts(&steady);
+    if let Err(error) = content {
+        warnings.push(format!("which modes the motion contains is not known: {error}"));
+    }
     if let Some((time, point)) = record.first_unsolved {
         warnings.push(format!(
             "in {} of {} steps the contact is not solved to its tolerance, first at {time} s at contact point {} with the residual {:.1e}: a \
@@ -156,7 +166,12 @@ pub(super) fn run(
     }
     Ok(Outcome {
         scalars,
-        dataset: dataset(of, asked, &recorded, signals)?,
+        dataset: match frequency {
+            Some(frequency) => {
+                dataset(of, asked, &recorded, signals)?.attribute("frequency_hz", frequency)?
+            }
+            None => dataset(of, asked, &recorded, signals)?,
+        },
         checks: vec![
             CheckRecord::new(
                 "impulses and velocities complement each other at every contact point",
@@ -196,6 +211,7 @@ fn march<'a>(
     let guess: Vec<[f64; 2]> =
         steady.points.iter().map(|point| [point.normal_force, point.friction_force]).collect();
     march.guess(&guess);
+    let mut content = SoughtContent::new(of, steady, &march, asked.modes);
     let [steps, transient] = asked.steps();
     let mut recorded = Recorded::new(&march, &points_of(of), asked.sample_rate.0)?;
     let mut statistics = Statistics::new(steady.points.len());
@@ -209,6 +225,9 @@ fn march<'a>(
         recorded.take(&march);
         if taken > transient {
             statistics.take(&march);
+            if let Ok(content) = &mut content {
+                content.take(&march, taken);
+            }
         } else if taken == transient {
             let energy = march.energy();
             settled = (march.works(), energy.kinetic + energy.potential);
@@ -219,7 +238,7 @@ fn march<'a>(
         }
     }
     let seconds = start.elapsed().as_secs_f64();
-    Ok(Marched { march, statistics, recorded, settled, first_energy, seconds })
+    Ok(Marched { march, statistics, recorded, settled, first_energy, seconds, content })
 }
 
 /// The strongest line of the velocity of the point that moves most, after the transient.

@@ -61,8 +61,11 @@ pub struct AssemblyMarch {
     /// Of `moreau`: how much of the velocity with which a point meets the track it leaves it with.
     #[key(rule = RESTITUTION, symbol = "e", usual = 0.0, omitted)]
     pub restitution: Option<f64>,
+    /// How many of the lowest complex modes about steady sliding are looked for in the motion.
+    #[key(rule = Whole { from: 0, to: 500 }, default = 12)]
+    pub modes: usize,
     /// Samples of signals and of the states of the contact that are kept, at least.
-    #[key(symbol = "2π f_s", default = Hertz(100e3))]
+    #[key(symbol = "2π f_s", default = Hertz(400e3))]
     pub sample_rate: Hertz,
 }
 

@@ -32,5 +32,33 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
         power.into_iter().flatten().map(|(name, value)| vec![name.clone(), short(value)]).collect();
     let shares = table("Contacts, averages over points and time", heads.map(String::from).to_vec(), rows);
     let powers = table("Power into the bodies, on average", vec!["from".to_owned(), "W".to_owned()], powers);
-    shares.into_iter().chain(powers).collect()
+    shares.into_iter().chain(powers).chain(modes(results)).collect()
+}
+
+/// The modes about steady sliding beside what the motion has of them.
+fn modes(results: &Map<String, Value>) -> Option<PageTable> {
+    let heads = [
+        "mode",
+        "frequency (Hz)",
+        "growth rate (1/s)",
+        "in the motion (m/s)",
+        "beside the loudest (dB)",
+        "turning (Hz)",
+        "promised",
+        "came",
+    ];
+    let row = |told: &Value| {
+        let keys = ["mode", "frequency_hz", "growth_rate", "velocity", "level_db", "turning_hz"];
+        let promised = if told["unstable"].as_bool() == Some(true) { "grows" } else { "decays" };
+        let came = match told["heard"].as_bool() {
+            Some(true) => "heard",
+            Some(false) => "not heard",
+            None => "",
+        };
+        [keys.map(|key| short(&told[key])).to_vec(), vec![promised.to_owned(), came.to_owned()]].concat()
+    };
+    let rows: Vec<Vec<String>> =
+        results.get("modes").and_then(Value::as_array).into_iter().flatten().map(row).collect();
+    let caption = "Modes about steady sliding in the motion".to_owned();
+    (!rows.is_empty()).then(|| PageTable { caption, head: heads.map(String::from).to_vec(), rows })
 }

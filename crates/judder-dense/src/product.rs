@@ -1,7 +1,7 @@
 //! The product of two dense matrices.
 
 use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, MatRef, Par};
+use faer::{Accum, Mat, MatRef, Par, c64};
 use rayon::prelude::*;
 
 /// Columns that are worked together: pieces do not depend on the number of threads, so neither does the result.
@@ -18,5 +18,13 @@ pub fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
         let own = b.subcols(k * TILE, tile.ncols());
         matmul(tile, Accum::Replace, a, own, 1.0, Par::Seq);
     });
+    image
+}
+
+/// Aᴴ B of complex matrices.
+#[must_use]
+pub fn adjoint_product(a: MatRef<'_, c64>, b: MatRef<'_, c64>) -> Mat<c64> {
+    let mut image = Mat::zeros(a.ncols(), b.ncols());
+    matmul(image.as_mut(), Accum::Replace, a.adjoint(), b, c64::new(1.0, 0.0), Par::Seq);
     image
 }

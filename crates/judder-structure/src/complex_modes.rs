@@ -160,7 +160,7 @@ pub(crate) fn searched(problem: &Quadratic, region: &Region) -> Result<SearchedR
         return whole(problem, region);
     }
     let cover = cover(problem, region)?;
-    let refined = refined(problem, &cover)?;
+    let refined = refined(problem, &cover, &region.widened(REFINED))?;
     let mut gaps = cover.gaps;
     for ((disc, place), refined) in cover.members.iter().zip(&refined) {
         let (from, to) = (cover.discs[*disc].triples[*place].value, refined.triple.value);
@@ -175,11 +175,27 @@ pub(crate) fn searched(problem: &Quadratic, region: &Region) -> Result<SearchedR
     Ok(SearchedRegion { refined, factors, gaps })
 }
 
-/// Every eigenvalue of a cover, refined with the factors of its disc.
-fn refined(problem: &Quadratic, cover: &Cover) -> Result<Vec<RefinedEigenvalue>, StructureError> {
+/// Eigenvalues that lie outside of a region by no more than this share of its sides are refined with those inside.
+const REFINED: f64 = 0.01;
+
+/// Every eigenvalue of a cover, in a region refined with the factors of its disc; those beside it, which came along, as they were found.
+fn refined(
+    problem: &Quadratic,
+    cover: &Cover,
+    region: &Region,
+) -> Result<Vec<RefinedEigenvalue>, StructureError> {
     let neighbourhoods: Vec<Neighbourhood<'_>> =
         cover.discs.iter().map(|disc| Neighbourhood::new(problem, &disc.factor, &disc.triples)).collect();
-    cover.members.par_iter().map(|(disc, place)| neighbourhoods[*disc].refined_to_rounding(*place)).collect()
+    let members = cover.members.par_iter();
+    let each = members.map(|(disc, place)| {
+        let triple = &cover.discs[*disc].triples[*place];
+        // no less than rounding may move it
+        match region.contains(triple.value, SAME * region.radius()) {
+            true => neighbourhoods[*disc].refined_to_rounding(*place),
+            false => Ok(RefinedEigenvalue::measured(problem, triple.clone())),
+        }
+    });
+    each.collect()
 }
 
 /// The modes in a region, or so near to it that rounding cannot tell, by rising imaginary part, with what each is known to; the method leaves open so much of each, times d.
@@ -190,18 +206,18 @@ pub(crate) fn finished(
     region: &Region,
     settings: &ComplexModeSettings,
 ) -> Vec<ComplexMode> {
-    let mut modes: Vec<ComplexMode> = refined
-        .iter()
-        .enumerate()
-        .filter_map(|(k, of_one)| {
-            let others: Vec<&RefinedEigenvalue> =
-                refined.iter().enumerate().filter(|(j, _)| *j != k).map(|(_, other)| other).collect();
-            let known = Accuracy::beside(problem, of_one, &others);
-            // beside a defective eigenvalue the first order says too much
-            let margin = known.rounding(left_open[k]).min(SAME * region.radius());
-            let inside = region.contains(of_one.triple.value, margin);
-            inside.then(|| mode(&of_one.triple, known.eigenvalue(left_open[k], settings)))
-        })
+    // beside a defective eigenvalue the first order says too much
+    let widest = SAME * region.radius();
+    let is_near = |k: &usize| region.contains(refined[*k].triple.value, widest);
+    let near: Vec<usize> = (0..refined.len()).filter(is_near).collect();
+    let known = near.iter().zip(Accuracy::among(problem, refined, &near));
+    let inside = known.filter(|(k, known)| {
+        let value = refined[**k].triple.value;
+        // what rounding does is looked at where it decides
+        region.contains(value, 0.0) || region.contains(value, known.rounding(left_open[**k]).min(widest))
+    });
+    let mut modes: Vec<ComplexMode> = inside
+        .map(|(k, known)| mode(&refined[*k].triple, known.eigenvalue(left_open[*k], settings)))
         .collect();
     modes.sort_by(|a, b| {
         let (a, b) = (a.eigenvalue.value, b.eigenvalue.value);

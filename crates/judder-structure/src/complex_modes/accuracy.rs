@@ -2,7 +2,7 @@
 
 use super::disc::Triple;
 use super::refine::RefinedEigenvalue;
-use super::vectors::assurance;
+use super::vectors::assurances;
 use super::{ComplexModeSettings, Eigenvalue};
 use crate::quadratic::Quadratic;
 use faer::c64;
@@ -16,19 +16,20 @@ pub(crate) struct Accuracy<'a> {
 }
 
 impl<'a> Accuracy<'a> {
-    pub(crate) fn beside(
-        problem: &'a Quadratic,
-        refined: &'a RefinedEigenvalue,
-        others: &[&RefinedEigenvalue],
-    ) -> Self {
+    /// What is known of some of all eigenvalues.
+    pub(crate) fn among(problem: &'a Quadratic, all: &'a [RefinedEigenvalue], some: &[usize]) -> Vec<Self> {
         /// Vectors are parallel above it.
         const PARALLEL: f64 = 0.9;
-        let partner = others
-            .iter()
-            .filter(|other| assurance(&other.triple.right, &refined.triple.right) > PARALLEL)
-            .map(|other| (other.triple.value - refined.triple.value).norm())
-            .min_by(f64::total_cmp);
-        Self { problem, refined, partner }
+        let vector = |k: usize| &all[k].triple.right[..];
+        let of_some: Vec<&[c64]> = some.iter().map(|k| vector(*k)).collect();
+        let of_all: Vec<&[c64]> = (0..all.len()).map(vector).collect();
+        let alike = assurances(&of_some, &of_all);
+        let known = |(row, k): (usize, &usize)| {
+            let others = (0..all.len()).filter(|other| other != k && alike[(row, *other)] > PARALLEL);
+            let apart = others.map(|other| (all[other].triple.value - all[*k].triple.value).norm());
+            Self { problem, refined: &all[*k], partner: apart.min_by(f64::total_cmp) }
+        };
+        some.iter().enumerate().map(known).collect()
     }
 
     /// The eigenvalue with its residuals, condition and error.

@@ -1,8 +1,7 @@
 //! Which eigenvalue of one point is which of the next: continuity of the vectors on both sides and of the eigenvalue.
 
-use crate::complex_modes::{ComplexMode, vectors::assurance};
-use faer::c64;
-use rayon::prelude::*;
+use crate::complex_modes::{ComplexMode, vectors::assurances};
+use faer::{Mat, c64};
 
 /// Follows branches from point to point.
 #[derive(Default)]
@@ -37,11 +36,17 @@ impl SweepTracker {
         let mut candidates: Vec<(f64, usize, usize)> = Vec::new();
         let alive: Vec<(usize, &SeenBranch)> =
             self.branches.iter().enumerate().filter(|(_, branch)| branch.alive).collect();
-        let costs = alive.par_iter().map(|(number, branch)| {
-            let costs = modes.iter().enumerate().map(|(k, mode)| (branch.distance(mode), *number, k));
-            costs.filter(|(cost, ..)| *cost < STRANGER).collect::<Vec<_>>()
-        });
-        candidates.extend(costs.collect::<Vec<_>>().into_iter().flatten());
+        let (right, left) = rayon::join(
+            || alike(&alive, modes, |branch| &branch.right, |mode| &mode.right),
+            || alike(&alive, modes, |branch| &branch.left, |mode| &mode.left),
+        );
+        for (row, (number, branch)) in alive.iter().enumerate() {
+            let costs = modes
+                .iter()
+                .enumerate()
+                .map(|(k, mode)| (branch.distance(mode, right[(row, k)] * left[(row, k)]), *number, k));
+            candidates.extend(costs.filter(|(cost, ..)| *cost < STRANGER));
+        }
         candidates.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         let mut of_mode: Vec<Option<usize>> = vec![None; modes.len()];
         for branch in &mut self.branches {
@@ -66,6 +71,18 @@ impl SweepTracker {
     }
 }
 
+/// How much vectors of branches and modes are alike.
+fn alike(
+    branches: &[(usize, &SeenBranch)],
+    modes: &[ComplexMode],
+    of_branch: fn(&SeenBranch) -> &Vec<c64>,
+    of_mode: fn(&ComplexMode) -> &Vec<c64>,
+) -> Mat<f64> {
+    let of_branches: Vec<&[c64]> = branches.iter().map(|(_, branch)| &of_branch(branch)[..]).collect();
+    let of_modes: Vec<&[c64]> = modes.iter().map(|mode| &of_mode(mode)[..]).collect();
+    assurances(&of_branches, &of_modes)
+}
+
 impl SeenBranch {
     fn new(mode: &ComplexMode) -> Self {
         Self {
@@ -82,9 +99,8 @@ impl SeenBranch {
         *self = Self { step, ..Self::new(mode) };
     }
 
-    /// 0 for a mode that goes on as expected.
-    fn distance(&self, mode: &ComplexMode) -> f64 {
-        let alike = assurance(&self.right, &mode.right) * assurance(&self.left, &mode.left);
+    /// 0 for a mode that goes on as expected; its vectors are so much alike.
+    fn distance(&self, mode: &ComplexMode, alike: f64) -> f64 {
         let value = mode.eigenvalue.value;
         let jump = (value - self.value - self.step).norm() / (JUMP * value.norm().max(self.value.norm()));
         1.0 - alike.sqrt() + 0.5 * jump.min(1.0)

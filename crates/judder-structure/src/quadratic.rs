@@ -1,10 +1,13 @@
 //! The quadratic eigenproblem of a damped structure, (λ² M + λ C + K) x = 0, and the region of the complex plane that is looked at.
 
+mod products;
+
 use crate::StructureError;
 use crate::assembly::Sparse;
 use crate::factor::FactorPattern;
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 use faer::{ColRef, Mat, MatRef, c64};
+use products::{TOGETHER, add_product, add_products, in_groups, packed};
 use std::sync::OnceLock;
 
 /// Q(λ) = λ² M + λ C + K with real matrices of one size, none of which need be symmetric.
@@ -160,20 +163,37 @@ impl Quadratic {
 
     /// Q(λ) x and Q′(λ) x of vectors with a λ each, or with the transposes.
     pub(crate) fn images(&self, side: MatrixSide, values: &[c64], x: MatRef<'_, c64>) -> QuadraticImages {
-        let one = c64::new(1.0, 0.0);
-        let of = |matrix: &Sparse| {
-            let mut image = Mat::zeros(x.nrows(), x.ncols());
-            add_product(matrix, side, one, x, &mut image);
-            image
-        };
-        let (mass, damping, stiffness) = (of(&self.mass), of(&self.damping), of(&self.stiffness));
-        let image = |row: usize, k: usize| {
-            (values[k] * mass[(row, k)] + damping[(row, k)]) * values[k] + stiffness[(row, k)]
-        };
-        let slope = |row: usize, k: usize| 2.0 * values[k] * mass[(row, k)] + damping[(row, k)];
-        QuadraticImages {
-            image: Mat::from_fn(x.nrows(), x.ncols(), image),
-            slope: Mat::from_fn(x.nrows(), x.ncols(), slope),
+        let zeros = || Mat::zeros(x.nrows(), x.ncols());
+        let mut images = QuadraticImages { image: zeros(), slope: zeros() };
+        in_groups(x.ncols(), &mut |first, together| match together {
+            TOGETHER => self.add_images::<TOGETHER>(side, values, x, first, &mut images),
+            _ => self.add_images::<1>(side, values, x, first, &mut images),
+        });
+        images
+    }
+
+    /// The same of N vectors from a number on.
+    fn add_images<const N: usize>(
+        &self,
+        side: MatrixSide,
+        values: &[c64],
+        x: MatRef<'_, c64>,
+        first: usize,
+        images: &mut QuadraticImages,
+    ) {
+        let from = packed::<N>(x, first);
+        let [mass, damping, stiffness] = [&self.mass, &self.damping, &self.stiffness].map(|matrix| {
+            let mut to = vec![[c64::new(0.0, 0.0); N]; x.nrows()];
+            add_products(matrix, side, c64::new(1.0, 0.0), &from, &mut to);
+            to
+        });
+        for k in 0..N {
+            let value = values[first + k];
+            for row in 0..x.nrows() {
+                let (m, c) = (mass[row][k], damping[row][k]);
+                images.image[(row, first + k)] = (value * m + c) * value + stiffness[row][k];
+                images.slope[(row, first + k)] = 2.0 * value * m + c;
+            }
         }
     }
 
@@ -265,55 +285,6 @@ pub(crate) fn norm_of(matrix: &Sparse) -> f64 {
     }
     let largest = |sums: &[f64]| sums.iter().copied().fold(0.0, f64::max);
     (largest(&of_rows) * largest(&of_columns)).sqrt()
-}
-
-/// Vectors that a matrix is read for together.
-const TOGETHER: usize = 4;
-
-/// Y += a A X of a block of complex vectors, or with Aᵀ.
-fn add_product(matrix: &Sparse, side: MatrixSide, factor: c64, x: MatRef<'_, c64>, y: &mut Mat<c64>) {
-    for first in (0..x.ncols()).step_by(TOGETHER) {
-        if first + TOGETHER <= x.ncols() {
-            add_products::<TOGETHER>(matrix, side, factor, x.subcols(first, TOGETHER), first, y);
-        } else {
-            (first..x.ncols()).for_each(|k| add_products::<1>(matrix, side, factor, x.subcols(k, 1), k, y));
-        }
-    }
-}
-
-/// The same of N vectors, the first of which in Y is that number; of each its sums are those of a single one.
-fn add_products<const N: usize>(
-    matrix: &Sparse,
-    side: MatrixSide,
-    factor: c64,
-    x: MatRef<'_, c64>,
-    first: usize,
-    y: &mut Mat<c64>,
-) {
-    let from: Vec<[c64; N]> = (0..x.nrows()).map(|row| std::array::from_fn(|k| x[(row, k)])).collect();
-    let mut to: Vec<[c64; N]> =
-        (0..y.nrows()).map(|row| std::array::from_fn(|k| y[(row, first + k)])).collect();
-    for column in 0..matrix.ncols() {
-        let entries = matrix.row_idx_of_col_raw(column).iter().zip(matrix.val_of_col(column));
-        match side {
-            MatrixSide::Right => {
-                let shares = from[column].map(|from| from * factor);
-                for (row, value) in entries {
-                    to[*row].iter_mut().zip(&shares).for_each(|(to, share)| *to += share * *value);
-                }
-            }
-            MatrixSide::Left => {
-                let mut sums = [c64::new(0.0, 0.0); N];
-                for (row, value) in entries {
-                    sums.iter_mut().zip(&from[*row]).for_each(|(sum, from)| *sum += from * *value);
-                }
-                to[column].iter_mut().zip(sums).for_each(|(to, sum)| *to += factor * sum);
-            }
-        }
-    }
-    for (row, to) in to.iter().enumerate() {
-        to.iter().enumerate().for_each(|(k, to)| y[(row, first + k)] = *to);
-    }
 }
 
 /// The entries of a column.

@@ -4,6 +4,7 @@ use crate::AssemblyError;
 use crate::interface::{FramedPoint, Interface};
 use crate::row::Row;
 use faer::sparse::Triplet;
+use faer::sparse::ops::add;
 use judder_structure::assembly::Sparse;
 use std::sync::Arc;
 
@@ -104,9 +105,13 @@ pub fn placed(matrix: &Sparse, first: usize, all: usize) -> Result<Sparse, Assem
 ///
 /// # Errors
 /// [`AssemblyError::Structure`] where it does not fit into memory.
-pub fn sum<'a>(first: &Sparse, others: impl Iterator<Item = &'a Sparse>) -> Result<Sparse, AssemblyError> {
-    let entries: Vec<_> = triplets(first).chain(others.flat_map(triplets)).collect();
-    from_triplets(first.nrows(), first.ncols(), &entries)
+pub fn sum<'a>(
+    first: &Sparse,
+    mut others: impl Iterator<Item = &'a Sparse>,
+) -> Result<Sparse, AssemblyError> {
+    let rows = first.nrows();
+    let added = others.try_fold(first.clone(), |sum, other| add(sum.as_ref(), other.as_ref()));
+    added.map_err(|_| judder_structure::StructureError::OutOfMemory { rows }.into())
 }
 
 /// Whether a matrix is its own transpose but for rounding, that is measured by the largest entries of the rows: bodies of different

@@ -4,24 +4,24 @@ use faer::{Mat, MatRef};
 use judder_dense::product::product;
 use judder_dense::symmetric::{Eigen, symmetric};
 
-/// Directions that hold less than this share of the largest are left out.
-const CUT: f64 = 1e-6;
-
 /// Orthonormal columns that carry snapshots.
 #[derive(Debug)]
 pub(super) struct SnapshotBasis {
     vectors: Mat<f64>,
     /// What the largest direction of the first batch holds, squared.
     largest: f64,
-}
-
-impl Default for SnapshotBasis {
-    fn default() -> Self {
-        Self { vectors: Mat::zeros(0, 0), largest: 0.0 }
-    }
+    /// Directions that hold less than this share of the largest are left out.
+    cut: f64,
 }
 
 impl SnapshotBasis {
+    /// One without columns, for eigenvalues of which less than a share of |λ| is to be left open: that is of second order in what is cut.
+    pub(super) fn empty(tolerance: f64) -> Self {
+        /// Of the root of the tolerance: what is cut of vectors leaves some thousand times its square of the eigenvalues open.
+        const CUT: f64 = 1e-2;
+        Self { vectors: Mat::zeros(0, 0), largest: 0.0, cut: CUT * tolerance.sqrt() }
+    }
+
     /// The columns.
     pub(super) fn vectors(&self) -> MatRef<'_, f64> {
         self.vectors.as_ref()
@@ -29,17 +29,17 @@ impl SnapshotBasis {
 
     /// With what snapshots, columns of one length, have beyond it; `None` where they have no finite directions.
     pub(super) fn extended(self, mut snapshots: Mat<f64>) -> Option<Self> {
-        let (rows, known) = (snapshots.nrows(), self.vectors.ncols());
+        let (rows, known, cut) = (snapshots.nrows(), self.vectors.ncols(), self.cut);
         let before = if known == 0 { Mat::zeros(rows, 0) } else { self.vectors };
         project_out(before.as_ref(), &mut snapshots);
         let Eigen { values, vectors } = symmetric(&product(snapshots.transpose(), snapshots.as_ref()))?;
         let largest = if known == 0 { values.last().copied().unwrap_or(0.0) } else { self.largest };
         let kept: Vec<usize> = (0..values.len())
             .rev()
-            .filter(|k| values[*k] > CUT * CUT * largest && values[*k] > 0.0)
+            .filter(|k| values[*k] > cut * cut * largest && values[*k] > 0.0)
             .collect();
         if kept.is_empty() {
-            return Some(Self { vectors: before, largest });
+            return Some(Self { vectors: before, largest, cut });
         }
         let shares =
             Mat::from_fn(values.len(), kept.len(), |i, k| vectors[(i, kept[k])] / values[kept[k]].sqrt());
@@ -51,7 +51,7 @@ impl SnapshotBasis {
             None => before[(row, k)],
             Some(k) => directions[(row, k)],
         });
-        Some(Self { vectors, largest })
+        Some(Self { vectors, largest, cut })
     }
 }
 
@@ -93,7 +93,7 @@ mod tests {
             k => first[(i, k)] - 2.0 * first[(i, k + 1)],
         });
         let basis =
-            SnapshotBasis::default().extended(first.clone()).unwrap().extended(second.clone()).unwrap();
+            SnapshotBasis::empty(1e-8).extended(first.clone()).unwrap().extended(second.clone()).unwrap();
         let vectors = basis.vectors();
         assert_eq!(vectors.ncols(), 7);
         let unit = product(vectors.transpose(), vectors) - Mat::<f64>::identity(7, 7);

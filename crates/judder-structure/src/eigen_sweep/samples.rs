@@ -18,6 +18,8 @@ pub(super) struct FullSamples<'a, F: ProblemFamily> {
     /// The coordinates of the points, and how much each changes over all of them.
     coordinates: Vec<Vec<f64>>,
     scales: Vec<f64>,
+    /// The share of |λ| that the basis may leave open.
+    tolerance: f64,
     /// By the order in which they were taken.
     taken: Vec<(usize, SearchedRegion)>,
     projection: Option<Projection<'a, F>>,
@@ -42,7 +44,7 @@ impl<'a, F: ProblemFamily> FullSamples<'a, F> {
         let order = farthest_first(&coordinates, LARGEST + 1);
         let scales = scales(&coordinates);
         let (taken, projection) = (Vec::new(), None);
-        let mut samples = Self { family, points, region, coordinates, scales, taken, projection };
+        let mut samples = Self { family, points, region, coordinates, scales, tolerance, taken, projection };
         let first = FIRST.min(order.len());
         samples.take(&order[..first])?;
         for next in &order[first..] {
@@ -65,8 +67,8 @@ impl<'a, F: ProblemFamily> FullSamples<'a, F> {
             .par_iter()
             .map(|number| Ok(searched(&self.family.at(self.points[*number])?, &wide)?))
             .collect::<Result<_, F::Error>>()?;
-        let mut basis =
-            self.projection.take().map(Projection::into_basis).or_else(|| Some(SnapshotBasis::default()));
+        let before = self.projection.take().map(Projection::into_basis);
+        let mut basis = Some(before.unwrap_or_else(|| SnapshotBasis::empty(self.tolerance)));
         for sample in solved.iter().filter(|sample| !sample.refined.is_empty()) {
             basis = basis.and_then(|basis| basis.extended(snapshots(sample)));
         }

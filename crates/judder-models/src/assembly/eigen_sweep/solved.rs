@@ -61,7 +61,7 @@ impl SolvedSweep {
             .zip(&sweep.points)
             .map(|(state, point)| Some(point.stability(state.as_ref().ok()?.closed())))
             .collect();
-        let onsets = LocatedOnsets::new(values, &known, region, &mut |value, within| {
+        let onsets = LocatedOnsets::new(values, &known, region, &|value, within| {
             progress.go_on()?;
             let state = family.state(&[value])?;
             let closed = state.closed();

@@ -3,7 +3,8 @@
 use crate::error::ModelError;
 use judder_store::Results;
 use judder_structure::complex_modes::Region;
-use judder_structure::onset::{Onset, OnsetsBetween, StabilityAt, StabilityOf, onsets_between};
+use judder_structure::onset::{Onset, OnsetsBetween, StabilityAt, onsets_between};
+use rayon::prelude::*;
 
 /// Where modes begin or cease to grow.
 #[derive(Debug, Clone, PartialEq, Results)]
@@ -77,29 +78,45 @@ impl LocatedOnsets {
         values: &[f64],
         known: &[Option<StabilityAt>],
         region: &Region,
-        at: &mut StabilityOf<'_, ModelError>,
+        at: &(dyn Fn(f64, &Region) -> Result<StabilityAt, ModelError> + Sync),
     ) -> Result<Self, ModelError> {
         let known = known.iter().cloned();
         let mut sorted: Vec<(f64, Option<StabilityAt>)> = values.iter().copied().zip(known).collect();
         sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+        // no interval knows of another
+        let each = sorted.par_windows(2).map(|pair| match pair {
+            [low, high] => Self::between(low, high, region, at),
+            _ => Ok(Self::default()),
+        });
         let mut located = Self::default();
-        for pair in sorted.windows(2) {
-            let [(from, low), (to, high)] = pair else { continue };
-            let (from, to) = (*from, *to);
-            let mut doubt = |reason: String| located.doubts.push(ToldDoubt { from, to, reason });
-            let (Some(low), Some(high)) = (low, high) else {
-                doubt(format!("there is no solution at {}", if low.is_none() { from } else { to }));
-                continue;
-            };
-            match onsets_between(&(from, low.clone()), &(to, high.clone()), region, at) {
-                Ok(OnsetsBetween { onsets, doubts }) => {
-                    doubts.iter().for_each(|own| doubt(own.to_string()));
-                    located.onsets.extend(onsets);
-                }
-                Err(ModelError::Interrupted) => return Err(ModelError::Interrupted),
-                Err(error) => doubt(error.to_string()),
-            }
+        for own in each.collect::<Vec<Result<Self, ModelError>>>() {
+            let Self { onsets, doubts } = own?;
+            located.onsets.extend(onsets);
+            located.doubts.extend(doubts);
         }
         Ok(located)
+    }
+
+    /// The same of two neighbours.
+    fn between(
+        (from, low): &(f64, Option<StabilityAt>),
+        (to, high): &(f64, Option<StabilityAt>),
+        region: &Region,
+        at: &(dyn Fn(f64, &Region) -> Result<StabilityAt, ModelError> + Sync),
+    ) -> Result<Self, ModelError> {
+        let (from, to) = (*from, *to);
+        let doubt = |reason: String| ToldDoubt { from, to, reason };
+        let (Some(low), Some(high)) = (low, high) else {
+            let reason = format!("there is no solution at {}", if low.is_none() { from } else { to });
+            return Ok(Self { onsets: Vec::new(), doubts: vec![doubt(reason)] });
+        };
+        let ends = [(from, low.clone()), (to, high.clone())];
+        match onsets_between(&ends[0], &ends[1], region, &mut |value, within| at(value, within)) {
+            Ok(OnsetsBetween { onsets, doubts }) => {
+                Ok(Self { onsets, doubts: doubts.iter().map(|own| doubt(own.to_string())).collect() })
+            }
+            Err(ModelError::Interrupted) => Err(ModelError::Interrupted),
+            Err(error) => Ok(Self { onsets: Vec::new(), doubts: vec![doubt(error.to_string())] }),
+        }
     }
 }

@@ -47,7 +47,7 @@ pub(super) fn run(
     let onsets = curves.inputs.iter().zip(&sweeps).map(|(inputs, sweep)| {
         let known: Vec<Option<StabilityAt>> =
             sweep.points.iter().map(|point| Some(point.stability(Vec::new()))).collect();
-        LocatedOnsets::new(values, &known, &settings.region, &mut |value, within| {
+        LocatedOnsets::new(values, &known, &settings.region, &|value, within| {
             progress.go_on()?;
             let factors = at(case, settings, inputs, value)?;
             Ok(prepared.within(&factors, within)?.stability(Vec::new()))

@@ -1,16 +1,26 @@
-/** Every page in both themes, each in a size of its own: no violation that axe knows, and every control within reach of the keyboard. */
+/** Every page in both themes and two sizes: no violation that axe knows, and every control within reach of the keyboard. */
 
 import AxeBuilder from "@axe-core/playwright";
 import { type Explorer, expect, studies, test } from "./explorer";
 
 const PAGES = ["/map?cursor=1e-3,0.1&show=full,conservative,decoupled", "/point", "/contact", "/contact?part=law", "/contact?part=solution"];
-// what is readable depends on the colours, what sticks out on the size: none on both
-const SCREENS = [["light", { width: 1440, height: 900 }], ["dark", { width: 900, height: 700 }]] as const;
+const [WIDE, NARROW] = [{ width: 1440, height: 900 }, { width: 900, height: 700 }] as const;
+// what is readable depends on the colours, what sticks out on the size: each once, and the other pairs where more time is taken
+const SCREENS = [
+  { tag: [], pairs: [["light", WIDE], ["dark", NARROW]] },
+  { tag: ["@expensive"], pairs: [["light", NARROW], ["dark", WIDE]] },
+] as const;
+type Pairs = (typeof SCREENS)[number]["pairs"];
 
-/** Nothing that axe knows, and nothing that sticks out, in both themes and sizes. */
-async function isForEverybody(explorer: Explorer, view: string): Promise<void> {
+/** The pairs in words. */
+function named(pairs: Pairs): string {
+  return pairs.map(([theme, size]) => `, ${theme} ${size.width}`).join("");
+}
+
+/** Nothing that axe knows, and nothing that sticks out, with these pairs of theme and size. */
+async function isForEverybody(explorer: Explorer, view: string, pairs: Pairs): Promise<void> {
   const { page } = explorer;
-  for (const [colorScheme, size] of SCREENS) {
+  for (const [colorScheme, size] of pairs) {
     await page.emulateMedia({ colorScheme });
     await page.setViewportSize(size);
     await explorer.open(view);
@@ -24,18 +34,22 @@ async function isForEverybody(explorer: Explorer, view: string): Promise<void> {
   }
 }
 
-for (const view of PAGES) test(`${view} is for everybody`, async ({ explorer }) => isForEverybody(explorer, view));
+for (const { tag, pairs } of SCREENS) {
+  for (const view of PAGES) test(`${view} is for everybody${named(pairs)}`, { tag: [...tag] }, async ({ explorer }) => isForEverybody(explorer, view, pairs));
+}
 
 const STUDIES = { sliding: ["locus", "film"], edge: ["spectrogram"], block: ["modes"], disc: ["steady", "modes"] } as const;
 
 for (const name of ["sliding", "edge", "block", "disc"] as const) {
   studies.describe(name, () => {
     studies.use({ subject: async ({ sliding, edge, block, disc }, use) => use([{ sliding, edge, block, disc }[name].folder]) });
-    for (const analysis of STUDIES[name]) {
-      studies(`/structures?analysis=${analysis} is for everybody`, async ({ explorer }) => {
-        await isForEverybody(explorer, `/structures?analysis=${analysis}`);
-        await expect(explorer.page.locator(".analysis-list a[aria-current]")).toContainText(analysis);
-      });
+    for (const { tag, pairs } of SCREENS) {
+      for (const analysis of STUDIES[name]) {
+        studies(`/structures?analysis=${analysis} is for everybody${named(pairs)}`, { tag: [...tag] }, async ({ explorer }) => {
+          await isForEverybody(explorer, `/structures?analysis=${analysis}`, pairs);
+          await expect(explorer.page.locator(".analysis-list a[aria-current]")).toContainText(analysis);
+        });
+      }
     }
   });
 }

@@ -511,6 +511,7 @@ class Assembly(Model):
         analysis: Sequence[Mapping[str, Any]] | None = None,
         contact: Sequence[Mapping[str, Any]] | None = None,
         load: Sequence[Mapping[str, Any]] | None = None,
+        observe: Mapping[str, Any] | None = None,
         parameters: Mapping[str, float] | None = None,
         spring: Sequence[Mapping[str, Any]] | None = None,
         structure: Sequence[Mapping[str, Any]] | None = None,

@@ -48,6 +48,12 @@ impl Bond {
         forms.for_each(|row| *row = self.basis.form(row));
     }
 
+    /// A form on the freedoms of the bodies on those that are left.
+    #[must_use]
+    pub fn form(&self, row: &Row) -> Row {
+        self.basis.form(row)
+    }
+
     /// q = B z.
     #[must_use]
     pub fn expanded(&self, z: &[c64]) -> Vec<c64> {

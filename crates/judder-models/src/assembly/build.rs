@@ -7,6 +7,7 @@
 //! - `interface_modes`: which bodies may have their contact freedoms reduced.
 //! - `sphere`: laws of contacts that are a sphere on a substrate.
 //! - `field`: fields over the bodies on the freedoms.
+//! - `watched`: observed points as forms on the freedoms.
 //! - `deformed`: contact points of bodies as they lie in steady sliding.
 //! - `size`: how large a body is.
 //! - `shown`: all bodies as one, for pictures and files.
@@ -22,11 +23,13 @@ mod shown;
 mod size;
 mod sphere;
 mod turning;
+mod watched;
 
 pub(crate) use body::BuiltBody;
 pub(crate) use shown::ShownBodies;
 pub(crate) use size::extent;
 pub(crate) use sphere::{SphereState, SubstrateSphere};
+pub(crate) use watched::WatchedRow;
 
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
@@ -56,6 +59,8 @@ pub(crate) struct BuiltAssembly {
     pub(crate) nodes: Vec<Vec<usize>>,
     /// The sphere of each contact that is one.
     pub(crate) spheres: Vec<Option<Arc<SubstrateSphere>>>,
+    /// Observed points, along each direction in which they move.
+    pub(crate) watched: Vec<WatchedRow>,
     /// What of bodies that turn is left out, in words.
     pub(crate) left_out: Vec<String>,
     /// What the user has to know.
@@ -180,7 +185,11 @@ impl BuiltAssembly {
         }?;
         deformed::deform(case, (&bodies, &touching, bond.as_ref()), &mut assembly, &nodes)?;
         let spheres = sphere::spheres(case, &mut assembly)?;
-        Ok(Self { bodies, touching, matrices, assembly, nodes, spheres, left_out, warnings, bond })
+        let mut watched = watched::watched(case, &bodies)?;
+        if let Some(bond) = &bond {
+            watched.iter_mut().for_each(|own| own.row = bond.form(&own.row));
+        }
+        Ok(Self { bodies, touching, matrices, assembly, nodes, spheres, watched, left_out, warnings, bond })
     }
 
     /// Finds the laws of all spheres, where they are not known yet.

@@ -6,6 +6,7 @@
 //! - [`joint`]: `[[spring]]` and `[[tie]]`, what else joins bodies.
 //! - [`rotation`]: `rotation` of a structure, a body that turns.
 //! - [`load`]: `[[load]]`, forces, pressures, imposed displacements.
+//! - `watched`: `[observe]`, points whose motion a march keeps.
 //! - `named_list`: lists whose items keys call by their names.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
 
@@ -18,6 +19,7 @@ pub mod problem;
 pub mod rotation;
 pub mod structure;
 mod vector;
+pub(crate) mod watched;
 
 use super::{KINDS, MODEL};
 use crate::REGISTRY;
@@ -47,6 +49,7 @@ use serde_json::Value as Json;
 use std::path::Path;
 use std::sync::Arc;
 use structure::{AssemblyStructure, BodyReduction, ReducedBody};
+use watched::{WatchedPoint, WatchedPoints};
 
 /// A validated assembly case.
 #[derive(Debug, Clone)]
@@ -65,6 +68,8 @@ pub struct AssemblyCase {
     pub ties: Vec<Tie>,
     /// What acts on them.
     pub loads: Vec<Load>,
+    /// Points whose motion a march keeps.
+    pub watched: Vec<WatchedPoint>,
     /// What spheres slide on, where there are any.
     pub substrate: Option<SphereSubstrate>,
     /// The sphere of each contact that is one, as an oscillator case has it.
@@ -96,6 +101,8 @@ pub(crate) struct AssemblySections {
     /// What acts on them.
     #[key(rule = LOADS, default = Vec::new())]
     load: Vec<Load>,
+    /// Points whose motion a march keeps; none where left out.
+    observe: Option<WatchedPoints>,
     /// What the spheres of contacts slide on; its keys are those of an oscillator case.
     #[key(omitted)]
     substrate: Option<SubstrateKeys>,
@@ -168,6 +175,10 @@ impl AssemblyCase {
         // without any the form is that of cases from before there were any
         let springs = self.springs.iter().map(NamedItem::written).collect::<Vec<_>>();
         let ties = self.ties.iter().map(NamedItem::written).collect::<Vec<_>>();
+        if !self.watched.is_empty() {
+            let observe = WatchedPoints { points: NamedList(self.watched.clone()) };
+            json.insert("observe".to_owned(), observe.write(&()));
+        }
         for (key, written) in [("spring", springs), ("tie", ties)] {
             if !written.is_empty() {
                 json.insert(key.to_owned(), written.into());
@@ -203,7 +214,16 @@ fn read_bodies<'a>(node: &'a Node, folder: &Path) -> Result<Bodies<'a>, Fault> {
 impl AssemblySections {
     /// The case of what was read, without its analyses.
     fn found(self, title: String, root: &Section<'_>, origin: &Arc<Origin>) -> Result<AssemblyCase, Fault> {
-        let Self { parameters, structure, mut contact, mut spring, mut tie, mut load, substrate } = self;
+        let Self {
+            parameters,
+            structure,
+            mut contact,
+            mut spring,
+            mut tie,
+            mut load,
+            mut observe,
+            substrate,
+        } = self;
         let folder = origin.folder.as_path();
         let substrate = substrate.map(|keys| SphereSubstrate::found(keys, root, folder)).transpose();
         let (names, values) = (parameters.names(), parameters.values());
@@ -226,6 +246,11 @@ impl AssemblySections {
         let loads = items(root, "load")
             .zip(&mut load)
             .map(|(node, own)| own.admit(&Section::of_table(node, "load", "a load")?, &structures));
+        let watched = match (&mut observe, root.inner("observe")?) {
+            (Some(observe), Some(section)) => observe.admit(&section, &structures),
+            _ => Ok(()),
+        };
+        let joints = both(joints, watched);
         let admitted =
             both(both(contacts, substrate), both(joints, all(loads))).and_then(|((_, substrate), _)| {
                 let spheres = spheres(root, &mut contact.0, substrate.as_ref(), !load.is_empty(), folder)?;
@@ -242,6 +267,7 @@ impl AssemblySections {
             springs,
             ties,
             loads,
+            watched: observe.map_or_else(Vec::new, |own| own.points.0),
             substrate,
             spheres,
             analyses,

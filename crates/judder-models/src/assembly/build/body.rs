@@ -136,6 +136,19 @@ impl BuiltBody {
         }
     }
 
+    /// The displacement of any point as a form on the coordinates of the assembly, also of one that a reduction does not keep.
+    pub(super) fn seen(&self, point: usize, direction: Direction) -> Row {
+        let layout = self.structure.layout.as_ref();
+        let freedom = layout.and_then(|layout| layout.freedoms.get(point)?[direction as usize]);
+        match (freedom, &self.basis) {
+            (Some(freedom), Some(basis)) => {
+                Row::new((0..basis.ncols()).map(|k| (self.first + k, basis[(freedom, k)])).collect())
+            }
+            (Some(freedom), None) => Row::of_freedom(self.first + freedom),
+            (None, _) => Row::default(),
+        }
+    }
+
     /// How a point is displaced whatever happens, in m.
     pub(super) fn displaced(&self, point: usize) -> [f64; 3] {
         Direction::ALL.map(|direction| self.imposed.get(&(point, direction)).copied().unwrap_or(0.0))

@@ -21,7 +21,8 @@ const STATES: [(ContactState, Role); 4] = [
     (ContactState::LiftOff, Role::LiftOff),
 ];
 
-/// Normal and friction forces of each contact, then the states of its points over the whole motion and over its end.
+/// Normal and friction forces of each contact, then the states of its points over the whole motion and over its end; accelerations of the observed
+/// points.
 pub(super) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
     let names = words(dataset, "contact").unwrap_or_default();
     let mut contacts: Vec<&String> = names.iter().collect();
@@ -36,6 +37,10 @@ pub(super) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
         if let Some(first) = last_periods(dataset, reals(dataset, "state_time")?) {
             panels.push(states(dataset, contact, first)?.with_title(format!("{contact}: the last periods")));
         }
+    }
+    for variable in dataset.variables().iter().filter(|own| own.units == "m/s^2") {
+        let panel = history(dataset, &variable.name, Role::Series(0).solid())?;
+        panels.push(with_transient(dataset, panel));
     }
     Some(panels)
 }

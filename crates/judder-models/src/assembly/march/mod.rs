@@ -1,5 +1,6 @@
 //! `march`: the motion through stick, slip and lift-off at every contact point.
 
+mod arrays;
 mod content;
 pub mod field;
 mod figure;
@@ -8,6 +9,7 @@ mod run;
 pub mod settings;
 mod start;
 pub(super) mod tables;
+mod told;
 
 use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
@@ -17,10 +19,10 @@ use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
-use run::ToldMotion;
 use serde_json::{Map, Value as Json};
 use settings::AssemblyMarch;
 use std::sync::Arc;
+use told::ToldMotion;
 
 /// The kind.
 pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> = Kind {

@@ -18,8 +18,11 @@ pub(super) struct Recorded {
     /// Contact points of each interface.
     interfaces: Vec<std::ops::Range<usize>>,
     values: Vec<f64>,
+    /// Velocities of the observed points now and a step before.
+    watched: [Vec<f64>; 2],
     steps: u64,
-    /// N and T of each interface, then the velocity of each point along the slip: a column each.
+    /// N and T of each interface, then the velocity of each point along the slip, then acceleration and velocity of each observed
+    /// displacement: a column each.
     columns: Vec<Vec<f64>>,
     pub(super) states: Vec<u8>,
     pub(super) normal_forces: Vec<f64>,
@@ -34,8 +37,13 @@ pub(super) struct Signals {
 }
 
 impl Recorded {
-    /// Of a march with so many points an interface, with at least so many samples a second.
-    pub(super) fn new(march: &March<'_>, counts: &[usize], rate: f64) -> Result<Self, ModelError> {
+    /// Of a march with so many points an interface and so many observed displacements, with at least so many samples a second.
+    pub(super) fn new(
+        march: &March<'_>,
+        counts: &[usize],
+        watched: usize,
+        rate: f64,
+    ) -> Result<Self, ModelError> {
         let step = march.settings().step;
         let mut first = 0;
         let interfaces: Vec<_> = counts
@@ -46,7 +54,7 @@ impl Recorded {
                 own
             })
             .collect();
-        let channels = 2 * counts.len() + first;
+        let channels = 2 * counts.len() + first + 2 * watched;
         let factor = Decimation::factor_to(1.0 / step, rate);
         let mut recorded = Self {
             filter: None,
@@ -54,12 +62,14 @@ impl Recorded {
             factor: factor as u64,
             interfaces,
             values: vec![0.0; channels],
+            watched: [vec![0.0; watched], vec![0.0; watched]],
             steps: 0,
             columns: vec![Vec::new(); channels],
             states: Vec::new(),
             normal_forces: Vec::new(),
             state_steps: Vec::new(),
         };
+        march.observed_velocities(&mut recorded.watched[0]);
         if factor > 1 && channels > 0 {
             let kept = 1.0 / step / factor as f64;
             let asked = Decimation {
@@ -82,6 +92,14 @@ impl Recorded {
                 self.values[2 * self.interfaces.len() + point] = march.velocity(point)[1];
             }
             self.values[2 * k..2 * k + 2].copy_from_slice(&sums);
+        }
+        let [now, before] = &mut self.watched;
+        std::mem::swap(now, before);
+        march.observed_velocities(now);
+        let first = self.values.len() - 2 * now.len();
+        for (k, (now, before)) in now.iter().zip(before).enumerate() {
+            self.values[first + 2 * k] = (now - *before) / self.step;
+            self.values[first + 2 * k + 1] = *now;
         }
     }
 

@@ -10,7 +10,7 @@ mod sampling;
 pub mod settings;
 mod signals;
 mod size;
-mod sound;
+pub(crate) mod sound;
 mod summary;
 pub(crate) mod tables;
 

@@ -12,16 +12,16 @@ use judder_store::Results;
 const AUDIO_RATE: u32 = 48_000;
 
 /// A file for the ear.
-pub(super) struct SoundFile {
-    pub(super) name: String,
-    pub(super) bytes: Vec<u8>,
+pub(crate) struct SoundFile {
+    pub(crate) name: String,
+    pub(crate) bytes: Vec<u8>,
     /// What the summary says of it.
-    pub(super) told: ToldSound,
+    pub(crate) told: ToldSound,
 }
 
 /// What the summary says of a sound.
 #[derive(Results)]
-pub(super) struct ToldSound {
+pub(crate) struct ToldSound {
     file: String,
     signal: String,
     /// full scale over the signal
@@ -48,20 +48,30 @@ fn sound(
     points: &[ObservedPoint],
     sample_rate: f64,
 ) -> Result<SoundFile, ModelError> {
-    let mut values = samples.values(&variable_name(signal, points))?;
+    let values = samples.values(&variable_name(signal, points))?;
+    sound_of(analysis, &signal.name(points), unit(signal), values, sample_rate)
+}
+
+/// The sound of the values of a signal in this unit.
+pub(crate) fn sound_of(
+    analysis: &str,
+    signal: &str,
+    unit: &str,
+    mut values: Vec<f64>,
+    sample_rate: f64,
+) -> Result<SoundFile, ModelError> {
     // a march that has grown without bound ends in what cannot be heard
     let finite = values.iter().position(|value| !value.is_finite()).unwrap_or(values.len());
     values.truncate(finite);
     let heard = resampled(&values, sample_rate, f64::from(AUDIO_RATE))?;
     let (bytes, gain) = wav_bytes(&[&heard], AUDIO_RATE, WavFormat::Integer24, Loudness::default())
         .map_err(|source| ModelError::Sound { source })?;
-    let signal_name = signal.name(points);
-    let name = format!("{analysis}-{signal_name}.wav");
+    let name = format!("{analysis}-{signal}.wav");
     let told = ToldSound {
         file: name.clone(),
-        signal: signal_name,
+        signal: signal.to_owned(),
         gain,
-        gain_unit: format!("1/({})", unit(signal)),
+        gain_unit: format!("1/({unit})"),
         sample_rate: AUDIO_RATE,
     };
     Ok(SoundFile { name, bytes, told })

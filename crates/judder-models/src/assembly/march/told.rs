@@ -1,0 +1,223 @@
+//! What is told of a motion.
+
+use super::content::{SoughtContent, ToldMode};
+use super::recorded::Signals;
+use super::run::Marched;
+use super::settings::{AssemblyMarch, SchemeWord};
+use crate::assembly::AssemblySubject;
+use crate::sliding::march::sound::ToldSound;
+use judder_nonsmooth::march::Works;
+use judder_nonsmooth::statistics::PointStatistics;
+use judder_numerics::signal::tone::strongest_frequency;
+use judder_store::{ByName, Results};
+use judder_study::outcome::CheckRecord;
+
+/// What is told of a motion.
+#[derive(Results)]
+pub(super) struct ToldMotion {
+    /// how the motion is integrated
+    method: &'static str,
+    steps: u64,
+    /// the step, in s
+    step_s: f64,
+    /// by the clock on the wall, of the steps alone
+    seconds: f64,
+    /// the strongest line of the velocity along the slip of the point that moves most, in Hz; none where nothing moves
+    pub(super) frequency_hz: Option<f64>,
+    /// all normal forces together, on average, in N
+    normal_force_mean: f64,
+    /// the friction on the sliders along the slip, on average, in N
+    friction_force_mean: f64,
+    /// what goes into the bodies, on average, in W
+    power: ToldPower,
+    /// by how much the energy of the bodies changed otherwise than the power says, over what was exchanged
+    energy_balance: f64,
+    /// the largest residual of the contact of a step: impulses beside those that it allows, over the largest of steady sliding; none where no
+    /// contact is solved
+    contact_residual: Option<f64>,
+    /// steps whose contact was not solved to its tolerance
+    contact_unsolved: u64,
+    /// sweeps over the contact points in a step, on average
+    contact_sweeps: f64,
+    /// the lowest complex modes about steady sliding, and how much of each the motion has
+    modes: Vec<ToldMode>,
+    /// each contact
+    contacts: ByName<ToldContact>,
+    /// accelerations of the observed points as sound
+    sound: Vec<ToldSound>,
+}
+
+/// What goes into the bodies.
+#[derive(Results)]
+pub(super) struct ToldPower {
+    /// from the friction forces
+    friction: f64,
+    /// taken by the damping
+    damping: f64,
+    /// taken by impacts, or held by compliant contacts
+    impacts: f64,
+    /// from the track's drive: of friction, with what becomes heat
+    drive: f64,
+    /// what becomes heat where bodies slide
+    heat: f64,
+    /// from stiffness that is not symmetric
+    #[result(optional)]
+    circulation: Option<f64>,
+}
+
+/// The points of a contact, as lists.
+#[derive(Results)]
+pub(super) struct ToldContact {
+    /// where each lies along x, in m
+    x_m: Vec<f64>,
+    /// the share of the time in which it sticks
+    stick_share: Vec<f64>,
+    /// in which it slides
+    slip_share: Vec<f64>,
+    /// in which it has lifted off
+    open_share: Vec<f64>,
+    /// the velocity of the slider beside the track along the slip about its mean, as root mean square, in m/s
+    tangential_velocity_rms: Vec<f64>,
+    /// its normal force, on average, in N
+    normal_force_mean: Vec<f64>,
+}
+
+/// What the balance of energy may be off, over what was exchanged.
+const BALANCE: f64 = 1e-6;
+
+impl Marched<'_> {
+    /// What each point did after the transient.
+    fn points(&self) -> Vec<PointStatistics> {
+        (0..self.march.contact().points.len()).filter_map(|point| self.statistics.of(point)).collect()
+    }
+
+    /// By how much the energy of the bodies changed otherwise than by the work done on them, in J, and what was exchanged.
+    fn balance(&self) -> [f64; 2] {
+        let (works, energy) = (self.march.works(), self.march.energy());
+        let gained = energy.kinetic + energy.potential - self.first_energy;
+        let told = works.friction + works.normal + works.damping + works.circulation;
+        let exchanged = [works.friction, works.normal, works.damping, works.heat, gained];
+        let exchanged = exchanged.iter().fold(f64::MIN_POSITIVE, |most, own| most.max(own.abs()));
+        [(gained - told).abs(), exchanged]
+    }
+
+    /// The largest residual of a step's contact; none where none is solved.
+    fn contact_residual(&self, asked: &AssemblyMarch) -> Option<f64> {
+        let solves = asked.method != SchemeWord::Smoothed && !self.march.contact().points.is_empty();
+        solves.then(|| self.march.record().residual)
+    }
+
+    /// All that is told.
+    pub(super) fn told(
+        &self,
+        of: &AssemblySubject<'_>,
+        asked: &AssemblyMarch,
+        signals: &Signals,
+        sound: Vec<ToldSound>,
+    ) -> ToldMotion {
+        let (points, works, record) = (self.points(), self.march.works(), self.march.record());
+        let [off, exchanged] = self.balance();
+        let time = self.statistics.steps() as f64 * asked.step;
+        let mean = |pick: fn(&Works) -> f64| (pick(&works) - pick(&self.settled)) / time;
+        let sum = |pick: fn(&PointStatistics) -> f64| points.iter().map(pick).sum::<f64>();
+        let interfaces = of.built.assembly.interfaces.len();
+        ToldMotion {
+            method: asked.method.name(),
+            steps: self.march.steps(),
+            step_s: asked.step,
+            seconds: self.seconds,
+            frequency_hz: frequency(signals, &points, interfaces, asked.transient),
+            normal_force_mean: sum(|own| own.normal_force_mean),
+            friction_force_mean: sum(|own| own.friction_force_mean),
+            power: ToldPower {
+                friction: mean(|own| own.friction),
+                damping: mean(|own| own.damping),
+                impacts: mean(|own| own.normal),
+                drive: mean(|own| own.friction + own.heat),
+                heat: mean(|own| own.heat),
+                circulation: (works.circulation != 0.0).then(|| mean(|own| own.circulation)),
+            },
+            energy_balance: off / exchanged,
+            contact_residual: self.contact_residual(asked),
+            contact_unsolved: record.unsolved,
+            contact_sweeps: record.iterations as f64 / self.march.steps().max(1) as f64,
+            modes: self.content.as_ref().map(SoughtContent::told).unwrap_or_default(),
+            contacts: contacts(of, &points),
+            sound,
+        }
+    }
+
+    /// The contact of every step, and the balance of energy.
+    pub(super) fn checks(&self, asked: &AssemblyMarch) -> Vec<CheckRecord> {
+        let (steps, points) = (self.march.steps(), self.march.contact().points.len());
+        let [off, exchanged] = self.balance();
+        let contact = self.contact_residual(asked).map(|residual| {
+            CheckRecord::new(
+                "impulses and velocities complement each other at every contact point",
+                format!("largest residual of {steps} steps, {points} points"),
+                residual.into(),
+                self.march.settings().accuracy.tolerance,
+            )
+        });
+        let energy = CheckRecord::new(
+            "the energy of the bodies changes by the work done on them",
+            format!("difference over what was exchanged, {exchanged:.3e} J"),
+            (off / exchanged).into(),
+            BALANCE,
+        );
+        contact.into_iter().chain([energy]).collect()
+    }
+
+    /// What to know before the numbers are trusted.
+    pub(super) fn warnings(&self) -> Vec<String> {
+        let mut warnings = Vec::new();
+        if let Err(error) = &self.content {
+            warnings.push(format!("which modes the motion contains is not known: {error}"));
+        }
+        let record = self.march.record();
+        if let Some((time, point)) = record.first_unsolved {
+            warnings.push(format!(
+                "in {} of {} steps the contact is not solved to its tolerance, first at {time} s at contact point {}, at worst with the residual \
+                 {:.1e}: a shorter step helps",
+                record.unsolved,
+                self.march.steps(),
+                point + 1,
+                record.residual,
+            ));
+        }
+        warnings
+    }
+}
+
+/// The strongest line of the velocity of the point that moves most, after the transient.
+fn frequency(
+    signals: &Signals,
+    points: &[PointStatistics],
+    interfaces: usize,
+    transient: f64,
+) -> Option<f64> {
+    let rms = |k: &usize| points[*k].tangential_velocity_rms;
+    let most = (0..points.len()).max_by(|a, b| rms(a).total_cmp(&rms(b)))?;
+    let column = signals.columns.get(2 * interfaces + most)?;
+    let first = signals.time.partition_point(|time| *time <= transient);
+    strongest_frequency(column.get(first..)?, signals.rate)
+}
+
+fn contacts(of: &AssemblySubject<'_>, points: &[PointStatistics]) -> ByName<ToldContact> {
+    let mut first = 0;
+    let told = of.built.assembly.interfaces.iter().map(|interface| {
+        let own = &points[first.min(points.len())..(first + interface.points.len()).min(points.len())];
+        first += interface.points.len();
+        let list = |pick: fn(&PointStatistics) -> f64| own.iter().map(pick).collect::<Vec<_>>();
+        let contact = ToldContact {
+            x_m: interface.points.iter().map(|point| point.place[0]).collect(),
+            stick_share: list(|own| own.stick_share),
+            slip_share: list(|own| own.slip_share),
+            open_share: list(|own| own.open_share),
+            tangential_velocity_rms: list(|own| own.tangential_velocity_rms),
+            normal_force_mean: list(|own| own.normal_force_mean),
+        };
+        (interface.name.clone(), contact)
+    });
+    told.collect()
+}

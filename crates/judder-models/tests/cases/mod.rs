@@ -3,6 +3,7 @@
 mod any_text;
 mod bad_analysis;
 mod bad_assembly;
+mod bad_assembly_motion;
 mod bad_contact;
 mod bad_family;
 mod bad_key;

@@ -1,0 +1,111 @@
+//! Motions of assemblies that are refused.
+
+use super::bad_assembly::{BLOCK, spoilt};
+use super::refused;
+use judder_models::parse;
+use judder_study::{Silent, analyses};
+
+/// The block with one analysis of these lines.
+fn with_analysis(lines: &str) -> String {
+    let bodies = BLOCK.split("[[analysis]]").next().unwrap_or(BLOCK);
+    format!("{bodies}[[analysis]]\nname = \"m\"\n{lines}\n")
+}
+
+fn march(lines: &str) -> String {
+    with_analysis(&format!("kind = \"march\"\nstep = \"1e-7 s\"\n{lines}"))
+}
+
+/// What an analysis that was read is refused for when it runs.
+fn refused_running(text: &str) -> String {
+    let file = parse("case.toml", text, &[]).expect("it reads");
+    analyses::run(&file.case, 0, &Silent).expect_err("it is refused").to_string()
+}
+
+#[test]
+fn starts_that_say_too_much_or_too_little() {
+    let start = |start: &str| march(&format!("duration = \"1 ms\"\nstart = {start}"));
+    let cases = [
+        ("{ mode = 2 }", "a mode needs an `amplitude`, its largest displacement"),
+        ("{ amplitude = \"1 um\" }", "an `amplitude` is that of a `mode`"),
+        ("{ }", "a start has a `velocity`, or a `mode` with an `amplitude`"),
+        (
+            "{ mode = 2, velocity = [0, 1] }",
+            "a start has either a `velocity` or a `mode` with an `amplitude`",
+        ),
+    ];
+    for (given, message) in cases {
+        refused(&start(given), message, given, "");
+    }
+    let two_or_three = "two or three numbers or expressions, along x, y and z";
+    refused(
+        &start("{ velocity = [1] }"),
+        &format!("`start.velocity` has 1 entries, but must have {two_or_three}"),
+        "[1]",
+        &format!("give {two_or_three}"),
+    );
+    refused(
+        &start("{ velocity = [\"1e-3*r\", 0] }"),
+        "unknown symbol `r`",
+        "r",
+        "did you mean `x`? known symbols: x, y, z, pi; functions: sin cos tan asin acos atan sinh cosh tanh exp ln sqrt abs",
+    );
+}
+
+#[test]
+fn times_that_do_not_go_together() {
+    refused(
+        &march("duration = \"1 ms\"\ntransient = \"1 ms\""),
+        "the transient takes the whole duration: nothing is left to look at",
+        "\"1 ms\"",
+        "",
+    );
+    refused(&march("duration = \"1e-8 s\""), "the step is longer than the duration", "\"1e-7 s\"", "");
+    refused(
+        &march("duration = \"1e5 s\""),
+        "1.0e12 steps are more than the 1e10 that a march may have",
+        "\"1e-7 s\"",
+        "",
+    );
+    refused(
+        &march("method = \"film\"\nduration = \"1 ms\"\nrestitution = 0.5"),
+        "`restitution` has no meaning with method = \"film\"",
+        "0.5",
+        "leave `restitution` out",
+    );
+}
+
+#[test]
+fn what_only_a_run_can_see() {
+    // a block of few elements, whose modes are found at once
+    let refused = |text: String| refused_running(&spoilt(&text, "cells = [20, 10]", "cells = [4, 2]"));
+    let long = refused(spoilt(&march("method = \"film\"\nduration = \"1 ms\""), "1e-7 s", "1e-4 s"));
+    assert!(long.contains("a step of 0.0001 s is too long"), "{long}");
+    let infinite = refused(march("duration = \"1 us\"\nstart = { velocity = [\"1/(y - 0.02)\", 0] }"));
+    assert!(infinite.contains("the start is inf at (0, 0.02, 0) m"), "{infinite}");
+    let unknown = refused(march("duration = \"1 us\"\nstart = { mode = 40, amplitude = \"1 um\" }"));
+    assert!(unknown.contains("there is no mode 40 to start with"), "{unknown}");
+    let nowhere = refused(with_analysis("kind = \"growth\"\nstep = \"1e-7 s\"\nfrequency = \"100 Hz\""));
+    assert!(nowhere.contains("there is no mode near 100.0 Hz"), "{nowhere}");
+}
+
+#[test]
+fn observed_points_that_are_not_there() {
+    let observed = |points: &str| {
+        march("duration = \"1 ms\"").replacen(
+            "[[analysis]]",
+            &format!("[observe]\npoints = [{points}]\n\n[[analysis]]"),
+            1,
+        )
+    };
+    let unknown = observed("{ name = \"edge\", structure = \"block\", set = \"nix\" }");
+    let (message, place) = super::bad_assembly::unassembled(&unknown);
+    assert!(message.contains("there is no set of nodes named `nix`"), "{message}");
+    assert_eq!(place, "\"nix\"");
+    let point = "{ name = \"edge\", structure = \"block\", set = \"x-min\" }";
+    refused(
+        &observed(&format!("{point}, {point}")),
+        "two points are called `edge`",
+        point,
+        "give each point a `name` of its own",
+    );
+}

@@ -66,6 +66,13 @@ impl Bodies {
         Ok(Self { kind, rows: rows.len() })
     }
 
+    #[cfg(test)]
+    pub(crate) fn set_arch(&mut self, arch: pulp::Arch) {
+        if let BodyCoordinates::Modal(own) = &mut self.kind {
+            own.set_arch(arch);
+        }
+    }
+
     /// Whether the modes of all bodies together are its coordinates.
     #[must_use]
     pub fn are_modal(&self) -> bool {

@@ -6,8 +6,10 @@
 //! - where it is unilateral, 0 ≤ P_N ⟂ U_N + s P_N + u ≥ 0, with s = 0 where it is rigid and u what the law of the normal asks for;
 //! - |P_T| ≤ μ(0) P_N where U_T = 0, else P_T = −μ(|U_T|) P_N U_T/|U_T|.
 
+use crate::newton::NewtonMemory;
 use crate::one_point::PointBlock;
 use judder_assembly::friction::Friction;
+use pulp::Arch;
 
 /// The most components of a point: along the normal, along the slip, across it.
 pub(crate) const MOST: usize = 3;
@@ -83,6 +85,7 @@ pub enum PointMotion {
 /// W: how impulses at all points change the velocities there.
 #[derive(Debug, Clone)]
 pub struct Delassus {
+    arch: Arch,
     /// Components of a point: two in the plane, three in space.
     dimension: usize,
     points: usize,
@@ -107,7 +110,7 @@ impl Delassus {
             PointBlock::new(own)
         };
         let blocks = (0..points).map(block).collect();
-        Self { dimension, points, entries, blocks }
+        Self { arch: Arch::new(), dimension, points, entries, blocks }
     }
 
     /// Components of a point.
@@ -145,13 +148,67 @@ impl Delassus {
         self.blocks.iter().position(|block| !block.yields())
     }
 
+    /// Vectors of this width.
+    pub(crate) fn arch(&self) -> Arch {
+        self.arch
+    }
+
+    #[cfg(test)]
+    pub(crate) fn set_arch(&mut self, arch: Arch) {
+        self.arch = arch;
+    }
+
     /// U = b + W P.
     pub(crate) fn velocities(&self, free: &[f64], impulse: &[f64], out: &mut [f64]) {
         out.copy_from_slice(free);
-        for (component, value) in impulse.iter().enumerate().filter(|(_, value)| **value != 0.0) {
-            add(out, *value, self.column(component));
+        self.add_velocities(impulse, out);
+    }
+
+    /// U += W P.
+    pub(crate) fn add_velocities(&self, impulse: &[f64], out: &mut [f64]) {
+        for point in 0..self.points {
+            let first = point * self.dimension;
+            self.add_point(first, &impulse[first..first + self.dimension], out);
         }
     }
+
+    /// U += W P of one point, whose first component this is.
+    #[inline]
+    pub(crate) fn add_point(&self, first: usize, change: &[f64], out: &mut [f64]) {
+        if change.iter().all(|change| *change == 0.0) {
+            return;
+        }
+        let size = self.size();
+        let columns = &self.entries[first * size..(first + change.len()) * size];
+        let out = &mut out[..size];
+        self.arch.dispatch(
+            #[inline(always)]
+            || {
+                let (a, rest) = columns.split_at(size);
+                let (b, c) = rest.split_at(size);
+                match *change {
+                    [x, y, z] => {
+                        let c = &c[..size];
+                        for k in 0..size {
+                            out[k] += x * a[k] + y * b[k] + z * c[k];
+                        }
+                    }
+                    [x, y] => {
+                        for k in 0..size {
+                            out[k] += x * a[k] + y * b[k];
+                        }
+                    }
+                    _ => {}
+                }
+            },
+        );
+    }
+}
+
+/// |a|: exact for a vector along an axis, as in the plane all are.
+#[inline]
+pub(crate) fn length([a, b]: [f64; 2]) -> f64 {
+    if b == 0.0 { a.abs() } else { (a * a + b * b).sqrt() }
 }
 
 /// a += f b.
@@ -195,6 +252,8 @@ pub struct ContactSolution {
     pub velocity: Vec<f64>,
     /// What each point does.
     pub motion: Vec<PointMotion>,
+    /// Of Newton's method.
+    pub(crate) memory: Option<Box<NewtonMemory>>,
 }
 
 impl ContactSolution {
@@ -206,32 +265,41 @@ impl ContactSolution {
             impulse: vec![0.0; size],
             velocity: vec![0.0; size],
             motion: vec![PointMotion::Open; delassus.points()],
+            memory: Some(Box::new(NewtonMemory::new(delassus))),
         }
+    }
+
+    pub(crate) fn take_memory(&mut self, delassus: &Delassus) -> Box<NewtonMemory> {
+        self.memory.take().unwrap_or_else(|| Box::new(NewtonMemory::new(delassus)))
     }
 }
 
 impl ContactProblem<'_> {
     /// The components of a point of a vector on all.
     pub(crate) fn of_point(&self, values: &[f64], point: usize) -> [f64; MOST] {
-        let dimension = self.delassus.dimension();
-        let mut own = [0.0; MOST];
-        own[..dimension].copy_from_slice(&values[point * dimension..(point + 1) * dimension]);
-        own
+        match self.delassus.dimension() {
+            2 => [values[2 * point], values[2 * point + 1], 0.0],
+            _ => [values[3 * point], values[3 * point + 1], values[3 * point + 2]],
+        }
     }
 
     /// μ at rest and at the speed of a velocity.
     pub(crate) fn coefficients(&self, point: usize, velocity: [f64; MOST]) -> [f64; 2] {
         let friction = &self.friction[point];
-        [friction.at_rest(), friction.at(velocity[1].hypot(velocity[2]))]
+        [friction.at_rest(), friction.at(length([velocity[1], velocity[2]]))]
     }
 
     /// The largest residual of a point: by how much its impulses change when they are projected on what the contact allows,
     /// P_N − max(0, P_N − U_N/W_NN) and the same of the friction on its disc, as a share of the scale.
     #[must_use]
     pub fn residual(&self, solution: &ContactSolution) -> Progress {
+        self.residual_at(&solution.impulse, &solution.velocity)
+    }
+
+    pub(crate) fn residual_at(&self, impulse: &[f64], velocity: &[f64]) -> Progress {
         let mut worst = Progress::default();
         for point in 0..self.delassus.points() {
-            let own = self.residual_of(point, solution);
+            let own = self.residual_of(point, [impulse, velocity]);
             if own > worst.residual || own.is_nan() {
                 (worst.residual, worst.point) = (own, point);
             }
@@ -239,9 +307,8 @@ impl ContactProblem<'_> {
         worst
     }
 
-    fn residual_of(&self, point: usize, solution: &ContactSolution) -> f64 {
-        let impulse = self.of_point(&solution.impulse, point);
-        let velocity = self.of_point(&solution.velocity, point);
+    fn residual_of(&self, point: usize, values: [&[f64]; 2]) -> f64 {
+        let [impulse, velocity] = values.map(|values| self.of_point(values, point));
         let block = self.delassus.block(point);
         let normal = match self.normal[point] {
             NormalCondition::Open => 0.0,
@@ -255,15 +322,15 @@ impl ContactProblem<'_> {
             }
         };
         let [at_rest, now] = self.coefficients(point, velocity);
-        let speed = velocity[1].hypot(velocity[2]);
+        let speed = length([velocity[1], velocity[2]]);
         let pressed = impulse[0].max(0.0);
         let tried = [1, 2].map(|k| impulse[k] - velocity[k] / block.tangential());
-        let size = tried[0].hypot(tried[1]);
+        let size = length(tried);
         // on a falling law a point that sticks carries more than one that slides
         let moves = speed * self.scale.recip() > f64::EPSILON * block.tangential();
         let bound = pressed * if moves { now } else { at_rest };
         let factor = if size > bound { bound / size } else { 1.0 };
         let off = [impulse[0] - normal, impulse[1] - factor * tried[0], impulse[2] - factor * tried[1]];
-        off[0].hypot(off[1]).hypot(off[2]) / self.scale
+        length([off[0], length([off[1], off[2]])]) / self.scale
     }
 }

@@ -3,7 +3,7 @@
 //! In the order in which the data flows:
 //!
 //! - [`contact_problem`]: what one step asks of the contact: impulses and velocities that complement each other at every point.
-//! - `one_point`: its exact solution at one point; [`gauss_seidel`], [`newton`]: at all of them.
+//! - `one_point`: its exact solution at one point; [`gauss_seidel`], [`newton`]: at all of them; `elimination`: the linear systems of the latter.
 //! - [`bodies`]: the bodies as a step moves them: modes that are free of each other, or whole matrices.
 //! - [`contact`]: the contact points on the coordinates of the bodies.
 //! - [`scheme`]: Moreau–Jean, forward increment Lagrange multipliers, and a smoothed contact to doubt them.
@@ -13,6 +13,7 @@
 pub mod bodies;
 pub mod contact;
 pub mod contact_problem;
+mod elimination;
 mod error;
 pub mod gauss_seidel;
 pub mod growth;

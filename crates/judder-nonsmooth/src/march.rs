@@ -1,6 +1,9 @@
 //! A motion, step by step.
 
 mod step;
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod widths;
 
 use crate::NonsmoothError;
 use crate::bodies::{Bodies, BodyEnergy};
@@ -153,6 +156,14 @@ impl<'a> March<'a> {
         march.check_step()?;
         march.start(&vec![0.0; assembly.size()], &vec![0.0; assembly.size()]);
         Ok(march)
+    }
+
+    /// Goes on with vectors of another width.
+    #[cfg(test)]
+    fn set_arch(&mut self, arch: pulp::Arch) {
+        self.bodies.set_arch(arch);
+        self.delassus.set_arch(arch);
+        self.solution = ContactSolution::none(&self.delassus);
     }
 
     /// Whether an explicit step is short enough.

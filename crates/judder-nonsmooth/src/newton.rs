@@ -2,12 +2,12 @@
 //!
 //! The roots of the projections of Alart and Curnier (*A mixed formulation for frictional contact problems prone to Newton like solution
 //! methods*, Comput. Methods Appl. Mech. Engrg. 92, 1991), P_N − max(0, P_N − ρ (U_N + s P_N + u)) and P_T minus P_T − ρ U_T projected on the disc
-//! of radius μ P_N, with steps that are halved until their size falls.
+//! of radius μ P_N, with steps that are halved until their size falls. Impulses of open points follow at once and are not among the unknowns; slopes that are those of
+//! the step before are not eliminated anew.
 
-use crate::contact_problem::{ContactProblem, ContactSolution, NormalCondition, Progress};
+use crate::contact_problem::{ContactProblem, ContactSolution, Delassus, NormalCondition, Progress, length};
+use crate::elimination::Elimination;
 use crate::gauss_seidel::name_motions;
-use faer::Mat;
-use judder_dense::general::solve;
 
 /// Steps at most: a start that is near takes three to six.
 const STEPS: usize = 30;
@@ -15,92 +15,217 @@ const STEPS: usize = 30;
 const HALVINGS: usize = 12;
 
 /// The projections at a place, their slopes by impulse and by velocity row by row.
+#[derive(Debug, Clone)]
 struct Linearised {
     value: Vec<f64>,
-    /// ∂/∂P of each component within its point, a row of three.
+    slopes: Slopes,
+}
+
+/// ∂/∂P and ∂/∂U of each component within its point, rows of three.
+#[derive(Debug, Clone, PartialEq)]
+struct Slopes {
     by_impulse: Vec<[f64; 3]>,
-    /// ∂/∂U of the same.
     by_velocity: Vec<[f64; 3]>,
+}
+
+/// What Newton's method keeps from one problem to the next.
+#[derive(Debug, Clone)]
+pub(crate) struct NewtonMemory {
+    here: Linearised,
+    there: Linearised,
+    impulse: Vec<f64>,
+    velocity: Vec<f64>,
+    change: Vec<f64>,
+    right: Vec<f64>,
+    /// Components whose impulses are unknowns.
+    unknowns: Vec<usize>,
+    elimination: Elimination,
+    /// The slopes that are eliminated,
+    eliminated: Slopes,
+    /// where they could be.
+    is_eliminated: bool,
+}
+
+impl Slopes {
+    fn new(size: usize) -> Self {
+        Self { by_impulse: vec![[0.0; 3]; size], by_velocity: vec![[0.0; 3]; size] }
+    }
+
+    /// Whether an impulse does not hang on velocities or other impulses.
+    fn is_known(&self, row: usize, within: usize) -> bool {
+        let mut alone = [0.0; 3];
+        alone[within] = 1.0;
+        self.by_velocity[row] == [0.0; 3] && self.by_impulse[row] == alone
+    }
+
+    fn copy_from(&mut self, other: &Self) {
+        self.by_impulse.copy_from_slice(&other.by_impulse);
+        self.by_velocity.copy_from_slice(&other.by_velocity);
+    }
+}
+
+impl NewtonMemory {
+    pub(crate) fn new(delassus: &Delassus) -> Self {
+        let size = delassus.size();
+        let numbers = vec![0.0; size];
+        let linearised = Linearised { value: numbers.clone(), slopes: Slopes::new(size) };
+        Self {
+            here: linearised.clone(),
+            there: linearised,
+            impulse: numbers.clone(),
+            velocity: numbers.clone(),
+            change: numbers.clone(),
+            right: numbers,
+            unknowns: Vec::with_capacity(size),
+            elimination: Elimination::new(delassus.arch(), size),
+            eliminated: Slopes::new(size),
+            is_eliminated: false,
+        }
+    }
+
+    /// Eliminates the slopes at a place; whether that succeeds.
+    fn eliminate(&mut self, problem: &ContactProblem<'_>) -> bool {
+        let dimension = problem.delassus.dimension();
+        let slopes = &self.here.slopes;
+        self.unknowns.clear();
+        let rows = 0..problem.delassus.size();
+        self.unknowns.extend(rows.filter(|row| !slopes.is_known(*row, row % dimension)));
+        let columns = self.elimination.columns(self.unknowns.len());
+        for (component, column) in self.unknowns.iter().zip(columns) {
+            let of_velocity = problem.delassus.column(*component);
+            for (row, entry) in self.unknowns.iter().zip(column) {
+                let first = row - row % dimension;
+                let own = &slopes.by_velocity[*row];
+                *entry = (0..dimension).map(|k| own[k] * of_velocity[first + k]).sum();
+                if (first..first + dimension).contains(component) {
+                    *entry += slopes.by_impulse[*row][component - first];
+                }
+            }
+        }
+        self.elimination.eliminate()
+    }
+
+    /// The step of Newton's method at a place, into `change`; whether there is one.
+    fn step(&mut self, problem: &ContactProblem<'_>) -> bool {
+        if !(self.is_eliminated && self.eliminated == self.here.slopes) {
+            self.is_eliminated = self.eliminate(problem);
+            self.eliminated.copy_from(&self.here.slopes);
+        }
+        if !self.is_eliminated {
+            return false;
+        }
+        let dimension = problem.delassus.dimension();
+        // what is known moves the velocities of the unknowns
+        self.change.iter_mut().zip(&self.here.value).for_each(|(change, value)| *change = -value);
+        self.unknowns.iter().for_each(|row| self.change[*row] = 0.0);
+        self.right.fill(0.0);
+        problem.delassus.add_velocities(&self.change, &mut self.right);
+        for (place, row) in self.unknowns.iter().enumerate() {
+            let first = row - row % dimension;
+            let Slopes { by_impulse, by_velocity } = &self.here.slopes;
+            let moved: f64 = (0..dimension)
+                .map(|k| {
+                    by_velocity[*row][k] * self.right[first + k]
+                        + by_impulse[*row][k] * self.change[first + k]
+                })
+                .sum();
+            self.impulse[place] = -self.here.value[*row] - moved;
+        }
+        let count = self.unknowns.len();
+        self.elimination.solve(&mut self.impulse[..count]);
+        self.unknowns.iter().zip(&self.impulse).for_each(|(row, own)| self.change[*row] = *own);
+        true
+    }
+
+    /// Where so much of a step leads to; the size of the projections there.
+    fn look(&mut self, problem: &ContactProblem<'_>, impulse: &[f64], share: f64) -> f64 {
+        for ((there, here), change) in self.impulse.iter_mut().zip(impulse).zip(&self.change) {
+            *there = here + share * change;
+        }
+        problem.delassus.velocities(problem.free, &self.impulse, &mut self.velocity);
+        self.there.take(problem, &self.impulse, &self.velocity);
+        norm(&self.there.value)
+    }
+
+    fn go_there(&mut self, solution: &mut ContactSolution) {
+        std::mem::swap(&mut self.here, &mut self.there);
+        solution.impulse.copy_from_slice(&self.impulse);
+        solution.velocity.copy_from_slice(&self.velocity);
+    }
 }
 
 /// Improves a solution; where no step helps it is left as it was best.
 pub fn newton(problem: &ContactProblem<'_>, tolerance: f64, solution: &mut ContactSolution) -> Progress {
-    let (size, dimension) = (problem.delassus.size(), problem.delassus.dimension());
+    let mut memory = solution.take_memory(problem.delassus);
     problem.delassus.velocities(problem.free, &solution.impulse, &mut solution.velocity);
     let mut progress = problem.residual(solution);
-    let mut linearised = linearise(problem, solution);
-    let mut trial = solution.clone();
+    memory.here.take(problem, &solution.impulse, &solution.velocity);
     for step in 1..=STEPS {
-        if progress.residual <= tolerance {
+        if progress.residual <= tolerance || !memory.step(problem) {
             break;
         }
-        let mut matrix = Mat::zeros(size, size);
-        for column in 0..size {
-            let of_velocity = problem.delassus.column(column);
-            for row in 0..size {
-                let first = row - row % dimension;
-                let slopes = &linearised.by_velocity[row];
-                let sum: f64 = (0..dimension).map(|k| slopes[k] * of_velocity[first + k]).sum();
-                let own = if column >= first && column < first + dimension {
-                    linearised.by_impulse[row][column - first]
-                } else {
-                    0.0
-                };
-                matrix[(row, column)] = own + sum;
-            }
-        }
-        let mut change = Mat::from_fn(size, 1, |row, _| -linearised.value[row]);
-        if solve(matrix, &mut change).is_none() {
+        let before = norm(&memory.here.value);
+        let shares = std::iter::successors(Some(1.0), |share| Some(0.5 * share)).take(HALVINGS);
+        if !shares.into_iter().any(|share| memory.look(problem, &solution.impulse, share) < before) {
             break;
         }
-        let before = norm(&linearised.value);
-        let mut share = 1.0;
-        let found = (0..HALVINGS).find_map(|_| {
-            for (k, impulse) in trial.impulse.iter_mut().enumerate() {
-                *impulse = solution.impulse[k] + share * change[(k, 0)];
-            }
-            problem.delassus.velocities(problem.free, &trial.impulse, &mut trial.velocity);
-            let there = linearise(problem, &trial);
-            share *= 0.5;
-            (norm(&there.value) < before).then_some(there)
-        });
-        let Some(found) = found else { break };
-        linearised = found;
-        solution.impulse.copy_from_slice(&trial.impulse);
-        solution.velocity.copy_from_slice(&trial.velocity);
+        memory.go_there(solution);
         progress = Progress { iterations: step, ..problem.residual(solution) };
     }
+    solution.memory = Some(memory);
     name_motions(problem, solution);
     progress
+}
+
+/// The solution by one step with the slopes of the problem before, where these are those of its start and the step ends there; its start are velocities
+/// that follow from the impulses.
+pub(crate) fn same_as_before(
+    problem: &ContactProblem<'_>,
+    tolerance: f64,
+    solution: &mut ContactSolution,
+) -> Option<Progress> {
+    let mut memory = solution.memory.take()?;
+    let mut found = None;
+    if memory.is_eliminated {
+        memory.here.take(problem, &solution.impulse, &solution.velocity);
+        if memory.here.slopes == memory.eliminated && memory.step(problem) {
+            memory.look(problem, &solution.impulse, 1.0);
+            let residual = problem.residual_at(&memory.impulse, &memory.velocity);
+            if residual.residual <= tolerance {
+                memory.go_there(solution);
+                found = Some(Progress { iterations: 1, ..residual });
+            }
+        }
+    }
+    solution.memory = Some(memory);
+    if found.is_some() {
+        name_motions(problem, solution);
+    }
+    found
 }
 
 fn norm(values: &[f64]) -> f64 {
     values.iter().map(|value| value * value).sum::<f64>().sqrt()
 }
 
-fn linearise(problem: &ContactProblem<'_>, solution: &ContactSolution) -> Linearised {
-    let (size, dimension) = (problem.delassus.size(), problem.delassus.dimension());
-    let mut found = Linearised {
-        value: vec![0.0; size],
-        by_impulse: vec![[0.0; 3]; size],
-        by_velocity: vec![[0.0; 3]; size],
-    };
-    for point in 0..problem.delassus.points() {
-        let [value, by_impulse, by_velocity] = &mut projections(problem, point, solution);
-        for k in 0..dimension {
-            let row = point * dimension + k;
-            found.value[row] = value[k][0];
-            found.by_impulse[row] = by_impulse[k];
-            found.by_velocity[row] = by_velocity[k];
+impl Linearised {
+    fn take(&mut self, problem: &ContactProblem<'_>, impulse: &[f64], velocity: &[f64]) {
+        let dimension = problem.delassus.dimension();
+        for point in 0..problem.delassus.points() {
+            let own = [impulse, velocity].map(|values| problem.of_point(values, point));
+            let [value, by_impulse, by_velocity] = &projections(problem, point, own);
+            for k in 0..dimension {
+                let row = point * dimension + k;
+                self.value[row] = value[k][0];
+                self.slopes.by_impulse[row] = by_impulse[k];
+                self.slopes.by_velocity[row] = by_velocity[k];
+            }
         }
     }
-    found
 }
 
 /// The projections of a point, in the first place of each row, and their slopes by impulse and velocity.
-fn projections(problem: &ContactProblem<'_>, point: usize, solution: &ContactSolution) -> [[[f64; 3]; 3]; 3] {
-    let p = problem.of_point(&solution.impulse, point);
-    let u = problem.of_point(&solution.velocity, point);
+fn projections(problem: &ContactProblem<'_>, point: usize, [p, u]: [[f64; 3]; 2]) -> [[[f64; 3]; 3]; 3] {
     let block = problem.delassus.block(point);
     let (mut value, mut by_p, mut by_u) = ([[0.0; 3]; 3], [[0.0; 3]; 3], [[0.0; 3]; 3]);
     let open = |value: &mut f64, slope: &mut f64, impulse: f64| (*value, *slope) = (impulse, 1.0);
@@ -124,7 +249,7 @@ fn projections(problem: &ContactProblem<'_>, point: usize, solution: &ContactSol
     }
     let scale = 1.0 / block.tangential();
     let tried = [1, 2].map(|k| p[k] - scale * u[k]);
-    let size = tried[0].hypot(tried[1]);
+    let size = length(tried);
     let [at_rest, now] = problem.coefficients(point, u);
     let coefficient = if size <= at_rest * p[0] { at_rest } else { now };
     let bound = coefficient * p[0].max(0.0);

@@ -4,8 +4,10 @@
 //! beyond μ N; else U_T = −λ t with λ > 0, t(λ) = −(S + λ)⁻¹ c, and |t(λ)| = μ N(λ) is one equation in λ: beyond μ N at λ = 0, below it
 //! where λ is large.
 
-use crate::contact_problem::{MOST, NormalCondition, PointMotion};
-use judder_numerics::root::bracketed_root;
+use crate::contact_problem::{MOST, NormalCondition, PointMotion, length};
+
+/// Steps to λ at most: it takes three to five.
+const STEPS: usize = 100;
 
 /// The part of W that is of one point.
 #[derive(Debug, Clone, Copy)]
@@ -124,7 +126,7 @@ impl Eliminated {
         }
         let stuck = self.friction(0.0);
         let pressed = self.normal(stuck);
-        if stuck[0].hypot(stuck[1]) <= at_rest * pressed {
+        if length(stuck) <= at_rest * pressed {
             return ([pressed, stuck[0], stuck[1]], PointMotion::Stick);
         }
         let t = if self.is_plane() { self.slip_in_plane(now) } else { self.slip_in_space(now) };
@@ -140,22 +142,52 @@ impl Eliminated {
     }
 
     fn slip_in_space(&self, coefficient: f64) -> [f64; 2] {
-        let beyond = |lambda: f64| {
-            let t = self.friction(lambda);
-            t[0].hypot(t[1]) - coefficient * self.normal(t)
-        };
         if coefficient * self.alone <= 0.0 {
             return [0.0; 2];
         }
-        // on a law that rises from rest
-        if beyond(0.0) <= 0.0 {
-            return self.friction(0.0);
+        let mut lambda = 0.0;
+        let (mut lower, mut upper) = (0.0, f64::INFINITY);
+        for _ in 0..STEPS {
+            let (ratio, slope) = self.carried(lambda, coefficient);
+            // on a law that rises from rest nothing is to be found beyond λ = 0
+            if ratio >= 0.0 && lambda == 0.0 {
+                return self.friction(0.0);
+            }
+            if ratio < 0.0 {
+                lower = lambda;
+            } else {
+                upper = lambda;
+            }
+            let next = lambda - ratio / slope;
+            let inside = next > lower && next < upper;
+            let last = std::mem::replace(
+                &mut lambda,
+                match (inside, upper.is_finite()) {
+                    (true, _) => next,
+                    (false, true) => 0.5 * (lower + upper),
+                    (false, false) => 8.0 * lower.max(self.tangential[0][0]),
+                },
+            );
+            if (lambda - last).abs() <= f64::EPSILON * (lambda + self.tangential[0][0]) {
+                break;
+            }
         }
-        let size = self.tangential[0][0].max(self.tangential[1][1]);
-        let mut most = size;
-        while beyond(most) > 0.0 && most.is_finite() {
-            most *= 8.0;
-        }
-        bracketed_root(beyond, 0.0, most, 0.0).map_or([0.0; 2], |lambda| self.friction(lambda))
+        self.friction(lambda)
+    }
+
+    /// μ N/|t| − 1 at λ, which is nearly straight, and its slope.
+    fn carried(&self, lambda: f64, coefficient: f64) -> (f64, f64) {
+        let [[a, b], [c, d]] = self.tangential;
+        let (a, d) = (a + lambda, d + lambda);
+        let t = self.friction(lambda);
+        let determinant = a * d - b * c;
+        // dt/dλ = −(S + λ)⁻¹ t
+        let turned = [(b * t[1] - d * t[0]) / determinant, (c * t[0] - a * t[1]) / determinant];
+        let size = length(t);
+        let by_size = (t[0] * turned[0] + t[1] * turned[1]) / size;
+        let pressed = self.normal(t);
+        let by_pressed = self.coupled[0] * turned[0] + self.coupled[1] * turned[1];
+        let bound = coefficient / size;
+        (bound * pressed - 1.0, bound * (by_pressed - pressed * by_size / size))
     }
 }

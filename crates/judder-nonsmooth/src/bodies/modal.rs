@@ -82,6 +82,11 @@ impl ModalBodies {
         })
     }
 
+    #[cfg(test)]
+    pub(super) fn set_arch(&mut self, arch: Arch) {
+        self.arch = arch;
+    }
+
     pub(super) fn size(&self) -> usize {
         self.size
     }

@@ -8,6 +8,7 @@
 //! ceases to grow between two values at which stability is known leaves no trace at them, and is not seen.
 
 mod crossing;
+mod root;
 mod search;
 
 pub use crossing::Crossing;
@@ -287,5 +288,40 @@ mod tests {
         let values: Vec<f64> = found.onsets.iter().map(|onset| onset.value).collect();
         assert!(found.doubts.is_empty() && values.len() == 2, "{found:?}");
         assert!((values[0] - 0.37).abs() < 1e-9 && (values[1] - 0.61).abs() < 1e-9, "{found:?}");
+    }
+
+    /// Eigenvalues of large errors, one of a damped mode that begins to grow at 0.37: that is where its growth rate vanishes, not where it
+    /// grows beyond doubt; a few values suffice, and the error is what eigenvalues leave open. So too where an end is in doubt.
+    #[test]
+    fn an_onset_is_known_as_well_as_its_eigenvalue() {
+        const ERROR: f64 = 1e-4;
+        let region = Region { re: [-5.0, 5.0], im: [-1e-9, 12.0] };
+        let modes = [2.0, 4.95, 5.0, 9.0];
+        let mut asked = 0;
+        let mut at = |p: f64, within: &Region| -> Result<StabilityAt, StructureError> {
+            asked += 1;
+            let growth = |k: usize| if k == 2 { 0.05 * (p - 0.37) * (2.0 + p) } else { -0.3 };
+            let of = |k: usize| Eigenvalue {
+                value: c64::new(growth(k), modes[k]),
+                residual: 0.0,
+                left_residual: 0.0,
+                condition: 1.0,
+                error: ERROR,
+                defective: false,
+            };
+            let eigenvalues = (0..4).map(of).filter(|own| within.contains(own.value, 0.0)).collect();
+            Ok(StabilityAt { eigenvalues, branches: Vec::new(), complete: true, closed: Vec::new() })
+        };
+        let slope = 0.05 * 2.37;
+        for ends in [[0.0, 1.0], [0.37 - 0.5 * ERROR / slope, 1.0], [0.37 + 0.5 * ERROR / slope, 1.0]] {
+            let known = ends.map(|value| (value, at(value, &region).unwrap()));
+            let OnsetsBetween { onsets, doubts } =
+                onsets_between(&known[0], &known[1], &region, &mut at).unwrap();
+            let [onset] = onsets[..] else { panic!("{onsets:?}") };
+            assert!(doubts.is_empty() && (onset.value - 0.37).abs() <= onset.error, "{onset:?}");
+            assert!(onset.error < 2.0 * ERROR / slope, "{onset:?}");
+            assert_eq!(onset.frequency_hz, modes[2] / TAU);
+        }
+        assert!(asked <= 6 + 10, "{asked}");
     }
 }

@@ -39,12 +39,14 @@ pub(super) enum Vanishing {
 impl Vanishing {
     /// By what is known beside the onset, where the mode does not grow, and by how many modes grow where it does.
     pub(super) fn of(stable: &StabilityAt, growing: usize, frequency: f64) -> Self {
-        let is_damped = |own: &&Eigenvalue| own.verdict() == Verdict::Stable;
-        let decays = nearest(stable, frequency, 1).first().is_some_and(is_damped);
-        match (decays, frequency > 0.0) {
-            (true, _) => Self::Growth(growing),
-            (false, true) => Self::Difference,
-            (false, false) => Self::Square,
+        let is_marginal = |own: &&Eigenvalue| own.verdict() == Verdict::Marginal;
+        let is_undamped = nearest(stable, frequency, 1).first().is_some_and(is_marginal);
+        // an undamped mode that locks in has another to do it with; one of its kind alone is damped, and near its onset
+        let has_another = stable.eigenvalues.iter().filter(is_marginal).count() > 1;
+        match (is_undamped, frequency > 0.0) {
+            (true, true) if has_another => Self::Difference,
+            (true, false) => Self::Square,
+            _ => Self::Growth(growing),
         }
     }
 
@@ -58,6 +60,23 @@ impl Vanishing {
             }
             (Self::Square, [one, ..]) => (one.value * one.value).re,
             _ => f64::NAN,
+        }
+    }
+
+    /// The frequency in Hz of the mode that it is of; the one that is given where there is none.
+    pub(super) fn frequency(self, stability: &StabilityAt, frequency: f64) -> f64 {
+        let own = match self {
+            Self::Growth(growing) => ranked(stability, growing),
+            Self::Difference | Self::Square => nearest(stability, frequency, 1).first().copied(),
+        };
+        own.map_or(frequency, Eigenvalue::frequency_hz)
+    }
+
+    /// How far it may be off at its root, by its errors beside and there: where eigenvalues meet they are ill-conditioned, their difference is not.
+    pub(super) fn unknown(self, beside: f64, here: f64) -> f64 {
+        match self {
+            Self::Growth(_) => here,
+            Self::Difference | Self::Square => beside.min(here),
         }
     }
 

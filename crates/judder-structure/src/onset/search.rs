@@ -1,9 +1,9 @@
 //! The search for onsets between two values.
 
-use super::crossing::{Crossing, Vanishing, nearest};
+mod smooth;
+
 use super::{Onset, OnsetDoubt, OnsetKind, OnsetsBetween, StabilityAt};
 use crate::complex_modes::{Eigenvalue, Region, Verdict};
-use judder_numerics::root::bracketed_root;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -18,10 +18,8 @@ const AROUND: [f64; 2] = [0.05, 0.01];
 const PIECE: f64 = 1.0 / 64.0;
 /// unless a growing mode has moved by less than so much of its distance to those that do not grow.
 const APART: f64 = 0.1;
-/// The spectrum is taken to run smoothly over so much of the range.
-const COARSE: f64 = 1e-3;
-/// What is left at a root of the function that vanishes there, over its change between the ends of a smooth piece.
-const VANISHED: f64 = 1e-2;
+/// Where no root is found it is sought again in so much of the interval.
+const AGAIN: f64 = 1.0 / 8.0;
 /// An eigenvalue this near to the edge of the region, by the size of the region, is on it.
 const EDGE: f64 = 1e-6;
 
@@ -40,8 +38,16 @@ pub fn onsets_between<E>(
 ) -> Result<OnsetsBetween, E> {
     let found = OnsetsBetween::default();
     let range = high.0 - low.0;
-    let mut search =
-        OnsetSearch { at, range, region, hides: false, narrows: true, has_strayed: false, found };
+    let mut search = OnsetSearch {
+        at,
+        range,
+        region,
+        hides: false,
+        narrows: true,
+        has_strayed: false,
+        sought: range,
+        found,
+    };
     let [low, high] = [low, high].map(|(value, stability)| search.taken(*value, stability.clone()));
     let (exchanged, seen) = (low.exchanged(&high), low.changes(&high).seen);
     search.hides = exchanged.iter().any(|change| !seen.contains(change));
@@ -173,6 +179,8 @@ struct OnsetSearch<'a, 'b, E> {
     narrows: bool,
     /// and whether a mode has left that part.
     has_strayed: bool,
+    /// Roots are sought in intervals up to this width.
+    sought: f64,
     found: OnsetsBetween,
 }
 
@@ -243,12 +251,14 @@ impl<E> OnsetSearch<'_, '_, E> {
         if self.narrows && self.of_narrower(low, high, changes, within)? {
             return Ok(());
         }
-        let is_smooth = !has_jumped && width <= COARSE * self.range;
-        if let ([change], true) = (changes, is_smooth)
-            && let Some(onset) = self.root(low, high, *change, within)?
+        if let ([change], false) = (changes, has_jumped)
+            && width <= self.sought
         {
-            self.found.onsets.push(onset);
-            return Ok(());
+            if let Some(onset) = self.root(low, high, *change, within)? {
+                self.found.onsets.push(onset);
+                return Ok(());
+            }
+            self.sought = AGAIN * width;
         }
         self.halves(low, middle, high, within)
     }
@@ -321,54 +331,6 @@ impl<E> OnsetSearch<'_, '_, E> {
             jumps: low.stability.closed != high.stability.closed,
             ..change.onset()
         });
-    }
-
-    /// The root of the function that vanishes at an onset; `None` where it does not vanish, or the closed points change.
-    fn root(
-        &mut self,
-        low: &StabilitySample,
-        high: &StabilitySample,
-        change: ModeChange,
-        within: &Region,
-    ) -> Result<Option<Onset>, E> {
-        let (stable, unstable) = if change.gains { (high, low) } else { (low, high) };
-        let vanishing =
-            Vanishing::of(&stable.stability, unstable.those_that_grow(true).count(), change.frequency);
-        let value_of = |sample: &StabilitySample| match sample.stability.closed == low.stability.closed {
-            true => vanishing.value(&sample.stability, change.frequency),
-            false => f64::NAN,
-        };
-        let precision = PRECISION * self.range;
-        let mut failure = None;
-        let found = bracketed_root(
-            |value| match self.sample(value, within) {
-                Ok(sample) => value_of(&sample),
-                Err(error) => {
-                    failure = Some(error);
-                    f64::NAN
-                }
-            },
-            low.value,
-            high.value,
-            precision,
-        );
-        if let Some(error) = failure {
-            return Err(error);
-        }
-        let Ok(value) = found else { return Ok(None) };
-        let at = self.sample(value, within)?;
-        // where the mode has left the part of the region another takes its rank, and nothing vanishes
-        if value_of(&at).abs() > VANISHED * (value_of(high) - value_of(low)).abs() {
-            return Ok(None);
-        }
-        let slope = (value_of(high) - value_of(low)) / (high.value - low.value);
-        // beside the root, where eigenvalues that meet are well conditioned
-        let unknown = vanishing.error(&stable.stability, change.frequency) / slope.abs();
-        let near = nearest(&at.stability, change.frequency, 1);
-        let frequency = near.first().map_or(change.frequency, |own| own.frequency_hz());
-        let error = if unknown.is_finite() { unknown.max(0.5 * precision) } else { high.value - low.value };
-        let crossing = Some(Crossing { vanishing, frequency, slope, within: *within });
-        Ok(Some(Onset { value, error, crossing, ..ModeChange { frequency, ..change }.onset() }))
     }
 }
 

@@ -116,7 +116,8 @@ pub fn sum<'a>(
 
 /// Whether a matrix is its own transpose but for rounding, that is measured by the largest entries of the rows: bodies of different
 /// stiffness stand in one matrix.
-pub(crate) fn is_symmetric(matrix: &Sparse) -> bool {
+#[must_use]
+pub fn is_symmetric(matrix: &Sparse) -> bool {
     /// What reductions leave is a hundred times less.
     const ROUNDING: f64 = 1e-11;
     let mut largest = vec![0.0_f64; matrix.nrows()];

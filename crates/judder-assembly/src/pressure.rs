@@ -114,6 +114,18 @@ impl Pressure {
         PressureAt { value: slope * closure, slope }
     }
 
+    /// The largest dp/dd, in Pa/m; of a law of points in N/m.
+    #[must_use]
+    pub fn largest_slope(&self) -> f64 {
+        match self {
+            Self::Stiffness(stiffness) | Self::PointStiffness(stiffness) => *stiffness,
+            Self::Table(PressureTable { closure, pressure }) => {
+                let pieces = closure.windows(2).zip(pressure.windows(2));
+                pieces.map(|(d, p)| (p[1] - p[0]) / (d[1] - d[0])).fold(0.0, f64::max)
+            }
+        }
+    }
+
     /// p and dp/dd at a closure in m.
     #[must_use]
     pub fn at(&self, closure: f64) -> PressureAt {

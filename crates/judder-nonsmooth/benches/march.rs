@@ -12,10 +12,10 @@ use judder_assembly::contact_point::ContactPoint;
 use judder_assembly::friction::Friction;
 use judder_assembly::interface::{Interface, InterfaceLaw};
 use judder_assembly::row::Row;
-use judder_nonsmooth::bodies::{Bodies, StepRule};
+use judder_nonsmooth::bodies::{MovingBodies, StepRule};
 use judder_nonsmooth::gauss_seidel::ContactAccuracy;
-use judder_nonsmooth::march::{March, MarchSettings};
-use judder_nonsmooth::scheme::Scheme;
+use judder_nonsmooth::march::{NonsmoothMarch, NonsmoothSettings};
+use judder_nonsmooth::scheme::ContactScheme;
 use judder_nonsmooth::statistics::Statistics;
 use judder_numerics::counter::uniform;
 use serde_json::{Value, json};
@@ -147,10 +147,10 @@ fn slider(size: Size) -> Result<Assembly, Box<dyn Error>> {
     })
 }
 
-fn march(assembly: &Assembly, size: Size) -> Result<March<'_>, Box<dyn Error>> {
-    let scheme = Scheme::MoreauJean { restitution: 0.0 };
-    let settings = MarchSettings { scheme, step: STEP, accuracy: ContactAccuracy::default() };
-    let mut march = March::new(assembly, &[], settings)?;
+fn march(assembly: &Assembly, size: Size) -> Result<NonsmoothMarch<'_>, Box<dyn Error>> {
+    let scheme = ContactScheme::MoreauJean { restitution: 0.0 };
+    let settings = NonsmoothSettings { scheme, step: STEP, accuracy: ContactAccuracy::default() };
+    let mut march = NonsmoothMarch::new(assembly, &[], settings)?;
     march.set_force_scale(LOAD / size.points as f64);
     Ok(march)
 }
@@ -191,9 +191,9 @@ fn timed(size: Size) -> Result<Value, Box<dyn Error>> {
 }
 
 /// Seconds of what no step can do without: the modes moved on, seen at all points and pushed there.
-fn floor(assembly: &Assembly, march: &March<'_>) -> Result<f64, Box<dyn Error>> {
+fn floor(assembly: &Assembly, march: &NonsmoothMarch<'_>) -> Result<f64, Box<dyn Error>> {
     let rows = &march.contact().rows;
-    let mut bodies = Bodies::new(assembly, rows, StepRule { step: STEP, implicitness: 0.5 })?;
+    let mut bodies = MovingBodies::new(assembly, rows, StepRule { step: STEP, implicitness: 0.5 })?;
     let (z, v, load) = (vec![1e-6; bodies.size()], vec![1e-3; bodies.size()], vec![1.0; bodies.size()]);
     let (mut next, mut seen, impulse) = (v.clone(), vec![0.0; rows.len()], vec![1e-6; rows.len()]);
     let mut least = f64::INFINITY;

@@ -22,11 +22,10 @@ pub struct StepRule {
     pub implicitness: f64,
 }
 
-/// Bodies with rows that are watched and pushed.
+/// MovingBodies with rows that are watched and pushed.
 #[derive(Debug, Clone)]
-pub struct Bodies {
+pub struct MovingBodies {
     kind: BodyCoordinates,
-    rows: usize,
 }
 
 #[derive(Debug, Clone)]
@@ -53,7 +52,7 @@ pub struct BodyWork {
     pub circulation: f64,
 }
 
-impl Bodies {
+impl MovingBodies {
     /// The bodies of an assembly with these rows, for steps of one kind.
     ///
     /// # Errors
@@ -63,7 +62,7 @@ impl Bodies {
             Some(modal) => BodyCoordinates::Modal(Box::new(modal)),
             None => BodyCoordinates::Whole(Box::new(WholeBodies::new(assembly, rows, rule)?)),
         };
-        Ok(Self { kind, rows: rows.len() })
+        Ok(Self { kind })
     }
 
     #[cfg(test)]
@@ -77,12 +76,6 @@ impl Bodies {
     #[must_use]
     pub fn are_modal(&self) -> bool {
         matches!(self.kind, BodyCoordinates::Modal(_))
-    }
-
-    /// Rows.
-    #[must_use]
-    pub fn rows(&self) -> usize {
-        self.rows
     }
 
     /// Numbers of a state: coordinates, and what fills them up to whole vectors.
@@ -164,7 +157,7 @@ impl Bodies {
         }
     }
 
-    /// The largest angular frequency in rad/s, and the largest damping rate of a mode in 1/s; of whole bodies bounds by power iteration.
+    /// The largest angular frequency in rad/s, and the largest damping rate of a mode in 1/s; of whole bodies as a power iteration estimates them, with a margin.
     #[must_use]
     pub fn fastest(&self) -> [f64; 2] {
         match &self.kind {

@@ -82,6 +82,19 @@ impl<'a> ContactPoints<'a> {
         own.law.forces(own.point.area, 0.0, self.speed(point), true).normal.by_closure
     }
 
+    /// The largest ∂N/∂d of a point, in N/m: of a rigid one none, and none is known of an asperity.
+    #[must_use]
+    pub fn largest_stiffness(&self, point: usize) -> f64 {
+        let own = &self.points[point];
+        match own.law {
+            InterfaceLaw::Compliant(pressure, _) => {
+                let area = if pressure.is_of_points() { 1.0 } else { own.point.area };
+                area * pressure.largest_slope()
+            }
+            InterfaceLaw::Rigid(_) | InterfaceLaw::Asperity(_) => 0.0,
+        }
+    }
+
     /// The friction of a point at a closure and a slip speed: of an asperity T/N there.
     #[must_use]
     pub fn friction(&self, point: usize, closure: f64, speed: f64) -> FrictionCondition<'a> {

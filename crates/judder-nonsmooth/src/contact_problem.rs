@@ -7,7 +7,7 @@
 //! - |P_T| ≤ μ(0) P_N where U_T = 0, else P_T = −μ(|U_T|) P_N U_T/|U_T|.
 
 use crate::newton::NewtonMemory;
-use crate::one_point::PointBlock;
+use crate::one_point::PointDelassus;
 use judder_assembly::friction::Friction;
 use pulp::Arch;
 
@@ -91,7 +91,7 @@ pub struct Delassus {
     points: usize,
     /// Column after column, in 1/kg.
     entries: Vec<f64>,
-    blocks: Vec<PointBlock>,
+    blocks: Vec<PointDelassus>,
 }
 
 impl Delassus {
@@ -107,7 +107,7 @@ impl Delassus {
                     *entry = entries[(point * dimension + j) * size + point * dimension + i];
                 }
             }
-            PointBlock::new(own)
+            PointDelassus::new(own)
         };
         let blocks = (0..points).map(block).collect();
         Self { arch: Arch::new(), dimension, points, entries, blocks }
@@ -138,7 +138,7 @@ impl Delassus {
     }
 
     /// That of one point by itself.
-    pub(crate) fn block(&self, point: usize) -> &PointBlock {
+    pub(crate) fn block(&self, point: usize) -> &PointDelassus {
         &self.blocks[point]
     }
 
@@ -219,7 +219,7 @@ pub(crate) fn add(a: &mut [f64], factor: f64, b: &[f64]) {
 
 /// The contact of one step.
 #[derive(Debug, Clone, Copy)]
-pub struct ContactProblem<'a> {
+pub struct ImpulseProblem<'a> {
     /// W.
     pub delassus: &'a Delassus,
     /// b in m/s.
@@ -234,7 +234,7 @@ pub struct ContactProblem<'a> {
 
 /// How far a solution has come.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Progress {
+pub struct ContactProgress {
     /// Sweeps over all points, or steps of Newton's method.
     pub iterations: usize,
     /// The largest residual of the complementarity of a point, as a share of the scale.
@@ -274,7 +274,7 @@ impl ContactSolution {
     }
 }
 
-impl ContactProblem<'_> {
+impl ImpulseProblem<'_> {
     /// The components of a point of a vector on all.
     pub(crate) fn of_point(&self, values: &[f64], point: usize) -> [f64; MOST] {
         match self.delassus.dimension() {
@@ -292,12 +292,12 @@ impl ContactProblem<'_> {
     /// The largest residual of a point: by how much its impulses change when they are projected on what the contact allows,
     /// P_N − max(0, P_N − U_N/W_NN) and the same of the friction on its disc, as a share of the scale.
     #[must_use]
-    pub fn residual(&self, solution: &ContactSolution) -> Progress {
+    pub fn residual(&self, solution: &ContactSolution) -> ContactProgress {
         self.residual_at(&solution.impulse, &solution.velocity)
     }
 
-    pub(crate) fn residual_at(&self, impulse: &[f64], velocity: &[f64]) -> Progress {
-        let mut worst = Progress::default();
+    pub(crate) fn residual_at(&self, impulse: &[f64], velocity: &[f64]) -> ContactProgress {
+        let mut worst = ContactProgress::default();
         for point in 0..self.delassus.points() {
             let own = self.residual_of(point, [impulse, velocity]);
             if own > worst.residual || own.is_nan() {

@@ -7,14 +7,14 @@ const ROUNDING: f64 = 1e-13;
 
 /// A dense matrix, column after column, and what is left of it when it is eliminated: L and U, with the rows that changed places.
 #[derive(Debug, Clone)]
-pub(crate) struct Elimination {
+pub(crate) struct KeptElimination {
     arch: Arch,
     size: usize,
     entries: Vec<f64>,
     swaps: Vec<usize>,
 }
 
-impl Elimination {
+impl KeptElimination {
     /// Room for so many rows.
     pub(crate) fn new(arch: Arch, most: usize) -> Self {
         Self { arch, size: 0, entries: vec![0.0; most * most], swaps: vec![0; most] }
@@ -92,12 +92,12 @@ impl Elimination {
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
-    use super::Elimination;
+    use super::KeptElimination;
     use pulp::Arch;
 
     #[test]
     fn solutions_solve_and_singular_matrices_are_told() {
-        let mut room = Elimination::new(Arch::new(), 12);
+        let mut room = KeptElimination::new(Arch::new(), 12);
         for size in [1_usize, 2, 7, 12] {
             let at = |i: usize, j: usize| ((5 * i * j + 3 * i + 7 * j * j + 1) as f64).sin();
             for (j, column) in room.columns(size).enumerate() {

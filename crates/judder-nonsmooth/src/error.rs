@@ -16,15 +16,20 @@ pub enum NonsmoothError {
         /// What it must be.
         requirement: &'static str,
     },
-    /// A list has another length than what it belongs to.
-    #[error("{name}: there are {found}, but must be {expected}")]
-    Length {
-        /// Which.
-        name: &'static str,
-        /// How many there are.
-        found: usize,
-        /// How many there must be.
-        expected: usize,
+    /// A step with which the growth of a mode cannot be measured.
+    #[error(
+        "a step of {} s does not measure how a mode of {frequency:.1} Hz grows: it must lie between {} and {} s",
+        plain(*.step), plain(*.least), plain(*.most)
+    )]
+    StepForMode {
+        /// Asked for, in s.
+        step: f64,
+        /// The shortest, with which a measurement ends, in s.
+        least: f64,
+        /// The longest, which sees the mode turn, in s.
+        most: f64,
+        /// The frequency of the mode, in Hz.
+        frequency: f64,
     },
     /// A step that lets the fastest mode grow whatever it does.
     #[error(

@@ -3,7 +3,7 @@
 //! M. Jean, *The non-smooth contact dynamics method*, Comput. Methods Appl. Mech. Engrg. 177 (1999). Started from the impulses of the
 //! step before, it takes a few sweeps where the motion is smooth.
 
-use crate::contact_problem::{ContactProblem, ContactSolution, PointMotion, Progress};
+use crate::contact_problem::{ContactProgress, ContactSolution, ImpulseProblem, PointMotion};
 use crate::newton::{newton, same_as_before};
 
 /// Sweeps before Newton's method is tried, at least.
@@ -33,15 +33,15 @@ impl Default for ContactAccuracy {
 /// Where every point does what it did, one step of Newton's method with the elimination of the step before ends it. Where so many sweeps were in
 /// vain as a step of Newton's method costs, some of these are tried before the sweeps go on.
 pub fn solve(
-    problem: &ContactProblem<'_>,
+    problem: &ImpulseProblem<'_>,
     accuracy: ContactAccuracy,
     solution: &mut ContactSolution,
-) -> Progress {
+) -> ContactProgress {
     problem.delassus.velocities(problem.free, &solution.impulse, &mut solution.velocity);
     if let Some(found) = same_as_before(problem, accuracy.tolerance, solution) {
         return found;
     }
-    let mut progress = Progress { residual: f64::INFINITY, ..Progress::default() };
+    let mut progress = ContactProgress { residual: f64::INFINITY, ..ContactProgress::default() };
     let mut patience = 0;
     let mut spent = 0;
     for sweep in 1..=accuracy.sweeps {
@@ -52,7 +52,7 @@ pub fn solve(
         }
         // the residual is not far below what a sweep still changes
         if change <= NEAR * accuracy.tolerance * problem.scale || sweep == accuracy.sweeps {
-            progress = Progress { iterations: sweep + spent, ..problem.residual(solution) };
+            progress = ContactProgress { iterations: sweep + spent, ..problem.residual(solution) };
             // what is not a number does not become one
             if progress.residual <= accuracy.tolerance || progress.residual.is_nan() {
                 return progress;
@@ -66,7 +66,7 @@ pub fn solve(
             let found = newton(problem, accuracy.tolerance, solution);
             spent += found.iterations;
             if found.residual <= accuracy.tolerance {
-                return Progress { iterations: sweep + spent, ..found };
+                return ContactProgress { iterations: sweep + spent, ..found };
             }
         }
     }
@@ -74,14 +74,14 @@ pub fn solve(
 }
 
 /// Sweeps that cost about as much as an elimination of all that is not open.
-fn patience_for(problem: &ContactProblem<'_>, solution: &ContactSolution) -> usize {
+fn patience_for(problem: &ImpulseProblem<'_>, solution: &ContactSolution) -> usize {
     let closed = solution.motion.iter().filter(|motion| **motion != PointMotion::Open).count();
     let unknowns = closed * problem.delassus.dimension();
     LEAST_SWEEPS + 2 * unknowns * unknowns / (5 * problem.delassus.size() + 300)
 }
 
 /// One sweep over all points; the largest change of an impulse.
-fn sweep(problem: &ContactProblem<'_>, solution: &mut ContactSolution) -> f64 {
+fn sweep(problem: &ImpulseProblem<'_>, solution: &mut ContactSolution) -> f64 {
     let dimension = problem.delassus.dimension();
     let mut largest = 0.0_f64;
     for point in 0..problem.delassus.points() {
@@ -104,7 +104,7 @@ fn sweep(problem: &ContactProblem<'_>, solution: &mut ContactSolution) -> f64 {
 }
 
 /// What each point of a solution that Newton's method found does.
-pub(crate) fn name_motions(problem: &ContactProblem<'_>, solution: &mut ContactSolution) {
+pub(crate) fn name_motions(problem: &ImpulseProblem<'_>, solution: &mut ContactSolution) {
     for point in 0..problem.delassus.points() {
         let block = problem.delassus.block(point);
         let impulse = problem.of_point(&solution.impulse, point);

@@ -2,7 +2,7 @@
 
 use crate::NonsmoothError;
 use crate::contact_problem::PointMotion;
-use crate::march::{March, MarchSettings};
+use crate::march::{NonsmoothMarch, NonsmoothSettings};
 use crate::mode_share::ModeShare;
 use faer::c64;
 use judder_assembly::assembly::Assembly;
@@ -35,19 +35,22 @@ const SMALLER: (usize, f64) = (4, 0.05);
 /// Periods in a measurement, at most and at least, and e-folds at most.
 const PERIODS: [f64; 2] = [4.0, 100.0];
 const FOLDS: f64 = 3.0;
+/// Steps in a period, at least, and in a measurement, at most.
+const SHORTEST: f64 = 12.0;
+const MOST_STEPS: f64 = 1e9;
 /// Amplitudes that are kept of each period.
 const KEPT: f64 = 4.0;
 
 /// Starts a march from steady sliding disturbed by a mode, and measures how the mode's amplitude grows.
 ///
 /// # Errors
-/// [`NonsmoothError::InvalidNumber`] for an eigenvalue that does not swing, what [`March::new`] and [`March::advance`] say.
+/// [`NonsmoothError::InvalidNumber`] for an eigenvalue that does not swing, what [`NonsmoothMarch::new`] and [`NonsmoothMarch::advance`] say.
 pub fn growth(
     assembly: &Assembly,
     steady: &SteadySliding,
     about: &Linearised,
     mode: &ComplexMode,
-    settings: MarchSettings,
+    settings: NonsmoothSettings,
 ) -> Result<MarchGrowth, NonsmoothError> {
     let value = mode.eigenvalue.value;
     if !(value.im > 0.0 && value.re.is_finite()) {
@@ -57,14 +60,20 @@ pub fn growth(
             requirement: "above zero: growth is measured on a mode that swings",
         });
     }
+    let period = TAU / value.im;
+    let most = period / SHORTEST;
+    if settings.step > most || PERIODS[1] * period / settings.step > MOST_STEPS {
+        let (step, least) = (settings.step, PERIODS[1] * period / MOST_STEPS);
+        return Err(NonsmoothError::StepForMode { step, least, most, frequency: value.im / TAU });
+    }
     let (right, left) = (about.expanded(&mode.right), about.expanded_left(&mode.left));
-    let mut march = March::new(assembly, &[], settings)?;
+    let mut march = NonsmoothMarch::new(assembly, &[], settings)?;
     let share = ModeShare::new(&march, about, value, [&right, &left], &steady.displacement);
-    let closed = steady.points.iter().map(|point| point.normal_force);
+    let closed = steady.points.iter().map(|point| point.normal_force.abs());
     let forces: Vec<[f64; 2]> =
         steady.points.iter().map(|point| [point.normal_force, point.friction_force]).collect();
-    march.set_force_scale(closed.fold(f64::MIN_POSITIVE, f64::max));
-    let mut size = AMPLITUDE * smallest_ratio(&march, &right, value);
+    march.set_force_scale(closed.fold(0.0, f64::max));
+    let mut size = AMPLITUDE * smallest_ratio(&march, &right, value, &steady.displacement);
     let mut found = None;
     for _ in 0..SMALLER.0 {
         let scaled = |k: usize, factor: c64| (size * factor * right[k]).re;
@@ -87,18 +96,22 @@ pub fn growth(
     found.ok_or(NonsmoothError::NotFinite { time: 0.0 })
 }
 
-/// The largest factor of a mode whose slip velocities nowhere exceed the slip speed.
-fn smallest_ratio(march: &March<'_>, right: &[c64], value: c64) -> f64 {
+/// The largest factor of a mode whose slip velocities nowhere exceed the slip speed, nor its displacements the largest of steady sliding.
+fn smallest_ratio(march: &NonsmoothMarch<'_>, right: &[c64], value: c64, steady: &[f64]) -> f64 {
     let contact = march.contact();
     let ratio = |point: usize| {
         let form = &contact.points[point].frame.slip;
         contact.speed(point) / (value * form.of_complex(right)).norm()
     };
-    (0..contact.points.len()).map(ratio).filter(|ratio| ratio.is_finite()).fold(f64::MAX, f64::min)
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+    let moved = largest(&mut steady.iter().map(|own| own.abs()));
+    let of_bodies = moved / largest(&mut right.iter().map(|own| own.norm()));
+    let of_bodies = if of_bodies > 0.0 { of_bodies } else { 1.0 };
+    (0..contact.points.len()).map(ratio).filter(|ratio| ratio.is_finite()).fold(of_bodies, f64::min)
 }
 
 fn measure(
-    march: &mut March<'_>,
+    march: &mut NonsmoothMarch<'_>,
     share: &ModeShare,
     value: c64,
     steady: &SteadySliding,
@@ -109,9 +122,12 @@ fn measure(
     // whole periods in each half
     let half = ((0.5 * wanted).ceil() * period / step).round() as u64;
     let every = ((period / KEPT / step).floor() as u64).max(1);
-    let as_before = |march: &March<'_>| {
-        let own = steady.points.iter().enumerate();
-        own.filter(|(_, point)| point.is_closed).all(|(k, _)| march.motion(k) == PointMotion::Slip)
+    // a point that turned within a step slides again, but the other way
+    let as_before = |march: &NonsmoothMarch<'_>| {
+        steady.points.iter().enumerate().all(|(k, point)| match point.is_closed {
+            true => march.motion(k) == PointMotion::Slip && march.force(k)[1] * point.friction_force >= 0.0,
+            false => march.motion(k) == PointMotion::Open,
+        })
     };
     let mut amplitudes = [c64::ZERO; 3];
     let (mut turns, mut last) = (0.0_f64, 0.0_f64);

@@ -6,21 +6,21 @@ mod step;
 mod widths;
 
 use crate::NonsmoothError;
-use crate::bodies::{Bodies, BodyEnergy};
+use crate::bodies::{BodyEnergy, MovingBodies};
 use crate::contact::ContactPoints;
 use crate::contact_problem::{
-    ContactSolution, Delassus, FrictionCondition, NormalCondition, PointMotion, Progress,
+    ContactProgress, ContactSolution, Delassus, FrictionCondition, NormalCondition, PointMotion,
 };
 use crate::gauss_seidel::ContactAccuracy;
-use crate::scheme::{Scheme, SmoothContact};
+use crate::scheme::{ContactScheme, SmoothContact};
 use judder_assembly::assembly::Assembly;
 use judder_assembly::row::Row;
 
 /// What a march is to do.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MarchSettings {
+pub struct NonsmoothSettings {
     /// How.
-    pub scheme: Scheme,
+    pub scheme: ContactScheme,
     /// h in s.
     pub step: f64,
     /// How well the contact is solved.
@@ -40,8 +40,6 @@ pub struct Works {
     pub damping: f64,
     /// Of stiffness that brings circulation.
     pub circulation: f64,
-    /// Of forces that change with time.
-    pub excitation: f64,
 }
 
 /// How well the contact was solved, over all steps.
@@ -59,9 +57,9 @@ pub struct ContactRecord {
 
 /// A march: bodies, contact, and where they are.
 #[derive(Debug, Clone)]
-pub struct March<'a> {
-    settings: MarchSettings,
-    bodies: Bodies,
+pub struct NonsmoothMarch<'a> {
+    settings: NonsmoothSettings,
+    bodies: MovingBodies,
     contact: ContactPoints<'a>,
     delassus: Delassus,
     smooth: SmoothContact,
@@ -79,6 +77,8 @@ pub struct March<'a> {
     relative: Vec<f64>,
     free: Vec<f64>,
     carried: Vec<f64>,
+    /// The velocity of the track beside its undisturbed place of each component, with what its passing material brings.
+    imposed: Vec<f64>,
     normal: Vec<NormalCondition>,
     friction: Vec<FrictionCondition<'a>>,
     /// H v before the last step.
@@ -92,7 +92,15 @@ pub struct March<'a> {
     record: ContactRecord,
 }
 
-impl<'a> March<'a> {
+impl NonsmoothSettings {
+    /// How far behind the places the velocities of its states lie, in s: half a step of an explicit one.
+    #[must_use]
+    pub fn velocities_lag(&self) -> f64 {
+        if self.scheme.implicitness() == 0.0 { 0.5 * self.step } else { 0.0 }
+    }
+}
+
+impl<'a> NonsmoothMarch<'a> {
     /// A march from rest of the undeformed bodies, with rows on the freedoms that are observed.
     ///
     /// # Errors
@@ -101,9 +109,9 @@ impl<'a> March<'a> {
     pub fn new(
         assembly: &'a Assembly,
         observed: &[Row],
-        settings: MarchSettings,
+        settings: NonsmoothSettings,
     ) -> Result<Self, NonsmoothError> {
-        let MarchSettings { scheme, step, .. } = settings;
+        let NonsmoothSettings { scheme, step, .. } = settings;
         if !(step.is_finite() && step > 0.0) {
             return Err(NonsmoothError::InvalidNumber {
                 name: "the step",
@@ -115,7 +123,7 @@ impl<'a> March<'a> {
         let carried = contact.convected();
         let rows: Vec<Row> =
             contact.rows.iter().chain(observed).chain(carried.iter().map(|(_, row)| row)).cloned().collect();
-        let mut bodies = Bodies::new(assembly, &rows, scheme.rule(step))?;
+        let mut bodies = MovingBodies::new(assembly, &rows, scheme.rule(step))?;
         let delassus = Delassus::new(contact.dimension, bodies.compliance(contact.rows.len()));
         if let Some(point) = delassus.held_point() {
             let interface = contact.points[point].interface;
@@ -140,6 +148,7 @@ impl<'a> March<'a> {
             relative: vec![0.0; components],
             free: vec![0.0; components],
             carried: vec![0.0; carried.len()],
+            imposed: vec![0.0; components],
             normal: vec![NormalCondition::Open; points],
             friction: Vec::with_capacity(points),
             before_step: vec![0.0; components],
@@ -173,16 +182,21 @@ impl<'a> March<'a> {
         }
         let step = self.settings.step;
         let [omega, damping] = self.bodies.fastest();
-        let stiffest = |point: usize| match self.contact.is_compliant(point) {
-            true => self.contact.first_stiffness(point) * self.delassus.block(point).normal(),
-            false => 0.0,
+        // springs at the points stiffen the bodies by no more than the largest row sum of √k W √k
+        let stiffness = |point: usize| self.contact.largest_stiffness(point).sqrt();
+        let points = 0..self.contact.points.len();
+        let row = |point: usize| -> f64 {
+            let entry = |other: usize| {
+                let column = self.delassus.column(other * self.contact.dimension);
+                stiffness(other) * column[point * self.contact.dimension].abs()
+            };
+            stiffness(point) * points.clone().map(entry).sum::<f64>()
         };
-        // springs at the points stiffen the bodies at most by their sum
-        let added: f64 = (0..self.contact.points.len()).map(stiffest).fold(0.0, f64::max);
+        let added = points.clone().map(row).fold(0.0, f64::max);
         let squared = omega * omega + added;
-        // h² ω² + 2 h d ≤ 4
-        let limit = ((damping * damping + 4.0 * squared).sqrt() - damping) / squared;
-        if step > limit {
+        // h² ω² + 2 h d ≤ 4; so written it is right where either is zero
+        let limit = 4.0 / ((damping * damping + 4.0 * squared).sqrt() + damping);
+        if step > limit || limit.is_nan() {
             return Err(NonsmoothError::StepOverLimit { step, limit });
         }
         Ok(())
@@ -206,9 +220,12 @@ impl<'a> March<'a> {
         self.before_step.copy_from_slice(&self.relative);
     }
 
-    /// What a step's impulses are measured by, in N: of the order of the contact forces of steady sliding; the largest load where nothing is said.
+    /// What a step's impulses are measured by, in N: of the order of the contact forces of steady sliding; the largest load where nothing is said, or
+    /// nothing presses.
     pub fn set_force_scale(&mut self, force: f64) {
-        self.scale = force * self.settings.step;
+        if force > 0.0 && force.is_finite() {
+            self.scale = force * self.settings.step;
+        }
     }
 
     /// Starts the contact solver from these forces along normal and slip of each point, in N.
@@ -228,6 +245,14 @@ impl<'a> March<'a> {
         }
         let first = self.contact.rows.len() + self.observed;
         self.bodies.seen(&self.z, first, 1, &mut self.carried);
+        let dimension = self.contact.dimension;
+        for (component, imposed) in self.imposed.iter_mut().enumerate() {
+            let is_along = component % dimension == 1;
+            *imposed = if is_along { self.contact.speed(component / dimension) } else { 0.0 };
+        }
+        for (component, carried) in self.convected.iter().zip(&self.carried) {
+            self.imposed[*component] += carried;
+        }
     }
 
     /// Steps since the start.
@@ -244,7 +269,7 @@ impl<'a> March<'a> {
 
     /// What it is to do.
     #[must_use]
-    pub fn settings(&self) -> &MarchSettings {
+    pub fn settings(&self) -> &NonsmoothSettings {
         &self.settings
     }
 
@@ -348,13 +373,13 @@ impl<'a> March<'a> {
     }
 
     /// The last step's iterations and residual.
-    fn note(&mut self, progress: Progress) {
+    fn note(&mut self, progress: ContactProgress) {
         let record = &mut self.record;
         record.iterations += progress.iterations as u64;
         record.residual = record.residual.max(progress.residual);
         if progress.residual > self.settings.accuracy.tolerance || progress.residual.is_nan() {
             record.unsolved += 1;
-            let time = self.steps as f64 * self.settings.step;
+            let time = (self.steps + 1) as f64 * self.settings.step;
             record.first_unsolved.get_or_insert((time, progress.point));
         }
     }

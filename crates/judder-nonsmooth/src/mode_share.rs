@@ -1,6 +1,6 @@
 //! How much of a complex mode a motion has.
 
-use crate::march::March;
+use crate::march::NonsmoothMarch;
 use faer::c64;
 use judder_assembly::assembly::triplets;
 use judder_assembly::linearised::Linearised;
@@ -23,7 +23,7 @@ impl ModeShare {
     /// That of a mode with the eigenvalue λ and these vectors on all freedoms about a steady state, in a march.
     #[must_use]
     pub fn new(
-        march: &March<'_>,
+        march: &NonsmoothMarch<'_>,
         about: &Linearised,
         value: c64,
         [right, left]: [&[c64]; 2],
@@ -51,7 +51,7 @@ impl ModeShare {
 
     /// The amplitude at the beginning of the last step of the march.
     #[must_use]
-    pub fn of(&self, march: &March<'_>) -> c64 {
+    pub fn of(&self, march: &NonsmoothMarch<'_>) -> c64 {
         let part = |k: usize| march.middle(&self.on_displacement[k], &self.on_velocity[k]);
         c64::new(part(0), part(1)) - self.steady
     }
@@ -95,7 +95,7 @@ impl ModalContent {
     }
 
     /// Takes the step that a march is at; evenly apart, several in every half period of each mode.
-    pub fn take(&mut self, march: &March<'_>) {
+    pub fn take(&mut self, march: &NonsmoothMarch<'_>) {
         let time = march.time();
         for (share, sums) in self.shares.iter().zip(&mut self.sums) {
             let amplitude = share.of(march);
@@ -119,6 +119,9 @@ impl ModalContent {
         let sums = self.sums.get(mode).filter(|_| self.samples > 1)?;
         let count = self.samples as f64;
         let variance = (sums.squared / count - (sums.sum / count).norm_sqr()).max(0.0);
+        if variance == 0.0 {
+            return Some([0.0, 0.0]);
+        }
         let half_chord = 0.5 * (sums.changed / (count - 1.0) / variance).sqrt();
         Some([variance.sqrt(), 2.0 * half_chord.min(1.0).asin() / self.apart])
     }

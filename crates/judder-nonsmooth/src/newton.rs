@@ -5,8 +5,10 @@
 //! of radius μ P_N, with steps that are halved until their size falls. Impulses of open points follow at once and are not among the unknowns; slopes that are those of
 //! the step before are not eliminated anew.
 
-use crate::contact_problem::{ContactProblem, ContactSolution, Delassus, NormalCondition, Progress, length};
-use crate::elimination::Elimination;
+use crate::contact_problem::{
+    ContactProgress, ContactSolution, Delassus, ImpulseProblem, NormalCondition, length,
+};
+use crate::elimination::KeptElimination;
 use crate::gauss_seidel::name_motions;
 
 /// Steps at most: a start that is near takes three to six.
@@ -16,7 +18,7 @@ const HALVINGS: usize = 12;
 
 /// The projections at a place, their slopes by impulse and by velocity row by row.
 #[derive(Debug, Clone)]
-struct Linearised {
+struct Projections {
     value: Vec<f64>,
     slopes: Slopes,
 }
@@ -31,15 +33,15 @@ struct Slopes {
 /// What Newton's method keeps from one problem to the next.
 #[derive(Debug, Clone)]
 pub(crate) struct NewtonMemory {
-    here: Linearised,
-    there: Linearised,
+    here: Projections,
+    there: Projections,
     impulse: Vec<f64>,
     velocity: Vec<f64>,
     change: Vec<f64>,
     right: Vec<f64>,
     /// Components whose impulses are unknowns.
     unknowns: Vec<usize>,
-    elimination: Elimination,
+    elimination: KeptElimination,
     /// The slopes that are eliminated,
     eliminated: Slopes,
     /// where they could be.
@@ -68,7 +70,7 @@ impl NewtonMemory {
     pub(crate) fn new(delassus: &Delassus) -> Self {
         let size = delassus.size();
         let numbers = vec![0.0; size];
-        let linearised = Linearised { value: numbers.clone(), slopes: Slopes::new(size) };
+        let linearised = Projections { value: numbers.clone(), slopes: Slopes::new(size) };
         Self {
             here: linearised.clone(),
             there: linearised,
@@ -77,14 +79,14 @@ impl NewtonMemory {
             change: numbers.clone(),
             right: numbers,
             unknowns: Vec::with_capacity(size),
-            elimination: Elimination::new(delassus.arch(), size),
+            elimination: KeptElimination::new(delassus.arch(), size),
             eliminated: Slopes::new(size),
             is_eliminated: false,
         }
     }
 
     /// Eliminates the slopes at a place; whether that succeeds.
-    fn eliminate(&mut self, problem: &ContactProblem<'_>) -> bool {
+    fn eliminate(&mut self, problem: &ImpulseProblem<'_>) -> bool {
         let dimension = problem.delassus.dimension();
         let slopes = &self.here.slopes;
         self.unknowns.clear();
@@ -106,7 +108,7 @@ impl NewtonMemory {
     }
 
     /// The step of Newton's method at a place, into `change`; whether there is one.
-    fn step(&mut self, problem: &ContactProblem<'_>) -> bool {
+    fn step(&mut self, problem: &ImpulseProblem<'_>) -> bool {
         if !(self.is_eliminated && self.eliminated == self.here.slopes) {
             self.is_eliminated = self.eliminate(problem);
             self.eliminated.copy_from(&self.here.slopes);
@@ -138,7 +140,7 @@ impl NewtonMemory {
     }
 
     /// Where so much of a step leads to; the size of the projections there.
-    fn look(&mut self, problem: &ContactProblem<'_>, impulse: &[f64], share: f64) -> f64 {
+    fn look(&mut self, problem: &ImpulseProblem<'_>, impulse: &[f64], share: f64) -> f64 {
         for ((there, here), change) in self.impulse.iter_mut().zip(impulse).zip(&self.change) {
             *there = here + share * change;
         }
@@ -155,7 +157,11 @@ impl NewtonMemory {
 }
 
 /// Improves a solution; where no step helps it is left as it was best.
-pub fn newton(problem: &ContactProblem<'_>, tolerance: f64, solution: &mut ContactSolution) -> Progress {
+pub fn newton(
+    problem: &ImpulseProblem<'_>,
+    tolerance: f64,
+    solution: &mut ContactSolution,
+) -> ContactProgress {
     let mut memory = solution.take_memory(problem.delassus);
     problem.delassus.velocities(problem.free, &solution.impulse, &mut solution.velocity);
     let mut progress = problem.residual(solution);
@@ -170,7 +176,7 @@ pub fn newton(problem: &ContactProblem<'_>, tolerance: f64, solution: &mut Conta
             break;
         }
         memory.go_there(solution);
-        progress = Progress { iterations: step, ..problem.residual(solution) };
+        progress = ContactProgress { iterations: step, ..problem.residual(solution) };
     }
     solution.memory = Some(memory);
     name_motions(problem, solution);
@@ -180,10 +186,10 @@ pub fn newton(problem: &ContactProblem<'_>, tolerance: f64, solution: &mut Conta
 /// The solution by one step with the slopes of the problem before, where these are those of its start and the step ends there; its start are velocities
 /// that follow from the impulses.
 pub(crate) fn same_as_before(
-    problem: &ContactProblem<'_>,
+    problem: &ImpulseProblem<'_>,
     tolerance: f64,
     solution: &mut ContactSolution,
-) -> Option<Progress> {
+) -> Option<ContactProgress> {
     let mut memory = solution.memory.take()?;
     let mut found = None;
     if memory.is_eliminated {
@@ -193,7 +199,7 @@ pub(crate) fn same_as_before(
             let residual = problem.residual_at(&memory.impulse, &memory.velocity);
             if residual.residual <= tolerance {
                 memory.go_there(solution);
-                found = Some(Progress { iterations: 1, ..residual });
+                found = Some(ContactProgress { iterations: 1, ..residual });
             }
         }
     }
@@ -208,8 +214,8 @@ fn norm(values: &[f64]) -> f64 {
     values.iter().map(|value| value * value).sum::<f64>().sqrt()
 }
 
-impl Linearised {
-    fn take(&mut self, problem: &ContactProblem<'_>, impulse: &[f64], velocity: &[f64]) {
+impl Projections {
+    fn take(&mut self, problem: &ImpulseProblem<'_>, impulse: &[f64], velocity: &[f64]) {
         let dimension = problem.delassus.dimension();
         for point in 0..problem.delassus.points() {
             let own = [impulse, velocity].map(|values| problem.of_point(values, point));
@@ -225,7 +231,7 @@ impl Linearised {
 }
 
 /// The projections of a point, in the first place of each row, and their slopes by impulse and velocity.
-fn projections(problem: &ContactProblem<'_>, point: usize, [p, u]: [[f64; 3]; 2]) -> [[[f64; 3]; 3]; 3] {
+fn projections(problem: &ImpulseProblem<'_>, point: usize, [p, u]: [[f64; 3]; 2]) -> [[[f64; 3]; 3]; 3] {
     let block = problem.delassus.block(point);
     let (mut value, mut by_p, mut by_u) = ([[0.0; 3]; 3], [[0.0; 3]; 3], [[0.0; 3]; 3]);
     let open = |value: &mut f64, slope: &mut f64, impulse: f64| (*value, *slope) = (impulse, 1.0);

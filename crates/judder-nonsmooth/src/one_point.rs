@@ -11,7 +11,7 @@ const STEPS: usize = 100;
 
 /// The part of W that is of one point.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct PointBlock {
+pub(crate) struct PointDelassus {
     entries: [[f64; MOST]; MOST],
 }
 
@@ -27,7 +27,7 @@ struct Eliminated {
     coupled: [f64; 2],
 }
 
-impl PointBlock {
+impl PointDelassus {
     pub(crate) fn new(entries: [[f64; MOST]; MOST]) -> Self {
         Self { entries }
     }
@@ -66,8 +66,10 @@ impl PointBlock {
             NormalCondition::Unilateral { velocity, .. } if free[0] + velocity >= 0.0 => {
                 return ([0.0; MOST], PointMotion::Open);
             }
-            NormalCondition::Given { impulse } if impulse <= 0.0 => {
-                return ([0.0; MOST], PointMotion::Open);
+            NormalCondition::Given { impulse: 0.0 } => return ([0.0; MOST], PointMotion::Open),
+            // a point that is held closed and pulls has no friction
+            NormalCondition::Given { impulse } if impulse < 0.0 => {
+                return ([impulse, 0.0, 0.0], PointMotion::Slip);
             }
             NormalCondition::Unilateral { velocity, softness }
             | NormalCondition::Bilateral { velocity, softness } => {

@@ -6,7 +6,7 @@ use crate::contact_problem::{Delassus, NormalCondition};
 
 /// A scheme of time integration with contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Scheme {
+pub enum ContactScheme {
     /// Implicit, on velocities, with impacts: J. J. Moreau, *Unilateral contact and dry friction in finite freedom dynamics* (1988); M. Jean
     /// (1999), with θ = ½.
     MoreauJean {
@@ -23,7 +23,7 @@ pub enum Scheme {
 /// Freedom of the step that an explicit contact may take.
 const SHARE: f64 = 0.25;
 
-impl Scheme {
+impl ContactScheme {
     /// θ.
     #[must_use]
     pub fn implicitness(self) -> f64 {

@@ -1,7 +1,7 @@
 //! What the points of a march do on average.
 
 use crate::contact_problem::PointMotion;
-use crate::march::March;
+use crate::march::NonsmoothMarch;
 
 /// Sums over the steps of a march, point by point.
 #[derive(Debug, Clone)]
@@ -48,7 +48,7 @@ impl Statistics {
     }
 
     /// Takes the step that a march is at.
-    pub fn take(&mut self, march: &March<'_>) {
+    pub fn take(&mut self, march: &NonsmoothMarch<'_>) {
         let is_first = self.steps == 0;
         self.steps += 1;
         for (point, sums) in self.points.iter_mut().enumerate() {

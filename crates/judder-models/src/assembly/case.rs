@@ -200,10 +200,10 @@ pub(crate) fn read(node: &Node, folder: &Path) -> Result<AssemblyCase, Fault> {
 }
 
 /// A root, and everything but its analyses.
-type Bodies<'a> = (Section<'a>, Result<AssemblyCase, Fault>);
+type ReadAssembly<'a> = (Section<'a>, Result<AssemblyCase, Fault>);
 
 /// Everything but the analyses.
-fn read_bodies<'a>(node: &'a Node, folder: &Path) -> Result<Bodies<'a>, Fault> {
+fn read_bodies<'a>(node: &'a Node, folder: &Path) -> Result<ReadAssembly<'a>, Fault> {
     let (root, sections) = read_root::<AssemblySections>(node)?;
     let case = both(sections, refuse_conflicts(&root)).and_then(|((title, sections), ())| {
         sections.found(title, &root, &Arc::new(Origin::new(node, folder)))

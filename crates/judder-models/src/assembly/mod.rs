@@ -23,7 +23,8 @@ use crate::error::ModelError;
 use crate::material::with_used;
 use build::BuiltAssembly;
 use judder_assembly::compliance::Compliance;
-use judder_assembly::steady::{FrictionLimit, SteadySliding, steady_sliding as slide};
+use judder_assembly::interface::InterfaceLaw;
+use judder_assembly::steady::{FrictionLimit, PointState, SteadySliding, steady_sliding as slide};
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
 use judder_study::case::analysis::{Kinds, Planned};
@@ -73,6 +74,22 @@ impl AssemblySubject<'_> {
     fn steady(&self, compliance: &Compliance) -> Result<SteadySliding, ModelError> {
         self.built.find_laws(&Silent)?;
         slide(&self.built.assembly, compliance).map_err(|error| self.built.told(error))
+    }
+
+    /// Steady sliding from which a march can begin: a rigid point that is held closed and pulls has friction there that it has in no motion.
+    fn steady_to_march(&self) -> Result<SteadySliding, ModelError> {
+        let steady = self.steady_or_untouched()?;
+        let interfaces = &self.built.assembly.interfaces;
+        let pulls = |point: &&PointState| {
+            point.normal_force < 0.0 && matches!(interfaces[point.interface].law, InterfaceLaw::Rigid(_))
+        };
+        match steady.points.iter().find(pulls) {
+            None => Ok(steady),
+            Some(point) => Err(ModelError::Unsupported(format!(
+                "a point of `{}` is held closed although it pulls with {:.4e} N: no motion goes on from there; with `all_closed = false` it opens",
+                interfaces[point.interface].name, -point.normal_force,
+            ))),
+        }
     }
 
     /// What is to be said of steady sliding before anything is concluded from it.

@@ -1,8 +1,8 @@
-//! Bodies as the modes of all of them together, which their damping leaves free of each other.
+//! MovingBodies as the modes of all of them together, which their damping leaves free of each other.
 
 use super::{BodyEnergy, BodyWork, StepRule};
 use faer::Mat;
-use judder_assembly::assembly::{Assembly, triplets};
+use judder_assembly::assembly::{Assembly, is_symmetric, triplets};
 use judder_assembly::row::Row;
 use judder_dense::symmetric::generalised;
 use judder_structure::assembly::Sparse;
@@ -40,7 +40,8 @@ impl ModalBodies {
     /// `None` where the modes are too many, their damping joins them, or a matrix is not symmetric.
     pub(super) fn new(assembly: &Assembly, rows: &[Row], rule: StepRule) -> Option<Self> {
         let freedoms = assembly.size();
-        if freedoms > MOST || !assembly.gyroscopic.is_empty() || !is_symmetric(&assembly.stiffness) {
+        let symmetric = is_symmetric(&assembly.stiffness) && is_symmetric(&assembly.mass);
+        if freedoms == 0 || freedoms > MOST || !assembly.gyroscopic.is_empty() || !symmetric {
             return None;
         }
         let mass = full(&assembly.mass);
@@ -217,15 +218,6 @@ fn full(matrix: &Sparse) -> Mat<f64> {
     let mut all = Mat::zeros(matrix.nrows(), matrix.ncols());
     triplets(matrix).for_each(|entry| all[(entry.row, entry.col)] += entry.val);
     all
-}
-
-/// Whether a matrix is its own transpose but for rounding.
-pub(super) fn is_symmetric(matrix: &Sparse) -> bool {
-    let largest = triplets(matrix).map(|entry| entry.val.abs()).fold(0.0, f64::max);
-    triplets(matrix).all(|entry| {
-        let mirrored = matrix.get(entry.col, entry.row).copied().unwrap_or(0.0);
-        (mirrored - entry.val).abs() <= 1e-11 * largest
-    })
 }
 
 /// d of each mode, where Φᵀ C Φ has no other entries.

@@ -1,10 +1,10 @@
-//! Bodies as all their freedoms.
+//! MovingBodies as all their freedoms.
 
-use super::modal::is_symmetric;
 use super::{BodyEnergy, BodyWork, StepRule};
 use crate::NonsmoothError;
-use judder_assembly::assembly::{Assembly, from_triplets, sum, triplets};
+use judder_assembly::assembly::{Assembly, from_triplets, is_symmetric, sum, symmetric_part, triplets};
 use judder_assembly::row::Row;
+use judder_structure::StructureError;
 use judder_structure::assembly::Sparse;
 use judder_structure::factor::SymmetricFactor;
 use judder_structure::statics::{GeneralStatics, product};
@@ -19,13 +19,15 @@ pub(super) struct WholeBodies {
     stiffness: Arc<Sparse>,
     /// Whether K brings circulation.
     circulates: bool,
-    factor: Arc<Factor>,
+    /// ½ (K + Kᵀ), which holds energy.
+    elastic: Arc<Sparse>,
+    factor: Arc<StepFactor>,
     rows: Vec<Row>,
     right: Vec<f64>,
 }
 
 #[derive(Debug)]
-enum Factor {
+enum StepFactor {
     Symmetric(SymmetricFactor),
     General(Box<GeneralStatics>),
 }
@@ -49,21 +51,31 @@ impl WholeBodies {
         )?;
         let factor = match is_symmetric(&held) {
             true => {
-                let factor = SymmetricFactor::new(&held)?;
+                let is_explicit = rule.implicitness == 0.0;
+                let factor = SymmetricFactor::new(&held).map_err(|error| match error {
+                    StructureError::Singular { .. } if is_explicit => NonsmoothError::NoMass,
+                    _ => error.into(),
+                })?;
                 // an explicit step divides by the mass
-                if rule.implicitness == 0.0 && factor.negative_eigenvalues() > 0 {
+                if is_explicit && factor.negative_eigenvalues() > 0 {
                     return Err(NonsmoothError::NoMass);
                 }
-                Factor::Symmetric(factor)
+                StepFactor::Symmetric(factor)
             }
-            false => Factor::General(Box::new(GeneralStatics::new(&held)?)),
+            false => StepFactor::General(Box::new(GeneralStatics::new(&held)?)),
+        };
+        let circulates = !is_symmetric(&assembly.stiffness);
+        let elastic = match circulates {
+            true => Arc::new(symmetric_part(&assembly.stiffness)?),
+            false => Arc::clone(&assembly.stiffness),
         };
         Ok(Self {
             rule,
+            elastic,
             mass: Arc::clone(&assembly.mass),
             damping,
             stiffness: Arc::clone(&assembly.stiffness),
-            circulates: !is_symmetric(&assembly.stiffness),
+            circulates,
             factor: Arc::new(factor),
             rows: rows.to_vec(),
             right: vec![0.0; assembly.size()],
@@ -76,8 +88,8 @@ impl WholeBodies {
 
     fn solve_right(&mut self) {
         match self.factor.as_ref() {
-            Factor::Symmetric(factor) => factor.solve(&mut self.right),
-            Factor::General(factor) => factor.solve(&mut self.right),
+            StepFactor::Symmetric(factor) => factor.solve(&mut self.right),
+            StepFactor::General(factor) => factor.solve(&mut self.right),
         }
     }
 
@@ -110,7 +122,7 @@ impl WholeBodies {
 
     pub(super) fn energy(&self, z: &[f64], v: &[f64], load: &[f64]) -> BodyEnergy {
         let back = if self.rule.implicitness == 0.0 { self.rule.step } else { 0.0 };
-        let (momentum, elastic) = (product(&self.mass, v), product(&self.stiffness, z));
+        let (momentum, elastic) = (product(&self.mass, v), product(&self.elastic, z));
         let mut energy = BodyEnergy::default();
         for k in 0..z.len() {
             energy.kinetic += 0.5 * v[k] * momentum[k];
@@ -146,9 +158,10 @@ impl WholeBodies {
     }
 
     pub(super) fn fastest(&self) -> [f64; 2] {
-        // K z = λ M z row by row: |λ| ≤ max Σ |K| / M of a lumped mass would need one; a power iteration from a fixed start
+        /// What a power iteration may be short of the largest.
+        const SHORT: f64 = 1.1;
         const ROUNDS: usize = 60;
-        let Factor::Symmetric(factor) = self.factor.as_ref() else { return [f64::INFINITY, 0.0] };
+        let StepFactor::Symmetric(factor) = self.factor.as_ref() else { return [f64::INFINITY, 0.0] };
         if self.rule.implicitness != 0.0 {
             return [0.0, 0.0];
         }
@@ -166,7 +179,7 @@ impl WholeBodies {
             }
             size
         };
-        [largest(&self.stiffness).sqrt(), largest(&self.damping)]
+        [(SHORT * largest(&self.elastic)).sqrt(), SHORT * largest(&self.damping)]
     }
 }
 

@@ -1,15 +1,15 @@
 //! One step of a march.
 
-use super::March;
+use super::NonsmoothMarch;
 use crate::NonsmoothError;
-use crate::contact_problem::{ContactProblem, NormalCondition, PointMotion, Progress, add};
+use crate::contact_problem::{ContactProgress, ImpulseProblem, NormalCondition, PointMotion, add};
 use crate::gauss_seidel::solve;
-use crate::scheme::{PointBefore, Scheme, about_closure, at_places, at_velocities, middle_closure};
+use crate::scheme::{ContactScheme, PointBefore, about_closure, at_places, at_velocities, middle_closure};
 
 /// Times that the law of a compliant point is taken about a new closure in a step: straight laws take one.
 const ROUNDS: usize = 12;
 
-impl March<'_> {
+impl NonsmoothMarch<'_> {
     /// One step.
     ///
     /// # Errors
@@ -20,9 +20,9 @@ impl March<'_> {
         self.bodies.seen(&next, 0, 1, &mut self.free);
         self.set_off();
         match self.settings.scheme {
-            Scheme::MoreauJean { restitution } => self.solve_velocities(restitution),
-            Scheme::ForwardIncrement => self.solve_places(),
-            Scheme::Smoothed => self.smooth_contact(),
+            ContactScheme::MoreauJean { restitution } => self.solve_velocities(restitution),
+            ContactScheme::ForwardIncrement => self.solve_places(),
+            ContactScheme::Smoothed => self.smooth_contact(),
         }
         self.bodies.push(&self.solution.impulse, &mut next);
         self.take_account(&next);
@@ -40,13 +40,7 @@ impl March<'_> {
 
     /// Takes what the track moves off the free velocities: they are slip velocities then.
     fn set_off(&mut self) {
-        let dimension = self.contact.dimension;
-        for point in 0..self.gap.len() {
-            self.free[point * dimension + 1] -= self.contact.speed(point);
-        }
-        for (component, carried) in self.convected.iter().zip(&self.carried) {
-            self.free[*component] -= carried;
-        }
+        self.free.iter_mut().zip(&self.imposed).for_each(|(free, imposed)| *free -= imposed);
     }
 
     fn before(&self, point: usize) -> PointBefore {
@@ -58,16 +52,24 @@ impl March<'_> {
         PointBefore { gap: self.gap[point], opening, rounding: self.rounding.max(UNRESOLVED * in_step) }
     }
 
-    /// The slip speed that a point ended the last step with.
+    /// The slip velocity that a point ended the last step with, along the slip of steady sliding and across it.
+    fn slip(&self, point: usize) -> [f64; 2] {
+        let dimension = self.contact.dimension;
+        let along = |k: usize| {
+            let component = point * dimension + k;
+            if k < dimension { self.relative[component] - self.imposed[component] } else { 0.0 }
+        };
+        [along(1), along(2)]
+    }
+
     fn slip_speed(&self, point: usize) -> f64 {
-        let [_, along, across] = self.velocity(point);
-        (along - self.contact.speed(point)).hypot(across)
+        let [along, across] = self.slip(point);
+        along.hypot(across)
     }
 
     /// The contact of the implicit scheme.
     fn solve_velocities(&mut self, restitution: f64) {
         let step = self.settings.step;
-        let dimension = self.contact.dimension;
         let mut is_curved = false;
         for point in 0..self.gap.len() {
             let before = self.before(point);
@@ -80,29 +82,51 @@ impl March<'_> {
             };
         }
         let mut progress = self.solve_contact();
-        for _ in 0..ROUNDS {
-            if !is_curved {
-                break;
-            }
-            let mut off = 0.0_f64;
-            for point in (0..self.gap.len()).filter(|point| self.contact.is_compliant(*point)) {
-                let before = self.before(point);
-                let after = self.solution.velocity[point * dimension];
-                let closure = middle_closure(before, after, step);
-                let speed = self.slip_speed(point);
-                let force = self.contact.forces(point, closure, speed).normal.value;
-                off = off.max((step * force - self.solution.impulse[point * dimension]).abs());
-                self.normal[point] = about_closure(&self.contact, point, before, closure, speed, step);
-            }
-            if off <= self.settings.accuracy.tolerance * self.scale {
+        for _ in 0..if is_curved { ROUNDS } else { 0 } {
+            let (off, point) = self.about_new_closures();
+            if off <= self.settings.accuracy.tolerance {
                 break;
             }
             let again = self.solve_contact();
-            progress = Progress { iterations: progress.iterations + again.iterations, ..again };
+            progress = ContactProgress { iterations: progress.iterations + again.iterations, ..again };
+            // the law itself, not the straight line that stood for it
+            let (off, of) = self.law_residual();
+            if off > progress.residual {
+                (progress.residual, progress.point) = (off, of.unwrap_or(point));
+            }
         }
         self.note(progress);
         self.relative.copy_from_slice(&self.solution.velocity);
         self.put_back();
+    }
+
+    /// By how much impulses differ from those of the laws of compliant points at most, as a share of the scale, and at which point.
+    fn law_residual(&self) -> (f64, Option<usize>) {
+        let (step, dimension) = (self.settings.step, self.contact.dimension);
+        let mut worst = (0.0, None);
+        for point in (0..self.gap.len()).filter(|point| self.contact.is_compliant(*point)) {
+            let after = self.solution.velocity[point * dimension];
+            let closure = middle_closure(self.before(point), after, step);
+            let force = self.contact.forces(point, closure, self.slip_speed(point)).normal.value;
+            let off = (step * force - self.solution.impulse[point * dimension]).abs() / self.scale;
+            if off > worst.0 {
+                worst = (off, Some(point));
+            }
+        }
+        worst
+    }
+
+    /// Takes the laws of compliant points about where these are now, and says how far off they were.
+    fn about_new_closures(&mut self) -> (f64, usize) {
+        let (step, dimension) = (self.settings.step, self.contact.dimension);
+        let (off, point) = self.law_residual();
+        for point in (0..self.gap.len()).filter(|point| self.contact.is_compliant(*point)) {
+            let before = self.before(point);
+            let closure = middle_closure(before, self.solution.velocity[point * dimension], step);
+            let speed = self.slip_speed(point);
+            self.normal[point] = about_closure(&self.contact, point, before, closure, speed, step);
+        }
+        (off, point.unwrap_or(0))
     }
 
     /// The contact of forward increments.
@@ -142,10 +166,9 @@ impl March<'_> {
             let coefficient = self.contact.friction(point, -before.gap, speed).at(speed);
             let turning = self.smooth.turning * coefficient * normal;
             let size = if normal > 0.0 { coefficient * normal / speed.hypot(turning) } else { 0.0 };
+            let slip = self.slip(point);
             for k in 1..dimension {
-                let own = self.relative[first + k];
-                let slip = if k == 1 { own - self.contact.speed(point) } else { own };
-                self.solution.impulse[first + k] = -size * slip;
+                self.solution.impulse[first + k] = -size * slip[k - 1];
             }
             self.solution.motion[point] = match normal > 0.0 {
                 false => PointMotion::Open,
@@ -161,17 +184,15 @@ impl March<'_> {
     }
 
     /// Solves the conditions of the points.
-    fn solve_contact(&mut self) -> Progress {
-        let (contact, relative, gap) = (&self.contact, &self.relative, &self.gap);
-        let dimension = contact.dimension;
-        let friction = |point: usize| {
-            let along = relative[point * dimension + 1] - contact.speed(point);
-            let across = if dimension == 3 { relative[point * dimension + 2] } else { 0.0 };
-            contact.friction(point, -gap[point], along.hypot(across))
-        };
-        self.friction.clear();
-        self.friction.extend((0..gap.len()).map(friction));
-        let problem = ContactProblem {
+    fn solve_contact(&mut self) -> ContactProgress {
+        let mut friction = std::mem::take(&mut self.friction);
+        friction.clear();
+        friction.extend(
+            (0..self.gap.len())
+                .map(|point| self.contact.friction(point, -self.gap[point], self.slip_speed(point))),
+        );
+        self.friction = friction;
+        let problem = ImpulseProblem {
             delassus: &self.delassus,
             free: &self.free,
             normal: &self.normal,
@@ -183,13 +204,7 @@ impl March<'_> {
 
     /// Makes velocities beside the track's undisturbed place of slip velocities.
     fn put_back(&mut self) {
-        let dimension = self.contact.dimension;
-        for point in 0..self.gap.len() {
-            self.relative[point * dimension + 1] += self.contact.speed(point);
-        }
-        for (component, carried) in self.convected.iter().zip(&self.carried) {
-            self.relative[*component] += carried;
-        }
+        self.relative.iter_mut().zip(&self.imposed).for_each(|(relative, imposed)| *relative += imposed);
     }
 
     /// Works of a step whose velocities go from `v` to `next`.
@@ -204,8 +219,7 @@ impl March<'_> {
                     0 => self.works.normal += impulse * mean,
                     _ => {
                         self.works.friction += impulse * mean;
-                        let speed = if k == 1 { self.contact.speed(point) } else { 0.0 };
-                        self.works.heat -= impulse * (mean - speed);
+                        self.works.heat -= impulse * (mean - self.imposed[component]);
                     }
                 }
             }

@@ -1,8 +1,8 @@
 //! The same march with vectors of every width that the machine has.
 
-use super::{March, MarchSettings};
+use super::{NonsmoothMarch, NonsmoothSettings};
 use crate::gauss_seidel::ContactAccuracy;
-use crate::scheme::Scheme;
+use crate::scheme::ContactScheme;
 use faer::sparse::Triplet;
 use judder_assembly::assembly::{Assembly, from_triplets};
 use judder_assembly::contact_point::ContactPoint;
@@ -54,9 +54,9 @@ fn slider(dimension: usize) -> Assembly {
 }
 
 /// The bits of the forces and velocities of all points in every step.
-fn told(case: &Assembly, scheme: Scheme, arch: Arch) -> Vec<u64> {
-    let settings = MarchSettings { scheme, step: 5e-6, accuracy: ContactAccuracy::default() };
-    let mut march = March::new(case, &[], settings).unwrap();
+fn told(case: &Assembly, scheme: ContactScheme, arch: Arch) -> Vec<u64> {
+    let settings = NonsmoothSettings { scheme, step: 5e-6, accuracy: ContactAccuracy::default() };
+    let mut march = NonsmoothMarch::new(case, &[], settings).unwrap();
     march.set_arch(arch);
     march.set_force_scale(50.0);
     let mut bits = Vec::new();
@@ -80,7 +80,11 @@ fn no_bit_depends_on_the_width_of_the_vectors() {
     }
     for dimension in [2, 3] {
         let case = slider(dimension);
-        for scheme in [Scheme::MoreauJean { restitution: 0.0 }, Scheme::ForwardIncrement, Scheme::Smoothed] {
+        for scheme in [
+            ContactScheme::MoreauJean { restitution: 0.0 },
+            ContactScheme::ForwardIncrement,
+            ContactScheme::Smoothed,
+        ] {
             let scalar = told(&case, scheme, Arch::Scalar);
             for arch in &widths {
                 assert!(told(&case, scheme, *arch) == scalar, "{dimension} {scheme:?} {arch:?}");

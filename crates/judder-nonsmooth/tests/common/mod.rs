@@ -7,12 +7,12 @@ use judder_assembly::friction::Friction;
 use judder_assembly::interface::{Interface, InterfaceLaw};
 use judder_assembly::row::Row;
 use judder_nonsmooth::gauss_seidel::ContactAccuracy;
-use judder_nonsmooth::march::MarchSettings;
-use judder_nonsmooth::scheme::Scheme;
+use judder_nonsmooth::march::NonsmoothSettings;
+use judder_nonsmooth::scheme::ContactScheme;
 use judder_structure::assembly::Sparse;
 use std::sync::Arc;
 
-pub(crate) const IMPLICIT: Scheme = Scheme::MoreauJean { restitution: 0.0 };
+pub(crate) const IMPLICIT: ContactScheme = ContactScheme::MoreauJean { restitution: 0.0 };
 
 pub(crate) fn diagonal(values: &[f64]) -> Sparse {
     let entries: Vec<_> = values.iter().enumerate().map(|(k, value)| Triplet::new(k, k, *value)).collect();
@@ -68,6 +68,6 @@ pub(crate) fn mass_on_plane(mass: f64, spring: f64, force: [f64; 2], friction: f
     )
 }
 
-pub(crate) fn settings(scheme: Scheme, step: f64) -> MarchSettings {
-    MarchSettings { scheme, step, accuracy: ContactAccuracy::default() }
+pub(crate) fn settings(scheme: ContactScheme, step: f64) -> NonsmoothSettings {
+    NonsmoothSettings { scheme, step, accuracy: ContactAccuracy::default() }
 }

@@ -6,12 +6,12 @@ use judder_assembly::friction::{FallingFriction, Friction};
 use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::pressure::Pressure;
 use judder_nonsmooth::contact_problem::{
-    ContactProblem, ContactSolution, Delassus, FrictionCondition, NormalCondition,
+    ContactSolution, Delassus, FrictionCondition, ImpulseProblem, NormalCondition,
 };
 use judder_nonsmooth::gauss_seidel::{ContactAccuracy, solve};
-use judder_nonsmooth::march::March;
+use judder_nonsmooth::march::NonsmoothMarch;
 use judder_nonsmooth::newton::newton;
-use judder_nonsmooth::scheme::Scheme;
+use judder_nonsmooth::scheme::ContactScheme;
 use proptest::prelude::*;
 
 /// A Aᵀ + least of random numbers.
@@ -40,7 +40,7 @@ proptest! {
         let law = Friction::Constant(friction);
         let friction = vec![FrictionCondition::Law(&law); points];
         let problem =
-            ContactProblem { delassus: &delassus, free: &free, normal: &normal, friction: &friction, scale: 1.0 };
+            ImpulseProblem { delassus: &delassus, free: &free, normal: &normal, friction: &friction, scale: 1.0 };
         let accuracy = ContactAccuracy { tolerance: 1e-12, sweeps: 10_000 };
         let mut swept = ContactSolution::none(&delassus);
         let progress = solve(&problem, accuracy, &mut swept);
@@ -100,7 +100,7 @@ proptest! {
         which in 0_usize..2,
         law in 0_usize..3,
     ) {
-        let scheme = [IMPLICIT, Scheme::ForwardIncrement][which];
+        let scheme = [IMPLICIT, ContactScheme::ForwardIncrement][which];
         let falling = FallingFriction { at_rest: 0.5, at_speed: 0.2, decay_speed: 0.3 };
         let law = match law {
             0 => coulomb(0.4),
@@ -109,7 +109,7 @@ proptest! {
         };
         let is_rigid = matches!(law, InterfaceLaw::Rigid(_));
         let case = random_assembly(&numbers, law, space);
-        let mut march = March::new(&case, &[], settings(scheme, 1e-4)).unwrap();
+        let mut march = NonsmoothMarch::new(&case, &[], settings(scheme, 1e-4)).unwrap();
         march.set_force_scale(30.0);
         march.start(&vec![0.0; case.size()], &vec![0.0; case.size()]);
         let first = march.energy();
@@ -140,7 +140,7 @@ proptest! {
 #[test]
 fn coordinates_do_not_matter() {
     let numbers: Vec<f64> = (0..150).map(|k| (1.7 * f64::from(k) + 0.3).sin()).collect();
-    for scheme in [IMPLICIT, Scheme::ForwardIncrement] {
+    for scheme in [IMPLICIT, ContactScheme::ForwardIncrement] {
         let modal = random_assembly(&numbers, coulomb(0.4), true);
         // so little gyroscopic force that nothing feels it, but the modes are not taken then
         let mut whole = modal.clone();
@@ -149,7 +149,7 @@ fn coordinates_do_not_matter() {
             matrix: diagonal(&vec![0.0; whole.size()]).into(),
         }];
         let mut marches = [&modal, &whole].map(|case| {
-            let mut march = March::new(case, &[], settings(scheme, 1e-4)).unwrap();
+            let mut march = NonsmoothMarch::new(case, &[], settings(scheme, 1e-4)).unwrap();
             march.set_force_scale(30.0);
             march
         });
@@ -169,8 +169,8 @@ fn coordinates_do_not_matter() {
 fn a_step_allocates_nothing() {
     let numbers: Vec<f64> = (0..150).map(|k| (1.7 * f64::from(k) + 0.3).sin()).collect();
     let case = random_assembly(&numbers, coulomb(0.4), true);
-    for scheme in [IMPLICIT, Scheme::ForwardIncrement, Scheme::Smoothed] {
-        let mut march = March::new(&case, &[], settings(scheme, 1e-4)).unwrap();
+    for scheme in [IMPLICIT, ContactScheme::ForwardIncrement, ContactScheme::Smoothed] {
+        let mut march = NonsmoothMarch::new(&case, &[], settings(scheme, 1e-4)).unwrap();
         march.set_force_scale(30.0);
         let counted = allocation_counter::measure(|| {
             (0..1000).for_each(|_| march.advance().unwrap());

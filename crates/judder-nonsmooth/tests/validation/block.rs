@@ -11,9 +11,9 @@ use judder_assembly::row::Row;
 use judder_assembly::search::{KeptOfFaces, Sliding, TouchingBody, Track, contact_points};
 use judder_assembly::steady::steady_sliding;
 use judder_nonsmooth::growth::growth;
-use judder_nonsmooth::march::March;
+use judder_nonsmooth::march::NonsmoothMarch;
 use judder_nonsmooth::mode_share::{ModalContent, ModeShare};
-use judder_nonsmooth::scheme::Scheme;
+use judder_nonsmooth::scheme::ContactScheme;
 use judder_structure::assembly::{assemble, displacement_load};
 use judder_structure::complex_modes::{ComplexModeSettings, Region, complex_modes};
 use judder_structure::element::ElementKind;
@@ -111,7 +111,7 @@ fn modes_grow_in_the_march_as_their_eigenvalues_say() {
             .iter()
             .max_by(|a, b| a.eigenvalue.value.re.total_cmp(&b.eigenvalue.value.re))
             .unwrap();
-        for (scheme, step) in [(IMPLICIT, 5e-8), (Scheme::ForwardIncrement, 5e-8)] {
+        for (scheme, step) in [(IMPLICIT, 5e-8), (ContactScheme::ForwardIncrement, 5e-8)] {
             let told = growth(&case, &steady, &about, mode, settings(scheme, step)).unwrap();
             let off = (told.measured.re - told.predicted.re).abs() / told.predicted.re.abs();
             assert!(told.is_small);
@@ -130,7 +130,7 @@ fn a_motion_in_a_mode_has_that_mode() {
     let region = Region { re: [-5e4, 5e4], im: [1e3, 2e5] };
     let found = complex_modes(&about.problem, &region, &ComplexModeSettings::default()).unwrap();
     let step = 1e-7;
-    let mut march = March::new(&case, &[], settings(IMPLICIT, step)).unwrap();
+    let mut march = NonsmoothMarch::new(&case, &[], settings(IMPLICIT, step)).unwrap();
     let shares = found.modes.iter().map(|mode| {
         let (right, left) = (about.expanded(&mode.right), about.expanded_left(&mode.left));
         ModeShare::new(&march, &about, mode.eigenvalue.value, [&right, &left], &steady.displacement)

@@ -34,8 +34,7 @@ impl BuiltBody {
                 "`{name}` has no nodes at known places, so no field over them; start with a `mode`"
             )));
         };
-        let freedoms = layout.freedoms.iter().flatten().flatten().map(|freedom| freedom + 1).max();
-        let mut values = vec![0.0; self.basis.as_ref().map_or(freedoms.unwrap_or(0), Mat::nrows)];
+        let mut values = vec![0.0; self.basis.as_ref().map_or(self.size(), Mat::nrows)];
         for (place, own) in layout.points.iter().zip(&layout.freedoms) {
             let vector = field(*place);
             if let Some(value) = vector.iter().find(|value| !value.is_finite()) {

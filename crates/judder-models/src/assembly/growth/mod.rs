@@ -4,16 +4,20 @@ mod run;
 
 use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
+use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::march::settings::SchemeWord;
 use crate::error::ModelError;
 use crate::sliding::growth::figure::growth_of;
 use judder_keys::Settings;
 use judder_keys::declared::{Number, Settings};
 use judder_keys::dimension::Dimension;
+use judder_keys::error::Fault;
+use judder_keys::problem::Placed;
+use judder_keys::section::Section;
 use judder_report::Panel;
 use judder_store::{Dataset, Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::short;
 use run::ToldMarchGrowth;
@@ -23,6 +27,7 @@ use std::sync::Arc;
 
 /// A march that is started in a mode, against the eigenvalue.
 #[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = AssemblyGrowth::check)]
 pub struct AssemblyGrowth {
     /// Frequency near which the mode lies that is meant.
     #[key(rule = Number::positive(Dimension::ANGULAR_FREQUENCY), symbol = "ω")]
@@ -53,7 +58,23 @@ fn growth(dataset: &Dataset) -> Option<Vec<Panel>> {
     growth_of(dataset, "Amplitude of the mode, of its start (1)", 1.0, method.to_owned())
 }
 
+impl AssemblyGrowth {
+    /// A contact of springs and dampers is at rest elsewhere than in steady sliding.
+    fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        if self.method != SchemeWord::Smoothed {
+            return Ok(());
+        }
+        let reason = "a smoothed contact is at rest elsewhere than in steady sliding, about which modes grow: give \"moreau\" or \"film\"";
+        Err(AssemblyProblem::Refused { reason: reason.to_owned() }.at(section.place_of(&["method"])))
+    }
+}
+
 impl Analysis<AssemblyCase> for AssemblyGrowth {
+    fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+        let touches = !of.case.contacts.is_empty();
+        Ok(if touches { Ok(()) } else { Err(Refusal::key("", AssemblyProblem::NothingTouches)) })
+    }
+
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of, self, task.progress)
     }

@@ -39,7 +39,7 @@ pub(super) fn run(
     asked: &AssemblyGrowth,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
-    let steady = of.steady_or_untouched()?;
+    let steady = of.steady_to_march()?;
     let about = Linearised::new(&of.built.assembly, &steady, LinearisedTerms::default())?;
     let region = band((1.0 - FAR) * asked.frequency, SOUGHT * asked.frequency);
     let modes = found(&about.problem, &region)?.modes;

@@ -5,7 +5,7 @@ use crate::assembly::eigen::lowest;
 use crate::error::ModelError;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::SteadySliding;
-use judder_nonsmooth::march::March;
+use judder_nonsmooth::march::NonsmoothMarch;
 use judder_nonsmooth::mode_share::{ModalContent, ModeShare};
 use judder_store::Results;
 use judder_structure::complex_modes::{ComplexMode, Verdict};
@@ -28,7 +28,7 @@ pub(super) struct SoughtContent {
 
 /// A mode in a motion.
 #[derive(Clone, Results)]
-pub(super) struct ToldMode {
+pub(super) struct ModeInMotion {
     /// number of the mode, by rising frequency
     mode: usize,
     /// its frequency about steady sliding, in Hz
@@ -52,7 +52,7 @@ impl SoughtContent {
     pub(super) fn new(
         of: &AssemblySubject<'_>,
         steady: &SteadySliding,
-        march: &March<'_>,
+        march: &NonsmoothMarch<'_>,
         count: usize,
     ) -> Result<Self, ModelError> {
         let about = Linearised::new(&of.built.assembly, steady, LinearisedTerms::default())?;
@@ -72,14 +72,14 @@ impl SoughtContent {
     }
 
     /// Takes the step that a march has come to, the `taken`-th.
-    pub(super) fn take(&mut self, march: &March<'_>, taken: u64) {
+    pub(super) fn take(&mut self, march: &NonsmoothMarch<'_>, taken: u64) {
         if taken.is_multiple_of(self.every) {
             self.content.take(march);
         }
     }
 
     /// What is told of the modes.
-    pub(super) fn told(&self) -> Vec<ToldMode> {
+    pub(super) fn told(&self) -> Vec<ModeInMotion> {
         let velocity = |k: usize| {
             let [rms, turning] = self.content.of(k)?;
             // of a real motion the mode has one half, its conjugate the other
@@ -93,7 +93,7 @@ impl SoughtContent {
             let level_db = 20.0 * (velocity / loudest).log10();
             let unstable = eigenvalue.verdict() == Verdict::Unstable;
             let is_near = (turning / eigenvalue.value.im - 1.0).abs() <= HEARD.1;
-            ToldMode {
+            ModeInMotion {
                 mode: k + 1,
                 frequency_hz: eigenvalue.value.im / TAU,
                 growth_rate: eigenvalue.value.re,

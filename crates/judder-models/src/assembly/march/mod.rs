@@ -22,7 +22,7 @@ use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use settings::AssemblyMarch;
 use std::sync::Arc;
-use told::ToldMotion;
+use told::ToldAssemblyMotion;
 
 /// The kind.
 pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> = Kind {
@@ -43,7 +43,7 @@ impl Analysis<AssemblyCase> for AssemblyMarch {
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
-        ToldMotion::declared()
+        ToldAssemblyMotion::declared()
     }
 
     fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {

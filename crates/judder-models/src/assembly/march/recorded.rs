@@ -2,7 +2,7 @@
 
 use crate::error::ModelError;
 use judder_nonsmooth::contact_problem::PointMotion;
-use judder_nonsmooth::march::March;
+use judder_nonsmooth::march::NonsmoothMarch;
 use judder_numerics::contact_state::ContactState;
 use judder_numerics::signal::Decimation;
 use judder_numerics::signal::decimate::Decimator;
@@ -39,7 +39,7 @@ pub(super) struct Signals {
 impl Recorded {
     /// Of a march with so many points an interface and so many observed displacements, with at least so many samples a second.
     pub(super) fn new(
-        march: &March<'_>,
+        march: &NonsmoothMarch<'_>,
         counts: &[usize],
         watched: usize,
         rate: f64,
@@ -82,7 +82,7 @@ impl Recorded {
         Ok(recorded)
     }
 
-    fn look(&mut self, march: &March<'_>) {
+    fn look(&mut self, march: &NonsmoothMarch<'_>) {
         for (k, points) in self.interfaces.iter().enumerate() {
             let mut sums = [0.0; 2];
             for point in points.clone() {
@@ -104,7 +104,7 @@ impl Recorded {
     }
 
     /// Takes the step that a march has come to.
-    pub(super) fn take(&mut self, march: &March<'_>) {
+    pub(super) fn take(&mut self, march: &NonsmoothMarch<'_>) {
         self.look(march);
         match &mut self.filter {
             Some(filter) => {
@@ -153,7 +153,7 @@ impl Recorded {
 }
 
 /// What a point does, by the names that every model has.
-fn state(march: &March<'_>, point: usize) -> ContactState {
+fn state(march: &NonsmoothMarch<'_>, point: usize) -> ContactState {
     match march.motion(point) {
         PointMotion::Open => ContactState::LiftOff,
         PointMotion::Stick => ContactState::Stick,

@@ -11,18 +11,20 @@ use crate::error::ModelError;
 use crate::sliding::march::sound::{SoundFile, sound_of};
 use judder_assembly::row::Row;
 use judder_assembly::steady::SteadySliding;
-use judder_nonsmooth::march::{March, Works};
+use judder_nonsmooth::march::{NonsmoothMarch, Works};
 use judder_nonsmooth::statistics::Statistics;
 use judder_study::Progress;
 use judder_study::outcome::Outcome;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
-/// Steps between two looks at whether the run shall stop.
+/// Steps between two that progress is told of.
 const LOOK: u64 = 2000;
+/// How long it takes until a run hears that it shall stop, at most, but for a step.
+const PATIENCE: Duration = Duration::from_millis(100);
 
 /// A motion that has run.
-pub(super) struct Marched<'a> {
-    pub(super) march: March<'a>,
+pub(super) struct RunMotion<'a> {
+    pub(super) march: NonsmoothMarch<'a>,
     pub(super) statistics: Statistics,
     recorded: Recorded,
     /// Works when the transient was over, in J.
@@ -40,8 +42,8 @@ pub(super) fn run(
     asked: &AssemblyMarch,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
-    let steady = of.steady_or_untouched()?;
-    let state = MotionState::new(of, &steady, asked.start.as_ref())?;
+    let steady = of.steady_to_march()?;
+    let state = MotionState::new(of, &steady, asked.start.as_ref(), asked.march().velocities_lag())?;
     let mut marched = march(of, asked, progress, &steady, &state)?;
     let signals = marched.recorded.signals();
     let sounds = sounds(of, &signals)?;
@@ -85,9 +87,9 @@ fn march<'a>(
     progress: &dyn Progress,
     steady: &SteadySliding,
     state: &MotionState,
-) -> Result<Marched<'a>, ModelError> {
+) -> Result<RunMotion<'a>, ModelError> {
     let watched: Vec<Row> = of.built.watched.iter().map(|own| own.row.clone()).collect();
-    let mut march = March::new(&of.built.assembly, &watched, asked.march())?;
+    let mut march = NonsmoothMarch::new(&of.built.assembly, &watched, asked.march())?;
     let largest = steady.points.iter().map(|point| point.normal_force.abs()).fold(0.0, f64::max);
     march.set_force_scale(if largest > 0.0 { largest } else { 1.0 });
     march.start(&state.displacement, &state.velocity);
@@ -103,6 +105,7 @@ fn march<'a>(
     let mut settled = march.works();
     progress.expect((steps / LOOK) as usize);
     let start = Instant::now();
+    let mut looked = start;
     for taken in 1..=steps {
         march.advance()?;
         recorded.take(&march);
@@ -115,10 +118,13 @@ fn march<'a>(
             settled = march.works();
         }
         if taken.is_multiple_of(LOOK) {
-            progress.go_on()?;
             progress.advance();
+        }
+        if looked.elapsed() >= PATIENCE {
+            progress.go_on()?;
+            looked = Instant::now();
         }
     }
     let seconds = start.elapsed().as_secs_f64();
-    Ok(Marched { march, statistics, recorded, settled, first_energy, seconds, content })
+    Ok(RunMotion { march, statistics, recorded, settled, first_energy, seconds, content })
 }

@@ -12,8 +12,8 @@ use judder_keys::problem::Placed;
 use judder_keys::section::Section;
 use judder_keys::{Choice, Settings};
 use judder_nonsmooth::gauss_seidel::ContactAccuracy;
-use judder_nonsmooth::march::MarchSettings;
-use judder_nonsmooth::scheme::Scheme;
+use judder_nonsmooth::march::NonsmoothSettings;
+use judder_nonsmooth::scheme::ContactScheme;
 
 /// The word of a scheme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
@@ -29,13 +29,13 @@ pub enum SchemeWord {
 
 impl SchemeWord {
     /// What it stands for.
-    pub(in crate::assembly) fn march(self, step: f64, restitution: f64) -> MarchSettings {
+    pub(in crate::assembly) fn march(self, step: f64, restitution: f64) -> NonsmoothSettings {
         let scheme = match self {
-            Self::Moreau => Scheme::MoreauJean { restitution },
-            Self::Film => Scheme::ForwardIncrement,
-            Self::Smoothed => Scheme::Smoothed,
+            Self::Moreau => ContactScheme::MoreauJean { restitution },
+            Self::Film => ContactScheme::ForwardIncrement,
+            Self::Smoothed => ContactScheme::Smoothed,
         };
-        MarchSettings { scheme, step, accuracy: ContactAccuracy::default() }
+        NonsmoothSettings { scheme, step, accuracy: ContactAccuracy::default() }
     }
 }
 
@@ -57,7 +57,7 @@ pub struct AssemblyMarch {
     pub transient: f64,
     /// How it begins, beside steady sliding; at rest there where left out.
     #[key(omitted)]
-    pub start: Option<MotionStart>,
+    pub start: Option<AssemblyStart>,
     /// Of `moreau`: how much of the velocity with which a point meets the track it leaves it with.
     #[key(rule = RESTITUTION, symbol = "e", usual = 0.0, omitted)]
     pub restitution: Option<f64>,
@@ -76,8 +76,8 @@ const STEPS: f64 = 1e10;
 
 /// What a motion begins with.
 #[derive(Debug, Clone, PartialEq, Settings)]
-#[settings(check = MotionStart::check)]
-pub struct MotionStart {
+#[settings(check = AssemblyStart::check)]
+pub struct AssemblyStart {
     /// Velocities along x, y and z beside steady sliding, in m/s: numbers or expressions of the place x, y, z in m.
     #[key(rule = VELOCITY, example = "[\"1e-3*(1 - y/0.02)\", \"0\"], in m/s", omitted)]
     pub velocity: Option<Vec<PlaceExpression>>,
@@ -100,7 +100,8 @@ impl AssemblyMarch {
         let refused = |key: &'static str, reason: String| {
             Err(AssemblyProblem::Refused { reason }.at(section.place_of(&[key])))
         };
-        if self.transient >= self.duration {
+        let [all, transient] = self.steps();
+        if transient >= all && all > 0 {
             return refused(
                 "transient",
                 "the transient takes the whole duration: nothing is left to look at".to_owned(),
@@ -120,7 +121,7 @@ impl AssemblyMarch {
     }
 
     /// How the motion is integrated.
-    pub(super) fn march(&self) -> MarchSettings {
+    pub(super) fn march(&self) -> NonsmoothSettings {
         self.method.march(self.step, self.restitution.unwrap_or(0.0))
     }
 
@@ -130,7 +131,7 @@ impl AssemblyMarch {
     }
 }
 
-impl MotionStart {
+impl AssemblyStart {
     fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
         if let (Some(field), Some(node)) = (&self.velocity, section.get("velocity"))
             && !(2..=3).contains(&field.len())

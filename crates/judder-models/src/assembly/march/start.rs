@@ -1,7 +1,7 @@
 //! Where a motion begins.
 
 use super::field::PlaceExpression;
-use super::settings::MotionStart;
+use super::settings::AssemblyStart;
 use crate::assembly::AssemblySubject;
 use crate::assembly::eigen::lowest;
 use crate::error::ModelError;
@@ -16,35 +16,37 @@ pub(super) struct MotionState {
 }
 
 impl MotionState {
-    /// Steady sliding, with what the start adds.
+    /// Steady sliding, with what the start adds; velocities are those of a time `back` before, in s.
     pub(super) fn new(
         of: &AssemblySubject<'_>,
         steady: &SteadySliding,
-        start: Option<&MotionStart>,
+        start: Option<&AssemblyStart>,
+        back: f64,
     ) -> Result<Self, ModelError> {
         let mut state = Self {
             displacement: steady.displacement.clone(),
             velocity: vec![0.0; steady.displacement.len()],
         };
         match start {
-            Some(MotionStart { velocity: Some(field), .. }) => {
+            Some(AssemblyStart { velocity: Some(field), .. }) => {
                 state.velocity = of.built.on_freedoms(&|place| values(field, place))?;
             }
-            Some(MotionStart { mode: Some(number), amplitude: Some(amplitude), .. }) => {
-                state.disturb(of, steady, *number, *amplitude)?;
+            Some(AssemblyStart { mode: Some(number), amplitude: Some(amplitude), .. }) => {
+                state.disturb(of, steady, *number, *amplitude, back)?;
             }
             _ => {}
         }
         Ok(state)
     }
 
-    /// Adds a complex mode whose largest displacement is so large.
+    /// Adds a complex mode whose largest displacement is so large, with the velocities of a time `back` before.
     fn disturb(
         &mut self,
         of: &AssemblySubject<'_>,
         steady: &SteadySliding,
         number: usize,
         amplitude: f64,
+        back: f64,
     ) -> Result<(), ModelError> {
         let about = Linearised::new(&of.built.assembly, steady, LinearisedTerms::default())?;
         let (_, found) = lowest(&about, number)?;
@@ -60,7 +62,8 @@ impl MotionState {
         let factor = Complex64::from(amplitude / largest);
         for (k, own) in shape.iter().enumerate() {
             self.displacement[k] += (factor * own).re;
-            self.velocity[k] += (factor * mode.eigenvalue.value * own).re;
+            let value = mode.eigenvalue.value;
+            self.velocity[k] += (factor * value * (-value * back).exp() * own).re;
         }
         Ok(())
     }

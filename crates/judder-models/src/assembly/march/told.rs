@@ -1,8 +1,8 @@
 //! What is told of a motion.
 
-use super::content::{SoughtContent, ToldMode};
+use super::content::{ModeInMotion, SoughtContent};
 use super::recorded::Signals;
-use super::run::Marched;
+use super::run::RunMotion;
 use super::settings::{AssemblyMarch, SchemeWord};
 use crate::assembly::AssemblySubject;
 use crate::sliding::march::sound::ToldSound;
@@ -14,7 +14,7 @@ use judder_study::outcome::CheckRecord;
 
 /// What is told of a motion.
 #[derive(Results)]
-pub(super) struct ToldMotion {
+pub(super) struct ToldAssemblyMotion {
     /// how the motion is integrated
     method: &'static str,
     steps: u64,
@@ -30,7 +30,7 @@ pub(super) struct ToldMotion {
     friction_force_mean: f64,
     /// what goes into the bodies, on average, in W
     power: ToldPower,
-    /// by how much the energy of the bodies changed otherwise than the power says, over what was exchanged
+    /// by how much the energy of the bodies changed otherwise than the power says, over the largest of works and energies
     energy_balance: f64,
     /// the largest residual of the contact of a step: impulses beside those that it allows, over the largest of steady sliding; none where no
     /// contact is solved
@@ -40,9 +40,9 @@ pub(super) struct ToldMotion {
     /// sweeps over the contact points in a step, on average
     contact_sweeps: f64,
     /// the lowest complex modes about steady sliding, and how much of each the motion has
-    modes: Vec<ToldMode>,
+    modes: Vec<ModeInMotion>,
     /// each contact
-    contacts: ByName<ToldContact>,
+    contacts: ByName<ContactInMotion>,
     /// accelerations of the observed points as sound
     sound: Vec<ToldSound>,
 }
@@ -67,7 +67,7 @@ pub(super) struct ToldPower {
 
 /// The points of a contact, as lists.
 #[derive(Results)]
-pub(super) struct ToldContact {
+pub(super) struct ContactInMotion {
     /// where each lies along x, in m
     x_m: Vec<f64>,
     /// the share of the time in which it sticks
@@ -82,22 +82,29 @@ pub(super) struct ToldContact {
     normal_force_mean: Vec<f64>,
 }
 
-/// What the balance of energy may be off, over what was exchanged.
+/// What the balance of energy may be off, over the largest of works and energies.
 const BALANCE: f64 = 1e-6;
 
-impl Marched<'_> {
+impl RunMotion<'_> {
     /// What each point did after the transient.
     fn points(&self) -> Vec<PointStatistics> {
         (0..self.march.contact().points.len()).filter_map(|point| self.statistics.of(point)).collect()
     }
 
-    /// By how much the energy of the bodies changed otherwise than by the work done on them, in J, and what was exchanged.
+    /// By how much the energy of the bodies changed otherwise than by the work done on them, in J, and the largest of the works and energies that it is made of.
     fn balance(&self) -> [f64; 2] {
         let (works, energy) = (self.march.works(), self.march.energy());
         let gained = energy.kinetic + energy.potential - self.first_energy;
         let told = works.friction + works.normal + works.damping + works.circulation;
-        let exchanged = [works.friction, works.normal, works.damping, works.heat, gained];
-        let exchanged = exchanged.iter().fold(f64::MIN_POSITIVE, |most, own| most.max(own.abs()));
+        let sizes = [
+            works.friction,
+            works.normal,
+            works.damping,
+            works.circulation,
+            energy.kinetic,
+            energy.potential,
+        ];
+        let exchanged = sizes.iter().fold(f64::MIN_POSITIVE, |most, own| most.max(own.abs()));
         [(gained - told).abs(), exchanged]
     }
 
@@ -114,14 +121,14 @@ impl Marched<'_> {
         asked: &AssemblyMarch,
         signals: &Signals,
         sound: Vec<ToldSound>,
-    ) -> ToldMotion {
+    ) -> ToldAssemblyMotion {
         let (points, works, record) = (self.points(), self.march.works(), self.march.record());
         let [off, exchanged] = self.balance();
         let time = self.statistics.steps() as f64 * asked.step;
         let mean = |pick: fn(&Works) -> f64| (pick(&works) - pick(&self.settled)) / time;
         let sum = |pick: fn(&PointStatistics) -> f64| points.iter().map(pick).sum::<f64>();
         let interfaces = of.built.assembly.interfaces.len();
-        ToldMotion {
+        ToldAssemblyMotion {
             method: asked.method.name(),
             steps: self.march.steps(),
             step_s: asked.step,
@@ -161,7 +168,7 @@ impl Marched<'_> {
         });
         let energy = CheckRecord::new(
             "the energy of the bodies changes by the work done on them",
-            format!("difference over what was exchanged, {exchanged:.3e} J"),
+            format!("difference over the largest of works and energies, {exchanged:.3e} J"),
             (off / exchanged).into(),
             BALANCE,
         );
@@ -203,13 +210,13 @@ fn frequency(
     strongest_frequency(column.get(first..)?, signals.rate)
 }
 
-fn contacts(of: &AssemblySubject<'_>, points: &[PointStatistics]) -> ByName<ToldContact> {
+fn contacts(of: &AssemblySubject<'_>, points: &[PointStatistics]) -> ByName<ContactInMotion> {
     let mut first = 0;
     let told = of.built.assembly.interfaces.iter().map(|interface| {
         let own = &points[first.min(points.len())..(first + interface.points.len()).min(points.len())];
         first += interface.points.len();
         let list = |pick: fn(&PointStatistics) -> f64| own.iter().map(pick).collect::<Vec<_>>();
-        let contact = ToldContact {
+        let contact = ContactInMotion {
             x_m: interface.points.iter().map(|point| point.place[0]).collect(),
             stick_share: list(|own| own.stick_share),
             slip_share: list(|own| own.slip_share),

@@ -53,6 +53,7 @@ def compare(program: str, points: int, dimension: int) -> bool:
     shares = ", ".join(f"{name} {100.0 * ours[f'{name}_share']:.0f} %" for name in ("stick", "slip", "open"))
     print(f"{ours['modes']} modes, {points} points in {'the plane' if dimension == 2 else 'space'}: {shares}")
     print(f"  judder    {ours['microseconds']:9.1f} us a step   {ours['sweeps']:.1f} sweeps, residual at most {ours['residual']:.1e}, {ours['unsolved']} steps unsolved")
+    print(f"  judder    {ours['first_microseconds']:9.1f} us a step   of the first 1000, which Siconos takes too")
     print(f"  floor     {ours['floor_microseconds']:9.1f} us a step")
     fine = ours["unsolved"] == 0
     if (points, dimension) == (50, 2):
@@ -66,7 +67,7 @@ def compare(program: str, points: int, dimension: int) -> bool:
     if max(kernel["off"], numerics["off"]) > AGREEMENT:
         print("  disqualified: the forces of Siconos differ")
         return False
-    ratio = kernel["microseconds"] / ours["microseconds"]
+    ratio = kernel["microseconds"] / ours["first_microseconds"]
     return fine & told(ratio >= RATIOS[dimension], ratio, f"times as fast a step as its time stepping, at least {RATIOS[dimension]:g}")
 
 

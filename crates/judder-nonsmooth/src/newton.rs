@@ -15,6 +15,8 @@ use crate::gauss_seidel::name_motions;
 const STEPS: usize = 30;
 /// Halvings of a step.
 const HALVINGS: usize = 12;
+/// A hold on the impulses of a singular system, beside slopes of the order of one.
+const HOLD: f64 = 1e-8;
 
 /// The projections at a place, their slopes by impulse and by velocity row by row.
 #[derive(Debug, Clone)]
@@ -85,8 +87,13 @@ impl NewtonMemory {
         }
     }
 
-    /// Eliminates the slopes at a place; whether that succeeds.
+    /// Eliminates the slopes at a place; whether that succeeds. Points that share their freedoms leave it open who of them carries what: where it is singular
+    /// every impulse holds on a little to what it was.
     fn eliminate(&mut self, problem: &ImpulseProblem<'_>) -> bool {
+        self.eliminate_held(problem, 0.0) || self.eliminate_held(problem, HOLD)
+    }
+
+    fn eliminate_held(&mut self, problem: &ImpulseProblem<'_>, hold: f64) -> bool {
         let dimension = problem.delassus.dimension();
         let slopes = &self.here.slopes;
         self.unknowns.clear();
@@ -101,6 +108,9 @@ impl NewtonMemory {
                 *entry = (0..dimension).map(|k| own[k] * of_velocity[first + k]).sum();
                 if (first..first + dimension).contains(component) {
                     *entry += slopes.by_impulse[*row][component - first];
+                }
+                if row == component {
+                    *entry += hold;
                 }
             }
         }

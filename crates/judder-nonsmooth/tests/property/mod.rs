@@ -1,5 +1,7 @@
 //! What holds for every assembly.
 
+mod random;
+
 use crate::common::{IMPLICIT, assembly, coulomb, dense, diagonal, point_on_plane, settings};
 use judder_assembly::assembly::Assembly;
 use judder_assembly::friction::{FallingFriction, Friction};

@@ -1,6 +1,7 @@
 //! Closed forms, and eigenvalues.
 
-mod block;
+pub(crate) mod block;
+mod rod;
 
 use crate::common::{IMPLICIT, assembly, coulomb, diagonal, mass_on_plane, point_on_plane, settings};
 use judder_nonsmooth::contact_problem::PointMotion;

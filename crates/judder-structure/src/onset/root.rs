@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 /// A function at one value.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Sampled {
+pub(super) struct RootSample {
     pub(super) at: f64,
     /// NaN where it is not the same function.
     pub(super) value: f64,
@@ -17,8 +17,8 @@ pub(super) struct Sampled {
 
 /// Samples of a function, of which two have a root between them, or one is it.
 pub(super) struct SampledRoot {
-    samples: Vec<Sampled>,
-    root: Sampled,
+    samples: Vec<RootSample>,
+    root: RootSample,
 }
 
 impl SampledRoot {
@@ -28,10 +28,10 @@ impl SampledRoot {
     /// Inverse quadratic interpolation where that is safe, halving elsewhere (T. R. Chandrupatla, Advances in Engineering
     /// Software 28, 1997, 145).
     pub(super) fn between<E>(
-        ends: [Sampled; 2],
+        ends: [RootSample; 2],
         precision: f64,
-        suffices: &dyn Fn(&Sampled) -> bool,
-        function: &mut dyn FnMut(f64) -> Result<Sampled, E>,
+        suffices: &dyn Fn(&RootSample) -> bool,
+        function: &mut dyn FnMut(f64) -> Result<RootSample, E>,
     ) -> Result<Option<Self>, E> {
         let [mut behind, mut here] = ends;
         let signs = [behind, here].map(|own| own.value.partial_cmp(&0.0));
@@ -62,11 +62,11 @@ impl SampledRoot {
     }
 
     /// That the first of two samples is the root.
-    pub(super) fn at_first(ends: [Sampled; 2]) -> Self {
+    pub(super) fn at_first(ends: [RootSample; 2]) -> Self {
         Self { samples: ends.to_vec(), root: ends[0] }
     }
 
-    pub(super) fn root(&self) -> Sampled {
+    pub(super) fn root(&self) -> RootSample {
         self.root
     }
 
@@ -78,12 +78,12 @@ impl SampledRoot {
     /// The slope at the root: that of the parabola through it and the samples beside it that are farther away than this.
     pub(super) fn slope(&self, apart: f64) -> f64 {
         let root = self.root;
-        let distance = |own: &&Sampled| (own.at - root.at).abs();
-        let beside = |is_there: &dyn Fn(&&Sampled) -> bool| {
+        let distance = |own: &&RootSample| (own.at - root.at).abs();
+        let beside = |is_there: &dyn Fn(&&RootSample) -> bool| {
             let there = self.samples.iter().filter(|own| distance(own) >= apart).filter(is_there);
             there.min_by(|a, b| distance(a).total_cmp(&distance(b)))
         };
-        let secant = |a: &Sampled, b: &Sampled| (b.value - a.value) / (b.at - a.at);
+        let secant = |a: &RootSample, b: &RootSample| (b.value - a.value) / (b.at - a.at);
         match (beside(&|own| own.at < root.at), beside(&|own| own.at > root.at)) {
             (Some(low), Some(high)) => {
                 let (chord, slope) =
@@ -98,7 +98,12 @@ impl SampledRoot {
 
 /// Where between the latest sample and the one behind the root the next is taken, as a share of their distance; a break where that is
 /// below the precision.
-fn next_share(here: &Sampled, behind: &Sampled, before: &Sampled, precision: f64) -> ControlFlow<(), f64> {
+fn next_share(
+    here: &RootSample,
+    behind: &RootSample,
+    before: &RootSample,
+    precision: f64,
+) -> ControlFlow<(), f64> {
     let width = (behind.at - here.at).abs();
     let floor = precision.max(4.0 * f64::EPSILON * here.at.abs().max(behind.at.abs()));
     if here.value == 0.0 || width <= floor {
@@ -126,12 +131,12 @@ mod tests {
     use super::*;
 
     fn found(function: fn(f64) -> f64, error: f64) -> (f64, f64, usize) {
-        let sampled = |at: f64| Sampled { at, value: function(at), error, frequency: 0.0 };
+        let sampled = |at: f64| RootSample { at, value: function(at), error, frequency: 0.0 };
         let mut count = 0;
         let root = SampledRoot::between(
             [sampled(0.0), sampled(1.0)],
             1e-10,
-            &|own: &Sampled| own.value.abs() <= 1e-2 * own.error,
+            &|own: &RootSample| own.value.abs() <= 1e-2 * own.error,
             &mut |at| {
                 count += 1;
                 Ok::<_, ()>(sampled(at))

@@ -1,7 +1,7 @@
 //! Onsets as roots of the functions that vanish there.
 
 use super::super::crossing::{Crossing, Vanishing};
-use super::super::root::{Sampled, SampledRoot};
+use super::super::root::{RootSample, SampledRoot};
 use super::{ModeChange, Onset, OnsetSearch, PRECISION, StabilitySample};
 use crate::complex_modes::Region;
 
@@ -29,11 +29,11 @@ impl<E> OnsetSearch<'_, '_, E> {
             let value = vanishing.value(&sample.stability, change.frequency);
             let error = vanishing.error(&sample.stability, change.frequency);
             let frequency = vanishing.frequency(&sample.stability, change.frequency);
-            Sampled { at: sample.value, value: if is_same { value } else { f64::NAN }, error, frequency }
+            RootSample { at: sample.value, value: if is_same { value } else { f64::NAN }, error, frequency }
         };
         let ends = [stable, unstable].map(measured);
         let beside = ends[0].error;
-        let suffices = |own: &Sampled| own.value.abs() <= IDLE * vanishing.unknown(beside, own.error);
+        let suffices = |own: &RootSample| own.value.abs() <= IDLE * vanishing.unknown(beside, own.error);
         let precision = PRECISION * self.range;
         let located = SampledRoot::between(ends, precision, &suffices, &mut |value| {
             Ok(measured(&self.sample(value, within)?))

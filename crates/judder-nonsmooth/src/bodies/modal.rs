@@ -2,7 +2,7 @@
 
 use super::{BodyEnergy, BodyWork, StepRule};
 use faer::Mat;
-use judder_assembly::assembly::{Assembly, is_symmetric, triplets};
+use judder_assembly::assembly::{Assembly, is_symmetric};
 use judder_assembly::row::Row;
 use judder_dense::symmetric::generalised;
 use judder_structure::assembly::Sparse;
@@ -44,8 +44,8 @@ impl ModalBodies {
         if freedoms == 0 || freedoms > MOST || !assembly.gyroscopic.is_empty() || !symmetric {
             return None;
         }
-        let mass = full(&assembly.mass);
-        let eigen = generalised(full(&assembly.stiffness), &mass)?;
+        let mass = assembly.mass.to_dense();
+        let eigen = generalised(assembly.stiffness.to_dense(), &mass)?;
         let shapes = eigen.vectors;
         let damping = modal_damping(&assembly.damping, &shapes, &eigen.values)?;
         let size = freedoms.next_multiple_of(LANES);
@@ -213,16 +213,9 @@ fn total(sums: [f64; LANES]) -> f64 {
     ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]))
 }
 
-/// A sparse matrix with all its zeros.
-fn full(matrix: &Sparse) -> Mat<f64> {
-    let mut all = Mat::zeros(matrix.nrows(), matrix.ncols());
-    triplets(matrix).for_each(|entry| all[(entry.row, entry.col)] += entry.val);
-    all
-}
-
 /// d of each mode, where Φᵀ C Φ has no other entries.
 fn modal_damping(damping: &Sparse, shapes: &Mat<f64>, eigenvalues: &[f64]) -> Option<Vec<f64>> {
-    let product = judder_dense::product::product(full(damping).as_ref(), shapes.as_ref());
+    let product = judder_dense::product::product(damping.to_dense().as_ref(), shapes.as_ref());
     let projected = judder_dense::product::product(shapes.transpose(), product.as_ref());
     let size = shapes.ncols();
     let own: Vec<f64> = (0..size).map(|mode| projected[(mode, mode)]).collect();

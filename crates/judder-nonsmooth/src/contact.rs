@@ -2,6 +2,7 @@
 
 use crate::NonsmoothError;
 use crate::contact_problem::FrictionCondition;
+use crate::travel::TravellingContact;
 use judder_assembly::assembly::Assembly;
 use judder_assembly::interface::{FramedPoint, InterfaceLaw, PointForces};
 use judder_assembly::row::Row;
@@ -18,13 +19,14 @@ pub struct ContactPoints<'a> {
 }
 
 impl<'a> ContactPoints<'a> {
-    /// Those of an assembly.
+    /// Those of an assembly; the normals of points that travel turn with their track.
     ///
     /// # Errors
     /// What [`Assembly::framed`] says; [`NonsmoothError::TurningNormal`].
-    pub fn new(assembly: &'a Assembly) -> Result<Self, NonsmoothError> {
+    pub fn new(assembly: &'a Assembly, travelling: &[TravellingContact]) -> Result<Self, NonsmoothError> {
         let points = assembly.framed()?;
-        if let Some(turning) = points.iter().find(|own| own.point.foot.is_some()) {
+        let travels = |own: &FramedPoint<'_>| travelling.iter().any(|other| other.interface == own.interface);
+        if let Some(turning) = points.iter().find(|own| own.point.foot.is_some() && !travels(own)) {
             let interface = assembly.interfaces[turning.interface].name.clone();
             return Err(NonsmoothError::TurningNormal { interface });
         }

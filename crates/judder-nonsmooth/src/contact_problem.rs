@@ -100,17 +100,16 @@ impl Delassus {
     pub fn new(dimension: usize, entries: Vec<f64>) -> Self {
         let size = entries.len().isqrt();
         let points = size / dimension.max(1);
-        let block = |point: usize| {
-            let mut own = [[0.0; MOST]; MOST];
-            for (i, row) in own.iter_mut().enumerate().take(dimension) {
-                for (j, entry) in row.iter_mut().enumerate().take(dimension) {
-                    *entry = entries[(point * dimension + j) * size + point * dimension + i];
-                }
-            }
-            PointDelassus::new(own)
-        };
-        let blocks = (0..points).map(block).collect();
+        let blocks = (0..points).map(|point| block(&entries, dimension, point)).collect();
         Self { arch: Arch::new(), dimension, points, entries, blocks }
+    }
+
+    /// Takes other entries.
+    pub(crate) fn set(&mut self, fill: impl FnOnce(&mut [f64])) {
+        fill(&mut self.entries);
+        for (point, own) in self.blocks.iter_mut().enumerate() {
+            *own = block(&self.entries, self.dimension, point);
+        }
     }
 
     /// Components of a point.
@@ -205,6 +204,18 @@ impl Delassus {
     }
 }
 
+/// The entries of one point among those of all.
+fn block(entries: &[f64], dimension: usize, point: usize) -> PointDelassus {
+    let size = entries.len().isqrt();
+    let mut own = [[0.0; MOST]; MOST];
+    for (i, row) in own.iter_mut().enumerate().take(dimension) {
+        for (j, entry) in row.iter_mut().enumerate().take(dimension) {
+            *entry = entries[(point * dimension + j) * size + point * dimension + i];
+        }
+    }
+    PointDelassus::new(own)
+}
+
 /// |a|: exact for a vector along an axis, as in the plane all are.
 #[inline]
 pub(crate) fn length([a, b]: [f64; 2]) -> f64 {
@@ -266,6 +277,13 @@ impl ContactSolution {
             velocity: vec![0.0; size],
             motion: vec![PointMotion::Open; delassus.points()],
             memory: Some(Box::new(NewtonMemory::new(delassus))),
+        }
+    }
+
+    /// Forgets what was eliminated with another W.
+    pub(crate) fn forget(&mut self) {
+        if let Some(memory) = &mut self.memory {
+            memory.forget();
         }
     }
 

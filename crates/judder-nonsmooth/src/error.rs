@@ -1,5 +1,7 @@
 use judder_assembly::AssemblyError;
 use judder_numerics::words::plain;
+use judder_sliding::SlidingError;
+use judder_sliding::edge::RunOff;
 use judder_structure::StructureError;
 use thiserror::Error;
 
@@ -64,6 +66,32 @@ pub enum NonsmoothError {
         /// The interface.
         interface: String,
     },
+    /// Points that travel in space.
+    #[error("contact points travel along an edge in the plane: of bodies in space they do not yet")]
+    TravelInSpace,
+    /// A travelling point whose track's material passes beside it.
+    #[error(
+        "interface `{interface}` travels along a track whose material passes by turning: give its points one of the two"
+    )]
+    TravelsOnTurning {
+        /// The interface.
+        interface: String,
+    },
+    /// A travelling point at the end of its track.
+    #[error("contact point {point} of interface `{interface}` has {end} of the edge after {} s", plain(*.time))]
+    RunOff {
+        /// The interface.
+        interface: String,
+        /// The point, counted from 1.
+        point: usize,
+        /// Which end.
+        end: RunOff,
+        /// When, in s.
+        time: f64,
+    },
+    /// What is wrong with an edge.
+    #[error(transparent)]
+    Edge(#[from] SlidingError),
     /// A motion that leaves the numbers.
     #[error("the motion is no longer finite after {} s: it grows without bound", plain(*.time))]
     NotFinite {

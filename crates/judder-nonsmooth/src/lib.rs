@@ -6,6 +6,7 @@
 //! - `one_point`: its exact solution at one point; [`gauss_seidel`], [`newton`]: at all of them; `elimination`: the linear systems of the latter.
 //! - [`bodies`]: the bodies as a step moves them: modes that are free of each other, or whole matrices.
 //! - [`contact`]: the contact points on the coordinates of the bodies.
+//! - [`travel`]: contact points that travel along an edge of their track.
 //! - [`scheme`]: Moreau–Jean, forward increment Lagrange multipliers, and a smoothed contact to doubt them.
 //! - [`march`]: a motion, step by step, with its balance of energy.
 //! - [`statistics`]: what its points do on average. [`mode_share`], [`growth`]: how much of a mode a motion has, and how that grows.
@@ -23,5 +24,6 @@ pub mod newton;
 mod one_point;
 pub mod scheme;
 pub mod statistics;
+pub mod travel;
 
 pub use error::NonsmoothError;

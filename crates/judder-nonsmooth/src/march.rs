@@ -1,5 +1,6 @@
 //! A motion, step by step.
 
+mod located;
 mod step;
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
@@ -13,6 +14,7 @@ use crate::contact_problem::{
 };
 use crate::gauss_seidel::ContactAccuracy;
 use crate::scheme::{ContactScheme, SmoothContact};
+use crate::travel::{Travel, TravellingContact};
 use judder_assembly::assembly::Assembly;
 use judder_assembly::row::Row;
 
@@ -63,6 +65,10 @@ pub struct NonsmoothMarch<'a> {
     contact: ContactPoints<'a>,
     delassus: Delassus,
     smooth: SmoothContact,
+    /// Points that travel.
+    travel: Option<Travel>,
+    /// Rows before those of what is observed.
+    rows: usize,
     /// Forms on the coordinates of how slip follows displacements, as rows after those of the contact and the observed ones.
     convected: Vec<usize>,
     observed: usize,
@@ -111,6 +117,20 @@ impl<'a> NonsmoothMarch<'a> {
         observed: &[Row],
         settings: NonsmoothSettings,
     ) -> Result<Self, NonsmoothError> {
+        Self::travelling(assembly, &[], observed, settings)
+    }
+
+    /// The same where the points of these interfaces travel along their track.
+    ///
+    /// # Errors
+    /// As [`NonsmoothMarch::new`]; [`NonsmoothError::TravelInSpace`], [`NonsmoothError::TravelsOnTurning`], [`NonsmoothError::Edge`],
+    /// [`NonsmoothError::RunOff`].
+    pub fn travelling(
+        assembly: &'a Assembly,
+        travelling: &[TravellingContact],
+        observed: &[Row],
+        settings: NonsmoothSettings,
+    ) -> Result<Self, NonsmoothError> {
         let NonsmoothSettings { scheme, step, .. } = settings;
         if !(step.is_finite() && step > 0.0) {
             return Err(NonsmoothError::InvalidNumber {
@@ -119,12 +139,21 @@ impl<'a> NonsmoothMarch<'a> {
                 requirement: "finite and positive",
             });
         }
-        let contact = ContactPoints::new(assembly)?;
+        let contact = ContactPoints::new(assembly, travelling)?;
         let carried = contact.convected();
+        let (mut travel, own) = match travelling {
+            [] => (None, contact.rows.clone()),
+            _ => Travel::new(&contact, &assembly.interfaces, travelling)
+                .map(|(travel, own)| (Some(travel), own))?,
+        };
         let rows: Vec<Row> =
-            contact.rows.iter().chain(observed).chain(carried.iter().map(|(_, row)| row)).cloned().collect();
+            own.iter().chain(observed).chain(carried.iter().map(|(_, row)| row)).cloned().collect();
         let mut bodies = MovingBodies::new(assembly, &rows, scheme.rule(step))?;
-        let delassus = Delassus::new(contact.dimension, bodies.compliance(contact.rows.len()));
+        let compliance = bodies.compliance(own.len());
+        let delassus = match &mut travel {
+            None => Delassus::new(contact.dimension, compliance),
+            Some(travel) => travel.first(compliance, &bodies).map_err(|end| end.at(0.0))?,
+        };
         if let Some(point) = delassus.held_point() {
             let interface = contact.points[point].interface;
             let before = contact.points.iter().filter(|own| own.interface < interface).count();
@@ -138,6 +167,8 @@ impl<'a> NonsmoothMarch<'a> {
         let mut march = Self {
             settings,
             smooth: SmoothContact::new(&delassus, step),
+            travel,
+            rows: own.len(),
             convected: carried.iter().map(|(component, _)| *component).collect(),
             observed: observed.len(),
             load,
@@ -202,24 +233,6 @@ impl<'a> NonsmoothMarch<'a> {
         Ok(())
     }
 
-    /// Begins anew from displacements and velocities of the freedoms.
-    pub fn start(&mut self, displacement: &[f64], velocity: &[f64]) {
-        self.z = self.bodies.coordinates(displacement);
-        self.v = self.bodies.coordinates(velocity);
-        (self.steps, self.works, self.record) = (0, Works::default(), ContactRecord::default());
-        self.solution = ContactSolution::none(&self.delassus);
-        self.look();
-        let mut seen = vec![0.0; self.gap.len()];
-        self.bodies.seen(&self.z, 0, self.contact.dimension, &mut seen);
-        let farthest = seen.iter().zip(0..).fold(0.0_f64, |most, (moved, point)| {
-            most.max(moved.abs()).max(self.contact.first_gap(point).abs())
-        });
-        let fastest = (0..self.gap.len()).map(|point| self.contact.speed(point)).fold(0.0, f64::max);
-        self.rounding = 1e-11 * farthest.max(self.settings.step * fastest);
-        self.bodies.seen(&self.v, 0, 1, &mut self.relative);
-        self.before_step.copy_from_slice(&self.relative);
-    }
-
     /// What a step's impulses are measured by, in N: of the order of the contact forces of steady sliding; the largest load where nothing is said, or
     /// nothing presses.
     pub fn set_force_scale(&mut self, force: f64) {
@@ -234,24 +247,6 @@ impl<'a> NonsmoothMarch<'a> {
         for (point, [normal, friction]) in forces.iter().enumerate() {
             self.solution.impulse[point * dimension] = normal * self.settings.step;
             self.solution.impulse[point * dimension + 1] = friction * self.settings.step;
-        }
-    }
-
-    /// Gaps where the bodies are.
-    fn look(&mut self) {
-        self.bodies.seen(&self.z, 0, self.contact.dimension, &mut self.gap);
-        for (point, gap) in self.gap.iter_mut().enumerate() {
-            *gap += self.contact.first_gap(point);
-        }
-        let first = self.contact.rows.len() + self.observed;
-        self.bodies.seen(&self.z, first, 1, &mut self.carried);
-        let dimension = self.contact.dimension;
-        for (component, imposed) in self.imposed.iter_mut().enumerate() {
-            let is_along = component % dimension == 1;
-            *imposed = if is_along { self.contact.speed(component / dimension) } else { 0.0 };
-        }
-        for (component, carried) in self.convected.iter().zip(&self.carried) {
-            self.imposed[*component] += carried;
         }
     }
 
@@ -318,12 +313,12 @@ impl<'a> NonsmoothMarch<'a> {
 
     /// The observed displacements in m.
     pub fn observed_displacements(&self, out: &mut [f64]) {
-        self.bodies.seen(&self.z, self.contact.rows.len(), 1, &mut out[..self.observed]);
+        self.bodies.seen(&self.z, self.rows, 1, &mut out[..self.observed]);
     }
 
     /// The observed velocities in m/s; of the explicit schemes half a step before the displacements.
     pub fn observed_velocities(&self, out: &mut [f64]) {
-        self.bodies.seen(&self.v, self.contact.rows.len(), 1, &mut out[..self.observed]);
+        self.bodies.seen(&self.v, self.rows, 1, &mut out[..self.observed]);
     }
 
     /// Displacements and velocities of the freedoms.

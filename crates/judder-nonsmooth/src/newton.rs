@@ -87,6 +87,11 @@ impl NewtonMemory {
         }
     }
 
+    /// Forgets what was eliminated.
+    pub(crate) fn forget(&mut self) {
+        self.is_eliminated = false;
+    }
+
     /// Eliminates the slopes at a place; whether that succeeds. Points that share their freedoms leave it open who of them carries what: where it is singular
     /// every impulse holds on a little to what it was.
     fn eliminate(&mut self, problem: &ImpulseProblem<'_>) -> bool {

@@ -43,7 +43,8 @@ pub struct EdgePoint {
 impl EdgePoint {
     /// The place of another segment that is nearest to this one: of a neighbour, the node that both share.
     #[inline]
-    pub(crate) fn seen_from(self, segment: usize) -> Self {
+    #[must_use]
+    pub fn seen_from(self, segment: usize) -> Self {
         match segment.cmp(&self.segment) {
             Ordering::Equal => self,
             Ordering::Greater => Self { segment, fraction: 0.0 },
@@ -115,6 +116,13 @@ pub struct Edge {
 const NEWTON_STEPS: usize = 8;
 
 impl Edge {
+    /// That of so many nodes; fewer than a smooth one needs run straight.
+    #[must_use]
+    pub fn new(interpolation: Interpolation, nodes: usize, is_left: bool) -> Self {
+        let interpolation = if nodes < STENCIL { Interpolation::Linear } else { interpolation };
+        Self { interpolation, nodes, side: if is_left { 1.0 } else { -1.0 } }
+    }
+
     /// How many nodes a stencil has.
     #[must_use]
     pub fn stencil_nodes(&self) -> usize {
@@ -272,7 +280,8 @@ impl Edge {
 
 /// Σ w_k x_k.
 #[inline(always)]
-pub(crate) fn combined(weights: &[f64; STENCIL], places: &[PlaneVector; STENCIL]) -> PlaneVector {
+#[must_use]
+pub fn combined(weights: &[f64; STENCIL], places: &[PlaneVector; STENCIL]) -> PlaneVector {
     (0..STENCIL).fold([0.0; 2], |sum, k| plus(sum, weights[k], places[k]))
 }
 

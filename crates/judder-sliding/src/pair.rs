@@ -4,7 +4,7 @@ use crate::SlidingError;
 use crate::body::{Body, ModalPoint, finite};
 use crate::edge::{Edge, EdgePoint, Interpolation, STENCIL, Touch};
 use crate::friction::SlidingFriction;
-use crate::plane::{PlaneVector, dot, length, minus, plus, turned};
+use crate::plane::{PlaneVector, along_chord, dot, plus};
 
 /// The structure that carries the contact point C.
 ///
@@ -95,9 +95,9 @@ impl Pair {
             expect_length(&format!("observed displacement {k}"), point.row.len(), modes)?;
             finite(point.row.iter(), &format!("observed displacement {k}"))?;
         }
-        let (arc, direction) = ordered(&track.nodes)?;
-        let interpolation = if track.nodes.len() < STENCIL { Interpolation::Linear } else { interpolation };
-        let edge = Edge { interpolation, nodes: track.nodes.len(), side: if is_left { 1.0 } else { -1.0 } };
+        let places: Vec<PlaneVector> = track.nodes.iter().map(|node| node.place).collect();
+        let (arc, direction) = along_chord(&places)?;
+        let edge = Edge::new(interpolation, places.len(), is_left);
         Ok(Self { slider, track, edge, friction, observed, direction, arc })
     }
 
@@ -249,23 +249,4 @@ fn expect_length(name: &str, found: usize, expected: usize) -> Result<(), Slidin
         return Ok(());
     }
     Err(SlidingError::Length { name: name.to_owned(), found, expected })
-}
-
-/// Distances of the nodes from the first along the line to the last, and that line's direction.
-fn ordered(nodes: &[ModalPoint]) -> Result<(Vec<f64>, PlaneVector), SlidingError> {
-    let [first, .., last] = nodes else {
-        return Err(SlidingError::ShortTrack { found: nodes.len() });
-    };
-    let chord = minus(last.place, first.place);
-    let direction = [chord[0] / length(chord), chord[1] / length(chord)];
-    for (k, pair) in nodes.windows(2).enumerate() {
-        let step = minus(pair[1].place, pair[0].place);
-        let along = dot(step, direction);
-        if along <= 0.0 || along.is_nan() {
-            let angle_deg = dot(step, turned(direction)).atan2(along).to_degrees().abs();
-            let [x, y] = pair[0].place;
-            return Err(SlidingError::Unordered { node: k, angle_deg, x, y });
-        }
-    }
-    Ok((nodes.iter().map(|node| dot(minus(node.place, first.place), direction)).collect(), direction))
 }

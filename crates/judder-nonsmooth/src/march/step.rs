@@ -13,18 +13,19 @@ impl NonsmoothMarch<'_> {
     /// One step.
     ///
     /// # Errors
-    /// [`NonsmoothError::NotFinite`].
+    /// [`NonsmoothError::NotFinite`], [`NonsmoothError::RunOff`].
     pub fn advance(&mut self) -> Result<(), NonsmoothError> {
         let mut next = std::mem::take(&mut self.next);
         self.bodies.free(&self.z, &self.v, &self.load, &mut next);
-        self.bodies.seen(&next, 0, 1, &mut self.free);
+        self.locate(&next)?;
         self.set_off();
         match self.settings.scheme {
             ContactScheme::MoreauJean { restitution } => self.solve_velocities(restitution),
             ContactScheme::ForwardIncrement => self.solve_places(),
             ContactScheme::Smoothed => self.smooth_contact(),
         }
-        self.bodies.push(&self.solution.impulse, &mut next);
+        self.push(&mut next);
+        self.end_travel();
         self.take_account(&next);
         let [before, after] = self.settings.scheme.shares().map(|share| share * self.settings.step);
         for ((z, v), next) in self.z.iter_mut().zip(&self.v).zip(&next) {
@@ -36,6 +37,15 @@ impl NonsmoothMarch<'_> {
         self.look();
         let is_finite = self.relative.iter().chain(&self.gap).all(|value| value.is_finite());
         if is_finite { Ok(()) } else { Err(NonsmoothError::NotFinite { time: self.time() }) }
+    }
+
+    /// Adds what the impulses do to velocities.
+    fn push(&mut self, v: &mut [f64]) {
+        let impulse = &self.solution.impulse;
+        match &mut self.travel {
+            None => self.bodies.push(impulse, v),
+            Some(travel) => self.bodies.push(travel.on_rows(impulse), v),
+        }
     }
 
     /// Takes what the track moves off the free velocities: they are slip velocities then.

@@ -2,6 +2,7 @@
 
 pub(crate) mod block;
 mod rod;
+mod travel;
 
 use crate::common::{IMPLICIT, assembly, coulomb, diagonal, mass_on_plane, point_on_plane, settings};
 use judder_nonsmooth::contact_problem::PointMotion;

@@ -1,0 +1,259 @@
+//! Contact points that travel, against the march of one point along a track in `judder-sliding`, which was held against the beams paper.
+
+use crate::common::{IMPLICIT, assembly, coulomb, diagonal, settings};
+use judder_assembly::assembly::Assembly;
+use judder_assembly::contact_point::ContactPoint;
+use judder_assembly::row::Row;
+use judder_nonsmooth::NonsmoothError;
+use judder_nonsmooth::march::NonsmoothMarch;
+use judder_nonsmooth::scheme::ContactScheme;
+use judder_nonsmooth::travel::{EdgeNode, TravellingContact};
+use judder_sliding::body::{Body, ModalPoint};
+use judder_sliding::edge::{Interpolation, RunOff};
+use judder_sliding::friction::SlidingFriction;
+use judder_sliding::march::{ContactMethod, ContactState, March, MarchSample, MarchSettings, Predictor};
+use judder_sliding::motion::{Motion, Noise, Ramps};
+use judder_sliding::pair::{Pair, Slider, TrackBody};
+use std::f64::consts::PI;
+
+const FILM: ContactScheme = ContactScheme::ForwardIncrement;
+const FRICTION: f64 = 0.3;
+const START: f64 = 0.013;
+const STEP: f64 = 1e-6;
+
+/// What differs from march to march.
+#[derive(Debug, Clone, Copy)]
+struct Ride {
+    interpolation: Interpolation,
+    /// Of the slider, in m/s.
+    velocity: f64,
+    /// In N.
+    load: f64,
+    /// How high and low the nodes ahead lie, in m.
+    bumps: f64,
+    /// A share of the damping.
+    damping: f64,
+}
+
+const CALM: Ride =
+    Ride { interpolation: Interpolation::Linear, velocity: 0.4, load: -0.4, bumps: 0.0, damping: 1.0 };
+
+/// Modes of a bar that is held at one end, as their rows at places from 0 to 1 along it.
+fn row(modes: usize, place: f64, phase: f64, size: f64) -> Vec<f64> {
+    (0..modes)
+        .map(|k| size * ((k as f64 + 0.5) * PI * place + phase).sin() / (1.0 + 0.2 * k as f64))
+        .collect()
+}
+
+/// Five modes against nine, along a track of twenty-one nodes with 5 mm between them.
+fn pair(ride: Ride) -> Pair {
+    let body = |modes: usize, lowest: f64, alpha: f64| Body {
+        eigenvalues: (0..modes).map(|k| (lowest * (1.0 + 1.7 * k as f64)).powi(2)).collect(),
+        alpha: ride.damping * alpha,
+        beta: ride.damping * 1e-6,
+    };
+    let contact = ModalPoint { place: [0.0, 0.0], rows: [row(5, 0.9, 0.4, 2.0), row(5, 0.8, 0.0, 5.0)] };
+    let load = contact.rows[1].clone();
+    let slider = Slider { body: body(5, 900.0, 60.0), contact, load, inertia: vec![0.0; 5] };
+    let node = |k: usize| {
+        let place = k as f64 / 20.0;
+        let height = if (5..20).contains(&k) { ride.bumps * (7.0 * k as f64).sin() } else { 0.0 };
+        ModalPoint { place: [0.1 * place, height], rows: [row(9, place, 0.2, 0.5), row(9, place, 0.0, 4.0)] }
+    };
+    let track = TrackBody { body: body(9, 700.0, 40.0), nodes: (0..21).map(node).collect() };
+    Pair::new(
+        slider,
+        track,
+        ride.interpolation,
+        true,
+        SlidingFriction::constant(FRICTION).unwrap(),
+        Vec::new(),
+    )
+    .unwrap()
+}
+
+/// The same as an assembly: modes are its freedoms.
+fn as_assembly(pair: &Pair, ride: Ride) -> (Assembly, TravellingContact) {
+    let row = |values: &[f64], first: usize| {
+        Row::new(values.iter().enumerate().map(|(k, value)| (first + k, *value)).collect())
+    };
+    let (slider, track) = (pair.slider(), pair.track());
+    let first = slider.body.modes();
+    let of_slider = [0, 1].map(|k| row(&slider.contact.rows[k], 0));
+    let nodes = track
+        .nodes
+        .iter()
+        .map(|node| EdgeNode { place: node.place, rows: [0, 1].map(|k| row(&node.rows[k], first)) });
+    let point = ContactPoint {
+        place: [START, 0.0, 0.0],
+        normal: [0.0, 1.0, 0.0],
+        velocity: [-ride.velocity, 0.0, 0.0],
+        area: 1.0,
+        gap: 0.0,
+        relative: [of_slider[0].clone(), of_slider[1].clone(), Row::default()],
+        convected: None,
+        foot: None,
+    };
+    let travelling = TravellingContact {
+        interface: 0,
+        points: vec![of_slider],
+        interpolation: pair.edge().interpolation,
+        nodes: nodes.collect(),
+    };
+    let modes = pair.eigenvalues();
+    let mut forces = vec![0.0; modes.len()];
+    forces.iter_mut().zip(&slider.load).for_each(|(force, own)| *force = ride.load * own);
+    let matrices = [diagonal(&vec![1.0; modes.len()]), diagonal(&pair.damping()), diagonal(&modes)];
+    (assembly(matrices, forces, vec![point], coulomb(FRICTION)), travelling)
+}
+
+fn marched(pair: &Pair, ride: Ride) -> Vec<MarchSample> {
+    let motion = Motion {
+        start: START,
+        end: if ride.velocity > 0.0 { 0.099 } else { 0.001 },
+        velocity: ride.velocity,
+        load: ride.load,
+        initial_gap: 0.0,
+        noise: Noise::default(),
+        ramps: Ramps::default(),
+        initial_damping: None,
+    };
+    let settings =
+        MarchSettings { method: ContactMethod::Film, predictor: Predictor::WithForce, step: STEP, motion };
+    let mut march = March::new(pair, settings).unwrap();
+    let mut samples = Vec::new();
+    march.advance(100_000, &mut |sample: &MarchSample, _: &[f64]| samples.push(*sample)).unwrap();
+    samples
+}
+
+/// One point along straight and smooth edges, in both directions: forces and gaps of every step. Where it is thrown by bumps, or sticks and turns, rounding of places of
+/// 0.1 m, of which a step of 1e-6 s makes forces, goes through impacts.
+#[test]
+fn one_point_travels_as_the_beams_paper_has_it() {
+    let smooth = Ride { interpolation: Interpolation::Hermite, ..CALM };
+    let thrown = Ride { velocity: 0.8, bumps: 3e-5, damping: 0.5, ..CALM };
+    let turning = Ride { velocity: 0.01, load: -4.0, bumps: 3e-4, damping: 0.02, ..CALM };
+    let rides = [
+        (CALM, 1e-9),
+        (smooth, 1e-9),
+        (Ride { velocity: -0.1, ..smooth }, 1e-9),
+        (thrown, 1e-6),
+        (turning, 1e-6),
+    ];
+    let mut counts = [0; 2];
+    for (ride, allowed) in rides {
+        let pair = pair(ride);
+        let expected = marched(&pair, ride);
+        assert_eq!(expected.len(), 100_000);
+        let (case, travelling) = as_assembly(&pair, ride);
+        let mut march = NonsmoothMarch::travelling(&case, &[travelling], &[], settings(FILM, STEP)).unwrap();
+        let largest = expected.iter().map(|own| own.normal_force).fold(0.0, f64::max);
+        march.set_force_scale(largest);
+        for (step, sample) in expected.iter().enumerate() {
+            march.advance().unwrap();
+            let [normal, friction, _] = march.force(0);
+            let off = [
+                normal - sample.normal_force,
+                friction + ride.velocity.signum() * sample.tangential_force,
+                (march.gap(0) - sample.gap) / 1e-3,
+            ];
+            assert!(off.iter().all(|own| own.abs() < allowed * largest), "{ride:?}, step {step}: {off:?}");
+        }
+        counts[0] += expected.iter().filter(|own| own.state == ContactState::LiftOff).count();
+        counts[1] += expected.iter().filter(|own| own.state == ContactState::Stick).count();
+    }
+    assert!(counts[0] > 10_000 && counts[1] > 100, "{counts:?}");
+}
+
+/// A sole of three points with a mass each on a track that moves as one: it travels as it would slide on a body without an edge.
+#[test]
+fn points_on_a_track_that_moves_as_one_need_no_place() {
+    let (size, spring) = (8, 4e4);
+    // freedoms: x and y of three masses, x and y of the track
+    let stiffness: Vec<f64> = (0..size).map(|k| spring * (1.0 + 0.3 * k as f64)).collect();
+    let load: Vec<f64> = (0..size).map(|k| if k % 2 == 1 && k < 6 { -3.0 - k as f64 } else { 0.0 }).collect();
+    let of_track = [Row::of_freedom(6), Row::of_freedom(7)];
+    let of_point = |point: usize| [Row::of_freedom(2 * point), Row::of_freedom(2 * point + 1)];
+    let point = |number: usize| {
+        let relative = [0, 1].map(|k| Row::sum([(1.0, &of_point(number)[k]), (-1.0, &of_track[k])]));
+        let [x, y] = relative;
+        ContactPoint {
+            place: [0.02 + 0.001 * number as f64, 0.0, 0.0],
+            normal: [0.0, 1.0, 0.0],
+            velocity: [-0.2, 0.0, 0.0],
+            area: 1.0,
+            gap: 0.0,
+            relative: [x, y, Row::default()],
+            convected: None,
+            foot: None,
+        }
+    };
+    let matrices = [
+        diagonal(&[0.02, 0.02, 0.03, 0.03, 0.04, 0.04, 0.5, 0.5]),
+        diagonal(&[0.3; 8]),
+        diagonal(&stiffness),
+    ];
+    let case = assembly(matrices, load, (0..3).map(point).collect(), coulomb(FRICTION));
+    let nodes = (0..9).map(|k| EdgeNode { place: [0.01 * f64::from(k), 0.0], rows: of_track.clone() });
+    let travelling = TravellingContact {
+        interface: 0,
+        points: (0..3).map(of_point).collect(),
+        interpolation: Interpolation::Linear,
+        nodes: nodes.collect(),
+    };
+    for scheme in [IMPLICIT, FILM] {
+        let mut still = NonsmoothMarch::new(&case, &[], settings(scheme, 1e-5)).unwrap();
+        let mut moving =
+            NonsmoothMarch::travelling(&case, std::slice::from_ref(&travelling), &[], settings(scheme, 1e-5))
+                .unwrap();
+        for step in 0..20_000 {
+            still.advance().unwrap();
+            moving.advance().unwrap();
+            for point in 0..3 {
+                for (own, other) in moving.force(point).into_iter().zip(still.force(point)) {
+                    assert!((own - other).abs() < 1e-6, "{scheme:?}, step {step}: {own} {other}");
+                }
+            }
+        }
+    }
+}
+
+/// The balance of energy closes where couplings change from step to step, by both schemes, which lead to the same motion.
+#[test]
+fn energy_closes_along_the_track() {
+    let ride = Ride { interpolation: Interpolation::Hermite, bumps: 3e-5, ..CALM };
+    let pair = pair(ride);
+    let (case, travelling) = as_assembly(&pair, ride);
+    let (mut forces, mut gaps) = (Vec::new(), Vec::new());
+    for scheme in [IMPLICIT, FILM] {
+        let mut march =
+            NonsmoothMarch::travelling(&case, std::slice::from_ref(&travelling), &[], settings(scheme, 2e-6))
+                .unwrap();
+        let energy = |march: &NonsmoothMarch<'_>| march.energy().kinetic + march.energy().potential;
+        let (first, mut sum) = (energy(&march), 0.0);
+        for _ in 0..20_000 {
+            march.advance().unwrap();
+            sum += march.force(0)[0];
+        }
+        let works = march.works();
+        let gained = works.friction + works.normal + works.damping + works.circulation;
+        let moved = works.friction.abs() + works.damping.abs();
+        assert!((energy(&march) - first - gained).abs() < 1e-9 * moved, "{scheme:?}: {works:?}");
+        forces.push(sum / 20_000.0);
+        gaps.push(march.gap(0));
+    }
+    assert!((forces[0] - forces[1]).abs() < 1e-3 * forces[1], "{forces:?}");
+    // a bump has thrown it
+    assert!((gaps[0] - gaps[1]).abs() < 1e-3 * gaps[1] && gaps[1] > 1e-5, "{gaps:?}");
+}
+
+#[test]
+fn a_point_that_leaves_its_track_is_told() {
+    let pair = pair(CALM);
+    let (case, travelling) = as_assembly(&pair, Ride { velocity: 4.0, ..CALM });
+    let mut march = NonsmoothMarch::travelling(&case, &[travelling], &[], settings(FILM, 2e-6)).unwrap();
+    let error = (0..20_000).find_map(|_| march.advance().err()).unwrap();
+    let NonsmoothError::RunOff { interface, point, end, time } = error else { panic!("{error}") };
+    assert_eq!((interface.as_str(), point, end), ("sole", 1, RunOff::Last));
+    assert!((time - (0.1 - START) / 4.0).abs() < 1e-4, "{time}");
+}

@@ -149,13 +149,29 @@ pub enum AssemblyError {
     },
     /// All contacts are open.
     #[error(
-        "no contact point is closed in steady sliding: the loads pull the bodies apart, or do not reach the contact"
+        "no contact point is closed in steady sliding, with friction or without: at the nearest, of `{interface}` at {} m with a gap of {} m \
+         between the undeformed bodies and the normal {}, the loads {}",
+        triple(.place), plain(*.gap), triple(.normal), pushed(*.opened, *.is_held)
     )]
-    NothingCloses,
+    NothingCloses {
+        /// The interface of the point that comes nearest.
+        interface: String,
+        /// Where it lies, in m.
+        place: [f64; 3],
+        /// g₀ in m.
+        gap: f64,
+        /// n, out of the track.
+        normal: [f64; 3],
+        /// By how much the loads open it, in m; where contacts alone hold the bodies, against springs in their place.
+        opened: f64,
+        /// Whether something else than contacts holds the bodies.
+        is_held: bool,
+    },
     /// The search for steady sliding has not ended.
     #[error(
-        "steady sliding was not found: after {iterations} iterations {changing} of {points} contact points still open and close, the equations are off by {} m",
-        plain(*.residual)
+        "steady sliding was not found, not even without friction: after {iterations} iterations {changing} of {points} contact points still open and close, the \
+         equations are off by {} m, at that of `{interface}` at {} m",
+        plain(*.residual), triple(.place)
     )]
     NoConvergence {
         /// How many iterations were done.
@@ -166,10 +182,34 @@ pub enum AssemblyError {
         points: usize,
         /// How far the equations of the closures are off, in m.
         residual: f64,
+        /// The interface of a point that changes; where none does, of that whose equations are off most.
+        interface: String,
+        /// Where it lies, in m.
+        place: [f64; 3],
+    },
+    /// Friction leaves no steady sliding.
+    #[error(
+        "there is no steady sliding with this much friction: as it grows from nothing, steady sliding ends at {} times the friction coefficients{}, \
+         where the contact point of `{interface}` at {} m (point {point}, counted from 0) {}",
+        plain(*.factor), coefficient.map(|own| format!(", a coefficient of {}", plain(own))).unwrap_or_default(), triple(.place), ends(*.digs_in)
+    )]
+    NoSteadySliding {
+        /// By what the friction coefficients are multiplied where steady sliding ends.
+        factor: f64,
+        /// The friction coefficient of the point there; `None` of one whose friction is not proportional to its normal force.
+        coefficient: Option<f64>,
+        /// The interface of the point where it ends.
+        interface: String,
+        /// The point, in the order of its interface.
+        point: usize,
+        /// Where it lies, in m.
+        place: [f64; 3],
+        /// Whether the closed points move there without a change of force, this one most; otherwise it opens or closes, and no state goes on from there.
+        digs_in: bool,
     },
     /// The equations of steady sliding are singular.
     #[error(
-        "steady sliding is not determined at these friction coefficients: {closed} closed contact points move without a change of force"
+        "steady sliding is not determined: {closed} closed contact points move without a change of force"
     )]
     Undetermined {
         /// How many points are closed.
@@ -193,4 +233,19 @@ pub(crate) fn check_length(name: &'static str, found: usize, expected: usize) ->
 
 fn triple(vector: &[f64; 3]) -> String {
     format!("({}, {}, {})", plain(vector[0]), plain(vector[1]), plain(vector[2]))
+}
+
+/// What loads do at an open point that they open by so much, in m.
+fn pushed(opened: f64, is_held: bool) -> String {
+    match (opened < 0.0, is_held) {
+        (true, true) => format!("push the slider towards the track, but by {} m alone", plain(-opened)),
+        (true, false) => "push the slider towards the track there, but pull the bodies apart where that point alone is closed, and nothing else holds them".to_owned(),
+        (false, _) if opened == 0.0 => "do not push".to_owned(),
+        (false, _) => "push the slider along that normal, off the track".to_owned(),
+    }
+}
+
+/// How steady sliding ends at a point.
+fn ends(digs_in: bool) -> &'static str {
+    if digs_in { "digs in, pressed on by its friction as much as it is held: sprag-slip" } else { "opens or closes, and no state goes on from there" }
 }

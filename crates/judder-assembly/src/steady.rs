@@ -7,6 +7,7 @@
 
 mod active_set;
 mod friction_limit;
+mod lost;
 
 use crate::AssemblyError;
 use crate::assembly::{Assembly, triplets};
@@ -17,6 +18,7 @@ use active_set::{FoundContacts, Solver};
 use faer::sparse::Triplet;
 pub(crate) use friction_limit::first_singular;
 use friction_limit::friction_limit;
+use lost::followed;
 
 pub use friction_limit::FrictionLimit;
 
@@ -67,17 +69,24 @@ impl SteadySliding {
 
 /// Forces and gaps of steady sliding, on the compliance of the assembly's points.
 ///
+/// Where the search does not find it, it is followed as friction grows from nothing.
+///
 /// # Errors
-/// [`AssemblyError::NothingCloses`], [`AssemblyError::Undetermined`], [`AssemblyError::NoConvergence`], [`AssemblyError::Length`] for
+/// [`AssemblyError::NoSteadySliding`] where that ends before friction is as large as it is; of contact without friction already
+/// [`AssemblyError::NothingCloses`], [`AssemblyError::Undetermined`], [`AssemblyError::NoConvergence`]; [`AssemblyError::Length`] for
 /// a compliance of another assembly.
 pub fn steady_sliding(assembly: &Assembly, compliance: &Compliance) -> Result<SteadySliding, AssemblyError> {
     let points = assembly.framed()?;
     check_length("the points of a compliance", compliance.of_load.len(), points.len())?;
-    let solver = Solver { assembly, compliance, points: &points };
-    let FoundContacts { guess, carried, iterations } = solver.solved()?;
+    let solver = Solver { assembly, compliance, points: &points, friction: 1.0 };
+    let FoundContacts { guess, carried, iterations } = match solver.solved() {
+        Err(AssemblyError::Structure(error)) => return Err(error.into()),
+        Err(_) => followed(&solver)?,
+        Ok(found) => found,
+    };
     let is_closed: Vec<bool> = (0..points.len()).map(|k| solver.is_closed(k, &guess)).collect();
     if !is_closed.contains(&true) {
-        return Err(AssemblyError::NothingCloses);
+        return Err(solver.nothing_closes(&guess.opening, true));
     }
     let (normal, friction): (Vec<f64>, Vec<f64>) =
         carried.iter().map(|point| (point.normal, point.friction)).unzip();

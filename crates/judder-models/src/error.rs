@@ -246,6 +246,7 @@ impl ModelFault for ModelError {
             Self::Assembly(error) => !matches!(
                 error,
                 AssemblyError::NoConvergence { .. }
+                    | AssemblyError::NoSteadySliding { .. }
                     | AssemblyError::NoEigenvalues { .. }
                     | AssemblyError::Structure(_)
             ),

@@ -37,6 +37,7 @@ impl Affine {
 }
 
 /// Which rigid points are closed, and how far each point is opened: y in m.
+#[derive(Clone)]
 pub(super) struct Guess {
     pub(super) closed: Vec<bool>,
     pub(super) opening: Vec<f64>,
@@ -67,10 +68,13 @@ const LARGEST_STEP: f64 = 3.0;
 /// No asperity is as little deep, m.
 const NO_DEPTH: f64 = 1e-30;
 
+#[derive(Clone, Copy)]
 pub(super) struct Solver<'a> {
     pub(super) assembly: &'a Assembly,
     pub(super) compliance: &'a Compliance,
     pub(super) points: &'a [FramedPoint<'a>],
+    /// By what all friction forces are multiplied.
+    pub(super) friction: f64,
 }
 
 impl Solver<'_> {
@@ -82,12 +86,17 @@ impl Solver<'_> {
             matches!(point.law, InterfaceLaw::Rigid(_))
                 && (point.stays_closed || of_load[k] + point.point.gap <= 0.0)
         };
-        let mut guess =
-            Guess { closed: (0..self.points.len()).map(touches).collect(), opening: of_load.clone() };
+        let guess = Guess { closed: (0..self.points.len()).map(touches).collect(), opening: of_load.clone() };
+        self.solved_from(guess, ITERATIONS + 10 * self.points.len())
+    }
+
+    /// The same from a guess, in so many iterations.
+    pub(super) fn solved_from(&self, mut guess: Guess, limit: usize) -> Result<FoundContacts, AssemblyError> {
+        let of_load = &self.compliance.of_load;
         let mut seen = BTreeSet::new();
         let mut one_at_a_time = false;
         let (mut residual, mut changing) = (f64::INFINITY, 0);
-        let limit = ITERATIONS + 10 * self.points.len();
+        let mut last = 0;
         let (mut was_brought_together, mut has_settled) = (false, false);
         let is_curved = self.points.iter().any(|point| matches!(point.law, InterfaceLaw::Asperity(_)));
         for iteration in 1..=limit {
@@ -97,7 +106,7 @@ impl Solver<'_> {
                 // springs say whether loads bring any point nearer, and which comes first; where that does not press, none does
                 let comes_nearer = of_load.iter().any(|opening| *opening < 0.0);
                 if std::mem::replace(&mut was_brought_together, true) || !comes_nearer {
-                    return Err(AssemblyError::NothingCloses);
+                    return Err(self.nothing_closes(of_load, false));
                 }
                 let first = self.bring_together(&mut guess);
                 affine[first] = self.affine(first, &guess);
@@ -112,7 +121,10 @@ impl Solver<'_> {
                 .collect();
             let carried: Vec<Carried> =
                 (0..self.points.len()).map(|k| self.forces(k, opening[k], unknowns[k], affine[k])).collect();
-            residual = self.residual(&opening, &carried);
+            let off = self.off(&opening, &carried);
+            residual = off.iter().copied().fold(0.0, f64::max);
+            let farthest = |best: usize, k: usize| if off[k] > off[best] { k } else { best };
+            last = changes.first().copied().unwrap_or_else(|| (0..off.len()).fold(0, farthest));
             (guess.opening, changing) = (opening, changes.len());
             let settles = changes.is_empty() && residual <= CONVERGED * self.scale(&guess.opening);
             // of a law that is curved one step more has all digits
@@ -128,7 +140,29 @@ impl Solver<'_> {
                 guess.closed[k] = !guess.closed[k];
             }
         }
-        Err(AssemblyError::NoConvergence { iterations: limit, changing, points: self.points.len(), residual })
+        let interface = self.interface_of(last);
+        let (points, place) = (self.points.len(), self.points[last].point.place);
+        Err(AssemblyError::NoConvergence { iterations: limit, changing, points, residual, interface, place })
+    }
+
+    /// The name of a point's interface.
+    pub(super) fn interface_of(&self, k: usize) -> String {
+        self.assembly.interfaces[self.points[k].interface].name.clone()
+    }
+
+    /// That all points are open, by that which comes nearest where they are opened so far; `is_held` where something else than contacts holds the bodies.
+    pub(super) fn nothing_closes(&self, opening: &[f64], is_held: bool) -> AssemblyError {
+        let gap = |k: &usize| self.points[*k].point.gap + opening[*k];
+        let nearest = (0..self.points.len()).min_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(0);
+        let point = self.points[nearest].point;
+        AssemblyError::NothingCloses {
+            interface: self.interface_of(nearest),
+            place: point.place,
+            gap: point.gap,
+            normal: point.normal,
+            opened: opening[nearest],
+            is_held,
+        }
     }
 
     /// Whether a contact carries a force, or something else holds the bodies.
@@ -152,7 +186,7 @@ impl Solver<'_> {
     pub(super) fn affine(&self, k: usize, guess: &Guess) -> AffinePoint {
         let point = &self.points[k];
         if let InterfaceLaw::Rigid(friction) = point.law {
-            let coefficient = friction.at(point.frame.speed).coefficient;
+            let coefficient = self.friction * friction.at(point.frame.speed).coefficient;
             return match guess.closed[k] {
                 true => AffinePoint {
                     opening: Affine { slope: 0.0, offset: -point.point.gap },
@@ -172,7 +206,7 @@ impl Solver<'_> {
         AffinePoint {
             opening: Affine::UNKNOWN,
             normal: tangent(forces.normal.value, forces.normal.by_closure),
-            friction: tangent(forces.friction.value, forces.friction.by_closure),
+            friction: tangent(forces.friction.value, forces.friction.by_closure).scaled(self.friction),
         }
     }
 
@@ -240,19 +274,18 @@ impl Solver<'_> {
             }
             _ => {
                 let forces = self.points[k].forces_at(opening);
-                Carried { normal: forces.normal.value, friction: forces.friction.value }
+                Carried { normal: forces.normal.value, friction: self.friction * forces.friction.value }
             }
         }
     }
 
-    /// How far the equations of the points are off, in m.
-    fn residual(&self, opening: &[f64], carried: &[Carried]) -> f64 {
+    /// How far the equations of each point are off, in m.
+    fn off(&self, opening: &[f64], carried: &[Carried]) -> Vec<f64> {
         let Compliance { of_load, spring, .. } = self.compliance;
         let forces: (Vec<f64>, Vec<f64>) =
             carried.iter().zip(opening).map(|(own, y)| (own.normal + spring * y, own.friction)).unzip();
         let moved = self.moved(&forces.0, &forces.1);
-        let off = |i: usize| (opening[i] - of_load[i] - moved[i]).abs();
-        (0..opening.len()).map(off).fold(0.0, f64::max)
+        (0..opening.len()).map(|i| (opening[i] - of_load[i] - moved[i]).abs()).collect()
     }
 
     /// S_nn N + S_nt T, column by column as they lie in memory.
@@ -269,7 +302,7 @@ impl Solver<'_> {
     }
 
     /// What openings are measured by, in m: with the springs the forces of all points move each.
-    fn scale(&self, opening: &[f64]) -> f64 {
+    pub(super) fn scale(&self, opening: &[f64]) -> f64 {
         let all = opening.iter().chain(&self.compliance.of_load).map(|y| y.abs());
         all.chain(self.points.iter().map(|point| point.point.gap.abs())).fold(f64::MIN_POSITIVE, f64::max)
     }

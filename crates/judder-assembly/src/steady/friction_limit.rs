@@ -24,7 +24,7 @@ pub enum FrictionLimit {
 }
 
 /// Contact points up to which the dense eigenvalues are computed.
-const LARGEST: usize = 600;
+pub(super) const LARGEST: usize = 600;
 /// An eigenvalue is real where its imaginary part is below so much of its size.
 const REAL: f64 = 1e-8;
 /// What pushes on by less than so much of what resists does so by rounding.

@@ -4,11 +4,13 @@ mod block;
 mod uniqueness;
 
 use crate::common::{dense, diagonal, point_on_plane, rigid, undamped};
+use faer::Mat;
 use judder_assembly::AssemblyError;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::linearised::{ContactTerm, Linearised, LinearisedTerms};
 use judder_assembly::steady::{FrictionLimit, PointState, SteadySliding, steady_sliding};
 use judder_assembly::work::{Worker, growth_shares};
+use judder_dense::general::solve;
 use judder_structure::complex_modes::{ComplexModeSettings, Region, complex_modes};
 
 /// ANSYS Verification Manual, VM274: a mass on a moving belt, free across the slip: friction damps it by ζ = μN/(2 v √(km)).
@@ -80,9 +82,43 @@ fn sprag_slip_begins_where_friction_presses_as_hard_as_the_contact_pushes() {
                 assert!(friction == 0.5);
             }
             // beyond it no state presses: the point neither closes nor stays open
-            Err(error) => {
-                assert!(friction == 3.0 && matches!(error, AssemblyError::NoConvergence { .. }), "{error}");
+            Err(AssemblyError::NoSteadySliding { factor, coefficient, interface, point, digs_in, .. }) => {
+                assert!(friction == 3.0 && (factor - expected).abs() < 1e-12, "{factor}");
+                assert!((coefficient.unwrap() - 1.5).abs() < 1e-12 && point == 0 && digs_in);
+                assert_eq!(interface, "sole");
             }
+            Err(error) => panic!("{error}"),
         }
     }
+}
+
+/// Two points with A = I + μ F, F = (0, −2; −2, 1/2), of which loads open the first by one and press the second: N₂ = 1/(1 + μ/2), and its friction closes the first where 2 μ = 1 + μ/2.
+/// Closed it would dig in: there is no state beyond μ = 2/3, although the forces are finite and no set of points becomes singular before.
+#[test]
+fn steady_sliding_may_end_where_a_point_closes() {
+    let friction = [[0.0, -2.0], [-2.0, 0.5]];
+    let compliance = |i: usize, j: usize| match (i / 2, j / 2) {
+        (0, 0) if i == j => 1.0,
+        (1, 1) if i == j => 10.0,
+        (0, 1) | (1, 0) => friction[i % 2][j % 2],
+        _ => 0.0,
+    };
+    let mut stiffness = Mat::from_fn(4, 4, |i, j| if i == j { 1.0 } else { 0.0 });
+    solve(Mat::from_fn(4, 4, compliance), &mut stiffness).unwrap();
+    let rows: Vec<Vec<f64>> = (0..4).map(|i| (0..4).map(|j| stiffness[(i, j)]).collect()).collect();
+    let load: Vec<f64> = rows.iter().map(|row| row[0] - row[1]).collect();
+    let matrix = dense(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>());
+    let points = [0, 1].map(|k| point_on_plane([Some(2 + k), Some(k), None], [1.0, 0.0, 0.0]));
+    let with = |friction: f64| {
+        let sole = rigid(points.to_vec(), friction);
+        let assembly = undamped(diagonal(&[1.0; 4]), matrix.clone(), load.clone(), vec![sole]);
+        steady_sliding(&assembly, &Compliance::new(&assembly).unwrap())
+    };
+    let closed = |steady: SteadySliding| steady.points.iter().map(|point| point.is_closed).collect::<Vec<_>>();
+    assert_eq!(closed(with(0.66).unwrap()), [false, true]);
+    let Err(AssemblyError::NoSteadySliding { factor, coefficient, point, digs_in, .. }) = with(0.8) else {
+        panic!("there is a state")
+    };
+    assert!((factor - 2.0 / 2.4).abs() < 1e-8, "{factor}");
+    assert!((coefficient.unwrap() - 2.0 / 3.0).abs() < 1e-8 && point == 0 && !digs_in);
 }

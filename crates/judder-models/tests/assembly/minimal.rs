@@ -104,6 +104,30 @@ fn a_leaning_strut_digs_in() {
     assert_eq!(steady["uniqueness"], "unique-for-these-loads");
 }
 
+/// Why the analysis of a case has no result, and whether the input is to blame.
+fn failed(file: &CaseFile) -> (String, bool) {
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), file, &[]);
+    match &report.refused[..] {
+        [refused] => (refused.error.to_string(), true),
+        _ => (report.messages.join("; "), false),
+    }
+}
+
+/// Beyond cot ϑ friction is to blame and named; a load that pulls is to blame whatever the friction.
+#[test]
+fn a_strut_that_has_dug_in_and_one_that_is_pulled_off_say_so() {
+    let (message, is_wrong_input) =
+        failed(&case("assembly/sprag-slip.toml", &["contact.surface.friction_coefficient=0.7"]));
+    let expected = "steady sliding ends at 0.824786 times the friction coefficients, a coefficient of 0.57735, \
+        where the contact point of `surface` at (0, 0, 0) m (point 0, counted from 0) digs in";
+    assert!(message.contains(expected) && !is_wrong_input, "{message}");
+    let (message, is_wrong_input) = failed(&case("assembly/sprag-slip.toml", &["load.0.force=\"10 N\""]));
+    let expected = "at the nearest, of `surface` at (0, 0, 0) m with a gap of 0 m between the undeformed bodies and the normal (0, 1, 0), \
+        the loads push the slider along that normal, off the track";
+    assert!(message.contains(expected) && is_wrong_input, "{message}");
+}
+
 /// An assembly of one body whose matrices stand in the case, and which touches nothing.
 fn asked(parameters: &str, matrices: &str, analyses: &str) -> CaseFile {
     let text = format!(

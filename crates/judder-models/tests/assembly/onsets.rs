@@ -49,6 +49,8 @@ fn onsets_beside_a_value_without_steady_sliding_are_in_doubt() {
     let [doubt] = &doubts.as_array().unwrap()[..] else { panic!("{doubts}") };
     assert_eq!((number(&doubt["from"]), number(&doubt["to"])), (0.5, 0.7));
     assert_eq!(doubt["reason"], "there is no solution at 0.7");
+    let failure = &report.summary.results["sweep"]["failures"][0];
+    assert!(failure["reason"].as_str().unwrap().contains(", a coefficient of 0.57735, where the contact point of `surface`"), "{failure}");
 }
 
 /// Whether the run of an analysis that is stopped at a look ends so, how often it looked, and what steps are left.

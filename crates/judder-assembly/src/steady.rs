@@ -16,11 +16,11 @@ use crate::error::check_length;
 use crate::interface::FramedPoint;
 use active_set::{FoundContacts, Solver};
 use faer::sparse::Triplet;
-pub(crate) use friction_limit::first_singular;
 use friction_limit::friction_limit;
+pub(crate) use friction_limit::{GrowingFriction, Singular, first_singular};
 use lost::followed;
 
-pub use friction_limit::FrictionLimit;
+pub use friction_limit::{FrictionAmount, FrictionLimit};
 
 /// An assembly in steady sliding.
 #[derive(Debug, Clone, PartialEq)]

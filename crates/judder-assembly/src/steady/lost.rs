@@ -1,7 +1,7 @@
 //! Steady sliding as friction grows from nothing, and where it ends.
 
 use super::active_set::{FoundContacts, Guess, Solver};
-use super::friction_limit::{FrictionLimit, LARGEST, friction_limit};
+use super::friction_limit::{GrowingFriction, LARGEST, Singular, singular_friction};
 use crate::AssemblyError;
 use crate::interface::InterfaceLaw;
 
@@ -13,8 +13,8 @@ const STEPS: usize = 200;
 const PRECISION: f64 = 1e-9;
 /// and to so much where there are too many points for their eigenvalues.
 const COARSE: f64 = 1e-3;
-/// Beside a limit of the closed points states are looked at with so much less friction, and more.
-const BESIDE: f64 = 1e-7;
+/// Beside a limit of the closed points states are looked at with so much less friction, and more: nearer to it forces without bound leave few digits.
+const BESIDE: f64 = 1e-3;
 
 /// Steady sliding with the friction of `full`, followed from that without friction.
 ///
@@ -26,8 +26,9 @@ pub(super) fn followed(full: &Solver<'_>) -> Result<FoundContacts, AssemblyError
     if !(0..full.points.len()).any(|k| frictionless.is_closed(k, &last.guess)) {
         return Err(frictionless.nothing_closes(&last.guess.opening, true));
     }
-    let (force, limit) = (largest_force(&last), friction_limit(full, &last.guess));
-    let mut following = Following { full, iterations: last.iterations, last, low: 0.0, limit };
+    let growing = GrowingFriction::of(full.points);
+    let (force, limit) = (largest_force(&last), singular_friction(full, &last.guess, &growing));
+    let mut following = Following { full, growing, iterations: last.iterations, last, low: 0.0, limit };
     match following.tried(1.0) {
         Some(found) => Ok(found),
         None => Err(following.end(force)),
@@ -37,11 +38,12 @@ pub(super) fn followed(full: &Solver<'_>) -> Result<FoundContacts, AssemblyError
 /// A state with less friction than asked for.
 struct Following<'a> {
     full: &'a Solver<'a>,
+    growing: GrowingFriction,
     last: FoundContacts,
     /// Its friction, by what all forces are multiplied.
     low: f64,
     /// The limit of the points that are closed there.
-    limit: FrictionLimit,
+    limit: Singular,
     iterations: usize,
 }
 
@@ -61,7 +63,7 @@ impl Following<'_> {
         };
         let is_curved = self.full.points.iter().any(|point| !matches!(point.law, InterfaceLaw::Rigid(_)));
         if is_curved || closed(&found.guess) != closed(&self.last.guess) {
-            self.limit = friction_limit(self.full, &found.guess);
+            self.limit = singular_friction(self.full, &found.guess, &self.growing);
         }
         (self.low, self.last) = (friction, found);
     }
@@ -77,22 +79,21 @@ impl Following<'_> {
             }
             let middle = 0.5 * (self.low + high);
             match self.limit {
-                FrictionLimit::At { factor, point } if factor > self.low && factor < high => {
-                    let (before, beyond) =
-                        (self.tried(factor * (1.0 - BESIDE)), self.tried(factor * (1.0 + BESIDE)));
-                    match (before, beyond) {
-                        (_, Some(beyond)) => self.advance(factor * (1.0 + BESIDE), beyond),
-                        (Some(before), None) if before.guess.closed == self.last.guess.closed => {
-                            return ends(full, factor, point, true);
-                        }
-                        _ => self.halve(middle, &mut high),
+                Singular::At { size: factor, row: point } if factor > self.low && factor < high => {
+                    let (less, more) = (factor * (1.0 - BESIDE), factor * (1.0 + BESIDE));
+                    let reaches = less <= self.low
+                        || self.tried(less).is_some_and(|own| own.guess.closed == self.last.guess.closed);
+                    match self.tried(more).filter(|_| more < high) {
+                        Some(beyond) => self.advance(more, beyond),
+                        None if reaches => return ends(full, factor, point, true),
+                        None => self.halve(middle, &mut high),
                     }
                 }
                 _ => self.halve(middle, &mut high),
             }
         }
         match self.limit {
-            FrictionLimit::At { factor, point } if factor < high * (1.0 + COARSE) => {
+            Singular::At { size, row: point } if size < high * (1.0 + COARSE) => {
                 ends(full, high, point, true)
             }
             _ => {

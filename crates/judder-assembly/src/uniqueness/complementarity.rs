@@ -5,7 +5,7 @@ use crate::assembly::Assembly;
 use crate::compliance::{Compliance, rigid_motions};
 use crate::interface::{FramedPoint, InterfaceLaw};
 use crate::pressure::Pressure;
-use crate::steady::SteadySliding;
+use crate::steady::{GrowingFriction, SteadySliding};
 use faer::Mat;
 use judder_dense::general::solve;
 use judder_dense::symmetric::negative_eigenvalues;
@@ -26,7 +26,7 @@ pub(super) struct Complementarity {
     /// Whether the pressure of some point is no multiple of its closure: then it is that of a table, which rises, and its compliance is
     /// left out of Q. A state is still the only one where A is a P-matrix, but sets cannot be tried, and where A is singular means nothing.
     pub(super) is_curved: bool,
-    /// M⁻¹ S_nn + k⁻¹ and M⁻¹ S_nt μ, where M is regular.
+    /// M⁻¹ S_nn + k⁻¹ and M⁻¹ S_nt μ, where M is regular; of contact without friction μ is one.
     pub(super) parts: Option<[Mat<f64>; 2]>,
 }
 
@@ -102,7 +102,9 @@ impl Complementarity {
             let mut normal = of_normal.clone();
             solve(opened.clone(), &mut normal)?;
             (0..count).for_each(|k| normal[(k, k)] += yielding[k]);
-            let mut friction = Mat::from_fn(count, count, |i, j| of_slip[(i, j)] * coefficients[j]);
+            let growing = GrowingFriction::of(points);
+            let friction = |i: usize, j: usize| of_slip[(i, j)] * growing.coefficient(coefficients[j]);
+            let mut friction = Mat::from_fn(count, count, friction);
             solve(opened.clone(), &mut friction)?;
             Some([normal, friction])
         };

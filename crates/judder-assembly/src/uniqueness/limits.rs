@@ -4,15 +4,15 @@ use super::are_few;
 use super::complementarity::{Complementarity, PIVOTED, is_definite};
 use crate::assembly::Assembly;
 use crate::interface::{FramedPoint, InterfaceLaw};
-use crate::steady::{FrictionLimit, SteadySliding, first_singular};
+use crate::steady::{FrictionAmount, GrowingFriction, Singular, SteadySliding, first_singular};
 use faer::Mat;
 use judder_structure::factor::SymmetricFactor;
 
 /// Where something begins as all friction coefficients grow alike.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrictionOnset {
-    /// By what they are multiplied.
-    pub factor: f64,
+    /// How much there is.
+    pub friction: FrictionAmount,
     /// The point where it begins, in the order of all interfaces.
     pub point: usize,
 }
@@ -49,6 +49,8 @@ impl FrictionOnsets {
         steady: &SteadySliding,
     ) -> Self {
         let closed = |k: &usize| steady.points[*k].is_closed;
+        let growing = GrowingFriction::of(points);
+        let told = |own: PointOnset| FrictionOnset { friction: growing.amount(own.size), point: own.point };
         let mut onsets = Self::default();
         if let Some(problem) = problem
             && let Some(parts) = &problem.parts
@@ -59,36 +61,42 @@ impl FrictionOnsets {
             if (0..points.len()).filter(closed).all(|k| normal[(k, k)] > 0.0) {
                 onsets.one_point_known = true;
                 let own = |k: usize| onset(normal[(k, k)], friction[(k, k)], k);
-                onsets.one_point = first((0..points.len()).filter(closed).filter_map(own));
+                onsets.one_point = first((0..points.len()).filter(closed).filter_map(own)).map(told);
             }
             if are_few(problem.free().len(), points.len(), SETS, SETS_WORK)
                 && let Some(found) = any_set(problem, parts)
             {
                 onsets.all_sets_known = true;
-                onsets.any_set = first(found.into_iter());
+                onsets.any_set = first(found.into_iter()).map(told);
             }
         }
-        if let Some(found) = inertia(assembly, points, &closed) {
+        if let Some(found) = inertia(assembly, points, &closed, &growing) {
             onsets.inertia_known = true;
-            onsets.one_point_inertia = first(found.into_iter());
+            onsets.one_point_inertia = first(found.into_iter()).map(told);
         }
         onsets
     }
 }
 
-/// Where a + s b, positive without friction, comes to zero.
-fn onset(resists: f64, pushes: f64, point: usize) -> Option<FrictionOnset> {
-    let comes = resists > 0.0 && pushes < -ROUNDING * resists;
-    comes.then(|| FrictionOnset { factor: -resists / pushes, point })
+/// Where something begins as the friction of unit size grows to so many times itself.
+struct PointOnset {
+    size: f64,
+    point: usize,
 }
 
-fn first(onsets: impl Iterator<Item = FrictionOnset>) -> Option<FrictionOnset> {
-    onsets.min_by(|a, b| a.factor.total_cmp(&b.factor))
+/// Where a + s b, positive without friction, comes to zero.
+fn onset(resists: f64, pushes: f64, point: usize) -> Option<PointOnset> {
+    let comes = resists > 0.0 && pushes < -ROUNDING * resists;
+    comes.then(|| PointOnset { size: -resists / pushes, point })
+}
+
+fn first(onsets: impl Iterator<Item = PointOnset>) -> Option<PointOnset> {
+    onsets.min_by(|a, b| a.size.total_cmp(&b.size))
 }
 
 /// With how much friction the equations of the sets of closed points are singular, and the point of each that moves most; `None` where that
 /// is not known of one of them, or without friction there is not one state for all loads.
-fn any_set(problem: &Complementarity, [normal, friction]: &[Mat<f64>; 2]) -> Option<Vec<FrictionOnset>> {
+fn any_set(problem: &Complementarity, [normal, friction]: &[Mat<f64>; 2]) -> Option<Vec<PointOnset>> {
     let scale = |i: usize, j: usize| (normal[(i, i)] * normal[(j, j)]).sqrt();
     let scaled = Mat::from_fn(normal.nrows(), normal.nrows(), |i, j| normal[(i, j)] / scale(i, j));
     let is_positive = (0..normal.nrows()).all(|k| normal[(k, k)] > 0.0);
@@ -105,9 +113,9 @@ fn any_set(problem: &Complementarity, [normal, friction]: &[Mat<f64>; 2]) -> Opt
         }
         let part = |of: &Mat<f64>| Mat::from_fn(set.len(), set.len(), |i, j| of[(set[i], set[j])]);
         match first_singular(&part(normal), &part(friction)) {
-            FrictionLimit::At { factor, point } => found.push(FrictionOnset { factor, point: set[point] }),
-            FrictionLimit::None => {}
-            FrictionLimit::Unknown => return None,
+            Singular::At { size, row } => found.push(PointOnset { size, point: set[row] }),
+            Singular::None => {}
+            Singular::Unknown => return None,
         }
     }
     Some(found)
@@ -118,7 +126,8 @@ fn inertia(
     assembly: &Assembly,
     points: &[FramedPoint<'_>],
     closed: &dyn Fn(&usize) -> bool,
-) -> Option<Vec<FrictionOnset>> {
+    growing: &GrowingFriction,
+) -> Option<Vec<PointOnset>> {
     let factor = SymmetricFactor::new(&assembly.mass).ok()?;
     if factor.negative_eigenvalues() > 0 {
         return None;
@@ -140,7 +149,8 @@ fn inertia(
         if !is_known {
             return None;
         }
-        found.extend(onset(along, friction.at(frame.speed).coefficient * across, k));
+        let coefficient = growing.coefficient(friction.at(frame.speed).coefficient);
+        found.extend(onset(along, coefficient * across, k));
     }
     Some(found)
 }

@@ -77,7 +77,10 @@ fn sprag_slip_begins_where_friction_presses_as_hard_as_the_contact_pushes() {
         let steady = steady_sliding(&assembly, &Compliance::new(&assembly).unwrap());
         match steady {
             Ok(steady) => {
-                let FrictionLimit::At { factor, point } = steady.friction_limit else { panic!("{steady:?}") };
+                let FrictionLimit::At { friction: amount, point } = steady.friction_limit else {
+                    panic!("{steady:?}")
+                };
+                let factor = amount.factor().unwrap();
                 assert!(point == 0 && (factor - expected).abs() < 1e-12, "{factor}");
                 assert!(friction == 0.5);
             }

@@ -6,7 +6,7 @@ use judder_assembly::compliance::Compliance;
 use judder_assembly::friction::Friction;
 use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::pressure::{Pressure, PressureTable};
-use judder_assembly::steady::steady_sliding;
+use judder_assembly::steady::{FrictionAmount, steady_sliding};
 use judder_assembly::uniqueness::{Uniqueness, UniquenessProof, UniquenessVerdict, uniqueness};
 use judder_structure::assembly::Sparse;
 
@@ -28,14 +28,25 @@ fn one_point_digs_in_by_its_stiffness_and_locks_by_its_inertia() {
     assert_eq!(verdict, UniquenessVerdict::Unique(UniquenessProof::Minors));
     let near = |found: Option<judder_assembly::uniqueness::FrictionOnset>, coefficient: f64| {
         let found = found.unwrap();
-        assert!(found.point == 0 && (friction * found.factor - coefficient).abs() < 1e-12, "{found:?}");
+        assert!(
+            found.point == 0 && (friction * found.friction.factor().unwrap() - coefficient).abs() < 1e-12,
+            "{found:?}"
+        );
     };
     near(onsets.one_point, 1.5);
     near(onsets.any_set, 1.5);
     near(onsets.one_point_inertia, 4.0);
     assert!(onsets.one_point_known && onsets.all_sets_known && onsets.inertia_known);
-    // on a spring it digs in later, and does not lock at once
     let mut assembly = assembly;
+    // without friction no factor makes any: it is a coefficient that is told
+    assembly.interfaces[0].law = InterfaceLaw::Rigid(Friction::Constant(0.0));
+    let onsets = told(&assembly).onsets;
+    let found = [onsets.one_point, onsets.any_set, onsets.one_point_inertia].map(|own| own.unwrap().friction);
+    for (found, expected) in found.into_iter().zip([1.5, 1.5, 4.0]) {
+        let FrictionAmount::Coefficient(own) = found else { panic!("{found:?}") };
+        assert!((own - expected).abs() < 1e-12, "{own}");
+    }
+    // on a spring it digs in later, and does not lock at once
     let law = Pressure::PointStiffness(11.0);
     assembly.interfaces[0].law = InterfaceLaw::Compliant(law, Friction::Constant(friction));
     let onsets = told(&assembly).onsets;
@@ -61,7 +72,7 @@ fn two_points(friction: f64, sign: f64, law: Option<Pressure>) -> Assembly {
 fn two_points_that_press_each_other_apart_have_three_states() {
     let below = told(&two_points(0.8, 1.0, None));
     assert_eq!(below.verdict, UniquenessVerdict::Unique(UniquenessProof::Minors));
-    assert!((0.8 * below.onsets.any_set.unwrap().factor - 1.0).abs() < 1e-12);
+    assert!((0.8 * below.onsets.any_set.unwrap().friction.factor().unwrap() - 1.0).abs() < 1e-12);
     assert_eq!((below.onsets.one_point, below.onsets.one_point_inertia), (None, None));
     let beyond = told(&two_points(1.5, 1.0, None));
     let UniquenessVerdict::Several { states, other } = beyond.verdict else { panic!("{beyond:?}") };
@@ -70,7 +81,7 @@ fn two_points_that_press_each_other_apart_have_three_states() {
     let soft = |stiffness: f64| told(&two_points(1.5, 1.0, Some(Pressure::PointStiffness(stiffness))));
     let [more, less] = [soft(1.0), soft(4.0)];
     assert_eq!(more.verdict, UniquenessVerdict::Unique(UniquenessProof::Minors));
-    assert!((1.5 * more.onsets.any_set.unwrap().factor - 2.0).abs() < 1e-12);
+    assert!((1.5 * more.onsets.any_set.unwrap().friction.factor().unwrap() - 2.0).abs() < 1e-12);
     assert!(matches!(less.verdict, UniquenessVerdict::Several { states: 3, .. }), "{less:?}");
     // those springs as a table: of it the compliance is not in A, and nothing is said where that ends; springs let no point lock at once
     let table = PressureTable { closure: vec![0.0, 1.0], pressure: vec![0.0, 4.0] };

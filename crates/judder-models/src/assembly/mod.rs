@@ -24,7 +24,9 @@ use crate::material::with_used;
 use build::BuiltAssembly;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::interface::InterfaceLaw;
-use judder_assembly::steady::{FrictionLimit, PointState, SteadySliding, steady_sliding as slide};
+use judder_assembly::steady::{
+    FrictionAmount, FrictionLimit, PointState, SteadySliding, steady_sliding as slide,
+};
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
 use judder_study::case::analysis::{Kinds, Planned};
@@ -96,7 +98,7 @@ impl AssemblySubject<'_> {
     fn doubts(&self, steady: &SteadySliding) -> Vec<String> {
         let interfaces = &self.built.assembly.interfaces;
         let mut doubts = Vec::new();
-        if let FrictionLimit::At { factor, point } = steady.friction_limit
+        if let FrictionLimit::At { friction: FrictionAmount::Factor(factor), point } = steady.friction_limit
             && factor <= 1.0
             && let Some((interface, at)) =
                 interfaces.iter().flat_map(|own| own.points.iter().map(move |point| (own, point))).nth(point)

@@ -104,6 +104,22 @@ fn a_leaning_strut_digs_in() {
     assert_eq!(steady["uniqueness"], "unique-for-these-loads");
 }
 
+/// Of a strut without friction nothing is certified that friction would end: it says with which coefficient.
+#[test]
+fn a_strut_without_friction_says_with_which_it_would_dig_in() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = case("assembly/sprag-slip.toml", &["contact.surface.friction_coefficient=0"]);
+    let report = run_into(folder.path(), &file, &[]);
+    assert!(report.complete && report.messages.is_empty(), "{:?}", report.messages);
+    let steady = &report.summary.results["steady"];
+    assert!(steady["friction_limit"].is_null() && steady["friction_limit_known"] == false);
+    let begins = &steady["friction_onsets"]["closed-points"];
+    assert!((number(&begins["friction_coefficient"]) - 3_f64.sqrt().recip()).abs() < 1e-10, "{begins}");
+    assert!(begins["factor"].is_null() && begins["known"] == true, "{begins}");
+    let page = std::fs::read_to_string(report.report.unwrap()).unwrap();
+    assert!(page.contains("there is no friction"));
+}
+
 /// Why the analysis of a case has no result, and whether the input is to blame.
 fn failed(file: &CaseFile) -> (String, bool) {
     let folder = tempfile::tempdir().unwrap();

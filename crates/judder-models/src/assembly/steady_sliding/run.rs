@@ -28,9 +28,9 @@ pub(super) struct SteadyResults {
     /// linear systems that were solved
     iterations: usize,
     /// by what all friction coefficients are multiplied where the equations of the points that are closed become singular, the `factor` of
-    /// `closed-points` of `friction_onsets`; none where that is for no friction coefficient, or not known
+    /// `closed-points` of `friction_onsets`; none where that is for no friction coefficient, or not known, and of contacts without friction
     friction_limit: Option<f64>,
-    /// whether that was looked for
+    /// whether that is known; not of contacts without friction, of which `friction_onsets` tells coefficients
     friction_limit_known: bool,
     /// what of bodies that turn is left out, in words
     left_out: Vec<String>,
@@ -208,13 +208,15 @@ fn results(
         contacts.push((interface.name.clone(), ContactSums::new(&own)));
         rows.extend(own.iter().map(|(point, state)| PointRow::new(&interface.name, point, state)));
     }
-    let (closed_points_begin, friction_limit_known) = of_closed_points(steady);
+    let (closed_points_begin, is_known) = of_closed_points(steady);
+    let factor = closed_points_begin.map(|onset| onset.friction.factor());
     SteadyResults {
         converged: steady.residual <= IMBALANCE,
         residual: steady.residual,
         iterations: steady.iterations,
-        friction_limit: closed_points_begin.map(|onset| onset.factor),
-        friction_limit_known,
+        friction_limit: factor.flatten(),
+        // a coefficient is no factor
+        friction_limit_known: is_known && factor != Some(None),
         left_out: of.built.left_out.clone(),
         interface_modes_error,
         contacts: contacts.into_iter().collect(),

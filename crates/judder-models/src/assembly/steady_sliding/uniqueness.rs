@@ -5,7 +5,7 @@ use crate::error::ModelError;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::contact_point::ContactPoint;
 use judder_assembly::interface::{Interface, InterfaceLaw};
-use judder_assembly::steady::{FrictionLimit, SteadySliding};
+use judder_assembly::steady::{FrictionAmount, FrictionLimit, SteadySliding};
 use judder_assembly::uniqueness::{
     FrictionOnset, Uniqueness, UniquenessProof, UniquenessVerdict, uniqueness,
 };
@@ -32,9 +32,9 @@ pub(super) struct ToldUniqueness {
 pub(super) struct ToldFrictionOnset {
     /// whether it was looked for
     known: bool,
-    /// by what the friction coefficients are multiplied; none where that is for no friction coefficient, or not known
+    /// by what the friction coefficients are multiplied; none where that is for no friction coefficient, or not known, and of contacts without friction
     factor: Option<f64>,
-    /// the friction coefficient of the point where it begins
+    /// the friction coefficient of the point where it begins; of contacts without friction that which all of them would have
     friction_coefficient: Option<f64>,
     /// its contact
     contact: Option<String>,
@@ -93,7 +93,7 @@ impl ToldUniqueness {
 /// Where the closed points begin to move without a change of force, and whether that was looked for.
 pub(super) fn of_closed_points(steady: &SteadySliding) -> (Option<FrictionOnset>, bool) {
     match steady.friction_limit {
-        FrictionLimit::At { factor, point } => (Some(FrictionOnset { factor, point }), true),
+        FrictionLimit::At { friction, point } => (Some(FrictionOnset { friction, point }), true),
         FrictionLimit::None => (None, true),
         FrictionLimit::Unknown => (None, false),
     }
@@ -125,10 +125,10 @@ fn several(
         format!(", and the point of `{}` at {} m {does}", interface.name, coordinates(&point.place))
     });
     let remedy = match any_set {
-        Some(FrictionOnset { factor, .. }) => {
+        Some(FrictionOnset { friction: FrictionAmount::Factor(factor), .. }) => {
             format!("below {factor:.6} times the friction coefficients there is one state alone")
         }
-        None => "with less friction there may be one alone".to_owned(),
+        _ => "with less friction there may be one alone".to_owned(),
     };
     format!(
         "there are {states} states of steady sliding under these loads: in another one {} of {count} contact points are closed{at}; {remedy}",
@@ -147,11 +147,15 @@ impl ToldFrictionOnset {
             let speed = point.slip_velocity().iter().map(|v| v * v).sum::<f64>().sqrt();
             Some(friction.at(speed).coefficient)
         });
-        let factor = onset.map(|onset| onset.factor);
+        let friction_coefficient = match onset.map(|onset| onset.friction) {
+            Some(FrictionAmount::Factor(factor)) => coefficient.map(|own| factor * own),
+            Some(FrictionAmount::Coefficient(own)) => Some(own),
+            None => None,
+        };
         Self {
             known,
-            factor,
-            friction_coefficient: factor.zip(coefficient).map(|(factor, own)| factor * own),
+            factor: onset.and_then(|onset| onset.friction.factor()),
+            friction_coefficient,
             contact: at.map(|(interface, _)| interface.name.clone()),
             place: at.map(|(_, point)| point.place.to_vec()),
         }
@@ -180,10 +184,13 @@ pub(super) fn table(results: &Map<String, Value>) -> Option<PageTable> {
     };
     let row = |(name, what): (&str, &str)| {
         let told = onsets.get(name)?;
-        let numbers = match (&told["factor"], &told["known"]) {
-            (Value::Null, Value::Bool(true)) => ["for no friction coefficient".to_owned(), String::new()],
-            (Value::Null, _) => ["not known".to_owned(), String::new()],
-            (factor, _) => [short(factor), short(&told["friction_coefficient"])],
+        let numbers = match (&told["factor"], &told["friction_coefficient"], &told["known"]) {
+            (Value::Null, Value::Null, Value::Bool(true)) => {
+                ["for no friction coefficient".to_owned(), String::new()]
+            }
+            (Value::Null, Value::Null, _) => ["not known".to_owned(), String::new()],
+            (Value::Null, coefficient, _) => ["there is no friction".to_owned(), short(coefficient)],
+            (factor, coefficient, _) => [short(factor), short(coefficient)],
         };
         let place = told["place"].as_array().into_iter().flatten().map(short).collect::<Vec<_>>().join(", ");
         let contact = told["contact"].as_str().unwrap_or_default().to_owned();

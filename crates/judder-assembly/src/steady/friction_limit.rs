@@ -153,3 +153,36 @@ fn singular(without: &Mat<f64>, friction: &Mat<f64>) -> Option<Singular> {
     let largest = |best: usize, k: usize| if shape[(k, 0)].abs() > shape[(best, 0)].abs() { k } else { best };
     Some(Singular::At { size, row: (0..count).fold(0, largest) })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The limit of J₀ = I and J₁ with an eigenvalue −2 that is there twice, with one vector, in turned axes; `apart` makes a pair −2 ± i √apart of it.
+    fn of_pair(angle: f64, apart: f64) -> Singular {
+        let (s, c) = angle.sin_cos();
+        let turn = [[c, -s], [s, c]];
+        let own = [[-2.0, 1e3], [-1e-3 * apart, -2.0]];
+        let entry = |i: usize, j: usize| -> f64 {
+            let sum = |k: usize| (0..2).map(|l| turn[i][k] * own[k][l] * turn[j][l]).sum::<f64>();
+            (0..2).map(sum).sum()
+        };
+        let unit = Mat::from_fn(2, 2, |i, j| if i == j { 1.0 } else { 0.0 });
+        first_singular(&unit, &Mat::from_fn(2, 2, entry))
+    }
+
+    /// Rounding parts two eigenvalues that are one by 10⁻⁷ or so, along the real axis or off it.
+    #[test]
+    fn eigenvalues_that_are_one_are_not_taken_for_a_pair() {
+        let mut unknown = 0;
+        for k in 0..100 {
+            match of_pair(0.1 + 0.03 * f64::from(k), 0.0) {
+                Singular::At { size, .. } => assert!((size - 0.5).abs() < 1e-5, "{size}"),
+                Singular::Unknown => unknown += 1,
+                Singular::None => panic!("the pair is lost at {k}"),
+            }
+        }
+        assert!(unknown > 0);
+        assert!(matches!(of_pair(0.3, 1e-6), Singular::None));
+    }
+}

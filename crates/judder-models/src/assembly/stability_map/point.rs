@@ -3,7 +3,7 @@
 use crate::assembly::swept::{SlidingState, SweptAssembly};
 use crate::error::ModelError;
 use judder_assembly::linearised::ContactTerm;
-use judder_assembly::work::{Worker, growth_shares};
+use judder_assembly::work::{GrowthShares, Worker, growth_shares};
 use judder_report::Role;
 use judder_structure::complex_modes::{ComplexMode, Verdict};
 use judder_structure::onset::StabilityAt;
@@ -17,21 +17,29 @@ pub(super) enum PointVerdict {
     Coupling,
     FallingFriction,
     SpeedCoupling,
-    OtherGrowth,
+    Structures,
     Divergence,
     Unresolved,
+    TurningNormal,
+    ConvectedSlip,
+    AcrossSlip,
+    UnknownGrowth,
 }
 
 impl PointVerdict {
-    pub(super) const ALL: [Self; 8] = [
+    pub(super) const ALL: [Self; 12] = [
         Self::Stable,
         Self::Marginal,
         Self::Coupling,
         Self::FallingFriction,
         Self::SpeedCoupling,
-        Self::OtherGrowth,
+        Self::Structures,
         Self::Divergence,
         Self::Unresolved,
+        Self::TurningNormal,
+        Self::ConvectedSlip,
+        Self::AcrossSlip,
+        Self::UnknownGrowth,
     ];
 
     /// Its code in arrays.
@@ -47,7 +55,11 @@ impl PointVerdict {
             Self::Coupling => "unstable, fed by the coupling of normal and friction forces",
             Self::FallingFriction => "unstable, fed by falling friction",
             Self::SpeedCoupling => "unstable, fed by normal forces that follow the speed",
-            Self::OtherGrowth => "unstable, fed by the structures",
+            Self::Structures => "unstable, fed by the structures",
+            Self::TurningNormal => "unstable, fed by forces that turn with the deformed track",
+            Self::ConvectedSlip => "unstable, fed by friction that follows the passing material",
+            Self::AcrossSlip => "unstable, fed by friction across the slip",
+            Self::UnknownGrowth => "unstable, what feeds it is not known",
             Self::Divergence => "divergence",
             Self::Unresolved => "not known",
         }
@@ -61,7 +73,11 @@ impl PointVerdict {
             Self::Coupling => Role::Flutter,
             Self::FallingFriction => Role::NegativeDamping,
             Self::SpeedCoupling => Role::NormalForceCoupling,
-            Self::OtherGrowth => Role::DestabilisedByDamping,
+            Self::Structures => Role::DestabilisedByDamping,
+            Self::TurningNormal => Role::Series(3),
+            Self::ConvectedSlip => Role::Series(4),
+            Self::AcrossSlip => Role::Series(5),
+            Self::UnknownGrowth => Role::UnstableZone,
             Self::Divergence => Role::Both,
             Self::Unresolved => Role::Unresolved,
         }
@@ -137,12 +153,60 @@ fn fed_by(
         return Ok(PointVerdict::Divergence);
     }
     let about = family.about(state)?;
-    let shares = growth_shares(&about, mode.eigenvalue.value, &about.expanded(&mode.right))?;
-    let largest = shares.and_then(|own| own.shares.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)));
-    Ok(match largest {
-        Some((Worker::Contact(_, ContactTerm::NormalTangentialCoupling), _)) => PointVerdict::Coupling,
-        Some((Worker::Contact(_, ContactTerm::FallingFriction), _)) => PointVerdict::FallingFriction,
-        Some((Worker::Contact(_, ContactTerm::SpeedNormalCoupling), _)) => PointVerdict::SpeedCoupling,
-        _ => PointVerdict::OtherGrowth,
-    })
+    let value = mode.eigenvalue.value;
+    Ok(PointVerdict::fed_by(growth_shares(&about, value, &about.expanded(&mode.right))?))
+}
+
+impl PointVerdict {
+    /// By what adds most to a growth rate: not known where nothing does, or where more than that is missing.
+    fn fed_by(shares: Option<GrowthShares>) -> Self {
+        let Some(GrowthShares { shares, balance }) = shares else { return Self::UnknownGrowth };
+        let largest = shares.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
+        match largest.filter(|(_, growth)| *growth > balance.abs()) {
+            Some((Worker::MaterialDamping | Worker::Circulation, _)) => Self::Structures,
+            Some((Worker::Contact(_, term), _)) => match term {
+                ContactTerm::NormalTangentialCoupling => Self::Coupling,
+                ContactTerm::FallingFriction => Self::FallingFriction,
+                ContactTerm::SpeedNormalCoupling => Self::SpeedCoupling,
+                ContactTerm::TurningNormal => Self::TurningNormal,
+                ContactTerm::ConvectedSlip => Self::ConvectedSlip,
+                ContactTerm::FrictionAcrossSlip => Self::AcrossSlip,
+                // symmetric: it does no work
+                ContactTerm::NormalStiffness => Self::UnknownGrowth,
+            },
+            // neither does what is skew
+            Some((Worker::Gyroscopic(_), _)) | None => Self::UnknownGrowth,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fed_by(shares: &[(Worker, f64)], balance: f64) -> PointVerdict {
+        PointVerdict::fed_by(Some(GrowthShares { shares: shares.to_vec(), balance }))
+    }
+
+    #[test]
+    fn growth_is_told_of_what_feeds_it_and_of_nothing_else() {
+        let damped = (Worker::MaterialDamping, -3.0);
+        for (term, expected) in [
+            (ContactTerm::NormalTangentialCoupling, PointVerdict::Coupling),
+            (ContactTerm::FallingFriction, PointVerdict::FallingFriction),
+            (ContactTerm::SpeedNormalCoupling, PointVerdict::SpeedCoupling),
+            (ContactTerm::TurningNormal, PointVerdict::TurningNormal),
+            (ContactTerm::ConvectedSlip, PointVerdict::ConvectedSlip),
+            (ContactTerm::FrictionAcrossSlip, PointVerdict::AcrossSlip),
+        ] {
+            assert_eq!(fed_by(&[damped, (Worker::Contact(0, term), 5.0)], 1e-9), expected);
+        }
+        assert_eq!(fed_by(&[(Worker::Circulation, 2.0)], 0.0), PointVerdict::Structures);
+        // of a mode without energy, and of one whose shares are its error
+        assert_eq!(PointVerdict::fed_by(None), PointVerdict::UnknownGrowth);
+        assert_eq!(fed_by(&[(Worker::Circulation, 2.0)], 3.0), PointVerdict::UnknownGrowth);
+        assert_eq!(fed_by(&[damped], 4.0), PointVerdict::UnknownGrowth);
+        let codes = PointVerdict::ALL.map(PointVerdict::code);
+        assert!(codes.iter().enumerate().all(|(k, code)| usize::from(*code) == k));
+    }
 }

@@ -13,6 +13,7 @@ use crate::AssemblyError;
 use crate::assembly::{Assembly, from_triplets, is_symmetric, sum, symmetric_part};
 use crate::compliance::outer;
 use crate::error::check_length;
+use crate::friction::FrictionAt;
 use crate::interface::{ForceAt, FramedPoint, InterfaceLaw, PointForces};
 use crate::null_basis::NullBasis;
 use crate::row::Row;
@@ -214,18 +215,21 @@ struct ClosedPoint<'a> {
 
 impl<'a> ClosedPoint<'a> {
     fn new(framed: &'a FramedPoint<'a>, opening: f64, normal_force: f64) -> Self {
-        let InterfaceLaw::Rigid(friction) = framed.law else {
-            return Self { framed, friction: 0.0, forces: framed.forces_at(opening) };
-        };
-        let friction = friction.at(framed.frame.speed);
         let fixed = |value: f64, by_speed: f64| ForceAt { value, by_closure: 0.0, by_speed };
-        // a point that is held closed and pulls has no friction that follows the slip
-        let normal_force = normal_force.max(0.0);
-        let forces = PointForces {
-            normal: fixed(normal_force, 0.0),
-            friction: fixed(friction.coefficient * normal_force, friction.slope * normal_force),
+        let (friction, mut forces) = match framed.law {
+            InterfaceLaw::Rigid(friction) => {
+                let FrictionAt { coefficient, slope } = friction.at(framed.frame.speed);
+                let friction = fixed(coefficient * normal_force, slope * normal_force);
+                (coefficient, PointForces { normal: fixed(normal_force, 0.0), friction })
+            }
+            InterfaceLaw::Compliant(..) | InterfaceLaw::Asperity(_) => (0.0, framed.forces_at(opening)),
         };
-        Self { framed, friction: friction.coefficient, forces }
+        // a point that is held closed and pulls has no friction that follows the slip
+        if framed.stays_closed && forces.normal.value < 0.0 {
+            forces.normal.value = 0.0;
+            (forces.friction.value, forces.friction.by_speed) = (0.0, 0.0);
+        }
+        Self { framed, friction, forces }
     }
 
     fn is_rigid(&self) -> bool {

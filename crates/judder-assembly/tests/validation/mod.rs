@@ -7,7 +7,10 @@ use crate::common::{dense, diagonal, point_on_plane, rigid, undamped};
 use faer::Mat;
 use judder_assembly::AssemblyError;
 use judder_assembly::compliance::Compliance;
+use judder_assembly::friction::{FallingFriction, Friction};
+use judder_assembly::interface::{Interface, InterfaceLaw};
 use judder_assembly::linearised::{ContactTerm, Linearised, LinearisedTerms};
+use judder_assembly::pressure::Pressure;
 use judder_assembly::steady::{FrictionLimit, PointState, SteadySliding, steady_sliding};
 use judder_assembly::work::{Worker, growth_shares};
 use judder_dense::general::solve;
@@ -48,6 +51,31 @@ fn friction_damps_a_mass_that_swings_across_the_slip() {
     assert_eq!(short, AssemblyError::Length { name: "the freedoms of a shape", found: 1, expected: 2 });
 }
 
+/// A point that is held closed and pulls, rigid or on a spring, has the coupling of normal and friction forces, and no friction that follows speed or direction of the slip: pressed
+/// as hard it has all of them.
+#[test]
+fn a_held_point_that_pulls_has_no_friction_that_follows_the_slip() {
+    let falling = FallingFriction { at_rest: 0.4, at_speed: 0.2, decay_speed: 1.0 };
+    let friction = Friction::Falling(falling);
+    let spring = InterfaceLaw::Compliant(Pressure::PointStiffness(100.0), friction.clone());
+    let terms = |law: &InterfaceLaw, load: f64| -> Vec<ContactTerm> {
+        let point = point_on_plane([Some(0), Some(1), Some(2)], [1.0, 0.0, 0.0]);
+        let held =
+            Interface { name: "sole".to_owned(), points: vec![point], law: law.clone(), all_closed: true };
+        let assembly = undamped(diagonal(&[1.0; 3]), diagonal(&[9.0; 3]), vec![0.0, load, 0.0], vec![held]);
+        let steady = steady_sliding(&assembly, &Compliance::new(&assembly).unwrap()).unwrap();
+        assert!(steady.points[0].is_closed && steady.points[0].normal_force * load < 0.0);
+        let about = Linearised::new(&assembly, &steady, LinearisedTerms::default()).unwrap();
+        about.contacts.iter().map(|contact| contact.term).collect()
+    };
+    let follows = [ContactTerm::FallingFriction, ContactTerm::FrictionAcrossSlip];
+    let carries = [ContactTerm::NormalStiffness, ContactTerm::NormalTangentialCoupling];
+    assert_eq!(terms(&InterfaceLaw::Rigid(friction.clone()), -2.0), follows);
+    assert_eq!(terms(&InterfaceLaw::Rigid(friction), 2.0), []);
+    assert_eq!(terms(&spring, -2.0), [carries, follows].concat());
+    assert_eq!(terms(&spring, 2.0), carries);
+}
+
 /// ANSYS Verification Manual, VM29: a block that can only move vertically is pushed down an incline of 20° by 100, μ = 0.3: N = 95.942,
 /// T = 28.783.
 #[test]
@@ -85,7 +113,9 @@ fn sprag_slip_begins_where_friction_presses_as_hard_as_the_contact_pushes() {
                 assert!(friction == 0.5);
             }
             // beyond it no state presses: the point neither closes nor stays open
-            Err(AssemblyError::NoSteadySliding { factor, coefficient, interface, point, digs_in, .. }) => {
+            Err(AssemblyError::NoSteadySliding {
+                factor, coefficient, interface, point, digs_in, ..
+            }) => {
                 assert!(friction == 3.0 && (factor - expected).abs() < 1e-12, "{factor}");
                 assert!((coefficient.unwrap() - 1.5).abs() < 1e-12 && point == 0 && digs_in);
                 assert_eq!(interface, "sole");
@@ -117,7 +147,8 @@ fn steady_sliding_may_end_where_a_point_closes() {
         let assembly = undamped(diagonal(&[1.0; 4]), matrix.clone(), load.clone(), vec![sole]);
         steady_sliding(&assembly, &Compliance::new(&assembly).unwrap())
     };
-    let closed = |steady: SteadySliding| steady.points.iter().map(|point| point.is_closed).collect::<Vec<_>>();
+    let closed =
+        |steady: SteadySliding| steady.points.iter().map(|point| point.is_closed).collect::<Vec<_>>();
     assert_eq!(closed(with(0.66).unwrap()), [false, true]);
     let Err(AssemblyError::NoSteadySliding { factor, coefficient, point, digs_in, .. }) = with(0.8) else {
         panic!("there is a state")

@@ -72,14 +72,17 @@ pub enum AssemblyError {
         /// As it was given.
         normal: [f64; 3],
     },
-    /// A plane whose normal points away from the slider.
+    /// A plane whose normal does not point at the slider.
     #[error(
-        "the plane's normal {} points the wrong way: the surface of the slider looks along it and not against it; turn it round",
-        triple(.normal)
+        "the plane's normal {} points the wrong way: out of the track, towards the slider, it looks against the slider's surface, whose own normal is {} in the mean; \
+         a plane along that surface has the normal {}",
+        triple(.normal), triple(.outward), triple(&back(.outward))
     )]
     WrongNormal {
-        /// n.
+        /// n, of length one.
         normal: [f64; 3],
+        /// That of the slider's surface, out of the slider, of length one.
+        outward: [f64; 3],
     },
     /// A contact point whose structures are both held along its normal.
     #[error(
@@ -191,7 +194,7 @@ pub enum AssemblyError {
     #[error(
         "there is no steady sliding with this much friction: as it grows from nothing, steady sliding ends at {} times the friction coefficients{}, \
          where the contact point of `{interface}` at {} m (point {point}, counted from 0) {}",
-        plain(*.factor), coefficient.map(|own| format!(", a coefficient of {}", plain(own))).unwrap_or_default(), triple(.place), ends(*.digs_in)
+        plain(*.factor), of_coefficient(*.coefficient), triple(.place), ends(*.digs_in)
     )]
     NoSteadySliding {
         /// By what the friction coefficients are multiplied where steady sliding ends.
@@ -232,7 +235,17 @@ pub(crate) fn check_length(name: &'static str, found: usize, expected: usize) ->
 }
 
 fn triple(vector: &[f64; 3]) -> String {
-    format!("({}, {}, {})", plain(vector[0]), plain(vector[1]), plain(vector[2]))
+    // zero without its sign
+    let [x, y, z] = vector.map(|part| plain(part + 0.0));
+    format!("({x}, {y}, {z})")
+}
+
+fn back(vector: &[f64; 3]) -> [f64; 3] {
+    vector.map(|part| -part)
+}
+
+fn of_coefficient(coefficient: Option<f64>) -> String {
+    coefficient.map_or_else(String::new, |own| format!(", a coefficient of {}", plain(own)))
 }
 
 /// What loads do at an open point that they open by so much, in m.
@@ -247,5 +260,9 @@ fn pushed(opened: f64, is_held: bool) -> String {
 
 /// How steady sliding ends at a point.
 fn ends(digs_in: bool) -> &'static str {
-    if digs_in { "digs in, pressed on by its friction as much as it is held: sprag-slip" } else { "opens or closes, and no state goes on from there" }
+    if digs_in {
+        "digs in, pressed on by its friction as much as it is held: sprag-slip"
+    } else {
+        "opens or closes, and no state goes on from there"
+    }
 }

@@ -156,8 +156,12 @@ fn above_plane<'a>(
     (moved, displaced): ([Row; 3], Vector),
 ) -> Result<Opposite<'a>, AssemblyError> {
     let normal = unit(normal).ok_or(AssemblyError::NoNormal { normal })?;
-    if outward.values().map(|own| dot(*own, normal)).sum::<f64>() > 0.0 {
-        return Err(AssemblyError::WrongNormal { normal });
+    let mean = outward.values().fold([0.0; 3], |sum, own| along(sum, 1.0 / outward.len() as f64, *own));
+    // a surface all around has no direction; nor has a node without faces
+    if let Some(outward) = unit(mean).filter(|_| length(mean) > AGAINST)
+        && dot(outward, normal) > -AGAINST
+    {
+        return Err(AssemblyError::WrongNormal { normal, outward });
     }
     let height = move |node: &usize| dot(normal, slider.mesh.nodes[*node]);
     let foremost = nodes.iter().map(height).fold(f64::INFINITY, f64::min);
@@ -165,6 +169,9 @@ fn above_plane<'a>(
         Some(Partner { normal, gap: height(&node) - foremost, moved: moved.clone(), displaced, foot: None })
     }))
 }
+
+/// A plane looks against a surface where the cosine between their normals is below minus this.
+const AGAINST: f64 = 0.1;
 
 impl TouchingBody<'_> {
     /// The displacement of a node along x, y and z.

@@ -93,6 +93,15 @@ fn bodies_that_cannot_touch() {
             "the plane's normal (0, -1, 0) points the wrong way",
         ),
         (
+            spoilt(
+                &spoilt(BLOCK, "normal = [0, 1]", "normal = [1, 0]"),
+                "direction = [1, 0]",
+                "direction = [0, 1]",
+            ),
+            "the plane's normal (1, 0, 0) points the wrong way: out of the track, towards the slider, it looks against the slider's surface, whose own normal is \
+             (0, -1, 0) in the mean; a plane along that surface has the normal (0, 1, 0)",
+        ),
+        (
             spoilt(BLOCK, "element = \"quad4\", ", ""),
             "a surface of eight-node quadrilaterals cannot be in contact",
         ),

@@ -108,6 +108,29 @@ impl Friction {
     }
 }
 
+impl Friction {
+    /// Pieces on which it is smooth: between the speeds of a table, and beyond.
+    pub(crate) fn pieces(&self) -> usize {
+        match self {
+            Self::Constant(_) | Self::Falling(_) => 1,
+            Self::Table(FrictionTable { velocity, .. }) => velocity.len() + 1,
+        }
+    }
+
+    /// The number of that at a slip speed in m/s.
+    pub(crate) fn piece(&self, speed: f64) -> usize {
+        match self {
+            Self::Constant(_) | Self::Falling(_) => 0,
+            Self::Table(FrictionTable { velocity, .. }) => piece_of(velocity, speed),
+        }
+    }
+}
+
+/// The number of the piece of a table at a place; a corner belongs to the piece above it.
+pub(crate) fn piece_of(places: &[f64], at: f64) -> usize {
+    places.partition_point(|place| *place <= at)
+}
+
 /// Whether a table has as many values as places, and these ascend.
 pub(crate) fn check_table(
     [name, of_values]: [&'static str; 2],
@@ -130,7 +153,7 @@ pub(crate) fn check_table(
 
 /// Value and slope of a table, constant outside; at a corner the slope of the piece above it.
 pub(crate) fn on_table(places: &[f64], values: &[f64], at: f64) -> (f64, f64) {
-    let above = places.partition_point(|place| *place <= at);
+    let above = piece_of(places, at);
     if above == 0 {
         return (values[0], 0.0);
     }

@@ -87,6 +87,19 @@ impl InterfaceLaw {
     }
 }
 
+impl InterfaceLaw {
+    /// The number of the smooth piece of the law at a closure in m and a slip speed in m/s.
+    pub(crate) fn piece(&self, closure: f64, speed: f64) -> usize {
+        match self {
+            Self::Rigid(friction) => friction.piece(speed),
+            Self::Compliant(pressure, friction) => {
+                pressure.piece(closure) * friction.pieces() + friction.piece(speed)
+            }
+            Self::Asperity(_) => 0,
+        }
+    }
+}
+
 /// A contact point in its frame, with the law of its interface.
 #[derive(Debug, Clone)]
 pub struct FramedPoint<'a> {

@@ -1,7 +1,7 @@
 //! The normal law of a compliant interface: pressure against closure.
 
 use crate::AssemblyError;
-use crate::friction::{check_table, on_table};
+use crate::friction::{check_table, on_table, piece_of};
 #[cfg(feature = "keys")]
 use judder_keys::{
     declared::{Number, Several},
@@ -112,6 +112,17 @@ impl Pressure {
             }
         };
         PressureAt { value: slope * closure, slope }
+    }
+
+    /// The number of the piece of a table at a closure in m.
+    pub(crate) fn piece(&self, closure: f64) -> usize {
+        match self {
+            Self::Stiffness(_) | Self::PointStiffness(_) => 0,
+            // beyond the last as steep as before it
+            Self::Table(PressureTable { closure: closures, .. }) => {
+                piece_of(&closures[..closures.len().saturating_sub(1)], closure)
+            }
+        }
     }
 
     /// The largest dp/dd, in Pa/m; of a law of points in N/m.

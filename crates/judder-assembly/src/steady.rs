@@ -104,6 +104,19 @@ pub fn steady_sliding(assembly: &Assembly, compliance: &Compliance) -> Result<St
     Ok(SteadySliding { points, displacement, iterations, residual, friction_limit })
 }
 
+/// On which smooth piece of its law each point is, an open one on zero: where all are on the same at two values of a parameter, small motions change smoothly from one to the other.
+///
+/// # Errors
+/// What [`Assembly::framed`] says.
+pub fn pieces(assembly: &Assembly, steady: &SteadySliding) -> Result<Vec<usize>, AssemblyError> {
+    let points = assembly.framed()?;
+    let piece = |(point, state): (&FramedPoint<'_>, &PointState)| match state.is_closed {
+        true => 1 + point.law.piece(-state.gap, point.frame.speed),
+        false => 0,
+    };
+    Ok(points.iter().zip(&steady.points).map(piece).collect())
+}
+
 /// Digits of |K| |q| that are rounding: of a slender body, which bends easily, they are forces as large as its loads' last digits.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 

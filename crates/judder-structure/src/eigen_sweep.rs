@@ -104,11 +104,11 @@ impl SolvedPoint {
         Self { modes: Vec::new(), gaps: Vec::new(), full: true }
     }
 
-    /// What it says of stability with these contact points closed.
+    /// What it says of stability with the contact points on these pieces of their laws.
     #[must_use]
-    pub fn stability(&self, closed: Vec<bool>) -> StabilityAt {
+    pub fn stability(&self, pieces: Vec<usize>) -> StabilityAt {
         let eigenvalues = self.modes.iter().map(|mode| mode.eigenvalue).collect();
-        StabilityAt { eigenvalues, branches: Vec::new(), complete: self.gaps.is_empty(), closed }
+        StabilityAt { eigenvalues, branches: Vec::new(), complete: self.gaps.is_empty(), pieces }
     }
 }
 
@@ -311,12 +311,12 @@ fn mark_torn(points: &mut [PointEigenvalues], region: &Region) {
 }
 
 impl PointEigenvalues {
-    /// What they say of stability with these contact points closed.
+    /// What they say of stability with the contact points on these pieces of their laws.
     #[must_use]
-    pub fn stability(&self, closed: Vec<bool>) -> StabilityAt {
+    pub fn stability(&self, pieces: Vec<usize>) -> StabilityAt {
         let (eigenvalues, branches) =
             self.eigenvalues.iter().map(|tracked| (tracked.eigenvalue, tracked.branch)).unzip();
-        StabilityAt { eigenvalues, branches, complete: self.gaps.is_empty(), closed }
+        StabilityAt { eigenvalues, branches, complete: self.gaps.is_empty(), pieces }
     }
 
     /// The eigenvalue of a branch.

@@ -3,8 +3,8 @@
 //! Between two values at which not the same modes grow lies an onset. It is halved until it holds one change alone, then the function
 //! that vanishes there is followed to its root: of a mode that loses its damping the growth rate; of two undamped modes that lock in
 //! the square of the difference of their eigenvalues, which runs smoothly through zero where the eigenvalues themselves have a
-//! branch point; of one that diverges without damping the square of its eigenvalue. Where contact points open or close in between, the
-//! spectrum may jump, and what is found is a jump. A mode that leaves the region over its edge has no onset there. One that begins and
+//! branch point; of one that diverges without damping the square of its eigenvalue. Where contact points open or close in between, or
+//! pass a corner of their laws, the spectrum may jump, and what is found is a jump. A mode that leaves the region over its edge has no onset there. One that begins and
 //! ceases to grow between two values at which stability is known leaves no trace at them, and is not seen.
 
 mod crossing;
@@ -26,8 +26,8 @@ pub struct StabilityAt {
     pub branches: Vec<usize>,
     /// Whether it is proven that there are no more.
     pub complete: bool,
-    /// Which contact points are closed; empty where nothing touches.
-    pub closed: Vec<bool>,
+    /// On which smooth piece of its law each contact point is, an open one on zero; empty where nothing touches.
+    pub pieces: Vec<usize>,
 }
 
 /// What happens at an onset.
@@ -52,7 +52,7 @@ pub struct Onset {
     pub kind: OnsetKind,
     /// Whether stability is gained with rising values.
     pub gains: bool,
-    /// Whether the spectrum jumps there, for contact points open or close.
+    /// Whether the spectrum jumps there, for contact points open or close, or pass a corner of their laws.
     pub jumps: bool,
     /// The function that vanishes there; `None` where none does.
     pub crossing: Option<Crossing>,
@@ -151,7 +151,7 @@ mod tests {
             let eigenvalues = found.modes.iter().map(|mode| mode.eigenvalue).collect();
             let branch = |mode: &ComplexMode| usize::from(mode.right[1].norm() > mode.right[0].norm());
             let branches = if is_followed { found.modes.iter().map(branch).collect() } else { Vec::new() };
-            Ok(StabilityAt { eigenvalues, branches, complete: found.complete(), closed: Vec::new() })
+            Ok(StabilityAt { eigenvalues, branches, complete: found.complete(), pieces: Vec::new() })
         };
         let known: Vec<_> = values.iter().map(|value| (*value, at(*value, &region).unwrap())).collect();
         let mut all = OnsetsBetween::default();
@@ -239,7 +239,7 @@ mod tests {
     #[test]
     fn what_may_be_missing_puts_onsets_in_doubt() {
         let none =
-            StabilityAt { eigenvalues: Vec::new(), branches: Vec::new(), complete: true, closed: Vec::new() };
+            StabilityAt { eigenvalues: Vec::new(), branches: Vec::new(), complete: true, pieces: Vec::new() };
         let open = StabilityAt { complete: false, ..none.clone() };
         let region = Region { re: [-5.0, 5.0], im: [0.0, 10.0] };
         let found = onsets_between(&(0.0, none), &(1.0, open), &region, &mut |_, _| Err("not asked"));
@@ -281,7 +281,7 @@ mod tests {
             ];
             let inside = (0..3).filter(|k| within.contains(all[*k], 0.0));
             let (eigenvalues, branches) = inside.map(|k| (mode(all[k]), k)).unzip();
-            Ok(StabilityAt { eigenvalues, branches, complete: true, closed: Vec::new() })
+            Ok(StabilityAt { eigenvalues, branches, complete: true, pieces: Vec::new() })
         };
         let ends = [0.0, 1.0].map(|value| (value, at(value, &region).unwrap()));
         let found = onsets_between(&ends[0], &ends[1], &region, &mut at).unwrap();
@@ -310,7 +310,7 @@ mod tests {
                 defective: false,
             };
             let eigenvalues = (0..4).map(of).filter(|own| within.contains(own.value, 0.0)).collect();
-            Ok(StabilityAt { eigenvalues, branches: Vec::new(), complete: true, closed: Vec::new() })
+            Ok(StabilityAt { eigenvalues, branches: Vec::new(), complete: true, pieces: Vec::new() })
         };
         let slope = 0.05 * 2.37;
         for ends in [[0.0, 1.0], [0.37 - 0.5 * ERROR / slope, 1.0], [0.37 + 0.5 * ERROR / slope, 1.0]] {

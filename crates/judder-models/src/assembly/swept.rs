@@ -10,7 +10,7 @@ use faer::{Mat, MatRef};
 use judder_assembly::compliance::Compliance;
 use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
-use judder_assembly::steady::{SteadySliding, steady_sliding};
+use judder_assembly::steady::{SteadySliding, pieces, steady_sliding};
 use judder_keys::Settings;
 use judder_structure::complex_modes::{ComplexMode, ComplexModeSettings, Eigenvalue, Region, complex_modes};
 use judder_structure::eigen_sweep::{ProblemFamily, ProjectedProblem, SolvedPoint};
@@ -68,6 +68,8 @@ pub(super) struct SlidingState {
     pub(super) steady: SteadySliding,
     /// Which points are closed and rigid, and so take a freedom from small motions.
     pub(super) held: Vec<bool>,
+    /// On which pieces of their laws the points are.
+    pub(super) pieces: Vec<usize>,
     /// What is to be said of it.
     pub(super) doubts: Vec<String>,
     /// The spheres that touch.
@@ -75,11 +77,6 @@ pub(super) struct SlidingState {
 }
 
 impl SlidingState {
-    /// Which points are closed.
-    pub(super) fn closed(&self) -> Vec<bool> {
-        self.steady.points.iter().map(|point| point.is_closed).collect()
-    }
-
     /// How many points are closed.
     pub(super) fn closed_points(&self) -> usize {
         self.steady.points.iter().filter(|point| point.is_closed).count()
@@ -143,8 +140,9 @@ impl<'a> SweptAssembly<'a> {
         let built = self.built(values)?;
         if built.assembly.interfaces.is_empty() {
             let steady = SteadySliding::untouched(built.assembly.size());
-            let (held, doubts, spheres) = (Vec::new(), Vec::new(), Vec::new());
-            return Ok(SlidingState { values: values.to_vec(), built: None, steady, held, doubts, spheres });
+            let (values, held, pieces) = (values.to_vec(), Vec::new(), Vec::new());
+            let (doubts, spheres) = (Vec::new(), Vec::new());
+            return Ok(SlidingState { values, built: None, steady, held, pieces, doubts, spheres });
         }
         let told = |error| built.told(error);
         let steady = match &self.compliance {
@@ -158,8 +156,9 @@ impl<'a> SweptAssembly<'a> {
         let is_rigid =
             |interface: usize| matches!(built.assembly.interfaces[interface].law, InterfaceLaw::Rigid(_));
         let held = steady.points.iter().map(|point| point.is_closed && is_rigid(point.interface)).collect();
+        let pieces = pieces(&built.assembly, &steady)?;
         let built = self.own().shares_bodies(&built).then_some(built);
-        Ok(SlidingState { values: values.to_vec(), built, steady, held, doubts, spheres })
+        Ok(SlidingState { values: values.to_vec(), built, steady, held, pieces, doubts, spheres })
     }
 
     /// Small motions about a state.

@@ -50,7 +50,32 @@ fn onsets_beside_a_value_without_steady_sliding_are_in_doubt() {
     assert_eq!((number(&doubt["from"]), number(&doubt["to"])), (0.5, 0.7));
     assert_eq!(doubt["reason"], "there is no solution at 0.7");
     let failure = &report.summary.results["sweep"]["failures"][0];
-    assert!(failure["reason"].as_str().unwrap().contains(", a coefficient of 0.57735, where the contact point of `surface`"), "{failure}");
+    assert!(
+        failure["reason"]
+            .as_str()
+            .unwrap()
+            .contains(", a coefficient of 0.57735, where the contact point of `surface`"),
+        "{failure}"
+    );
+}
+
+/// A mass on a belt whose friction rises to a speed and falls beyond: growth jumps at the corner of the table, from −N μ′/2m to N μ′/2m, although the point stays closed.
+#[test]
+fn a_corner_of_a_friction_table_is_told_as_a_jump() {
+    let text = "model = \"assembly\"\n[[structure]]\nname = \"mass\"\n[structure.matrices]\nmass = [[1, 0], [0, 1]]\nstiffness = [[100, 0], [0, 100]]\n\
+        freedoms = [[\"a\", \"x\"], [\"a\", \"y\"]]\n[[contact]]\nname = \"belt\"\nslider = { structure = \"mass\", set = \"a\" }\n\
+        track = { plane = { normal = [0, 1] } }\nsliding = { velocity = \"1 m/s\", direction = [1, 0] }\n\
+        friction_coefficient = { velocity = [\"0 m/s\", \"1.03 m/s\", \"2 m/s\"], coefficient = [0.3, 0.5, 0.3] }\n\
+        [[load]]\nstructure = \"mass\"\nset = \"a\"\ndirection = \"y\"\nforce = \"-10 N\"\n\
+        [[analysis]]\nname = \"sweep\"\nkind = \"eigen-sweep\"\nband = [\"1 Hz\", \"5 Hz\"]\n\
+        sweep = { key = \"contact.belt.sliding.velocity\", values = [\"0.5 m/s\", \"1.5 m/s\"] }\n";
+    let folder = tempfile::tempdir().unwrap();
+    let file = judder_models::parse("case.toml", text, &[]).unwrap();
+    let results = run_into(folder.path(), &file, &["sweep"]).summary.results;
+    let onsets = results["sweep"]["onsets"].as_array().unwrap();
+    let [onset] = &onsets[..] else { panic!("{onsets:?}") };
+    assert!((number(&onset["value"]) - 1.03).abs() < 1e-9, "{onset}");
+    assert!(onset["jumps"] == true && onset["gains"] == false, "{onset}");
 }
 
 /// Whether the run of an analysis that is stopped at a look ends so, how often it looked, and what steps are left.

@@ -96,7 +96,7 @@ impl StabilitySample {
             eigenvalues: eigenvalues.collect(),
             branches: Vec::new(),
             complete: self.stability.complete,
-            closed: self.stability.closed.clone(),
+            pieces: self.stability.pieces.clone(),
         };
         Self { value: self.value, stability }
     }
@@ -247,7 +247,7 @@ impl<E> OnsetSearch<'_, '_, E> {
             changes.iter().for_each(|change| self.keep(low, high, *change, within));
             return Ok(());
         }
-        let has_jumped = low.stability.closed != high.stability.closed;
+        let has_jumped = low.stability.pieces != high.stability.pieces;
         if self.narrows && self.of_narrower(low, high, changes, within)? {
             return Ok(());
         }
@@ -274,7 +274,7 @@ impl<E> OnsetSearch<'_, '_, E> {
         let around = self.around(changes);
         let near = [low.within(&around), high.within(&around)];
         let [here, there] = near.each_ref().map(|sample| sample.stability.eigenvalues.len());
-        let has_jumped = low.stability.closed != high.stability.closed;
+        let has_jumped = low.stability.pieces != high.stability.pieces;
         let is_narrower = around.im[1] - around.im[0] < within.im[1] - within.im[0];
         if !is_narrower
             || near[0].changes(&near[1]).seen.len() != changes.len()
@@ -328,7 +328,7 @@ impl<E> OnsetSearch<'_, '_, E> {
         self.found.onsets.push(Onset {
             value: 0.5 * (low.value + high.value),
             error: 0.5 * (high.value - low.value),
-            jumps: low.stability.closed != high.stability.closed,
+            jumps: low.stability.pieces != high.stability.pieces,
             ..change.onset()
         });
     }

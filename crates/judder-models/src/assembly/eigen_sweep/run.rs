@@ -134,7 +134,7 @@ fn reduction_errors(
         let crossing = onset.crossing.as_ref()?;
         let state = whole.state(&[onset.value]).ok()?;
         let solved = whole.solved_alone(&state, &crossing.within).ok()?;
-        let shift = crossing.shift(&solved.stability(state.closed()));
+        let shift = crossing.shift(&solved.stability(state.pieces));
         Some(shift.abs()).filter(|shift| shift.is_finite())
     };
     onsets.iter().map(|onset| progress.go_on().map(|()| of_one(onset))).collect()

@@ -59,17 +59,16 @@ impl SolvedSweep {
         let known: Vec<Option<StabilityAt>> = states
             .iter()
             .zip(&sweep.points)
-            .map(|(state, point)| Some(point.stability(state.as_ref().ok()?.closed())))
+            .map(|(state, point)| Some(point.stability(state.as_ref().ok()?.pieces.clone())))
             .collect();
         let onsets = LocatedOnsets::new(values, &known, region, &|value, within| {
             progress.go_on()?;
             let state = family.state(&[value])?;
-            let closed = state.closed();
             let solved = match groups.iter().position(|group| group.held == state.held) {
                 Some(group) => prepared[group].within(&state, within)?,
                 None => family.solved_alone(&state, within)?,
             };
-            Ok(solved.stability(closed))
+            Ok(solved.stability(state.pieces))
         })?;
         drop(prepared);
         Ok(Self { states, sweep, onsets })

@@ -138,7 +138,7 @@ impl MapPoint {
             is_beyond_laws: verdict.is_unstable()
                 && fastest.is_some_and(|mode| state.is_beyond_laws(&mode.eigenvalue)),
             doubt: state.doubts.first().cloned(),
-            stability: Some(solved.stability(state.closed())),
+            stability: Some(solved.stability(state.pieces.clone())),
         })
     }
 }

@@ -174,7 +174,7 @@ impl SolvedMap<'_> {
         let found = onsets_between(&known(low)?, &known(high)?, &self.region, &mut |value, within| {
             progress.go_on()?;
             let state = self.family.state(&at(value))?;
-            Ok::<_, ModelError>(self.family.solved_alone(&state, within)?.stability(state.closed()))
+            Ok::<_, ModelError>(self.family.solved_alone(&state, within)?.stability(state.pieces))
         });
         let found = found.ok()?.onsets;
         // beyond the first onset modes grow, or before the last

@@ -19,7 +19,7 @@ pub(crate) struct ToldOnset {
     kind: &'static str,
     /// whether stability is gained with rising values
     gains: bool,
-    /// whether the spectrum jumps there, for contact points open or close
+    /// whether the spectrum jumps there, for contact points open or close, or pass a corner of a table
     jumps: bool,
 }
 

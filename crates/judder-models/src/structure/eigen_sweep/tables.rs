@@ -45,7 +45,7 @@ fn critical(caption: &str, onsets: Option<&Value>, of_reduction: Option<&Value>)
             (true, true) => "divergence ends",
         };
         let spectrum = match onset["jumps"] == true {
-            true => "jumps: contact points open or close",
+            true => "jumps: contact points open or close, or pass a corner of a table",
             false => "runs through",
         };
         let mut row: Vec<String> =

@@ -13,7 +13,7 @@ const VANISHED: f64 = 1e-2;
 const IDLE: f64 = 1e-2;
 
 impl<E> OnsetSearch<'_, '_, E> {
-    /// The root of the function that vanishes at an onset; `None` where it does not vanish, or the closed points change.
+    /// The root of the function that vanishes at an onset; `None` where it does not vanish, or contact points come to other pieces of their laws.
     pub(super) fn root(
         &mut self,
         low: &StabilitySample,
@@ -25,7 +25,7 @@ impl<E> OnsetSearch<'_, '_, E> {
         let vanishing =
             Vanishing::of(&stable.stability, unstable.those_that_grow(true).count(), change.frequency);
         let measured = |sample: &StabilitySample| {
-            let is_same = sample.stability.closed == low.stability.closed;
+            let is_same = sample.stability.pieces == low.stability.pieces;
             let value = vanishing.value(&sample.stability, change.frequency);
             let error = vanishing.error(&sample.stability, change.frequency);
             let frequency = vanishing.frequency(&sample.stability, change.frequency);

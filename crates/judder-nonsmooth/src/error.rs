@@ -78,7 +78,7 @@ pub enum NonsmoothError {
         interface: String,
     },
     /// A travelling point at the end of its track.
-    #[error("contact point {point} of interface `{interface}` has {end} of the edge after {} s", plain(*.time))]
+    #[error("contact point {point} of interface `{interface}` has {end} after {} s", plain(*.time))]
     RunOff {
         /// The interface.
         interface: String,

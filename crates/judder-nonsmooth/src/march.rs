@@ -36,8 +36,10 @@ pub struct Works {
     pub friction: f64,
     /// What became heat between the bodies, Σ −T·(slip velocity).
     pub heat: f64,
-    /// Of normal forces: what impacts took, and what compliant contacts hold.
+    /// Of normal forces: what impacts took, and what compliant contacts hold,
     pub normal: f64,
+    /// with what the track's slope lifts of them, Σ N·(velocity of the track along the normal), where points travel.
+    pub slope: f64,
     /// Of the damping.
     pub damping: f64,
     /// Of stiffness that brings circulation.

@@ -7,6 +7,7 @@
 //! - `interface_modes`: which bodies may have their contact freedoms reduced.
 //! - `sphere`: laws of contacts that are a sphere on a substrate.
 //! - `field`: fields over the bodies on the freedoms.
+//! - `travel`: edges along which contact points travel.
 //! - `watched`: observed points as forms on the freedoms.
 //! - `deformed`: contact points of bodies as they lie in steady sliding.
 //! - `size`: how large a body is.
@@ -22,6 +23,7 @@ mod load;
 mod shown;
 mod size;
 mod sphere;
+mod travel;
 mod turning;
 mod watched;
 
@@ -29,6 +31,7 @@ pub(crate) use body::BuiltBody;
 pub(crate) use shown::ShownBodies;
 pub(crate) use size::extent;
 pub(crate) use sphere::{SphereState, SubstrateSphere};
+pub(crate) use travel::TrackEnd;
 pub(crate) use watched::WatchedRow;
 
 use crate::assembly::case::AssemblyCase;
@@ -42,6 +45,7 @@ use judder_assembly::row::Row;
 use judder_assembly::steady::SteadySliding;
 use judder_assembly::tie::Bond;
 use judder_keys::cause::Cause;
+use judder_nonsmooth::travel::TravellingContact;
 use judder_structure::assembly::Sparse;
 use judder_study::Progress;
 use judder_study::case::text::CaseText;
@@ -59,6 +63,8 @@ pub(crate) struct BuiltAssembly {
     pub(crate) nodes: Vec<Vec<usize>>,
     /// The sphere of each contact that is one.
     pub(crate) spheres: Vec<Option<Arc<SubstrateSphere>>>,
+    /// Contacts whose points travel.
+    pub(crate) travelling: Vec<TravellingContact>,
     /// Observed points, along each direction in which they move.
     pub(crate) watched: Vec<WatchedRow>,
     /// What of bodies that turn is left out, in words.
@@ -185,11 +191,27 @@ impl BuiltAssembly {
         }?;
         deformed::deform(case, (&bodies, &touching, bond.as_ref()), &mut assembly, &nodes)?;
         let spheres = sphere::spheres(case, &mut assembly)?;
+        let mut travelling = travel::travelling(case, &bodies, &touching, &nodes)?;
         let mut watched = watched::watched(case, &bodies)?;
         if let Some(bond) = &bond {
-            watched.iter_mut().for_each(|own| own.row = bond.form(&own.row));
+            let of_travel = travelling.iter_mut().flat_map(travel::rows_of);
+            for row in watched.iter_mut().map(|own| &mut own.row).chain(of_travel) {
+                *row = bond.form(row);
+            }
         }
-        Ok(Self { bodies, touching, matrices, assembly, nodes, spheres, watched, left_out, warnings, bond })
+        Ok(Self {
+            bodies,
+            touching,
+            matrices,
+            assembly,
+            nodes,
+            spheres,
+            travelling,
+            watched,
+            left_out,
+            warnings,
+            bond,
+        })
     }
 
     /// Finds the laws of all spheres, where they are not known yet.

@@ -1,6 +1,6 @@
 //! Motions of assemblies that are refused.
 
-use super::bad_assembly::{BLOCK, spoilt};
+use super::bad_assembly::{BLOCK, spoilt, unassembled};
 use super::refused;
 use judder_models::parse;
 use judder_study::{Silent, analyses};
@@ -108,4 +108,45 @@ fn observed_points_that_are_not_there() {
         point,
         "give each point a `name` of its own",
     );
+}
+
+/// The sole that travels along a rail.
+fn sole() -> String {
+    std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/assembly/sole-along-rail.toml"))
+        .expect("it is there")
+}
+
+#[test]
+fn points_that_travel_along_no_edge() {
+    let rail = "track = { structure = \"rail\", set = \"y-max\" }";
+    refused(
+        &spoilt(&sole(), rail, "track = { plane = { normal = [0, 1] } }"),
+        "`travel` has no meaning with contact.face.track.plane",
+        "\"hermite\"",
+        "leave `travel` out",
+    );
+    refused(
+        &spoilt(
+            &sole(),
+            "sliding = { velocity = \"2 m/s\", direction = [-1, 0] }",
+            "sliding = { speed = \"2 rad/s\", axis = [0, 0, 1], centre = [\"0 m\", \"-1 m\"] }",
+        ),
+        "`travel` has no meaning with contact.face.sliding.axis",
+        "\"hermite\"",
+        "leave `travel` out",
+    );
+    refused(
+        &spoilt(&sole(), "travel = \"hermite\"", "travel = \"cubic\""),
+        "unknown interpolation `cubic`",
+        "cubic",
+        "known: linear, hermite",
+    );
+}
+
+#[test]
+fn a_way_that_is_longer_than_the_track() {
+    let text = spoilt(&sole(), "duration = \"80 ms\"", "duration = \"0.2 s\"");
+    let (message, place) = unassembled(&text);
+    let expected = "the contact `face` travels 0.22 m and then runs off its track, after 0.11 s: shorten the duration, or begin farther from that end";
+    assert_eq!((message.as_str(), place.as_str()), (expected, "\"0.2 s\""));
 }

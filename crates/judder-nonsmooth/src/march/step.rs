@@ -226,7 +226,10 @@ impl NonsmoothMarch<'_> {
                 let mean = 0.5 * (self.before_step[component] + self.relative[component]);
                 let impulse = self.solution.impulse[component];
                 match k {
-                    0 => self.works.normal += impulse * mean,
+                    0 => {
+                        self.works.normal += impulse * mean;
+                        self.works.slope += impulse * self.imposed[component];
+                    }
                     _ => {
                         self.works.friction += impulse * mean;
                         self.works.heat -= impulse * (mean - self.imposed[component]);

@@ -45,6 +45,11 @@ pub(super) struct Touching {
 }
 
 impl Touching {
+    /// The track's nodes of a contact, where that is a body.
+    pub(super) fn track(&self, contact: usize) -> Option<&[usize]> {
+        Some(&self.contacts.get(contact)?.track.as_ref()?.points)
+    }
+
     /// All nodes of a body that are in some contact, spring or tie.
     pub(super) fn of_body(&self, index: usize) -> TouchingNodes {
         let sides =
@@ -297,7 +302,7 @@ fn in_space(vector: &[f64]) -> [f64; 3] {
 }
 
 /// A vector of this length and direction.
-fn directed(size: f64, direction: &[f64]) -> [f64; 3] {
+pub(super) fn directed(size: f64, direction: &[f64]) -> [f64; 3] {
     let length = direction.iter().map(|part| part * part).sum::<f64>().sqrt();
     in_space(direction).map(|part| size * part / length)
 }

@@ -18,6 +18,7 @@ use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, word};
+use judder_sliding::edge::Interpolation;
 use judder_sliding::locus::Configuration;
 use judder_structure::rotation::RotatingFrame;
 use serde_json::{Value as Json, json};
@@ -42,6 +43,10 @@ pub struct ContactInterface {
     /// the track.
     #[key(default = Configuration::Undeformed)]
     pub configuration: Configuration,
+    /// In a `march` the contact points travel along the track as it moves beside the slider, an edge in the plane that runs so between its nodes; where
+    /// left out they stay where they are meshed, and the track is as long as it takes. All other analyses are of the places as meshed.
+    #[key(omitted)]
+    pub travel: Option<Interpolation>,
     /// What presses and drags.
     #[key(flatten)]
     pub forces: ContactForceSettings,
@@ -212,6 +217,7 @@ impl ContactInterface {
             let place = section.place_of(&["configuration"]);
             return Err(Cause::Meaningless { key: "configuration", with: section.path(flat) }.at(place));
         }
+        self.check_travel(section, flat)?;
         self.check_frames(section, structures)?;
         match &self.track {
             TrackSettings::Surface(track) if track.surface.structure == self.slider.structure => {
@@ -224,6 +230,18 @@ impl ContactInterface {
 }
 
 impl ContactInterface {
+    /// Refuses points that travel along what has no edge, or that do not know how far.
+    fn check_travel(&self, section: &Section<'_>, flat: Option<&str>) -> Result<(), Fault> {
+        let turning = matches!(self.sliding, TrackMotion::Rotation(_)).then_some("sliding.axis");
+        match (self.travel, flat.or(turning)) {
+            (Some(_), Some(with)) => {
+                let with = section.path(with);
+                Err(Cause::Meaningless { key: "travel", with }.at(section.place_of(&["travel"])))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Refuses bodies whose displacements are seen from the frame that turns with them: there the other side of the contact would not stand still.
     fn check_frames(&self, section: &Section<'_>, structures: &[AssemblyStructure]) -> Result<(), Fault> {
         let track = match &self.track {

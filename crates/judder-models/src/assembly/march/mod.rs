@@ -12,12 +12,15 @@ pub(super) mod tables;
 mod told;
 
 use super::AssemblySubject;
+use crate::assembly::build::TrackEnd;
 use crate::assembly::case::AssemblyCase;
+use crate::assembly::case::problem::AssemblyProblem;
 use crate::error::ModelError;
 use judder_keys::declared::Settings;
+use judder_numerics::words::plain;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use settings::AssemblyMarch;
@@ -38,6 +41,19 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 };
 
 impl Analysis<AssemblyCase> for AssemblyMarch {
+    fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+        let ended = of.built.track_ends().find(|end| end.speed * self.duration > end.way);
+        Ok(ended.map_or(Ok(()), |TrackEnd { contact, way, speed }| {
+            let reason = format!(
+                "the contact `{}` travels {} m and then runs off its track, after {} s: shorten the duration, or begin farther from that end",
+                of.case.contacts[contact].name,
+                plain(way),
+                plain(way / speed),
+            );
+            Err(Refusal::key("duration", AssemblyProblem::Refused { reason }))
+        }))
+    }
+
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of, self, task.progress)
     }

@@ -61,7 +61,7 @@ pub(super) fn run(
         },
         checks: marched.checks(asked),
         missing: usize::from(marched.march.record().unsolved > 0),
-        warnings: [of.doubts(&steady), marched.warnings()].concat(),
+        warnings: [of.doubts(&steady), marched.warnings(!of.built.travelling.is_empty())].concat(),
         files,
         ..Outcome::default()
     })
@@ -89,7 +89,8 @@ fn march<'a>(
     state: &MotionState,
 ) -> Result<RunMotion<'a>, ModelError> {
     let watched: Vec<Row> = of.built.watched.iter().map(|own| own.row.clone()).collect();
-    let mut march = NonsmoothMarch::new(&of.built.assembly, &watched, asked.march())?;
+    let mut march =
+        NonsmoothMarch::travelling(&of.built.assembly, &of.built.travelling, &watched, asked.march())?;
     let largest = steady.points.iter().map(|point| point.normal_force.abs()).fold(0.0, f64::max);
     march.set_force_scale(if largest > 0.0 { largest } else { 1.0 });
     march.start(&state.displacement, &state.velocity);

@@ -56,10 +56,13 @@ pub(super) struct ToldPower {
     damping: f64,
     /// taken by impacts, or held by compliant contacts
     impacts: f64,
-    /// from the track's drive: of friction, with what becomes heat
+    /// from the track's drive: of friction, with what becomes heat, and where points travel of the slope
     drive: f64,
     /// what becomes heat where bodies slide
     heat: f64,
+    /// from normal forces on the slope of a track along which points travel
+    #[result(optional)]
+    slope: Option<f64>,
     /// from stiffness that is not symmetric
     #[result(optional)]
     circulation: Option<f64>,
@@ -139,9 +142,10 @@ impl RunMotion<'_> {
             power: ToldPower {
                 friction: mean(|own| own.friction),
                 damping: mean(|own| own.damping),
-                impacts: mean(|own| own.normal),
-                drive: mean(|own| own.friction + own.heat),
+                impacts: mean(|own| own.normal - own.slope),
+                drive: mean(|own| own.friction + own.heat + own.slope),
                 heat: mean(|own| own.heat),
+                slope: (!of.built.travelling.is_empty()).then(|| mean(|own| own.slope)),
                 circulation: (works.circulation != 0.0).then(|| mean(|own| own.circulation)),
             },
             energy_balance: off / exchanged,
@@ -176,8 +180,11 @@ impl RunMotion<'_> {
     }
 
     /// What to know before the numbers are trusted.
-    pub(super) fn warnings(&self) -> Vec<String> {
+    pub(super) fn warnings(&self, travels: bool) -> Vec<String> {
         let mut warnings = Vec::new();
+        if travels && self.content.is_ok() {
+            warnings.push("the modes that are looked for in the motion are those of the places where the points begin to travel".to_owned());
+        }
         if let Err(error) = &self.content {
             warnings.push(format!("which modes the motion contains is not known: {error}"));
         }

@@ -28,7 +28,8 @@ pub(super) fn followed(full: &Solver<'_>) -> Result<FoundContacts, AssemblyError
     }
     let growing = GrowingFriction::of(full.points);
     let (force, limit) = (largest_force(&last), singular_friction(full, &last.guess, &growing));
-    let mut following = Following { full, growing, iterations: last.iterations, last, low: 0.0, limit };
+    let mut following =
+        FollowedFriction { full, growing, iterations: last.iterations, last, low: 0.0, limit };
     match following.tried(1.0) {
         Some(found) => Ok(found),
         None => Err(following.end(force)),
@@ -36,7 +37,7 @@ pub(super) fn followed(full: &Solver<'_>) -> Result<FoundContacts, AssemblyError
 }
 
 /// A state with less friction than asked for.
-struct Following<'a> {
+struct FollowedFriction<'a> {
     full: &'a Solver<'a>,
     growing: GrowingFriction,
     last: FoundContacts,
@@ -47,7 +48,7 @@ struct Following<'a> {
     iterations: usize,
 }
 
-impl Following<'_> {
+impl FollowedFriction<'_> {
     /// The state with so much friction, from the last one.
     fn tried(&mut self, friction: f64) -> Option<FoundContacts> {
         let solver = Solver { friction, ..*self.full };

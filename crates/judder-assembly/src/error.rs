@@ -44,7 +44,8 @@ pub enum AssemblyError {
     },
     /// The track does not move along the contact.
     #[error(
-        "interface `{interface}` does not slide at {}: the track's velocity of {} m/s has no part along the contact, whose normal is {}",
+        "interface `{interface}` does not slide at {}: the track's velocity of {} m/s has no part along the contact, whose normal is {}; \
+         give `sliding` a velocity other than zero along the contact, or an axis that the contact is not on",
         triple(.place), triple(.velocity), triple(.normal)
     )]
     NoSlip {

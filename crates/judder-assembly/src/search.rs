@@ -295,6 +295,14 @@ const EDGE: f64 = 1e-6;
 /// and of the gap.
 const BEND: f64 = 0.3;
 
+/// The least distance between places of two sets, in m; infinite where one has none.
+#[must_use]
+pub fn least_distance(places: &[[f64; 3]], others: &[[f64; 3]]) -> f64 {
+    let tree = RTree::bulk_load(others.to_vec());
+    let distance = |place: &[f64; 3]| Some(length(minus(*place, *tree.nearest_neighbor(place)?)));
+    places.iter().filter_map(distance).fold(f64::INFINITY, f64::min)
+}
+
 /// Half of the longest diagonal of the faces between nodes: how far a partner may lie that nobody bounded.
 #[must_use]
 pub fn usual_reach(mesh: &Mesh, surface: &Surface) -> f64 {

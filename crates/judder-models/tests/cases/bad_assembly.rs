@@ -7,7 +7,7 @@ use judder_study::StudyError;
 /// The block on a plane of `cases/assembly`, as a text to be spoilt.
 pub(super) const BLOCK: &str = include_str!("../../../../cases/assembly/block-on-plane.toml");
 /// The pad on a strip.
-const PAD: &str = include_str!("../../../../cases/assembly/pad-on-disc-strip.toml");
+pub(super) const PAD: &str = include_str!("../../../../cases/assembly/pad-on-disc-strip.toml");
 
 /// A case in which one text stands for another, which is there.
 pub(super) fn spoilt(case: &str, from: &str, to: &str) -> String {
@@ -80,56 +80,8 @@ fn laws_whose_numbers_make_none() {
     );
 }
 
-#[test]
-fn bodies_that_cannot_touch() {
-    let cases = [
-        (spoilt(BLOCK, "\"1 m/s\"", "\"0 m/s\""), "interface `sole` does not slide at (0, 0, 0)"),
-        (
-            spoilt(BLOCK, "direction = [1, 0]", "direction = [0, 1]"),
-            "interface `sole` does not slide at (0, 0, 0)",
-        ),
-        (
-            spoilt(BLOCK, "normal = [0, 1]", "normal = [0, -1]"),
-            "the plane's normal (0, -1, 0) points the wrong way",
-        ),
-        (
-            spoilt(
-                &spoilt(BLOCK, "normal = [0, 1]", "normal = [1, 0]"),
-                "direction = [1, 0]",
-                "direction = [0, 1]",
-            ),
-            "the plane's normal (1, 0, 0) points the wrong way: out of the track, towards the slider, it looks against the slider's surface, whose own normal is \
-             (0, -1, 0) in the mean; a plane along that surface has the normal (0, 1, 0)",
-        ),
-        (
-            spoilt(BLOCK, "element = \"quad4\", ", ""),
-            "a surface of eight-node quadrilaterals cannot be in contact",
-        ),
-        (spoilt(BLOCK, "set = \"y-min\"", "set = \"bottom\""), "there is no set of nodes named `bottom`"),
-        (
-            spoilt(BLOCK, "fixed = [\"x\", \"y\"]", "fixed = [\"x\"]"),
-            "`y-max` of `block` is not held along y",
-        ),
-        (spoilt(PAD, "\"8 mm\"]", "\"80 mm\"]"), "no node of `pad.y-min` lies opposite `strip.y-max`"),
-        (
-            spoilt(PAD, "set = \"y-max\" }\nsliding", "set = \"y-min\" }\nsliding"),
-            "no node of `pad.y-min` lies opposite",
-        ),
-    ];
-    for (text, expected) in cases {
-        let (message, place) = unassembled(&text);
-        assert!(message.starts_with(expected), "{message}");
-        assert!(!place.is_empty(), "{message} has no place");
-    }
-    let side = "[[contact]]\nname = \"side\"\nslider = { structure = \"block\", set = \"x-min\" }\ntrack = { plane = { normal = [1, 0] } }\n\
-        sliding = { velocity = \"1 m/s\", direction = [0, 1] }\nfriction_coefficient = 0.1\n\n[[load]]";
-    let (message, place) = unassembled(&spoilt(BLOCK, "[[load]]", side));
-    assert!(message.starts_with("the contacts `sole` and `side` share node 0 of `block`"), "{message}");
-    assert_eq!(place, "{ structure = \"block\", set = \"x-min\" }");
-}
-
 /// The mass on a belt, whose matrices are arrays and which a spring holds.
-const MASS: &str = include_str!("../../../../cases/assembly/mass-on-belt.toml");
+pub(super) const MASS: &str = include_str!("../../../../cases/assembly/mass-on-belt.toml");
 /// The mass on two springs.
 const COUPLED: &str = include_str!("../../../../cases/assembly/mode-coupling.toml");
 
@@ -333,23 +285,6 @@ fn steady_sliding_of_bodies_that_touch_nowhere() {
     let (message, place) = unassembled(&format!("{}{}", &MASS[..start], &MASS[end..]));
     assert_eq!(message, "nothing touches: the case has no `[[contact]]`, so nothing slides");
     assert_eq!(place, "[[analysis]]");
-}
-
-#[test]
-fn tracks_without_faces_and_normals_of_surfaces() {
-    let second = "[[structure]]\nname = \"disc\"\n[structure.matrices]\nmass = [[1]]\nstiffness = [[100]]\n\
-        freedoms = [[\"rim\", \"y\"]]\n\n[[spring]]";
-    let two = spoilt(MASS, "[[spring]]", second);
-    let track = "track = { plane = { normal = [0, 1] } }";
-    let (message, place) =
-        unassembled(&spoilt(&two, track, "track = { structure = \"disc\", set = \"rim\" }"));
-    assert_eq!(message, "`disc.rim` has no faces that something could slide on");
-    assert_eq!(place, "{ structure = \"disc\", set = \"rim\" }");
-    let with_normal = "track = { structure = \"strip\", set = \"y-max\", normal = [0, 1] }";
-    let (message, place) =
-        unassembled(&spoilt(PAD, "track = { structure = \"strip\", set = \"y-max\" }", with_normal));
-    assert_eq!(message, "a plane moves with one node, but `strip.y-max` has 61");
-    assert_eq!(place, "[0, 1]");
 }
 
 #[test]

@@ -5,6 +5,7 @@ mod bad_analysis;
 mod bad_assembly;
 mod bad_assembly_motion;
 mod bad_contact;
+mod bad_contacts;
 mod bad_family;
 mod bad_key;
 mod bad_motion;

@@ -77,7 +77,7 @@ impl BuiltBody {
         let own = &case.structures[index];
         let (load, imposed) = load(case, index, &structure)?;
         let matrices = matrices(case, index, &structure)?;
-        let mut warnings: Vec<String> = size_warning(&own.name, &structure)
+        let mut warnings: Vec<String> = size_warning(&own.name, &own.source, &structure)
             .into_iter()
             .chain(structure.warnings.iter().cloned())
             .collect();

@@ -9,7 +9,7 @@ use crate::assembly::case::contact::{
     ContactForceSettings, ContactInterface, NormalLaw, SurfaceOf, TrackMotion, TrackOf, TrackSettings,
 };
 use crate::assembly::case::joint::SpringEnd;
-use crate::assembly::case::problem::AssemblyProblem;
+use crate::assembly::case::problem::{AssemblyProblem, PlacedSet};
 use crate::assembly::case::rotation::BodyRotation;
 use crate::structure::build::{Structure, points_of};
 use judder_assembly::AssemblyError;
@@ -17,7 +17,7 @@ use judder_assembly::friction::Friction;
 use judder_assembly::interface::{Interface, InterfaceLaw};
 use judder_assembly::row::Row;
 use judder_assembly::search::{
-    FoundPoints, KeptOfFaces, Sliding, TouchingBody, Track, contact_points, usual_reach,
+    FoundPoints, KeptOfFaces, Sliding, TouchingBody, Track, contact_points, least_distance, usual_reach,
 };
 use judder_assembly::surface::Surface;
 use judder_sliding::locus::Configuration;
@@ -210,9 +210,25 @@ pub(super) fn points_beside(
     Ok(FoundBeside { found, reach })
 }
 
+/// A set of nodes by its words, and where its nodes lie.
+pub(super) type SetOfPlaces = (String, Vec<[f64; 3]>);
+
+/// The places of points of a body.
+pub(super) fn places(body: &BuiltBody, points: &[usize]) -> Vec<[f64; 3]> {
+    let mesh = mesh_of(&body.structure);
+    points.iter().filter_map(|point| mesh.nodes.get(*point).copied()).collect()
+}
+
 /// Sets that do not face each other, named at a key.
-pub(super) fn apart(path: String, slider: String, track: String, reach: f64) -> Unassembled {
-    Unassembled::new(path, AssemblyProblem::Apart { slider, track, reach })
+pub(super) fn apart(path: String, sets: [SetOfPlaces; 2], reach: f64) -> Unassembled {
+    let nearest = least_distance(&sets[0].1, &sets[1].1);
+    let [slider, track] = sets.map(|(words, places)| {
+        let corner = |from: f64, of: fn(f64, f64) -> f64| {
+            std::array::from_fn(|k| places.iter().map(|place| place[k]).fold(from, of))
+        };
+        PlacedSet { words, bounds: [corner(f64::INFINITY, f64::min), corner(f64::NEG_INFINITY, f64::max)] }
+    });
+    Unassembled::new(path, AssemblyProblem::Apart { slider, track, reach, nearest })
 }
 
 /// The contact points of contacts that see the deformed track, where nodes are displaced by so much, in m; by contact.
@@ -281,7 +297,10 @@ fn found(
         .map_err(|error| Unassembled::because(path("slider"), &error))?;
     match (&contact.track, found.points.is_empty()) {
         (TrackSettings::Surface(track), true) => {
-            Err(apart(path("track"), contact.slider.words(), track.surface.words(), reach))
+            let of = |side: &Side| places(&bodies[side.structure], &side.points);
+            let own = (contact.slider.words(), of(&sides.slider));
+            let other = (track.surface.words(), sides.track.as_ref().map(of).unwrap_or_default());
+            Err(apart(path("track"), [own, other], reach))
         }
         _ => Ok(found),
     }

@@ -1,6 +1,6 @@
 //! What joins bodies beside contacts: springs as forms on their freedoms, ties as forms that stay zero.
 
-use super::interface::{apart, mesh_of, points_beside};
+use super::interface::{apart, mesh_of, places, points_beside};
 use super::{BuiltBody, Unassembled};
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::contact::SurfaceOf;
@@ -115,7 +115,8 @@ fn tied_rows(own: &Tie, bodies: &[BuiltBody], warnings: &mut Vec<String>) -> Res
     let found = points_beside([*own.from.structure, *own.to.structure], [&from_points, &to_points], bodies)
         .map_err(|error| Unassembled::because(path("from"), &error))?;
     if found.found.points.is_empty() {
-        return Err(apart(path("to"), own.from.words(), own.to.words(), found.reach));
+        let sets = [(own.from.words(), places(from, &from_points)), (own.to.words(), places(to, &to_points))];
+        return Err(apart(path("to"), sets, found.reach));
     }
     let alone = found.found.without_partner.len();
     if alone > 0 {

@@ -1,7 +1,25 @@
 //! What can be wrong with an assembly case, beyond types, units and ranges.
 
 use judder_keys::problem::Problem;
+use judder_numerics::words::plain;
+use std::fmt;
 use thiserror::Error;
+
+/// A set of nodes and the box around it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlacedSet {
+    /// The set in words.
+    pub words: String,
+    /// The corners of its box, in m.
+    pub bounds: [[f64; 3]; 2],
+}
+
+impl fmt::Display for PlacedSet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [from, to] = self.bounds.map(|corner| corner.map(plain).join(", "));
+        write!(f, "between ({from}) and ({to}) m")
+    }
+}
 
 /// What is wrong, with what a caller needs in order to act.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -62,15 +80,18 @@ pub enum AssemblyProblem {
     },
     /// Sets that do not face each other.
     #[error(
-        "no node of `{slider}` lies opposite `{track}` within {reach} m: do the sets face each other, are both meshes in one unit of length?"
+        "no node of `{}` lies opposite `{}` within {} m: their nearest nodes are {} m apart, `{}` lies {slider}, `{}` {track}",
+        .slider.words, .track.words, plain(*.reach), plain(*.nearest), .slider.words, .track.words
     )]
     Apart {
         /// The set of the slider.
-        slider: String,
+        slider: PlacedSet,
         /// The set of the track.
-        track: String,
-        /// How far was searched.
+        track: PlacedSet,
+        /// How far was searched, in m.
         reach: f64,
+        /// The least distance between nodes of both, in m.
+        nearest: f64,
     },
     /// A track without faces and without a normal.
     #[error("`{node}` has no faces that something could slide on")]
@@ -229,8 +250,11 @@ impl Problem for AssemblyProblem {
                 "fix the direction in a support of the same set: supports = [{ set = \"…\", fixed = [\"y\"] }]"
             }
             Self::SharedNode { .. } => "take the node out of one of the sets",
+            Self::Apart { reach, nearest, .. } if nearest <= reach => {
+                "name surfaces that look at each other: the faces of these look another way, or lie beside each other"
+            }
             Self::Apart { .. } => {
-                "look at the places of both sets with `judder check`; a mesh in millimetres takes unit = \"mm\""
+                "name the surfaces that face each other, or bring a block or beam there by its `origin`; a mesh in millimetres takes unit = \"mm\""
             }
             Self::NoFaces { .. } => {
                 "give the normal of a plane that moves with it: track = { structure = \"…\", set = \"…\", normal = [0, 1] }"

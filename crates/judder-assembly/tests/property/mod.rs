@@ -6,11 +6,12 @@ use faer::{Mat, c64};
 use judder_assembly::assembly::{Assembly, from_triplets, triplets};
 use judder_assembly::compliance::Compliance;
 use judder_assembly::contact_point::ContactPoint;
-use judder_assembly::friction::Friction;
-use judder_assembly::interface::{Interface, InterfaceLaw};
+use judder_assembly::friction::{FallingFriction, Friction};
+use judder_assembly::interface::{FramedPoint, Interface, InterfaceLaw};
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
+use judder_assembly::pressure::Pressure;
 use judder_assembly::row::Row;
-use judder_assembly::steady::steady_sliding;
+use judder_assembly::steady::{PointState, SteadySliding, steady_sliding};
 use judder_assembly::work::growth_shares;
 use judder_dense::general::{complex_eigen, real_eigenvalues};
 use judder_structure::assembly::Sparse;
@@ -75,9 +76,72 @@ fn circulating(numbers: &[f64], friction: f64, share: f64, circulation: f64) -> 
     Assembly { stiffness: stiffness.into(), ..assembly }
 }
 
-/// λ of (λ² M + K, −e; c, 0) by inverting beside a shift; those at infinity come out far away.
-fn by_multipliers(assembly: &Assembly, friction: f64) -> Vec<c64> {
+/// The same with damped bodies, friction that falls, and rigid points, or points on springs.
+fn damped(numbers: &[f64], friction: f64, share: f64, spring: Option<f64>) -> Assembly {
+    let mut assembly = assembly(numbers, friction, share);
+    let share = |of: &Sparse, factor: f64| -> Vec<_> {
+        triplets(of).map(|own| Triplet::new(own.row, own.col, factor * own.val)).collect()
+    };
+    let entries = [share(&assembly.mass, 0.05), share(&assembly.stiffness, 0.01)].concat();
+    assembly.damping = from_triplets(SIZE, SIZE, &entries).unwrap().into();
+    let falling = FallingFriction { at_rest: friction + 0.3, at_speed: friction, decay_speed: 0.8 };
+    assembly.interfaces[0].law = match spring {
+        None => InterfaceLaw::Rigid(Friction::Falling(falling)),
+        Some(stiffness) => {
+            InterfaceLaw::Compliant(Pressure::PointStiffness(stiffness), Friction::Falling(falling))
+        }
+    };
+    assembly
+}
+
+/// A point as the other formulations have it: forces δN = e-wise with c δq + δN/k = 0, and the damping N μ′ tᵀt.
+struct OtherPoint {
+    normal: Row,
+    equilibrium: Row,
+    slip: Row,
+    /// 1/k, zero of a rigid one.
+    yielding: f64,
+    /// N μ′.
+    follows_speed: f64,
+}
+
+fn other_points(assembly: &Assembly, steady: &SteadySliding) -> Vec<OtherPoint> {
     let framed = assembly.framed().unwrap();
+    let other = |(point, state): (&FramedPoint<'_>, &PointState)| {
+        let (friction, yielding) = match point.law {
+            InterfaceLaw::Rigid(friction) => (friction, 0.0),
+            InterfaceLaw::Compliant(Pressure::PointStiffness(stiffness), friction) => {
+                (friction, 1.0 / stiffness)
+            }
+            _ => panic!("no such law here"),
+        };
+        let friction = friction.at(point.frame.speed);
+        OtherPoint {
+            normal: point.frame.normal.clone(),
+            equilibrium: point.equilibrium(friction.coefficient),
+            slip: point.frame.slip.clone(),
+            yielding,
+            follows_speed: state.normal_force.max(0.0) * friction.slope,
+        }
+    };
+    framed.iter().zip(&steady.points).map(other).collect()
+}
+
+/// C + Σ N μ′ tᵀt.
+fn damping(assembly: &Assembly, points: &[OtherPoint]) -> Mat<f64> {
+    let mut damping = Mat::<f64>::zeros(SIZE, SIZE);
+    triplets(&assembly.damping).for_each(|own| damping[(own.row, own.col)] += own.val);
+    for point in points {
+        for (i, a) in point.slip.entries() {
+            point.slip.entries().iter().for_each(|(j, b)| damping[(*i, *j)] += point.follows_speed * a * b);
+        }
+    }
+    damping
+}
+
+/// λ of (λ² M + λ C + K, −e; c, 1/k) by inverting beside a shift; those at infinity come out far away.
+fn by_multipliers(assembly: &Assembly, framed: &[OtherPoint]) -> Vec<c64> {
+    let damping = damping(assembly, framed);
     let (size, points) = (SIZE, framed.len());
     let all = 2 * size + points;
     let (mut a, mut b) = (Mat::<f64>::zeros(all, all), Mat::<f64>::zeros(all, all));
@@ -93,13 +157,13 @@ fn by_multipliers(assembly: &Assembly, friction: f64) -> Vec<c64> {
             }
         }
     }
+    for i in 0..size {
+        (0..size).for_each(|j| a[(size + i, size + j)] = -damping[(i, j)]);
+    }
     for (k, point) in framed.iter().enumerate() {
-        point
-            .equilibrium(friction)
-            .entries()
-            .iter()
-            .for_each(|(i, value)| a[(size + i, 2 * size + k)] = *value);
-        point.frame.normal.entries().iter().for_each(|(i, value)| a[(2 * size + k, *i)] = *value);
+        point.equilibrium.entries().iter().for_each(|(i, value)| a[(size + i, 2 * size + k)] = *value);
+        point.normal.entries().iter().for_each(|(i, value)| a[(2 * size + k, *i)] = *value);
+        a[(2 * size + k, 2 * size + k)] = point.yielding;
     }
     let shift = 0.37;
     let shifted = Mat::from_fn(all, all, |i, j| a[(i, j)] - shift * b[(i, j)]);
@@ -109,10 +173,10 @@ fn by_multipliers(assembly: &Assembly, friction: f64) -> Vec<c64> {
     inverse.into_iter().map(|theta| c64::new(shift, 0.0) + c64::new(1.0, 0.0) / theta).collect()
 }
 
-/// The smallest |eigenvalue| of c Q(λ)⁻¹ eᵀ by its size: zero where λ is an eigenvalue.
-fn by_receptances(assembly: &Assembly, friction: f64, value: c64) -> f64 {
-    let framed = assembly.framed().unwrap();
-    let mut matrix = Mat::<c64>::zeros(SIZE, SIZE);
+/// The smallest |eigenvalue| of c Q(λ)⁻¹ eᵀ + 1/k by its size: zero where λ is an eigenvalue.
+fn by_receptances(assembly: &Assembly, framed: &[OtherPoint], value: c64) -> f64 {
+    let damping = damping(assembly, framed);
+    let mut matrix = Mat::from_fn(SIZE, SIZE, |i, j| value * damping[(i, j)]);
     for (own, factor) in [(&assembly.mass, value * value), (&assembly.stiffness, c64::new(1.0, 0.0))] {
         for column in 0..SIZE {
             for (row, entry) in own.row_idx_of_col(column).zip(own.val_of_col(column)) {
@@ -122,19 +186,41 @@ fn by_receptances(assembly: &Assembly, friction: f64, value: c64) -> f64 {
     }
     let mut moved = Mat::<c64>::zeros(SIZE, framed.len());
     for (k, point) in framed.iter().enumerate() {
-        point
-            .equilibrium(friction)
-            .entries()
-            .iter()
-            .for_each(|(i, entry)| moved[(*i, k)] = c64::new(*entry, 0.0));
+        point.equilibrium.entries().iter().for_each(|(i, entry)| moved[(*i, k)] = c64::new(*entry, 0.0));
     }
     judder_dense::general::solve_complex(matrix, &mut moved).unwrap();
     let column = |k: usize| (0..SIZE).map(|i| moved[(i, k)]).collect::<Vec<_>>();
-    let receptances =
-        Mat::from_fn(framed.len(), framed.len(), |i, j| framed[i].frame.normal.of_complex(&column(j)));
+    let receptances = Mat::from_fn(framed.len(), framed.len(), |i, j| {
+        framed[i].normal.of_complex(&column(j)) + if i == j { framed[i].yielding } else { 0.0 }
+    });
     let (values, _) = complex_eigen(receptances.as_ref()).unwrap();
     let sizes: Vec<f64> = values.iter().map(|value| value.norm()).collect();
     sizes.iter().copied().fold(f64::INFINITY, f64::min) / sizes.iter().copied().fold(0.0, f64::max)
+}
+
+/// Whether the eigenvalues by elimination are those by multipliers and by receptances.
+fn three_agree(assembly: &Assembly) -> Result<(), TestCaseError> {
+    let steady = steady_sliding(assembly, &Compliance::new(assembly).unwrap()).unwrap();
+    prop_assert!(steady.residual < 1e-12, "{}", steady.residual);
+    let about = Linearised::new(assembly, &steady, LinearisedTerms::default()).unwrap();
+    let region = Region { re: [-50.0, 50.0], im: [1e-3, 50.0] };
+    let found = complex_modes(&about.problem, &region, &ComplexModeSettings::default()).unwrap();
+    prop_assert!(found.complete());
+    let points = other_points(assembly, &steady);
+    let multipliers = by_multipliers(assembly, &points);
+    for mode in &found.modes {
+        let value = mode.eigenvalue.value;
+        let known = 1e-10 * value.norm() + mode.eigenvalue.error;
+        let nearest = multipliers.iter().map(|other| (other - value).norm()).fold(f64::INFINITY, f64::min);
+        prop_assert!(
+            nearest < known * 10.0,
+            "{value} is off by {nearest}, condition {}",
+            mode.eigenvalue.condition
+        );
+        let singular = by_receptances(assembly, &points, value);
+        prop_assert!(singular < 1e-9 * mode.eigenvalue.condition.max(1.0), "{value}: {singular}");
+    }
+    Ok(())
 }
 
 fn numbers() -> impl Strategy<Value = Vec<f64>> {
@@ -148,22 +234,14 @@ proptest! {
     fn three_formulations_have_the_same_eigenvalues(
         numbers in numbers(), friction in 0.0..0.8_f64, share in 0.1..0.9_f64, circulation in prop_oneof![Just(0.0), 0.0..0.8_f64],
     ) {
-        let assembly = circulating(&numbers, friction, share, circulation);
-        let steady = steady_sliding(&assembly, &Compliance::new(&assembly).unwrap()).unwrap();
-        prop_assert!(steady.residual < 1e-12, "{}", steady.residual);
-        let about = Linearised::new(&assembly, &steady, LinearisedTerms::default()).unwrap();
-        let region = Region { re: [-50.0, 50.0], im: [1e-3, 50.0] };
-        let found = complex_modes(&about.problem, &region, &ComplexModeSettings::default()).unwrap();
-        prop_assert!(found.complete());
-        let multipliers = by_multipliers(&assembly, friction);
-        for mode in &found.modes {
-            let value = mode.eigenvalue.value;
-            let known = 1e-10 * value.norm() + mode.eigenvalue.error;
-            let nearest = multipliers.iter().map(|other| (other - value).norm()).fold(f64::INFINITY, f64::min);
-            prop_assert!(nearest < known * 10.0, "{value} is off by {nearest}, condition {}", mode.eigenvalue.condition);
-            let singular = by_receptances(&assembly, friction, value);
-            prop_assert!(singular < 1e-9 * mode.eigenvalue.condition.max(1.0), "{value}: {singular}");
-        }
+        three_agree(&circulating(&numbers, friction, share, circulation))?;
+    }
+
+    #[test]
+    fn three_formulations_agree_with_springs_falling_friction_and_damping(
+        numbers in numbers(), friction in 0.0..0.6_f64, share in 0.1..0.9_f64, spring in prop_oneof![Just(None), (1.0..50.0_f64).prop_map(Some)],
+    ) {
+        three_agree(&damped(&numbers, friction, share, spring))?;
     }
 
     #[test]

@@ -24,8 +24,13 @@ const WIDTH: f64 = 0.01;
 
 /// A block of 40 × 20 mm whose top is held along x and pressed by 1 kN; nothing but the plane holds it along y.
 fn block(law: InterfaceLaw, speed: f64) -> Assembly {
+    shaped(law, speed, |place| place)
+}
+
+/// The same in another shape.
+fn shaped(law: InterfaceLaw, speed: f64, place: impl Fn([f64; 3]) -> [f64; 3]) -> Assembly {
     let grid = Grid { kind: ElementKind::Quad4, size: [0.04, 0.02, 0.0], cells: [12, 6, 0] };
-    let mesh = grid.mesh("rubber", |place| place).unwrap();
+    let mesh = grid.mesh("rubber", place).unwrap();
     let top = mesh.node_sets["y-max"].clone();
     let supports =
         Supports { fixed: top.iter().map(|node| (*node, Direction::X)).collect(), ..Supports::default() };
@@ -121,6 +126,28 @@ fn mirrored_velocity_mirrors_the_forces() {
     }
     // and with friction they are not their own mirror
     assert!((right[0] - right[12]).abs() > 1.0);
+}
+
+/// A block that leans and stands on cells of unlike length, and its mirror image that slides the other way.
+#[test]
+fn mirrored_geometry_mirrors_the_forces() {
+    let leaning = |[x, y, z]: [f64; 3]| [x + 0.3 * y - 0.002 * (x / 0.04 * std::f64::consts::PI).sin(), y, z];
+    let mirrored = |[x, y, z]: [f64; 3]| [0.04 - leaning([0.04 - x, y, z])[0], y, z];
+    let law = || InterfaceLaw::Rigid(Friction::Constant(0.6));
+    let forces = |assembly: &Assembly| {
+        let steady = solved(assembly).unwrap();
+        steady.points.iter().map(|point| [point.normal_force, point.friction_force]).collect::<Vec<_>>()
+    };
+    let own = forces(&shaped(law(), 1.0, leaning));
+    let mut image = forces(&shaped(law(), -1.0, mirrored));
+    image.reverse();
+    for (a, b) in own.iter().zip(&image) {
+        assert!((a[0] - b[0]).abs() < 1e-8 && (a[1] - b[1]).abs() < 1e-8, "{a:?} {b:?}");
+    }
+    // sliding the same way it has other forces
+    let mut other = forces(&shaped(law(), 1.0, mirrored));
+    other.reverse();
+    assert!(own.iter().zip(&other).any(|(a, b)| (a[0] - b[0]).abs() > 1.0));
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Against closed forms and numbers that other programs print.
 
 mod block;
+mod third_law;
 mod uniqueness;
 
 use crate::common::{dense, diagonal, point_on_plane, rigid, undamped};

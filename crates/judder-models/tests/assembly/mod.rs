@@ -3,6 +3,7 @@
 mod deformed;
 mod interface_modes;
 mod joined;
+mod meshes;
 mod minimal;
 mod onsets;
 mod printed;

@@ -10,6 +10,7 @@ use judder_keys::{
     error::Fault,
     section::Section,
 };
+use judder_numerics::ramp::straight;
 
 #[cfg(feature = "keys")]
 const COEFFICIENT: Number = Number::non_negative(Dimension::NUMBER);
@@ -91,6 +92,22 @@ impl Friction {
         }
     }
 
+    /// The same, multiplied.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        match self {
+            Self::Constant(value) => Self::Constant(factor * value),
+            Self::Falling(FallingFriction { at_rest, at_speed, decay_speed }) => {
+                let [at_rest, at_speed] = [at_rest, at_speed].map(|value| factor * value);
+                Self::Falling(FallingFriction { at_rest, at_speed, decay_speed: *decay_speed })
+            }
+            Self::Table(FrictionTable { velocity, coefficient }) => {
+                let coefficient = coefficient.iter().map(|value| factor * value).collect();
+                Self::Table(FrictionTable { velocity: velocity.clone(), coefficient })
+            }
+        }
+    }
+
     /// μ and its slope at a slip speed in m/s.
     #[must_use]
     pub fn at(&self, speed: f64) -> FrictionAt {
@@ -101,7 +118,7 @@ impl Friction {
                 FrictionAt { coefficient, slope }
             }
             Self::Table(FrictionTable { velocity: speeds, coefficient: coefficients }) => {
-                let (coefficient, slope) = on_table(speeds, coefficients, speed);
+                let (coefficient, slope) = straight(speeds, coefficients, speed);
                 FrictionAt { coefficient, slope }
             }
         }
@@ -131,8 +148,11 @@ pub(crate) fn piece_of(places: &[f64], at: f64) -> usize {
     places.partition_point(|place| *place <= at)
 }
 
-/// Whether a table has as many values as places, and these ascend.
-pub(crate) fn check_table(
+/// Whether a table has as many values as places, and these ascend; the first name is that of the places.
+///
+/// # Errors
+/// [`AssemblyError::Length`], [`AssemblyError::InvalidNumber`].
+pub fn check_table(
     [name, of_values]: [&'static str; 2],
     places: &[f64],
     values: usize,
@@ -149,19 +169,6 @@ pub(crate) fn check_table(
         }
         None => Ok(()),
     }
-}
-
-/// Value and slope of a table, constant outside; at a corner the slope of the piece above it.
-pub(crate) fn on_table(places: &[f64], values: &[f64], at: f64) -> (f64, f64) {
-    let above = piece_of(places, at);
-    if above == 0 {
-        return (values[0], 0.0);
-    }
-    if above == places.len() {
-        return (values[above - 1], 0.0);
-    }
-    let slope = (values[above] - values[above - 1]) / (places[above] - places[above - 1]);
-    (values[above - 1] + slope * (at - places[above - 1]), slope)
 }
 
 /// A number, or a table against the slip speed.

@@ -1,12 +1,13 @@
 //! The normal law of a compliant interface: pressure against closure.
 
 use crate::AssemblyError;
-use crate::friction::{check_table, on_table, piece_of};
+use crate::friction::{check_table, piece_of};
 #[cfg(feature = "keys")]
 use judder_keys::{
     declared::{Number, Several},
     dimension::Dimension,
 };
+use judder_numerics::ramp::straight;
 
 #[cfg(feature = "keys")]
 const CLOSURES: Several<Number> =
@@ -108,7 +109,7 @@ impl Pressure {
         let slope = match self {
             Self::Stiffness(stiffness) | Self::PointStiffness(stiffness) => *stiffness,
             Self::Table(PressureTable { closure: closures, pressure: pressures }) => {
-                on_table(closures, pressures, 0.0).1
+                straight(closures, pressures, 0.0).1
             }
         };
         PressureAt { value: slope * closure, slope }
@@ -150,7 +151,7 @@ impl Pressure {
             Self::Table(PressureTable { closure: closures, pressure: pressures }) => {
                 let last = closures.len() - 1;
                 if closure < closures[last] {
-                    let (value, slope) = on_table(closures, pressures, closure);
+                    let (value, slope) = straight(closures, pressures, closure);
                     return PressureAt { value, slope };
                 }
                 let slope = (pressures[last] - pressures[last - 1]) / (closures[last] - closures[last - 1]);

@@ -9,6 +9,7 @@
 //! - [`contact_state`]: stick, slip, lift-off, and their numbers in results.
 //! - [`counter`]: even random numbers, each computed from its place alone.
 //! - [`piecewise`]: motion whose equations change from mode to mode, with located events.
+//! - [`ramp`]: from value to value: straight between places, half a cosine.
 //! - [`sampling`]: points that fill a cube evenly: Sobol' sequences, Latin hypercubes.
 //! - [`sensitivity`]: Sobol' indices of first order and total, with confidence intervals.
 //! - [`signal`]: sampled histories: decimation, resampling, spectrograms, bursts.
@@ -26,6 +27,7 @@ pub mod gmres;
 pub mod piecewise;
 pub mod polynomial;
 pub mod quadrature;
+pub mod ramp;
 pub mod root;
 pub mod sampling;
 pub mod sensitivity;

@@ -7,6 +7,7 @@ use judder_keys::{
     dimension::Dimension,
 };
 use judder_numerics::counter::uniform;
+use judder_numerics::ramp::half_cosine;
 use std::f64::consts::PI;
 
 #[cfg(feature = "keys")]
@@ -134,11 +135,6 @@ pub struct Drive {
     pub initial_damping: f64,
     /// Random force on C, N.
     pub noise: f64,
-}
-
-/// (1 − cos π t/T)/2 from 0 to 1.
-fn half_cosine(time: f64, duration: f64) -> f64 {
-    if time >= duration { 1.0 } else { 0.5 - 0.5 * (PI * time / duration).cos() }
 }
 
 impl Motion {

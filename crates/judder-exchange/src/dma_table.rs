@@ -4,6 +4,7 @@ mod error;
 
 pub use error::DmaTableError;
 
+use crate::fields::{lines_of_fields, parted};
 use std::f64::consts::TAU;
 
 /// Measured moduli as columns of equal length, in SI units: positive, finite numbers, the frequency rising from row to row of one
@@ -33,16 +34,11 @@ pub struct DmaTable {
 /// [`DmaTableError`], with the header's columns or the line: what is missing, there twice, without unit, not positive, or does
 /// not rise in frequency.
 pub fn read_dma_table(text: &str) -> Result<DmaTable, DmaTableError> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let numbered = text.lines().enumerate().map(|(index, line)| (index + 1, line.trim()));
-    let mut lines = numbered.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
-    let (header_line, header) = lines.next().ok_or(DmaTableError::Empty)?;
-    let separator = [';', '\t'].into_iter().find(|candidate| header.contains(*candidate)).unwrap_or(',');
-    let columns: Vec<&str> = header.split(separator).map(unquoted).collect();
+    let mut table = lines_of_fields(text);
+    let (header_line, columns) = table.next().ok_or(DmaTableError::Empty)?;
     let header = DmaHeader::of(&columns, header_line)?;
     let mut rows = Vec::new();
-    for (line, text) in lines {
-        let fields: Vec<&str> = text.split(separator).map(unquoted).collect();
+    for (line, fields) in table {
         if fields.len() != columns.len() {
             return Err(DmaTableError::Fields { line, found: fields.len(), expected: columns.len() });
         }
@@ -214,17 +210,9 @@ fn find(
 
 /// `Storage_modulus (MPa)` as `storage modulus` and `MPa`.
 fn name_and_unit(column: &str) -> (String, Option<&str>) {
-    let opening = column.find(['[', '(']);
-    let unit = opening.and_then(|at| column[at + 1..].strip_suffix([']', ')'])).map(str::trim);
-    let name = &column[..opening.unwrap_or(column.len())];
+    let (name, unit) = parted(column);
     let name = name.to_lowercase().replace('_', " ").replace(['′', '’'], "'").replace(['″', '"'], "''");
     (name.split_whitespace().collect::<Vec<_>>().join(" "), unit)
-}
-
-/// A field without the quotes around it.
-fn unquoted(field: &str) -> &str {
-    let field = field.trim();
-    field.strip_prefix('"').and_then(|inner| inner.strip_suffix('"')).unwrap_or(field)
 }
 
 #[cfg(test)]

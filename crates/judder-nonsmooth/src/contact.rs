@@ -97,16 +97,18 @@ impl<'a> ContactPoints<'a> {
         }
     }
 
-    /// The friction of a point at a closure and a slip speed: of an asperity T/N there.
+    /// The friction of a point at a closure and a slip speed, times a factor: of an asperity T/N there.
     #[must_use]
-    pub fn friction(&self, point: usize, closure: f64, speed: f64) -> FrictionCondition<'a> {
+    pub fn friction(&self, point: usize, closure: f64, speed: f64, factor: f64) -> FrictionCondition<'a> {
         match self.points[point].law {
-            InterfaceLaw::Rigid(law) | InterfaceLaw::Compliant(_, law) => FrictionCondition::Law(law),
+            InterfaceLaw::Rigid(law) | InterfaceLaw::Compliant(_, law) => {
+                FrictionCondition::Law { law, factor }
+            }
             InterfaceLaw::Asperity(law) => {
                 let ratio = |speed: f64| {
                     let forces = law.forces(closure, speed);
                     let has_force = forces.normal.value > 0.0;
-                    if has_force { forces.friction.value / forces.normal.value } else { 0.0 }
+                    if has_force { factor * forces.friction.value / forces.normal.value } else { 0.0 }
                 };
                 FrictionCondition::Now { at_rest: ratio(0.0), now: ratio(speed) }
             }

@@ -43,8 +43,13 @@ pub enum NormalCondition {
 /// The friction coefficient of a point in a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FrictionCondition<'a> {
-    /// μ(|U_T|) of a law.
-    Law(&'a Friction),
+    /// μ(|U_T|) of a law, times a factor.
+    Law {
+        /// The law.
+        law: &'a Friction,
+        /// What its coefficient is multiplied by.
+        factor: f64,
+    },
     /// A coefficient of its own at rest and at the speed that it has now.
     Now {
         /// μ at rest.
@@ -57,14 +62,14 @@ pub enum FrictionCondition<'a> {
 impl FrictionCondition<'_> {
     fn at_rest(&self) -> f64 {
         match self {
-            Self::Law(law) => law.at(0.0).coefficient,
+            Self::Law { law, factor } => factor * law.at(0.0).coefficient,
             Self::Now { at_rest, .. } => *at_rest,
         }
     }
 
     pub(crate) fn at(&self, speed: f64) -> f64 {
         match self {
-            Self::Law(law) => law.at(speed).coefficient,
+            Self::Law { law, factor } => factor * law.at(speed).coefficient,
             Self::Now { now, .. } => *now,
         }
     }

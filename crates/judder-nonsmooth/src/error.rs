@@ -92,6 +92,55 @@ pub enum NonsmoothError {
     /// What is wrong with an edge.
     #[error(transparent)]
     Edge(#[from] SlidingError),
+    /// A quantity over time that leaves the table of its factors.
+    #[error(
+        "{name} is {} at {} s, outside of the table of factors, which goes from {} to {} and is not extrapolated",
+        plain(*.value), plain(*.time), plain(*.first), plain(*.last)
+    )]
+    OutsideTable {
+        /// Which.
+        name: &'static str,
+        /// When, in s.
+        time: f64,
+        /// Its value there.
+        value: f64,
+        /// Where the table begins.
+        first: f64,
+        /// Where it ends.
+        last: f64,
+    },
+    /// A signal that swings faster than steps can follow.
+    #[error(
+        "a signal of up to {} Hz is too fast for steps of {} s, which show no more than {} Hz: shorten the step",
+        plain(*.frequency), plain(*.step), plain(0.5 / *.step)
+    )]
+    SignalTooFast {
+        /// Its highest frequency, in Hz.
+        frequency: f64,
+        /// The step, in s.
+        step: f64,
+    },
+    /// Samples that do not last as long as the motion.
+    #[error(
+        "the samples of a signal go from {} to {} s, the motion from 0 to {} s: they must cover it",
+        plain(*.begins), plain(*.ends), plain(*.duration)
+    )]
+    SignalEnds {
+        /// The first, in s.
+        begins: f64,
+        /// The last, in s.
+        ends: f64,
+        /// How long the motion takes, in s.
+        duration: f64,
+    },
+    /// Forces of a signal on another number of freedoms.
+    #[error("a signal acts on {found} freedoms, the assembly has {expected}")]
+    SignalFreedoms {
+        /// Forces that it has.
+        found: usize,
+        /// Freedoms that there are.
+        expected: usize,
+    },
     /// A motion that leaves the numbers.
     #[error("the motion is no longer finite after {} s: it grows without bound", plain(*.time))]
     NotFinite {

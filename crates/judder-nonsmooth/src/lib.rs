@@ -8,14 +8,17 @@
 //! - [`contact`]: the contact points on the coordinates of the bodies.
 //! - [`travel`]: contact points that travel along an edge of their track.
 //! - [`scheme`]: Moreau–Jean, forward increment Lagrange multipliers, and a smoothed contact to doubt them.
+//! - [`course`]: what speeds, loads and friction are multiplied by over time; [`excitation`]: forces that follow signals.
 //! - [`march`]: a motion, step by step, with its balance of energy.
 //! - [`statistics`]: what its points do on average. [`mode_share`], [`growth`]: how much of a mode a motion has, and how that grows.
 
 pub mod bodies;
 pub mod contact;
 pub mod contact_problem;
+pub mod course;
 mod elimination;
 mod error;
+pub mod excitation;
 pub mod gauss_seidel;
 pub mod growth;
 pub mod march;

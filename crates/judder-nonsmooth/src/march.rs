@@ -1,5 +1,6 @@
 //! A motion, step by step.
 
+mod acting;
 mod located;
 mod step;
 #[cfg(test)]
@@ -15,6 +16,7 @@ use crate::contact_problem::{
 use crate::gauss_seidel::ContactAccuracy;
 use crate::scheme::{ContactScheme, SmoothContact};
 use crate::travel::{Travel, TravellingContact};
+use acting::Acting;
 use judder_assembly::assembly::Assembly;
 use judder_assembly::row::Row;
 
@@ -44,6 +46,8 @@ pub struct Works {
     pub damping: f64,
     /// Of stiffness that brings circulation.
     pub circulation: f64,
+    /// Of forces beyond the load of the assembly: of excitations, and of what a course adds to the load or takes of it.
+    pub excitation: f64,
 }
 
 /// How well the contact was solved, over all steps.
@@ -74,8 +78,9 @@ pub struct NonsmoothMarch<'a> {
     /// Forms on the coordinates of how slip follows displacements, as rows after those of the contact and the observed ones.
     convected: Vec<usize>,
     observed: usize,
-    /// f on the coordinates.
-    load: Vec<f64>,
+    /// Of the assembly.
+    freedoms: usize,
+    acting: Acting,
     z: Vec<f64>,
     v: Vec<f64>,
     next: Vec<f64>,
@@ -85,8 +90,10 @@ pub struct NonsmoothMarch<'a> {
     relative: Vec<f64>,
     free: Vec<f64>,
     carried: Vec<f64>,
-    /// The velocity of the track beside its undisturbed place of each component, with what its passing material brings.
+    /// The velocity of the track beside its undisturbed place of each component, with what its passing material brings, where the velocities of the contact are taken,
     imposed: Vec<f64>,
+    /// and where its forces are.
+    dragging: Vec<f64>,
     normal: Vec<NormalCondition>,
     friction: Vec<FrictionCondition<'a>>,
     /// H v before the last step.
@@ -173,7 +180,8 @@ impl<'a> NonsmoothMarch<'a> {
             rows: own.len(),
             convected: carried.iter().map(|(component, _)| *component).collect(),
             observed: observed.len(),
-            load,
+            freedoms: assembly.size(),
+            acting: Acting::new(load),
             z: vec![0.0; size],
             v: vec![0.0; size],
             next: vec![0.0; size],
@@ -182,6 +190,7 @@ impl<'a> NonsmoothMarch<'a> {
             free: vec![0.0; components],
             carried: vec![0.0; carried.len()],
             imposed: vec![0.0; components],
+            dragging: vec![0.0; components],
             normal: vec![NormalCondition::Open; points],
             friction: Vec::with_capacity(points),
             before_step: vec![0.0; components],
@@ -351,10 +360,10 @@ impl<'a> NonsmoothMarch<'a> {
         sum
     }
 
-    /// The energy of the bodies.
+    /// The energy of the bodies, with the potential of the load of the assembly.
     #[must_use]
     pub fn energy(&self) -> BodyEnergy {
-        self.bodies.energy(&self.z, &self.v, &self.load)
+        self.bodies.energy(&self.z, &self.v, self.acting.full())
     }
 
     /// Where work went since the start.

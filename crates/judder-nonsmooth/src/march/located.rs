@@ -16,6 +16,7 @@ impl NonsmoothMarch<'_> {
             travel.begin();
         }
         self.look();
+        self.kick_back();
         let mut seen = vec![0.0; self.gap.len()];
         self.bodies.seen(&self.z, 0, self.contact.dimension, &mut seen);
         let farthest = seen.iter().zip(0..).fold(0.0_f64, |most, (moved, point)| {
@@ -28,8 +29,12 @@ impl NonsmoothMarch<'_> {
         self.before_step.copy_from_slice(&self.relative);
     }
 
-    /// Gaps where the bodies are.
+    /// Gaps where the bodies are, and what acts in the step from here.
     pub(super) fn look(&mut self) {
+        let scheme = self.settings.scheme;
+        let [forces, velocities] = [scheme.implicitness(), scheme.implicitness() + 0.5];
+        let at = |share: f64| (self.steps as f64 + share) * self.settings.step;
+        self.acting.look(at(forces), at(velocities));
         self.bodies.seen(&self.z, 0, self.contact.dimension, &mut self.gap);
         for (point, gap) in self.gap.iter_mut().enumerate() {
             *gap += self.contact.first_gap(point);
@@ -47,11 +52,15 @@ impl NonsmoothMarch<'_> {
         for (component, carried) in self.convected.iter().zip(&self.carried) {
             self.imposed[*component] += carried;
         }
+        let [amid, after] = self.acting.speed();
+        for (imposed, dragging) in self.imposed.iter_mut().zip(&mut self.dragging) {
+            (*imposed, *dragging) = (after * *imposed, amid * *imposed);
+        }
     }
 
     /// How long the track has moved beside the slider after so many steps, as at full speed, in s.
     fn way(&self, steps: u64) -> f64 {
-        steps as f64 * self.settings.step
+        self.acting.way(steps as f64 * self.settings.step)
     }
 
     /// Takes the forms of travelling points where they start.
@@ -87,6 +96,7 @@ impl NonsmoothMarch<'_> {
             let first = 2 * point;
             let imposed = own.imposed.map(|full| full * (after - before) / step);
             self.imposed[first..first + 2].copy_from_slice(&imposed);
+            self.dragging[first..first + 2].copy_from_slice(&imposed);
             let [now, then] = [self.relative[first], self.free[first]].map(|normal| normal - imposed[0]);
             self.gap[point] = own.gap - shares[0] * now - shares[1] * then;
         }

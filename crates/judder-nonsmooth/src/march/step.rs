@@ -16,7 +16,7 @@ impl NonsmoothMarch<'_> {
     /// [`NonsmoothError::NotFinite`], [`NonsmoothError::RunOff`].
     pub fn advance(&mut self) -> Result<(), NonsmoothError> {
         let mut next = std::mem::take(&mut self.next);
-        self.bodies.free(&self.z, &self.v, &self.load, &mut next);
+        self.bodies.free(&self.z, &self.v, self.acting.forces(), &mut next);
         self.locate(&next)?;
         self.set_off();
         match self.settings.scheme {
@@ -173,7 +173,8 @@ impl NonsmoothMarch<'_> {
                 false => self.smooth.normal(before, step),
             };
             self.solution.impulse[first] = normal;
-            let coefficient = self.contact.friction(point, -before.gap, speed).at(speed);
+            let coefficient =
+                self.contact.friction(point, -before.gap, speed, self.acting.friction()).at(speed);
             let turning = self.smooth.turning * coefficient * normal;
             let size = if normal > 0.0 { coefficient * normal / speed.hypot(turning) } else { 0.0 };
             let slip = self.slip(point);
@@ -197,9 +198,10 @@ impl NonsmoothMarch<'_> {
     fn solve_contact(&mut self) -> ContactProgress {
         let mut friction = std::mem::take(&mut self.friction);
         friction.clear();
+        let factor = self.acting.friction();
         friction.extend(
             (0..self.gap.len())
-                .map(|point| self.contact.friction(point, -self.gap[point], self.slip_speed(point))),
+                .map(|point| self.contact.friction(point, -self.gap[point], self.slip_speed(point), factor)),
         );
         self.friction = friction;
         let problem = ImpulseProblem {
@@ -232,7 +234,7 @@ impl NonsmoothMarch<'_> {
                     }
                     _ => {
                         self.works.friction += impulse * mean;
-                        self.works.heat -= impulse * (mean - self.imposed[component]);
+                        self.works.heat -= impulse * (mean - self.dragging[component]);
                     }
                 }
             }
@@ -241,5 +243,6 @@ impl NonsmoothMarch<'_> {
         let taken = self.bodies.work(&self.z, &self.v, next);
         self.works.damping += taken.damping;
         self.works.circulation += taken.circulation;
+        self.works.excitation += self.acting.work(self.settings.step, &self.v, next);
     }
 }

@@ -10,6 +10,8 @@ use judder_assembly::pressure::Pressure;
 use judder_nonsmooth::contact_problem::{
     ContactSolution, Delassus, FrictionCondition, ImpulseProblem, NormalCondition,
 };
+use judder_nonsmooth::course::{Course, Factor, TimeTable};
+use judder_nonsmooth::excitation::{BandNoise, Excitation, Signal, Sweep};
 use judder_nonsmooth::gauss_seidel::{ContactAccuracy, solve};
 use judder_nonsmooth::march::NonsmoothMarch;
 use judder_nonsmooth::newton::newton;
@@ -40,7 +42,7 @@ proptest! {
         let delassus = Delassus::new(dimension, matrix.concat());
         let normal = vec![NormalCondition::Unilateral { velocity: 0.0, softness: 0.0 }; points];
         let law = Friction::Constant(friction);
-        let friction = vec![FrictionCondition::Law(&law); points];
+        let friction = vec![FrictionCondition::Law { law: &law, factor: 1.0 }; points];
         let problem =
             ImpulseProblem { delassus: &delassus, free: &free, normal: &normal, friction: &friction, scale: 1.0 };
         let accuracy = ContactAccuracy { tolerance: 1e-12, sweeps: 10_000 };
@@ -90,6 +92,32 @@ fn random_assembly(numbers: &[f64], friction: InterfaceLaw, space: bool) -> Asse
     )
 }
 
+/// A track that slows down, turns round and stands, a load that rises, friction that goes up and down.
+fn course() -> Course {
+    let table = |values: &[f64]| {
+        let times = (0..values.len()).map(|k| 0.1 * k as f64).collect();
+        Factor::Table(TimeTable { times, values: values.to_vec() })
+    };
+    Course {
+        speed: table(&[1.0, -0.5, 0.0]),
+        load: Factor::Rise(0.15),
+        friction: vec![table(&[1.0, 0.3, 1.2, 0.9]), Factor::Constant(1.1)],
+    }
+}
+
+/// One signal of each kind, on all freedoms.
+fn excitations(size: usize) -> Vec<Excitation> {
+    let samples = TimeTable { times: vec![0.0, 0.1, 0.4], values: vec![0.0, 4.0, -3.0] };
+    let signals = [
+        Signal::Sine { amplitude: 5.0, angular_frequency: 300.0, phase: 1.0 },
+        Signal::Sweep(Sweep { amplitude: 3.0, from: 20.0, to: 900.0, duration: 0.3, is_logarithmic: true }),
+        Signal::Random(BandNoise::new(2.0, [100.0, 2000.0], 5)),
+        Signal::Samples(samples),
+    ];
+    let forces = |number: usize| (0..size).map(|k| ((number + 2 * k) as f64).sin()).collect();
+    signals.into_iter().enumerate().map(|(k, signal)| Excitation { signal, forces: forces(k) }).collect()
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 
@@ -100,6 +128,7 @@ proptest! {
         space in any::<bool>(),
         which in 0_usize..2,
         law in 0_usize..3,
+        is_driven in any::<bool>(),
     ) {
         let scheme = [IMPLICIT, ContactScheme::ForwardIncrement][which];
         let falling = FallingFriction { at_rest: 0.5, at_speed: 0.2, decay_speed: 0.3 };
@@ -112,25 +141,31 @@ proptest! {
         let case = random_assembly(&numbers, law, space);
         let mut march = NonsmoothMarch::new(&case, &[], settings(scheme, 1e-4)).unwrap();
         march.set_force_scale(30.0);
+        if is_driven {
+            march.follow(course(), &excitations(case.size())).unwrap();
+        }
         march.start(&vec![0.0; case.size()], &vec![0.0; case.size()]);
+        // of the course's factors of friction
+        let most = if is_driven { 1.32 } else { 1.0 };
         let first = march.energy();
         let mut exchanged = 0.0_f64;
         for _ in 0..3000 {
             march.advance().unwrap();
             let works = march.works();
-            exchanged = exchanged.max(works.friction.abs()).max(works.normal.abs());
+            exchanged = exchanged.max(works.friction.abs()).max(works.normal.abs()).max(works.excitation.abs());
             for point in 0..3 {
                 let [normal, along, across] = march.force(point);
                 prop_assert!(normal >= 0.0);
-                prop_assert!(along.hypot(across) <= 0.5001 * normal + 1e-9);
+                prop_assert!(along.hypot(across) <= 0.5001 * most * normal + 1e-9);
             }
         }
         prop_assert_eq!(march.record().unsolved, 0);
         let (last, works) = (march.energy(), march.works());
         let gained = last.kinetic + last.potential - first.kinetic - first.potential;
-        let told = works.friction + works.normal + works.damping + works.circulation;
+        let told = works.friction + works.normal + works.damping + works.circulation + works.excitation;
         prop_assert!((gained - told).abs() < 1e-9 * (exchanged + gained.abs()), "{gained} {told} of {exchanged}");
         prop_assert!(works.heat >= -1e-12 && works.damping <= 0.0);
+        prop_assert_eq!(works.excitation != 0.0, is_driven);
         if is_rigid && scheme == IMPLICIT {
             prop_assert!(works.normal <= 1e-12, "{}", works.normal);
         }
@@ -152,6 +187,8 @@ fn coordinates_do_not_matter() {
         let mut marches = [&modal, &whole].map(|case| {
             let mut march = NonsmoothMarch::new(case, &[], settings(scheme, 1e-4)).unwrap();
             march.set_force_scale(30.0);
+            march.follow(course(), &excitations(case.size())).unwrap();
+            march.start(&vec![0.0; case.size()], &vec![0.0; case.size()]);
             march
         });
         assert!(marches[0].is_modal() && !marches[1].is_modal());
@@ -173,6 +210,8 @@ fn a_step_allocates_nothing() {
     for scheme in [IMPLICIT, ContactScheme::ForwardIncrement, ContactScheme::Smoothed] {
         let mut march = NonsmoothMarch::new(&case, &[], settings(scheme, 1e-4)).unwrap();
         march.set_force_scale(30.0);
+        march.follow(course(), &excitations(case.size())).unwrap();
+        march.start(&vec![0.0; case.size()], &vec![0.0; case.size()]);
         let counted = allocation_counter::measure(|| {
             (0..1000).for_each(|_| march.advance().unwrap());
         });

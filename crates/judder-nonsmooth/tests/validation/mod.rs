@@ -1,6 +1,7 @@
 //! Closed forms, and eigenvalues.
 
 pub(crate) mod block;
+mod driven;
 mod rod;
 mod travel;
 

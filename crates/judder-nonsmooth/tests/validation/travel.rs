@@ -5,6 +5,7 @@ use judder_assembly::assembly::Assembly;
 use judder_assembly::contact_point::ContactPoint;
 use judder_assembly::row::Row;
 use judder_nonsmooth::NonsmoothError;
+use judder_nonsmooth::course::{Course, Factor};
 use judder_nonsmooth::march::NonsmoothMarch;
 use judder_nonsmooth::scheme::ContactScheme;
 use judder_nonsmooth::travel::{EdgeNode, TravellingContact};
@@ -107,7 +108,7 @@ fn as_assembly(pair: &Pair, ride: Ride) -> (Assembly, TravellingContact) {
     (assembly(matrices, forces, vec![point], coulomb(FRICTION)), travelling)
 }
 
-fn marched(pair: &Pair, ride: Ride) -> Vec<MarchSample> {
+fn marched(pair: &Pair, ride: Ride, ramps: Ramps) -> Vec<MarchSample> {
     let motion = Motion {
         start: START,
         end: if ride.velocity > 0.0 { 0.099 } else { 0.001 },
@@ -115,7 +116,7 @@ fn marched(pair: &Pair, ride: Ride) -> Vec<MarchSample> {
         load: ride.load,
         initial_gap: 0.0,
         noise: Noise::default(),
-        ramps: Ramps::default(),
+        ramps,
         initial_damping: None,
     };
     let settings =
@@ -143,7 +144,7 @@ fn one_point_travels_as_the_beams_paper_has_it() {
     let mut counts = [0; 2];
     for (ride, allowed) in rides {
         let pair = pair(ride);
-        let expected = marched(&pair, ride);
+        let expected = marched(&pair, ride, Ramps::default());
         assert_eq!(expected.len(), 100_000);
         let (case, travelling) = as_assembly(&pair, ride);
         let mut march = NonsmoothMarch::travelling(&case, &[travelling], &[], settings(FILM, STEP)).unwrap();
@@ -163,6 +164,37 @@ fn one_point_travels_as_the_beams_paper_has_it() {
         counts[1] += expected.iter().filter(|own| own.state == ContactState::Stick).count();
     }
     assert!(counts[0] > 10_000 && counts[1] > 100, "{counts:?}");
+}
+
+/// A course is what the ramps of the march of sliding structures are, but for the instant of a step at which they are taken.
+#[test]
+fn a_course_is_what_ramps_are() {
+    let ride = Ride { interpolation: Interpolation::Hermite, ..CALM };
+    let ramps = Ramps { velocity: 0.05, load: 0.03, friction: 0.06, gap: 0.0 };
+    let pair = pair(ride);
+    let expected = marched(&pair, ride, ramps);
+    let (case, travelling) = as_assembly(&pair, ride);
+    let mut march = NonsmoothMarch::travelling(&case, &[travelling], &[], settings(FILM, STEP)).unwrap();
+    march.set_force_scale(expected.iter().map(|own| own.normal_force).fold(0.0, f64::max));
+    let course = Course {
+        speed: Factor::Rise(ramps.velocity),
+        load: Factor::Rise(ramps.load),
+        friction: vec![Factor::Rise(ramps.friction)],
+    };
+    march.follow(course, &[]).unwrap();
+    let size = case.size();
+    march.start(&vec![0.0; size], &vec![0.0; size]);
+    let (mut off, mut largest) = ([0.0_f64; 2], [0.0_f64; 2]);
+    for sample in &expected {
+        march.advance().unwrap();
+        let [normal, friction, _] = march.force(0);
+        let own = [sample.normal_force, -ride.velocity.signum() * sample.tangential_force];
+        for (k, found) in [normal, friction].into_iter().enumerate() {
+            off[k] = off[k].max((found - own[k]).abs());
+            largest[k] = largest[k].max(own[k].abs());
+        }
+    }
+    assert!(off[0] < 1e-3 * largest[0] && off[1] < 1e-3 * largest[1], "{off:?} of {largest:?}");
 }
 
 /// A sole of three points with a mass each on a track that moves as one: it travels as it would slide on a body without an edge.

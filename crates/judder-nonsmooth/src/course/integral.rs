@@ -1,0 +1,79 @@
+//! Integrals of factors: how far a track has come whose speed is multiplied.
+
+use super::{Factor, TimeTable};
+use std::f64::consts::PI;
+
+/// ∫ s dt of a factor s from the start on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FactorIntegral {
+    factor: Factor,
+    /// Of a table: up to each of its times, from the first on.
+    before: Vec<f64>,
+    /// What that is at the start.
+    first: f64,
+}
+
+impl FactorIntegral {
+    pub(super) fn new(factor: Factor) -> Self {
+        let mut before = Vec::new();
+        if let Factor::Table(TimeTable { times, values }) = &factor {
+            before.push(0.0);
+            for (times, values) in times.windows(2).zip(values.windows(2)) {
+                let piece = 0.5 * (values[0] + values[1]) * (times[1] - times[0]);
+                before.push(before.last().copied().unwrap_or(0.0) + piece);
+            }
+        }
+        let mut own = Self { factor, before, first: 0.0 };
+        own.first = own.at(0.0);
+        own
+    }
+
+    /// In s, at a time in s.
+    #[must_use]
+    pub fn at(&self, time: f64) -> f64 {
+        let whole = match &self.factor {
+            Factor::Constant(value) => value * time,
+            Factor::Rise(duration) if time < *duration => {
+                0.5 * (time - duration / PI * (PI * time / duration).sin())
+            }
+            Factor::Rise(duration) => time - 0.5 * duration,
+            Factor::Table(table) => {
+                let last = table.times.partition_point(|own| *own <= time).saturating_sub(1);
+                let mean = 0.5 * (table.values[last] + table.at(time));
+                self.before[last] + mean * (time - table.times[last])
+            }
+        };
+        whole - self.first
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against a sum of many small pieces, also where a table begins before or after the start.
+    #[test]
+    fn integrals_are_sums_of_small_pieces() {
+        let table = |times: [f64; 3]| {
+            Factor::Table(TimeTable { times: times.to_vec(), values: vec![1.0, -0.5, 0.25] })
+        };
+        let factors = [
+            Factor::Constant(0.3),
+            Factor::Rise(0.7),
+            Factor::Rise(0.0),
+            table([0.0, 0.5, 0.8]),
+            table([-1.0, 0.5, 0.8]),
+            table([0.2, 0.5, 0.8]),
+        ];
+        for factor in factors {
+            let (integral, step) = (factor.integral(), 1e-4);
+            assert_eq!(integral.at(0.0), 0.0);
+            let mut sum = 0.0;
+            for k in 0..12_000 {
+                sum += step * factor.at((f64::from(k) + 0.5) * step);
+                let found = integral.at(f64::from(k + 1) * step);
+                assert!((found - sum).abs() < 1e-6, "{factor:?} {k}: {found} {sum}");
+            }
+        }
+    }
+}

@@ -40,7 +40,20 @@ pub(crate) fn check_analysis(analysis: &Map<String, Value>) -> Result<(), Reques
             "`{key}` cannot be set from the page; export the case and set it there"
         )));
     }
+    if names_file(analysis) {
+        return Err(RequestRefusal::wrong("a page names no file; name it in the case".to_owned()));
+    }
     check_counts(analysis)
+}
+
+/// Whether a table, or one within it, names a file.
+fn names_file(table: &Map<String, Value>) -> bool {
+    let of_value = |value: &Value| match value {
+        Value::Object(table) => names_file(table),
+        Value::Array(items) => items.iter().filter_map(Value::as_object).any(names_file),
+        _ => false,
+    };
+    table.iter().any(|(key, value)| key == "file" || of_value(value))
 }
 
 fn check_counts(table: &Map<String, Value>) -> Result<(), RequestRefusal> {

@@ -22,6 +22,7 @@ use judder_keys::error::CaseError;
 use judder_keys::file_reference::FileReference;
 use serde_json::Value;
 use std::any::Any;
+use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
@@ -237,7 +238,7 @@ pub enum Refusal {
     /// The first of these keys that the analysis has.
     Keys(&'static [&'static str], Box<Cause>),
     /// A key of the analysis, by its dotted path.
-    Key(&'static str, Box<Cause>),
+    Key(Cow<'static, str>, Box<Cause>),
     /// Any key of the case, by its dotted path.
     Path(&'static str, Box<Cause>),
 }
@@ -249,8 +250,8 @@ impl Refusal {
     }
 
     /// A key of the analysis is to blame, by its dotted path; the analysis where it is empty.
-    pub fn key(key: &'static str, cause: impl Into<Cause>) -> Self {
-        Self::Key(key, Box::new(cause.into()))
+    pub fn key(key: impl Into<Cow<'static, str>>, cause: impl Into<Cause>) -> Self {
+        Self::Key(key.into(), Box::new(cause.into()))
     }
 
     /// A key of the case is to blame, by its dotted path.
@@ -262,7 +263,7 @@ impl Refusal {
     pub fn placed(self, AnalysisPlace { file, index, name }: AnalysisPlace<'_>) -> CaseError {
         match self {
             Self::Keys(keys, cause) => file.analysis_error(index, keys, *cause),
-            Self::Key("", cause) => file.error(&format!("analysis.{name}"), *cause),
+            Self::Key(key, cause) if key.is_empty() => file.error(&format!("analysis.{name}"), *cause),
             Self::Key(key, cause) => file.error(&format!("analysis.{name}.{key}"), *cause),
             Self::Path(path, cause) => file.error(path, *cause),
         }

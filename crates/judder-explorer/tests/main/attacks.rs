@@ -242,8 +242,16 @@ fn options_and_analyses_name_no_files() {
     }
     let analysis = json!({ "analysis": { "name": "x", "kind": "motion", "law": { "file": there } } });
     let answer = served.post("/api/motion", &analysis);
-    let frames = answer.frames();
-    assert_eq!(frames.last().map(|frame| frame.kind().to_owned()).as_deref(), Some("error"), "{answer:?}");
+    assert!(answer.status == 400 && answer.text().contains("a page names no file"), "{answer:?}");
+    // nor within lists, whether it is there or not
+    let answers = [&there, &gone].map(|path| {
+        let forces =
+            json!([{ "structure": "pad", "set": "x-min", "direction": "x", "force": { "file": path } }]);
+        let analysis = json!({ "analysis": { "name": "x", "kind": "march", "forces": forces } });
+        served.post("/api/analysis", &analysis).text()
+    });
+    assert!(answers[0].contains("a page names no file"), "{answers:?}");
+    assert_eq!(answers[0], answers[1]);
 }
 
 #[test]

@@ -55,6 +55,10 @@ pub fn worded(registry: Registry, model: &str) -> Vec<Listed> {
 
 /// The names of all keys that name a file.
 pub(crate) fn file_keys(registry: Registry) -> BTreeSet<&'static str> {
-    let declared = registry.models().iter().flat_map(|model| listed("", &(model.declared)()));
+    let of_model = |model: &ModelKind| {
+        let of_analyses = (model.kinds)().into_iter().flat_map(|kind| listed("", &(kind.declared)()));
+        listed("", &(model.declared)()).into_iter().chain(of_analyses).collect::<Vec<_>>()
+    };
+    let declared = registry.models().iter().flat_map(|model| of_model(model));
     declared.filter(Listed::is_file).map(|own| own.key.name).collect()
 }

@@ -7,6 +7,7 @@ use crate::error::StudyError;
 use crate::outcome::Outcome;
 use dyn_clone::DynClone;
 use judder_keys::error::CaseError;
+use judder_keys::file_reference::FileReference;
 use judder_store::Declared;
 use serde_json::{Map, Value};
 use std::any::Any;
@@ -58,6 +59,11 @@ pub trait Analysis<M: Analysed + ?Sized>: AsAny + DynClone + fmt::Debug + Send +
 
     /// The names of the analyses whose results it takes up.
     fn takes_up(&self) -> Vec<&str> {
+        Vec::new()
+    }
+
+    /// The files that it names, which its case tells with its own.
+    fn files(&self) -> Vec<&FileReference> {
         Vec::new()
     }
 

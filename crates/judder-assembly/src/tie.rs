@@ -54,6 +54,12 @@ impl Bond {
         self.basis.form(row)
     }
 
+    /// Forces on the freedoms of the bodies on those that are left, Bᵀ f.
+    #[must_use]
+    pub fn forces(&self, forces: &[f64]) -> Vec<f64> {
+        self.basis.transposed(forces)
+    }
+
     /// q = B z.
     #[must_use]
     pub fn expanded(&self, z: &[c64]) -> Vec<c64> {

@@ -1,7 +1,7 @@
 //! From the keys of an assembly case to bodies that touch.
 //!
 //! - `body`: one body, whole or reduced.
-//! - `load`: what acts on it.
+//! - `load`: what acts on it. `driven`: forces that change over time, inertia beside a base that moves.
 //! - `turning`: what turning does to it, and what of that is left out.
 //! - `interface`: contact points found, laws as the physics has them. `joint`: springs and ties.
 //! - `interface_modes`: which bodies may have their contact freedoms reduced.
@@ -15,6 +15,7 @@
 
 mod body;
 mod deformed;
+mod driven;
 mod field;
 mod interface;
 mod interface_modes;

@@ -152,7 +152,13 @@ impl AssemblyCase {
         let of_structures = self.structures.iter().flat_map(|structure| structure.source.files());
         let of_substrate = self.substrate.iter().flat_map(|own| own.substrate.file());
         let of_laws = self.spheres.iter().flatten().flat_map(|sphere| &sphere.law_file);
-        of_structures.chain(of_substrate).chain(of_laws).collect()
+        let of_analyses = self.analyses.iter().flat_map(|own| own.kind.files());
+        of_structures.chain(of_substrate).chain(of_laws).chain(of_analyses).collect()
+    }
+
+    /// The folder to which its files are relative.
+    pub(super) fn folder(&self) -> &Path {
+        &self.origin.folder
     }
 
     /// The case with swept keys at these values, in SI units, without analyses: read anew, so that every key can be swept.

@@ -29,6 +29,7 @@ use judder_assembly::steady::{
 };
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
+use judder_nonsmooth::course::Course;
 use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::text::CaseText;
 use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Task, wanted};
@@ -80,7 +81,22 @@ impl AssemblySubject<'_> {
 
     /// Steady sliding from which a march can begin: a rigid point that is held closed and pulls has friction there that it has in no motion.
     fn steady_to_march(&self) -> Result<SteadySliding, ModelError> {
-        let steady = self.steady_or_untouched()?;
+        self.admitted(self.steady_or_untouched()?)
+    }
+
+    /// The same with what a course starts with.
+    fn steady_at_first(&self, course: &Course) -> Result<SteadySliding, ModelError> {
+        let first = course.first(&self.built.assembly);
+        // without loads the bodies lie as they are meshed
+        if first.interfaces.is_empty() || first.load.iter().all(|force| *force == 0.0) {
+            return Ok(SteadySliding::untouched(first.size()));
+        }
+        let compliance = Compliance::new(&first).map_err(|error| self.built.told(error))?;
+        self.admitted(slide(&first, &compliance).map_err(|error| self.built.told(error))?)
+    }
+
+    /// Refuses steady sliding from which no march can begin.
+    fn admitted(&self, steady: SteadySliding) -> Result<SteadySliding, ModelError> {
         let interfaces = &self.built.assembly.interfaces;
         let pulls = |point: &&PointState| {
             point.normal_force < 0.0 && matches!(interfaces[point.interface].law, InterfaceLaw::Rigid(_))

@@ -1,6 +1,7 @@
 //! Assemblies end to end.
 
 mod deformed;
+mod driven;
 mod interface_modes;
 mod joined;
 mod meshes;

@@ -169,6 +169,13 @@ impl BuiltBody {
         Ok(Some(load.iter().sum()))
     }
 
+    /// Forces on its freedoms as forces on its coordinates.
+    pub(super) fn on_basis(&self, forces: Vec<f64>) -> Vec<f64> {
+        let Some(basis) = &self.basis else { return forces };
+        let along = |k: usize| forces.iter().enumerate().map(|(i, force)| basis[(i, k)] * force).sum();
+        (0..basis.ncols()).map(along).collect()
+    }
+
     /// How a coordinate moves it, in words.
     pub(super) fn moves(&self, coordinate: usize) -> String {
         let freedom = self.coordinates.iter().position(|own| *own == Some(coordinate));
@@ -266,9 +273,9 @@ impl BuiltBody {
             stiffness: sparse(stiffness)?,
             gyroscopic: gyroscopic.as_ref().map(|own| projected(&basis, own)).transpose()?,
         };
-        let along = |k: usize| self.load.iter().enumerate().map(|(i, force)| basis[(i, k)] * force).sum();
-        self.load = (0..basis.ncols()).map(along).collect();
         self.basis = Some(basis);
+        let load = std::mem::take(&mut self.load);
+        self.load = self.on_basis(load);
         Ok(())
     }
 }
@@ -288,7 +295,11 @@ fn alone(case: &AssemblyCase, index: usize) -> StructureCase {
 }
 
 /// M with its point masses, C and K; what α of Rayleigh's damping stands before is all of M.
-fn matrices(case: &AssemblyCase, index: usize, structure: &Structure) -> Result<BodyMatrices, Unassembled> {
+pub(super) fn matrices(
+    case: &AssemblyCase,
+    index: usize,
+    structure: &Structure,
+) -> Result<BodyMatrices, Unassembled> {
     let own = &case.structures[index];
     let path = format!("structure.{}", own.name);
     let refused = |error: &dyn std::fmt::Display| Unassembled::because(path.as_str(), &error.to_string());
@@ -316,7 +327,10 @@ fn matrices(case: &AssemblyCase, index: usize, structure: &Structure) -> Result<
 const ROUNDING: f64 = 1e-12;
 
 /// The freedoms that point masses move, and the mass on each.
-fn point_masses(own: &AssemblyStructure, structure: &Structure) -> Result<Vec<(usize, f64)>, Unassembled> {
+pub(super) fn point_masses(
+    own: &AssemblyStructure,
+    structure: &Structure,
+) -> Result<Vec<(usize, f64)>, Unassembled> {
     let Some(layout) = &structure.layout else { return Ok(Vec::new()) };
     let mut found = Vec::new();
     for (index, point) in own.masses.iter().enumerate() {

@@ -27,11 +27,7 @@ pub(super) fn load(
         let direction = own.direction.unwrap_or(Direction::X);
         let acting = match own.amount {
             LoadAmount::Force(force) => of_force(structure, &points, direction, force).ok_or_else(|| {
-                let reason = format!(
-                    "no node of `{}` is free along {direction}: a force there moves nothing",
-                    own.set()
-                );
-                Unassembled::because(format!("{path}.force"), &reason)
+                Unassembled::because(format!("{path}.force"), &moves_nothing(&own.set(), direction))
             })?,
             LoadAmount::Pressure(pressure) => of_pressure(structure, &points, pressure, &path)?,
             LoadAmount::Displacement(displacement) => {
@@ -49,8 +45,18 @@ pub(super) fn load(
     Ok((load, imposed))
 }
 
+/// Why a force on nodes that are all held is none.
+pub(super) fn moves_nothing(set: &str, direction: Direction) -> String {
+    format!("no node of `{set}` is free along {direction}: a force there moves nothing")
+}
+
 /// A force that all nodes share alike; `None` where all are held.
-fn of_force(structure: &Structure, points: &[usize], direction: Direction, force: f64) -> Option<Vec<f64>> {
+pub(super) fn of_force(
+    structure: &Structure,
+    points: &[usize],
+    direction: Direction,
+    force: f64,
+) -> Option<Vec<f64>> {
     let layout = structure.layout.as_ref()?;
     let free: Vec<usize> =
         points.iter().filter_map(|point| layout.freedoms[*point][direction as usize]).collect();

@@ -274,7 +274,7 @@ impl SurfaceOf {
         format!("{}.{}", self.structure.name, self.nodes.words())
     }
 
-    pub(super) fn admit(
+    pub(in crate::assembly) fn admit(
         &mut self,
         section: &Section<'_>,
         structures: &[AssemblyStructure],

@@ -1,6 +1,7 @@
 //! A motion: forces over time, and what every contact point does.
 
-use crate::sliding::march::figure::history;
+use super::driven::COURSE;
+use crate::sliding::march::figure::{history, panel, trace};
 use judder_numerics::contact_state::ContactState;
 use judder_report::figure::{Class, ClassMap};
 use judder_report::{Axis, Layer, Legend, Panel, Role};
@@ -21,7 +22,7 @@ const STATES: [(ContactState, Role); 4] = [
     (ContactState::LiftOff, Role::LiftOff),
 ];
 
-/// Normal and friction forces of each contact, then the states of its points over the whole motion and over its end; accelerations of the observed
+/// Normal and friction forces of each contact, then the states of its points over the whole motion and over its end; what changes over time, and accelerations of the observed
 /// points.
 pub(super) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
     let names = words(dataset, "contact").unwrap_or_default();
@@ -38,11 +39,24 @@ pub(super) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
             panels.push(states(dataset, contact, first)?.with_title(format!("{contact}: the last periods")));
         }
     }
-    for variable in dataset.variables().iter().filter(|own| own.units == "m/s^2") {
+    panels.extend(course(dataset));
+    for variable in
+        dataset.variables().iter().filter(|own| own.units == "m/s^2" || own.name.starts_with("force."))
+    {
         let panel = history(dataset, &variable.name, Role::Series(0).solid())?;
         panels.push(with_transient(dataset, panel));
     }
     Some(panels)
+}
+
+/// What speeds, loads and friction are multiplied by, where they change.
+fn course(dataset: &Dataset) -> Option<Panel> {
+    let known = COURSE.into_iter().filter(|(name, _)| dataset.variable(name).is_some());
+    let line = |(k, (name, words))| trace(dataset, name, words, Role::Series(k).solid());
+    let layers: Vec<Layer> = known.clone().enumerate().filter_map(line).collect();
+    let (name, _) = known.clone().next()?;
+    panel(dataset, name, layers)
+        .map(|panel| with_transient(dataset, panel).with_title("what changes over time"))
 }
 
 /// The first instant of the last periods; none where all instants are of these.

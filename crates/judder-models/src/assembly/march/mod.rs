@@ -2,6 +2,7 @@
 
 mod arrays;
 mod content;
+pub mod driven;
 pub mod field;
 mod figure;
 mod recorded;
@@ -16,7 +17,9 @@ use crate::assembly::build::TrackEnd;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::error::ModelError;
+use driven::Drive;
 use judder_keys::declared::Settings;
+use judder_keys::file_reference::FileReference;
 use judder_numerics::words::plain;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
@@ -32,7 +35,7 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
     name: "march",
     doc: "the motion through stick, slip and lift-off at every contact point, with its balance of energy",
     declared: AssemblyMarch::declarations,
-    read: |_, section| Ok(Arc::new(AssemblyMarch::read_table(section)?)),
+    read: |case, section| Ok(Arc::new(AssemblyMarch::of(case.as_ref(), section)?)),
     picture: Some(Picture {
         draw: figure::march,
         caption: "Forces of each contact over time: each line fills the space between the smallest and the largest sample of a column. What each contact point does, \
@@ -42,16 +45,29 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 
 impl Analysis<AssemblyCase> for AssemblyMarch {
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
-        let ended = of.built.track_ends().find(|end| end.speed * self.duration > end.way);
+        let drive = match Drive::new(of, self) {
+            Ok(drive) => drive,
+            Err(undriven) => return undriven.refusal().map(Err),
+        };
+        // at full speed
+        let time = drive.course.speed.integral().at(self.duration);
+        let ended = of.built.track_ends().find(|end| end.speed * time > end.way);
         Ok(ended.map_or(Ok(()), |TrackEnd { contact, way, speed }| {
+            let after = match drive.course.speed.is_one() {
+                true => format!(", after {} s", plain(way / speed)),
+                false => String::new(),
+            };
             let reason = format!(
-                "the contact `{}` travels {} m and then runs off its track, after {} s: shorten the duration, or begin farther from that end",
+                "the contact `{}` travels {} m and then runs off its track{after}: shorten the duration, or begin farther from that end",
                 of.case.contacts[contact].name,
                 plain(way),
-                plain(way / speed),
             );
             Err(Refusal::key("duration", AssemblyProblem::Refused { reason }))
         }))
+    }
+
+    fn files(&self) -> Vec<&FileReference> {
+        self.driven.files()
     }
 
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

@@ -2,6 +2,7 @@
 
 use super::arrays::dataset;
 use super::content::SoughtContent;
+use super::driven::{Drive, with_drive};
 use super::recorded::{Recorded, Signals};
 use super::settings::AssemblyMarch;
 use super::start::MotionState;
@@ -42,9 +43,14 @@ pub(super) fn run(
     asked: &AssemblyMarch,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
+    let drive = Drive::new(of, asked)?;
     let steady = of.steady_to_march()?;
-    let state = MotionState::new(of, &steady, asked.start.as_ref(), asked.march().velocities_lag())?;
-    let mut marched = march(of, asked, progress, &steady, &state)?;
+    let first = match drive.course.starts_as_given() {
+        true => None,
+        false => Some(of.steady_at_first(&drive.course)?),
+    };
+    let begins = Begins { steady: &steady, first: first.as_ref().unwrap_or(&steady) };
+    let mut marched = march(of, asked, progress, begins, &drive)?;
     let signals = marched.recorded.signals();
     let sounds = sounds(of, &signals)?;
     let (heard, files): (Vec<_>, Vec<_>) =
@@ -52,7 +58,8 @@ pub(super) fn run(
     let told = marched.told(of, asked, &signals, heard);
     let frequency = told.frequency_hz;
     let Outcome { scalars, .. } = Outcome::of(&told)?;
-    let dataset = dataset(of, asked, &marched.recorded, signals)?;
+    let times = if drive.is_none() { Vec::new() } else { signals.time.clone() };
+    let dataset = with_drive(dataset(of, asked, &marched.recorded, signals)?, &drive, &times)?;
     Ok(Outcome {
         scalars,
         dataset: match frequency {
@@ -61,7 +68,12 @@ pub(super) fn run(
         },
         checks: marched.checks(asked),
         missing: usize::from(marched.march.record().unsolved > 0),
-        warnings: [of.doubts(&steady), marched.warnings(!of.built.travelling.is_empty())].concat(),
+        warnings: [
+            of.doubts(&steady),
+            drive.warnings(of, asked.modes),
+            marched.warnings(!of.built.travelling.is_empty()),
+        ]
+        .concat(),
         files,
         ..Outcome::default()
     })
@@ -81,28 +93,43 @@ fn points_of(of: &AssemblySubject<'_>) -> Vec<usize> {
     of.built.assembly.interfaces.iter().map(|interface| interface.points.len()).collect()
 }
 
+/// What a motion begins with.
+#[derive(Clone, Copy)]
+struct Begins<'a> {
+    /// Steady sliding with the case's own values,
+    steady: &'a SteadySliding,
+    /// and with those that the course starts with.
+    first: &'a SteadySliding,
+}
+
 fn march<'a>(
     of: &AssemblySubject<'a>,
     asked: &AssemblyMarch,
     progress: &dyn Progress,
-    steady: &SteadySliding,
-    state: &MotionState,
+    Begins { steady, first }: Begins<'_>,
+    drive: &Drive,
 ) -> Result<RunMotion<'a>, ModelError> {
+    let lag = asked.march().velocities_lag();
+    let state = MotionState::new(of, [steady, first], asked.start.as_ref(), lag)?;
     let watched: Vec<Row> = of.built.watched.iter().map(|own| own.row.clone()).collect();
     let mut march =
         NonsmoothMarch::travelling(&of.built.assembly, &of.built.travelling, &watched, asked.march())?;
-    let largest = steady.points.iter().map(|point| point.normal_force.abs()).fold(0.0, f64::max);
+    let forces = [steady, first].into_iter().flat_map(|own| &own.points);
+    let largest = forces.map(|point| point.normal_force.abs()).fold(0.0, f64::max);
     march.set_force_scale(if largest > 0.0 { largest } else { 1.0 });
+    if !drive.is_none() {
+        march.follow(drive.course.clone(), &drive.excitations)?;
+    }
     march.start(&state.displacement, &state.velocity);
     let guess: Vec<[f64; 2]> =
-        steady.points.iter().map(|point| [point.normal_force, point.friction_force]).collect();
+        first.points.iter().map(|point| [point.normal_force, point.friction_force]).collect();
     march.guess(&guess);
     let mut content = SoughtContent::new(of, steady, &march, asked.modes);
     let [steps, transient] = asked.steps();
     let mut recorded = Recorded::new(&march, &points_of(of), watched.len(), asked.sample_rate.0)?;
     let mut statistics = Statistics::new(steady.points.len());
-    let first = march.energy();
-    let first_energy = first.kinetic + first.potential;
+    let energy = march.energy();
+    let first_energy = energy.kinetic + energy.potential;
     let mut settled = march.works();
     progress.expect((steps / LOOK) as usize);
     let start = Instant::now();

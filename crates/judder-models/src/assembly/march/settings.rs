@@ -1,10 +1,12 @@
 //! `march`: how a motion is integrated, from where, and what is kept of it.
 
+use super::driven::settings::DrivenSettings;
 use super::field::PlaceExpression;
+use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::sliding::case::signals::Hertz;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Number, Several, Whole};
+use judder_keys::declared::{Number, Settings as _, Several, Whole};
 use judder_keys::dimension::Dimension;
 use judder_keys::error::Fault;
 use judder_keys::numeric_key::Range;
@@ -64,6 +66,9 @@ pub struct AssemblyMarch {
     /// How many of the lowest complex modes about steady sliding are looked for in the motion.
     #[key(rule = Whole { from: 0, to: 500 }, default = 12)]
     pub modes: usize,
+    /// What changes over time.
+    #[key(flatten)]
+    pub driven: DrivenSettings,
     /// Samples of signals and of the states of the contact that are kept, at least.
     #[key(symbol = "2π f_s", default = Hertz(400e3))]
     pub sample_rate: Hertz,
@@ -92,6 +97,15 @@ pub struct AssemblyStart {
 const VELOCITY: Several<()> = Several { of: (), length: [2, 3] };
 
 impl AssemblyMarch {
+    /// Reads a march of a case, whose structures and folder are known where it is.
+    pub(super) fn of(case: Option<&AssemblyCase>, section: &Section<'_>) -> Result<Self, Fault> {
+        let mut own = Self::read_table(section)?;
+        match case {
+            Some(case) => own.driven.found(section, case).map(|()| own),
+            None => Ok(own),
+        }
+    }
+
     fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
         if let (Some(node), false) = (section.get("restitution"), self.method == SchemeWord::Moreau) {
             let with = format!("method = \"{}\"", self.method.name());

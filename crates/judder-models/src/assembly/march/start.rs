@@ -16,17 +16,16 @@ pub(super) struct MotionState {
 }
 
 impl MotionState {
-    /// Steady sliding, with what the start adds; velocities are those of a time `back` before, in s.
+    /// Steady sliding with the values that a course starts with, the second, and what the start adds to it, modes about that with the case's own values, the first;
+    /// velocities are those of a time `back` before, in s.
     pub(super) fn new(
         of: &AssemblySubject<'_>,
-        steady: &SteadySliding,
+        [steady, first]: [&SteadySliding; 2],
         start: Option<&AssemblyStart>,
         back: f64,
     ) -> Result<Self, ModelError> {
-        let mut state = Self {
-            displacement: steady.displacement.clone(),
-            velocity: vec![0.0; steady.displacement.len()],
-        };
+        let mut state =
+            Self { displacement: first.displacement.clone(), velocity: vec![0.0; first.displacement.len()] };
         match start {
             Some(AssemblyStart { velocity: Some(field), .. }) => {
                 state.velocity = of.built.on_freedoms(&|place| values(field, place))?;

@@ -63,6 +63,9 @@ pub(super) struct ToldPower {
     /// from normal forces on the slope of a track along which points travel
     #[result(optional)]
     slope: Option<f64>,
+    /// from excitations, and from what a course adds to the loads
+    #[result(optional)]
+    excitation: Option<f64>,
     /// from stiffness that is not symmetric
     #[result(optional)]
     circulation: Option<f64>,
@@ -98,12 +101,13 @@ impl RunMotion<'_> {
     fn balance(&self) -> [f64; 2] {
         let (works, energy) = (self.march.works(), self.march.energy());
         let gained = energy.kinetic + energy.potential - self.first_energy;
-        let told = works.friction + works.normal + works.damping + works.circulation;
+        let told = works.friction + works.normal + works.damping + works.circulation + works.excitation;
         let sizes = [
             works.friction,
             works.normal,
             works.damping,
             works.circulation,
+            works.excitation,
             energy.kinetic,
             energy.potential,
         ];
@@ -146,6 +150,7 @@ impl RunMotion<'_> {
                 drive: mean(|own| own.friction + own.heat + own.slope),
                 heat: mean(|own| own.heat),
                 slope: (!of.built.travelling.is_empty()).then(|| mean(|own| own.slope)),
+                excitation: (works.excitation != 0.0).then(|| mean(|own| own.excitation)),
                 circulation: (works.circulation != 0.0).then(|| mean(|own| own.circulation)),
             },
             energy_balance: off / exchanged,

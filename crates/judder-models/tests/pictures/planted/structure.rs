@@ -213,10 +213,12 @@ pub(super) fn assembly_march(seed: u64) -> Vec<Planted> {
     let mut random = Random(seed);
     let time = steps(20);
     let (mut runs, mut variables) = (Vec::new(), vec![Variable::coordinate("time", time.clone())]);
-    for (base, name) in ["sole.normal_force", "sole.friction_force"].into_iter().enumerate() {
+    let forces = ["sole.normal_force", "sole.friction_force"].map(|name| (name, "N"));
+    let driven = [("course.speed", "1"), ("course.friction", "1"), ("base.1.y", "m/s^2"), ("force.2.x", "N")];
+    for (base, (name, unit)) in forces.into_iter().chain(driven).enumerate() {
         let values = random.gappy(20, base as f64);
         runs.push(run(&time, &values));
-        variables.push(along(name, "time", values));
+        variables.push(along(name, "time", values).units(unit));
     }
     variables.push(along("contact", "contact_point", vec!["sole".to_owned(); 2]));
     variables.push(Variable::coordinate("state_time", vec![0.0, 1.0]));

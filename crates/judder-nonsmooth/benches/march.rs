@@ -151,7 +151,8 @@ fn slider(size: Size) -> Result<Assembly, Box<dyn Error>> {
 
 fn march(assembly: &Assembly, size: Size) -> Result<NonsmoothMarch<'_>, Box<dyn Error>> {
     let scheme = ContactScheme::MoreauJean { restitution: 0.0 };
-    let settings = NonsmoothSettings { scheme, step: STEP, accuracy: ContactAccuracy::default() };
+    let settings =
+        NonsmoothSettings { scheme, step: STEP, accuracy: ContactAccuracy::default(), cut_off: None };
     let mut march = NonsmoothMarch::new(assembly, &[], settings)?;
     march.set_force_scale(LOAD / size.points as f64);
     Ok(march)
@@ -195,7 +196,11 @@ fn timed(size: Size) -> Result<Value, Box<dyn Error>> {
 /// Seconds of what no step can do without: the modes moved on, seen at all points and pushed there.
 fn floor(assembly: &Assembly, march: &NonsmoothMarch<'_>) -> Result<f64, Box<dyn Error>> {
     let rows = &march.contact().rows;
-    let mut bodies = MovingBodies::new(assembly, rows, StepRule { step: STEP, implicitness: 0.5 })?;
+    let mut bodies = MovingBodies::new(
+        assembly,
+        rows,
+        StepRule { step: STEP, implicitness: 0.5, cut_off: f64::INFINITY },
+    )?;
     let (z, v, load) = (vec![1e-6; bodies.size()], vec![1e-3; bodies.size()], vec![1.0; bodies.size()]);
     let (mut next, mut seen, impulse) = (v.clone(), vec![0.0; rows.len()], vec![1e-6; rows.len()]);
     let mut least = f64::INFINITY;

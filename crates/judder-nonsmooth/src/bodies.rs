@@ -3,6 +3,8 @@
 //! Every scheme here goes v⁺ = v + A⁻¹ (−h (C v + K (z + h θ v) − f) + Hᵀ P) with A = M + h θ C + h² θ² K: θ = ½ is the implicit scheme,
 //! θ = 0 central differences, whose velocities lie between the steps. Where the damping leaves the modes of all bodies together free
 //! of each other, z are these modes, and a step costs a pass over them; else z are the freedoms, and a step a solution with A.
+//!
+//! Modes above a cut-off only yield, λ z⁺ = f + Hᵀ P/h, so that they do not bound an explicit step: the residual flexibility of the beams' marches.
 
 mod modal;
 mod whole;
@@ -20,6 +22,8 @@ pub struct StepRule {
     pub step: f64,
     /// θ.
     pub implicitness: f64,
+    /// Modes from this angular frequency on only yield, in rad/s; of explicit steps, infinite where all move.
+    pub cut_off: f64,
 }
 
 /// MovingBodies with rows that are watched and pushed.
@@ -50,16 +54,19 @@ pub struct BodyWork {
     pub damping: f64,
     /// Of the part of K that is not symmetric.
     pub circulation: f64,
+    /// Of modes that only yield, which follow forces at once and do not swing on.
+    pub flexibility: f64,
 }
 
 impl MovingBodies {
     /// The bodies of an assembly with these rows, for steps of one kind.
     ///
     /// # Errors
-    /// [`NonsmoothError::NoMass`] for an explicit step, and of matrices that cannot be factored.
+    /// [`NonsmoothError::NoMass`] for an explicit step, and of matrices that cannot be factored; [`NonsmoothError::CutOffNeedsModes`].
     pub fn new(assembly: &Assembly, rows: &[Row], rule: StepRule) -> Result<Self, NonsmoothError> {
         let kind = match ModalBodies::new(assembly, rows, rule) {
             Some(modal) => BodyCoordinates::Modal(Box::new(modal)),
+            None if rule.cut_off.is_finite() => return Err(NonsmoothError::CutOffNeedsModes),
             None => BodyCoordinates::Whole(Box::new(WholeBodies::new(assembly, rows, rule)?)),
         };
         Ok(Self { kind })

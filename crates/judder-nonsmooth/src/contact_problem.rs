@@ -57,20 +57,40 @@ pub enum FrictionCondition<'a> {
         /// μ now.
         now: f64,
     },
+    /// The point slides along the slip of steady sliding whatever its velocity: T = μ N.
+    Sliding {
+        /// μ.
+        coefficient: f64,
+    },
+}
+
+/// The friction of a point at the velocity that it has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum FrictionNow {
+    /// Coulomb's, with μ at rest and at the speed.
+    Coulomb { at_rest: f64, now: f64 },
+    /// T = μ N along the slip of steady sliding.
+    Sliding { coefficient: f64 },
 }
 
 impl FrictionCondition<'_> {
-    fn at_rest(&self) -> f64 {
-        match self {
-            Self::Law { law, factor } => factor * law.at(0.0).coefficient,
-            Self::Now { at_rest, .. } => *at_rest,
-        }
-    }
-
+    /// μ at a speed.
     pub(crate) fn at(&self, speed: f64) -> f64 {
         match self {
             Self::Law { law, factor } => factor * law.at(speed).coefficient,
             Self::Now { now, .. } => *now,
+            Self::Sliding { coefficient } => *coefficient,
+        }
+    }
+
+    fn now(&self, speed: f64) -> FrictionNow {
+        match self {
+            Self::Law { law, factor } => FrictionNow::Coulomb {
+                at_rest: factor * law.at(0.0).coefficient,
+                now: factor * law.at(speed).coefficient,
+            },
+            Self::Now { at_rest, now } => FrictionNow::Coulomb { at_rest: *at_rest, now: *now },
+            Self::Sliding { coefficient } => FrictionNow::Sliding { coefficient: *coefficient },
         }
     }
 }
@@ -306,10 +326,9 @@ impl ImpulseProblem<'_> {
         }
     }
 
-    /// μ at rest and at the speed of a velocity.
-    pub(crate) fn coefficients(&self, point: usize, velocity: [f64; MOST]) -> [f64; 2] {
-        let friction = &self.friction[point];
-        [friction.at_rest(), friction.at(length([velocity[1], velocity[2]]))]
+    /// Its friction at a velocity.
+    pub(crate) fn friction_at(&self, point: usize, velocity: [f64; MOST]) -> FrictionNow {
+        self.friction[point].now(length([velocity[1], velocity[2]]))
     }
 
     /// The largest residual of a point: by how much its impulses change when they are projected on what the contact allows,
@@ -344,16 +363,21 @@ impl ImpulseProblem<'_> {
                 (impulse[0] - gap / (block.normal() + softness)).max(0.0)
             }
         };
-        let [at_rest, now] = self.coefficients(point, velocity);
-        let speed = length([velocity[1], velocity[2]]);
         let pressed = impulse[0].max(0.0);
-        let tried = [1, 2].map(|k| impulse[k] - velocity[k] / block.tangential());
-        let size = length(tried);
-        // on a falling law a point that sticks carries more than one that slides
-        let moves = speed * self.scale.recip() > f64::EPSILON * block.tangential();
-        let bound = pressed * if moves { now } else { at_rest };
-        let factor = if size > bound { bound / size } else { 1.0 };
-        let off = [impulse[0] - normal, impulse[1] - factor * tried[0], impulse[2] - factor * tried[1]];
+        let allowed = match self.friction_at(point, velocity) {
+            FrictionNow::Sliding { coefficient } => [coefficient * pressed, 0.0],
+            FrictionNow::Coulomb { at_rest, now } => {
+                let speed = length([velocity[1], velocity[2]]);
+                let tried = [1, 2].map(|k| impulse[k] - velocity[k] / block.tangential());
+                let size = length(tried);
+                // on a falling law a point that sticks carries more than one that slides
+                let moves = speed * self.scale.recip() > f64::EPSILON * block.tangential();
+                let bound = pressed * if moves { now } else { at_rest };
+                let factor = if size > bound { bound / size } else { 1.0 };
+                tried.map(|own| factor * own)
+            }
+        };
+        let off = [impulse[0] - normal, impulse[1] - allowed[0], impulse[2] - allowed[1]];
         length([off[0], length([off[1], off[2]])]) / self.scale
     }
 }

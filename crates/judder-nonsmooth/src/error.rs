@@ -50,6 +50,11 @@ pub enum NonsmoothError {
         "the mass matrix is not positive definite: an explicit step needs mass at every freedom; take the method `moreau`"
     )]
     NoMass,
+    /// Modes that only yield of bodies that have none apart.
+    #[error(
+        "a cut-off needs the modes of all bodies together, free of each other: their damping joins these, or there are too many; leave the cut-off out, or reduce the bodies"
+    )]
+    CutOffNeedsModes,
     /// A contact point that no impulse moves.
     #[error("contact point {point} of interface `{interface}` is held: no force at it moves the bodies")]
     HeldPoint {

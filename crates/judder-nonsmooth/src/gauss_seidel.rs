@@ -89,7 +89,7 @@ fn sweep(problem: &ImpulseProblem<'_>, solution: &mut ContactSolution) -> f64 {
         let impulse = problem.of_point(&solution.impulse, point);
         let velocity = problem.of_point(&solution.velocity, point);
         let free = block.without(velocity, impulse);
-        let friction = problem.coefficients(point, velocity);
+        let friction = problem.friction_at(point, velocity);
         let (found, motion) = block.solve(free, problem.normal[point], friction);
         solution.motion[point] = motion;
         let change = [0, 1, 2].map(|k| found[k] - impulse[k]);
@@ -110,7 +110,7 @@ pub(crate) fn name_motions(problem: &ImpulseProblem<'_>, solution: &mut ContactS
         let impulse = problem.of_point(&solution.impulse, point);
         let velocity = problem.of_point(&solution.velocity, point);
         let free = block.without(velocity, impulse);
-        let friction = problem.coefficients(point, velocity);
+        let friction = problem.friction_at(point, velocity);
         solution.motion[point] = match block.solve(free, problem.normal[point], friction) {
             (_, PointMotion::Open) => PointMotion::Open,
             (_, motion) => motion,

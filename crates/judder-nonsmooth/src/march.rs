@@ -8,7 +8,7 @@ mod step;
 mod widths;
 
 use crate::NonsmoothError;
-use crate::bodies::{BodyEnergy, MovingBodies};
+use crate::bodies::{BodyEnergy, MovingBodies, StepRule};
 use crate::contact::ContactPoints;
 use crate::contact_problem::{
     ContactProgress, ContactSolution, Delassus, FrictionCondition, NormalCondition, PointMotion,
@@ -19,6 +19,7 @@ use crate::travel::{Travel, TravellingContact};
 use acting::Acting;
 use judder_assembly::assembly::Assembly;
 use judder_assembly::row::Row;
+use std::f64::consts::TAU;
 
 /// What a march is to do.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,6 +30,8 @@ pub struct NonsmoothSettings {
     pub step: f64,
     /// How well the contact is solved.
     pub accuracy: ContactAccuracy,
+    /// Of an explicit scheme: modes from this frequency on only yield, in Hz.
+    pub cut_off: Option<f64>,
 }
 
 /// Where work went since the start, in J: what it added to the bodies.
@@ -48,6 +51,8 @@ pub struct Works {
     pub circulation: f64,
     /// Of forces beyond the load of the assembly: of excitations, and of what a course adds to the load or takes of it.
     pub excitation: f64,
+    /// Of modes that only yield.
+    pub flexibility: f64,
 }
 
 /// How well the contact was solved, over all steps.
@@ -108,6 +113,31 @@ pub struct NonsmoothMarch<'a> {
 }
 
 impl NonsmoothSettings {
+    /// The rule for the bodies.
+    fn rule(&self) -> StepRule {
+        let cut_off = self.cut_off.map_or(f64::INFINITY, |frequency| TAU * frequency);
+        StepRule { step: self.step, implicitness: self.scheme.implicitness(), cut_off }
+    }
+
+    fn check(&self) -> Result<(), NonsmoothError> {
+        let refuse =
+            |name, value, requirement| Err(NonsmoothError::InvalidNumber { name, value, requirement });
+        if !(self.step.is_finite() && self.step > 0.0) {
+            return refuse("the step", self.step, "finite and positive");
+        }
+        match self.cut_off {
+            Some(cut_off) if !(cut_off.is_finite() && cut_off > 0.0) => {
+                refuse("the cut-off", cut_off, "finite and positive")
+            }
+            Some(cut_off) if self.scheme.implicitness() > 0.0 => refuse(
+                "the cut-off",
+                cut_off,
+                "of an explicit scheme: the implicit one lets fast modes yield by itself",
+            ),
+            _ => Ok(()),
+        }
+    }
+
     /// How far behind the places the velocities of its states lie, in s: half a step of an explicit one.
     #[must_use]
     pub fn velocities_lag(&self) -> f64 {
@@ -140,14 +170,8 @@ impl<'a> NonsmoothMarch<'a> {
         observed: &[Row],
         settings: NonsmoothSettings,
     ) -> Result<Self, NonsmoothError> {
-        let NonsmoothSettings { scheme, step, .. } = settings;
-        if !(step.is_finite() && step > 0.0) {
-            return Err(NonsmoothError::InvalidNumber {
-                name: "the step",
-                value: step,
-                requirement: "finite and positive",
-            });
-        }
+        settings.check()?;
+        let step = settings.step;
         let contact = ContactPoints::new(assembly, travelling)?;
         let carried = contact.convected();
         let (mut travel, own) = match travelling {
@@ -157,7 +181,7 @@ impl<'a> NonsmoothMarch<'a> {
         };
         let rows: Vec<Row> =
             own.iter().chain(observed).chain(carried.iter().map(|(_, row)| row)).cloned().collect();
-        let mut bodies = MovingBodies::new(assembly, &rows, scheme.rule(step))?;
+        let mut bodies = MovingBodies::new(assembly, &rows, settings.rule())?;
         let compliance = bodies.compliance(own.len());
         let delassus = match &mut travel {
             None => Delassus::new(contact.dimension, compliance),

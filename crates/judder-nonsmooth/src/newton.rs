@@ -6,7 +6,7 @@
 //! the step before are not eliminated anew.
 
 use crate::contact_problem::{
-    ContactProgress, ContactSolution, Delassus, ImpulseProblem, NormalCondition, length,
+    ContactProgress, ContactSolution, Delassus, FrictionNow, ImpulseProblem, NormalCondition, length,
 };
 use crate::elimination::KeptElimination;
 use crate::gauss_seidel::name_motions;
@@ -268,10 +268,19 @@ fn projections(problem: &ImpulseProblem<'_>, point: usize, [p, u]: [[f64; 3]; 2]
             }
         }
     }
+    let (at_rest, now) = match problem.friction_at(point, u) {
+        FrictionNow::Coulomb { at_rest, now } => (at_rest, now),
+        FrictionNow::Sliding { coefficient } => {
+            value[1][0] = p[1] - coefficient * p[0].max(0.0);
+            value[2][0] = p[2];
+            (by_p[1][1], by_p[2][2]) = (1.0, 1.0);
+            by_p[1][0] = if p[0] > 0.0 { -coefficient } else { 0.0 };
+            return [value, by_p, by_u];
+        }
+    };
     let scale = 1.0 / block.tangential();
     let tried = [1, 2].map(|k| p[k] - scale * u[k]);
     let size = length(tried);
-    let [at_rest, now] = problem.coefficients(point, u);
     let coefficient = if size <= at_rest * p[0] { at_rest } else { now };
     let bound = coefficient * p[0].max(0.0);
     for k in 1..3 {

@@ -4,7 +4,7 @@
 //! beyond μ N; else U_T = −λ t with λ > 0, t(λ) = −(S + λ)⁻¹ c, and |t(λ)| = μ N(λ) is one equation in λ: beyond μ N at λ = 0, below it
 //! where λ is large.
 
-use crate::contact_problem::{MOST, NormalCondition, PointMotion, length};
+use crate::contact_problem::{FrictionNow, MOST, NormalCondition, PointMotion, length};
 
 /// Steps to λ at most: it takes three to five.
 const STEPS: usize = 100;
@@ -54,12 +54,12 @@ impl PointDelassus {
         [0, 1, 2].map(|k| velocity[k] - own(k))
     }
 
-    /// The impulse at a point whose velocity without it is `free`, with μ at rest and at its speed.
+    /// The impulse at a point whose velocity without it is `free`.
     pub(crate) fn solve(
         &self,
         free: [f64; MOST],
         condition: NormalCondition,
-        [at_rest, now]: [f64; 2],
+        friction: FrictionNow,
     ) -> ([f64; MOST], PointMotion) {
         let eliminated = match condition {
             NormalCondition::Open => return ([0.0; MOST], PointMotion::Open),
@@ -82,7 +82,10 @@ impl PointDelassus {
                 coupled: [0.0; 2],
             },
         };
-        eliminated.solve(at_rest, now)
+        match friction {
+            FrictionNow::Coulomb { at_rest, now } => eliminated.solve(at_rest, now),
+            FrictionNow::Sliding { coefficient } => (eliminated.sliding(coefficient), PointMotion::Slip),
+        }
     }
 
     fn eliminated(&self, free: [f64; MOST], closing: f64, softness: f64) -> Eliminated {
@@ -133,6 +136,16 @@ impl Eliminated {
         }
         let t = if self.is_plane() { self.slip_in_plane(now) } else { self.slip_in_space(now) };
         ([self.normal(t), t[0], t[1]], PointMotion::Slip)
+    }
+
+    /// t = μ N along the slip of steady sliding. Where a point locks, so that no such force closes it, it is left without friction, which is no solution.
+    fn sliding(&self, coefficient: f64) -> [f64; MOST] {
+        let yields = 1.0 - coefficient * self.coupled[0];
+        if self.alone <= 0.0 || yields <= 0.0 {
+            return [self.alone, 0.0, 0.0];
+        }
+        let pressed = self.alone / yields;
+        [pressed, coefficient * pressed, 0.0]
     }
 
     /// |t| = μ N with the sign that drags against the slip.

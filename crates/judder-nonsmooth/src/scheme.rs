@@ -1,6 +1,5 @@
 //! How a step treats the contact.
 
-use crate::bodies::StepRule;
 use crate::contact::ContactPoints;
 use crate::contact_problem::{Delassus, NormalCondition};
 
@@ -16,6 +15,9 @@ pub enum ContactScheme {
     /// Explicit, on places: forward increment Lagrange multipliers, N. J. Carpenter, R. L. Taylor, M. G. Katona, Int. J. Numer. Methods Eng. 32
     /// (1991). The forces of a step close the gaps at its end.
     ForwardIncrement,
+    /// The same where sliding is known to go on: points may lift off, but none sticks or turns, and friction is μ N along the slip of steady sliding. The enriched
+    /// substructuring of the beams paper (section 3), for any number of points.
+    KnownSliding,
     /// Explicit, with springs and dampers in place of the unilateral condition and friction that turns smoothly: no contact problem is solved.
     Smoothed,
 }
@@ -29,21 +31,15 @@ impl ContactScheme {
     pub fn implicitness(self) -> f64 {
         match self {
             Self::MoreauJean { .. } => 0.5,
-            Self::ForwardIncrement | Self::Smoothed => 0.0,
+            Self::ForwardIncrement | Self::KnownSliding | Self::Smoothed => 0.0,
         }
-    }
-
-    /// Its rule for the bodies.
-    #[must_use]
-    pub fn rule(self, step: f64) -> StepRule {
-        StepRule { step, implicitness: self.implicitness() }
     }
 
     /// How far z goes in a step, as shares of the velocities before and after.
     pub(crate) fn shares(self) -> [f64; 2] {
         match self {
             Self::MoreauJean { .. } => [0.5, 0.5],
-            Self::ForwardIncrement | Self::Smoothed => [0.0, 1.0],
+            Self::ForwardIncrement | Self::KnownSliding | Self::Smoothed => [0.0, 1.0],
         }
     }
 }

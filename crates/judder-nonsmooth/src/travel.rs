@@ -11,7 +11,7 @@ use crate::bodies::MovingBodies;
 use crate::contact::ContactPoints;
 use crate::contact_problem::Delassus;
 use edge::TravelledEdge;
-use forms::{Forms, PointForm};
+use forms::{PointForm, TravelForms};
 use judder_assembly::interface::Interface;
 use judder_assembly::row::Row;
 use judder_sliding::edge::{EdgePoint, Interpolation, RunOff, combined};
@@ -78,7 +78,7 @@ pub(crate) struct Travel {
     edges: Vec<TravelledEdge>,
     /// Of all contact points; `None` of those that stay.
     points: Vec<Option<TravellingPoint>>,
-    forms: Forms,
+    forms: TravelForms,
 }
 
 impl Travel {
@@ -127,7 +127,7 @@ impl Travel {
             }
             edges.push(edge);
         }
-        let forms = Forms::new(points.len(), rows.len());
+        let forms = TravelForms::new(points.len(), rows.len());
         Ok((Self { edges, points, forms }, rows))
     }
 

@@ -72,6 +72,12 @@ fn times_that_do_not_go_together() {
         "0.5",
         "leave `restitution` out",
     );
+    refused(
+        &march("duration = \"1 ms\"\ncut_off = \"20 kHz\""),
+        "`cut_off` has no meaning with method = \"moreau\"",
+        "\"20 kHz\"",
+        "leave `cut_off` out",
+    );
 }
 
 #[test]

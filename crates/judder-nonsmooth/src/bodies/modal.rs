@@ -24,9 +24,11 @@ pub(super) struct ModalBodies {
     size: usize,
     /// λ in rad²/s².
     eigenvalues: Vec<f64>,
-    /// d in 1/s.
+    /// One of each mode that moves, zero of each that only yields.
+    moving: Vec<f64>,
+    /// d in 1/s; none of those that only yield.
     damping: Vec<f64>,
-    /// 1/(1 + h θ d + h² θ² λ).
+    /// 1/(1 + h θ d + h² θ² λ); of those that only yield 1/(h² λ).
     inverse: Vec<f64>,
     /// H Φ row after row, and the same times the inverse.
     rows: Vec<f64>,
@@ -50,13 +52,20 @@ impl ModalBodies {
         let damping = modal_damping(&assembly.damping, &shapes, &eigen.values)?;
         let size = freedoms.next_multiple_of(LANES);
         let filled = |values: &[f64]| [values, &vec![0.0; size - freedoms]].concat();
-        let (eigenvalues, damping) = (filled(&eigen.values), filled(&damping));
-        let StepRule { step, implicitness } = rule;
+        let StepRule { step, implicitness, cut_off } = rule;
+        let moves = |value: &f64| *value < cut_off * cut_off;
+        let eigenvalues = filled(&eigen.values);
+        let moving: Vec<f64> = eigenvalues.iter().map(|value| f64::from(u8::from(moves(value)))).collect();
+        let damping: Vec<f64> =
+            filled(&damping).iter().zip(&moving).map(|(own, moves)| own * moves).collect();
         let share = step * implicitness;
         let inverse: Vec<f64> = eigenvalues
             .iter()
             .zip(&damping)
-            .map(|(l, d)| 1.0 / (1.0 + share * d + share * share * l))
+            .map(|(l, d)| match moves(l) {
+                true => 1.0 / (1.0 + share * d + share * share * l),
+                false => 1.0 / (step * step * l),
+            })
             .collect();
         let mut on_modes = vec![0.0; rows.len() * size];
         for (row, own) in rows.iter().zip(on_modes.chunks_exact_mut(size)) {
@@ -74,6 +83,7 @@ impl ModalBodies {
             rule,
             size,
             eigenvalues,
+            moving,
             damping,
             inverse,
             rows: on_modes,
@@ -115,17 +125,17 @@ impl ModalBodies {
     }
 
     pub(super) fn free(&self, z: &[f64], v: &[f64], load: &[f64], out: &mut [f64]) {
-        let StepRule { step, implicitness } = self.rule;
+        let StepRule { step, implicitness, .. } = self.rule;
         let ahead = step * implicitness;
         let (z, v, load, out) = (&z[..self.size], &v[..self.size], &load[..self.size], &mut out[..self.size]);
         let (eigenvalues, damping) = (&self.eigenvalues[..self.size], &self.damping[..self.size]);
-        let inverse = &self.inverse[..self.size];
+        let (inverse, moving) = (&self.inverse[..self.size], &self.moving[..self.size]);
         self.arch.dispatch(
             #[inline(always)]
             || {
                 for k in 0..out.len() {
                     let force = damping[k] * v[k] + eigenvalues[k] * (z[k] + ahead * v[k]) - load[k];
-                    out[k] = v[k] - step * force * inverse[k];
+                    out[k] = moving[k] * v[k] - step * force * inverse[k];
                 }
             },
         );
@@ -162,7 +172,7 @@ impl ModalBodies {
         let back = if self.rule.implicitness == 0.0 { self.rule.step } else { 0.0 };
         let mut energy = BodyEnergy::default();
         for k in 0..self.size {
-            energy.kinetic += 0.5 * v[k] * v[k];
+            energy.kinetic += 0.5 * self.moving[k] * v[k] * v[k];
             energy.potential += 0.5 * self.eigenvalues[k] * z[k] * (z[k] - back * v[k])
                 - load[k] * (z[k] - 0.5 * back * v[k]);
         }
@@ -187,11 +197,24 @@ impl ModalBodies {
                 total(sums)
             },
         );
-        BodyWork { damping: -0.5 * self.rule.step * taken, circulation: 0.0 }
+        BodyWork {
+            damping: -0.5 * self.rule.step * taken,
+            circulation: 0.0,
+            flexibility: if self.rule.cut_off.is_finite() { self.yielded(before, after) } else { 0.0 },
+        }
+    }
+
+    /// What modes that only yield take of the impulses' work: −½ (p⁺ − p)·(v + v⁺) of each, whose impulse p⁺ − p = h² λ v⁺ has changed.
+    fn yielded(&self, before: &[f64], after: &[f64]) -> f64 {
+        let square = self.rule.step * self.rule.step;
+        let of = |k: usize| (1.0 - self.moving[k]) * self.eigenvalues[k] * after[k] * (before[k] + after[k]);
+        -0.5 * square * (0..self.size).map(of).sum::<f64>()
     }
 
     pub(super) fn fastest(&self) -> [f64; 2] {
-        let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
+        let largest = |values: &[f64]| {
+            values.iter().zip(&self.moving).map(|(value, moves)| value * moves).fold(0.0, f64::max)
+        };
         [largest(&self.eigenvalues).sqrt(), largest(&self.damping)]
     }
 }

@@ -94,7 +94,7 @@ impl WholeBodies {
     }
 
     pub(super) fn free(&mut self, z: &[f64], v: &[f64], load: &[f64], out: &mut [f64]) {
-        let StepRule { step, implicitness } = self.rule;
+        let StepRule { step, implicitness, .. } = self.rule;
         self.right.copy_from_slice(load);
         add_product(&self.damping, -1.0, v, &mut self.right);
         add_product(&self.stiffness, -1.0, z, &mut self.right);
@@ -133,14 +133,14 @@ impl WholeBodies {
     }
 
     pub(super) fn work(&self, z: &[f64], before: &[f64], after: &[f64]) -> BodyWork {
-        let StepRule { step, implicitness } = self.rule;
+        let StepRule { step, implicitness, .. } = self.rule;
         let mean = |k: usize| 0.5 * (before[k] + after[k]);
         let damped: Vec<f64> =
             (0..z.len()).map(|k| before[k] + implicitness * (after[k] - before[k])).collect();
         let forces = product(&self.damping, &damped);
         let damping = -step * (0..z.len()).map(|k| mean(k) * forces[k]).sum::<f64>();
         let circulation = if self.circulates { self.circulation(z, before, after) } else { 0.0 };
-        BodyWork { damping, circulation }
+        BodyWork { damping, circulation, flexibility: 0.0 }
     }
 
     /// −h v̄ᵀ ½ (K − Kᵀ) z_θ.

@@ -2,7 +2,9 @@
 
 use super::NonsmoothMarch;
 use crate::NonsmoothError;
-use crate::contact_problem::{ContactProgress, ImpulseProblem, NormalCondition, PointMotion, add};
+use crate::contact_problem::{
+    ContactProgress, FrictionCondition, ImpulseProblem, NormalCondition, PointMotion, add,
+};
 use crate::gauss_seidel::solve;
 use crate::scheme::{ContactScheme, PointBefore, about_closure, at_places, at_velocities, middle_closure};
 
@@ -21,7 +23,7 @@ impl NonsmoothMarch<'_> {
         self.set_off();
         match self.settings.scheme {
             ContactScheme::MoreauJean { restitution } => self.solve_velocities(restitution),
-            ContactScheme::ForwardIncrement => self.solve_places(),
+            ContactScheme::ForwardIncrement | ContactScheme::KnownSliding => self.solve_places(),
             ContactScheme::Smoothed => self.smooth_contact(),
         }
         self.push(&mut next);
@@ -199,10 +201,14 @@ impl NonsmoothMarch<'_> {
         let mut friction = std::mem::take(&mut self.friction);
         friction.clear();
         let factor = self.acting.friction();
-        friction.extend(
-            (0..self.gap.len())
-                .map(|point| self.contact.friction(point, -self.gap[point], self.slip_speed(point), factor)),
-        );
+        friction.extend((0..self.gap.len()).map(|point| {
+            let speed = self.slip_speed(point);
+            let own = self.contact.friction(point, -self.gap[point], speed, factor);
+            match self.settings.scheme {
+                ContactScheme::KnownSliding => FrictionCondition::Sliding { coefficient: own.at(speed) },
+                _ => own,
+            }
+        }));
         self.friction = friction;
         let problem = ImpulseProblem {
             delassus: &self.delassus,
@@ -244,5 +250,6 @@ impl NonsmoothMarch<'_> {
         self.works.damping += taken.damping;
         self.works.circulation += taken.circulation;
         self.works.excitation += self.acting.work(self.settings.step, &self.v, next);
+        self.works.flexibility += taken.flexibility;
     }
 }

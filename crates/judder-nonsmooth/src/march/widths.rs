@@ -55,7 +55,8 @@ fn slider(dimension: usize) -> Assembly {
 
 /// The bits of the forces and velocities of all points in every step.
 fn told(case: &Assembly, scheme: ContactScheme, arch: Arch) -> Vec<u64> {
-    let settings = NonsmoothSettings { scheme, step: 5e-6, accuracy: ContactAccuracy::default() };
+    let settings =
+        NonsmoothSettings { scheme, step: 5e-6, accuracy: ContactAccuracy::default(), cut_off: None };
     let mut march = NonsmoothMarch::new(case, &[], settings).unwrap();
     march.set_arch(arch);
     march.set_force_scale(50.0);

@@ -16,7 +16,7 @@ pub(super) struct PointForm {
 
 /// Rows and the forms on them: along normal and slip of each point, d·(u − Σ w_k u_k) of one that travels, rows 2p and 2p + 1 of a point p that stays.
 #[derive(Debug, Clone)]
-pub(super) struct Forms {
+pub(super) struct TravelForms {
     rows: usize,
     /// H A⁻¹ Hᵀ of the rows, column after column, in 1/kg.
     pub(super) compliance: Vec<f64>,
@@ -35,7 +35,7 @@ pub(super) struct Forms {
     on_rows: Vec<f64>,
 }
 
-impl Forms {
+impl TravelForms {
     pub(super) fn new(points: usize, rows: usize) -> Self {
         Self {
             rows,

@@ -69,5 +69,5 @@ pub(crate) fn mass_on_plane(mass: f64, spring: f64, force: [f64; 2], friction: f
 }
 
 pub(crate) fn settings(scheme: ContactScheme, step: f64) -> NonsmoothSettings {
-    NonsmoothSettings { scheme, step, accuracy: ContactAccuracy::default() }
+    NonsmoothSettings { scheme, step, accuracy: ContactAccuracy::default(), cut_off: None }
 }

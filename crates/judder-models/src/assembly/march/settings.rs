@@ -25,6 +25,8 @@ pub enum SchemeWord {
     Moreau,
     /// Explicit, on places: forward increment Lagrange multipliers.
     Film,
+    /// As `film` where sliding is known to go on, so that points lift off but none sticks: the enriched substructuring of the beams paper.
+    Ensubs,
     /// Explicit, springs and dampers in place of the contact, to doubt the others.
     Smoothed,
 }
@@ -35,9 +37,10 @@ impl SchemeWord {
         let scheme = match self {
             Self::Moreau => ContactScheme::MoreauJean { restitution },
             Self::Film => ContactScheme::ForwardIncrement,
+            Self::Ensubs => ContactScheme::KnownSliding,
             Self::Smoothed => ContactScheme::Smoothed,
         };
-        NonsmoothSettings { scheme, step, accuracy: ContactAccuracy::default() }
+        NonsmoothSettings { scheme, step, accuracy: ContactAccuracy::default(), cut_off: None }
     }
 }
 
@@ -63,6 +66,9 @@ pub struct AssemblyMarch {
     /// Of `moreau`: how much of the velocity with which a point meets the track it leaves it with.
     #[key(rule = RESTITUTION, symbol = "e", usual = 0.0, omitted)]
     pub restitution: Option<f64>,
+    /// Of the explicit methods: modes of the bodies from this frequency on only yield, and do not bound the step.
+    #[key(symbol = "2π f_c", omitted)]
+    pub cut_off: Option<Hertz>,
     /// How many of the lowest complex modes about steady sliding are looked for in the motion.
     #[key(rule = Whole { from: 0, to: 500 }, default = 12)]
     pub modes: usize,
@@ -107,9 +113,12 @@ impl AssemblyMarch {
     }
 
     fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
-        if let (Some(node), false) = (section.get("restitution"), self.method == SchemeWord::Moreau) {
-            let with = format!("method = \"{}\"", self.method.name());
-            return Err(Cause::Meaningless { key: "restitution", with }.at(node.place));
+        let is_implicit = self.method == SchemeWord::Moreau;
+        for (key, has_meaning) in [("restitution", is_implicit), ("cut_off", !is_implicit)] {
+            if let (Some(node), false) = (section.get(key), has_meaning) {
+                let with = format!("method = \"{}\"", self.method.name());
+                return Err(Cause::Meaningless { key, with }.at(node.place));
+            }
         }
         let refused = |key: &'static str, reason: String| {
             Err(AssemblyProblem::Refused { reason }.at(section.place_of(&[key])))
@@ -136,7 +145,8 @@ impl AssemblyMarch {
 
     /// How the motion is integrated.
     pub(super) fn march(&self) -> NonsmoothSettings {
-        self.method.march(self.step, self.restitution.unwrap_or(0.0))
+        let settings = self.method.march(self.step, self.restitution.unwrap_or(0.0));
+        NonsmoothSettings { cut_off: self.cut_off.map(|own| own.0), ..settings }
     }
 
     /// Steps in all, and those of the transient.

@@ -69,6 +69,9 @@ pub(super) struct ToldPower {
     /// from stiffness that is not symmetric
     #[result(optional)]
     circulation: Option<f64>,
+    /// from modes above the cut-off, which follow forces at once and do not swing on
+    #[result(optional)]
+    flexibility: Option<f64>,
 }
 
 /// The points of a contact, as lists.
@@ -101,13 +104,19 @@ impl RunMotion<'_> {
     fn balance(&self) -> [f64; 2] {
         let (works, energy) = (self.march.works(), self.march.energy());
         let gained = energy.kinetic + energy.potential - self.first_energy;
-        let told = works.friction + works.normal + works.damping + works.circulation + works.excitation;
+        let told = works.friction
+            + works.normal
+            + works.damping
+            + works.circulation
+            + works.excitation
+            + works.flexibility;
         let sizes = [
             works.friction,
             works.normal,
             works.damping,
             works.circulation,
             works.excitation,
+            works.flexibility,
             energy.kinetic,
             energy.potential,
         ];
@@ -152,6 +161,7 @@ impl RunMotion<'_> {
                 slope: (!of.built.travelling.is_empty()).then(|| mean(|own| own.slope)),
                 excitation: (works.excitation != 0.0).then(|| mean(|own| own.excitation)),
                 circulation: (works.circulation != 0.0).then(|| mean(|own| own.circulation)),
+                flexibility: asked.cut_off.map(|_| mean(|own| own.flexibility)),
             },
             energy_balance: off / exchanged,
             contact_residual: self.contact_residual(asked),

@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 /// A factor over time.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Factor {
+pub enum TimeFactor {
     /// The same at all times.
     Constant(f64),
     /// Straight between times, constant before the first and after the last.
@@ -36,11 +36,11 @@ pub struct TimeTable {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Course {
     /// How fast the tracks move, with what their passing material brings.
-    pub speed: Factor,
+    pub speed: TimeFactor,
     /// The loads.
-    pub load: Factor,
+    pub load: TimeFactor,
     /// The friction of all contacts, by all of these.
-    pub friction: Vec<Factor>,
+    pub friction: Vec<TimeFactor>,
 }
 
 impl TimeTable {
@@ -53,6 +53,12 @@ impl TimeTable {
         finite("a value of a table over time", &self.values)
     }
 
+    /// How close two of its times lie at least, in s; none of one.
+    #[must_use]
+    pub fn closest(&self) -> Option<f64> {
+        self.times.windows(2).map(|pair| pair[1] - pair[0]).reduce(f64::min)
+    }
+
     /// The value at a time in s.
     #[must_use]
     pub fn at(&self, time: f64) -> f64 {
@@ -60,7 +66,7 @@ impl TimeTable {
     }
 }
 
-impl Factor {
+impl TimeFactor {
     /// Whether its numbers make a factor.
     ///
     /// # Errors
@@ -147,7 +153,7 @@ impl Factor {
 /// Everything as the assembly has it, at all times.
 impl Default for Course {
     fn default() -> Self {
-        let one = || Factor::Constant(1.0);
+        let one = || TimeFactor::Constant(1.0);
         Self { speed: one(), load: one(), friction: Vec::new() }
     }
 }
@@ -156,15 +162,15 @@ impl Course {
     /// Whether everything is as the assembly has it, at all times.
     #[must_use]
     pub fn is_constant(&self) -> bool {
-        [&self.speed, &self.load].into_iter().chain(&self.friction).all(Factor::is_one)
+        [&self.speed, &self.load].into_iter().chain(&self.friction).all(TimeFactor::is_one)
     }
 
     /// Whether its numbers make a course; friction is not negative.
     ///
     /// # Errors
-    /// What [`Factor::check`] says; [`NonsmoothError::InvalidNumber`].
+    /// What [`TimeFactor::check`] says; [`NonsmoothError::InvalidNumber`].
     pub fn check(&self) -> Result<(), NonsmoothError> {
-        [&self.speed, &self.load].into_iter().chain(&self.friction).try_for_each(Factor::check)?;
+        [&self.speed, &self.load].into_iter().chain(&self.friction).try_for_each(TimeFactor::check)?;
         self.friction.iter().try_for_each(not_negative)
     }
 
@@ -231,11 +237,11 @@ impl Asperity for ScaledAsperity {
 }
 
 /// Refuses a factor that is negative at some time.
-fn not_negative(factor: &Factor) -> Result<(), NonsmoothError> {
+fn not_negative(factor: &TimeFactor) -> Result<(), NonsmoothError> {
     let values = match factor {
-        Factor::Constant(value) => std::slice::from_ref(value),
-        Factor::Table(table) => table.values.as_slice(),
-        Factor::Rise(_) => &[],
+        TimeFactor::Constant(value) => std::slice::from_ref(value),
+        TimeFactor::Table(table) => table.values.as_slice(),
+        TimeFactor::Rise(_) => &[],
     };
     match values.iter().find(|value| **value < 0.0) {
         Some(value) => Err(NonsmoothError::InvalidNumber {
@@ -265,10 +271,10 @@ mod tests {
 
     #[test]
     fn factors_have_their_values() {
-        let stop = Factor::Table(table(&[0.0, 3.0], &[1.0, 0.0]));
+        let stop = TimeFactor::Table(table(&[0.0, 3.0], &[1.0, 0.0]));
         assert_eq!([-1.0, 0.0, 1.5, 3.0, 4.0].map(|time| stop.at(time)), [1.0, 1.0, 0.5, 0.0, 0.0]);
-        assert_eq!([0.0, 2.0].map(|time| Factor::Rise(2.0).at(time)), [0.0, 1.0]);
-        let both = Course { friction: vec![stop, Factor::Constant(2.0)], ..Course::default() };
+        assert_eq!([0.0, 2.0].map(|time| TimeFactor::Rise(2.0).at(time)), [0.0, 1.0]);
+        let both = Course { friction: vec![stop, TimeFactor::Constant(2.0)], ..Course::default() };
         assert_eq!(both.friction_at(1.5), 1.0);
         assert!(Course::default().is_constant() && !both.is_constant() && !both.starts_as_given());
     }
@@ -278,7 +284,7 @@ mod tests {
     fn a_factor_over_a_quantity_is_that_of_its_table() {
         let quantity = table(&[0.0, 1.0, 4.0], &[20.0, 220.0, 70.0]);
         let (places, factors) = ([20.0, 100.0, 150.0, 300.0], [1.0, 0.8, 1.1, 0.2]);
-        let factor = Factor::over("a temperature", &quantity, [&places, &factors]).unwrap();
+        let factor = TimeFactor::over("a temperature", &quantity, [&places, &factors]).unwrap();
         for k in 0..=800 {
             let time = f64::from(k) / 200.0;
             let expected = straight(&places, &factors, quantity.at(time)).0;
@@ -286,21 +292,23 @@ mod tests {
         }
         let hotter = table(&[0.0, 1.0], &[20.0, 301.0]);
         assert_eq!(
-            Factor::over("a temperature", &hotter, [&places, &factors]).unwrap_err().to_string(),
+            TimeFactor::over("a temperature", &hotter, [&places, &factors]).unwrap_err().to_string(),
             "a temperature is 301 at 1 s, outside of the table of factors, which goes from 20 to 300 and is not extrapolated"
         );
     }
 
     #[test]
     fn what_makes_no_factor_is_refused() {
-        let refused = |factor: Factor| factor.check().unwrap_err().to_string();
-        let unsorted = refused(Factor::Table(table(&[0.0, 2.0, 1.0], &[1.0; 3])));
+        let refused = |factor: TimeFactor| factor.check().unwrap_err().to_string();
+        let unsorted = refused(TimeFactor::Table(table(&[0.0, 2.0, 1.0], &[1.0; 3])));
         assert_eq!(unsorted, "a time of a table is 1: it must be above the one before");
-        assert!(refused(Factor::Table(table(&[0.0, 1.0], &[1.0]))).contains("there are 1, but must be 2"));
-        assert!(refused(Factor::Table(table(&[], &[]))).contains("there are 0, but must be 1"));
-        assert!(refused(Factor::Table(table(&[0.0], &[f64::NAN]))).contains("it must be finite"));
-        assert!(refused(Factor::Rise(-1.0)).contains("-1: it must be finite and not negative"));
-        let course = Course { friction: vec![Factor::Constant(-0.1)], ..Course::default() };
+        assert!(
+            refused(TimeFactor::Table(table(&[0.0, 1.0], &[1.0]))).contains("there are 1, but must be 2")
+        );
+        assert!(refused(TimeFactor::Table(table(&[], &[]))).contains("there are 0, but must be 1"));
+        assert!(refused(TimeFactor::Table(table(&[0.0], &[f64::NAN]))).contains("it must be finite"));
+        assert!(refused(TimeFactor::Rise(-1.0)).contains("-1: it must be finite and not negative"));
+        let course = Course { friction: vec![TimeFactor::Constant(-0.1)], ..Course::default() };
         assert_eq!(
             course.check().unwrap_err().to_string(),
             "a factor of friction is -0.1: it must be not negative"

@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 
 /// A signal over time, in the unit of what it is for: N, or m/s².
 #[derive(Debug, Clone, PartialEq)]
-pub enum Signal {
+pub enum DrivingSignal {
     /// a sin(ω t + φ).
     Sine {
         /// a.
@@ -21,7 +21,7 @@ pub enum Signal {
         phase: f64,
     },
     /// A sine whose frequency changes.
-    Sweep(Sweep),
+    Sweep(FrequencySweep),
     /// Random, within a band of frequencies.
     Random(BandNoise),
     /// Samples, straight between them.
@@ -30,7 +30,7 @@ pub enum Signal {
 
 /// a sin φ(t), φ̇ = ω from one frequency to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sweep {
+pub struct FrequencySweep {
     /// a.
     pub amplitude: f64,
     /// ω at the start, in rad/s.
@@ -47,12 +47,12 @@ pub struct Sweep {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Excitation {
     /// The signal.
-    pub signal: Signal,
+    pub signal: DrivingSignal,
     /// Forces on the freedoms in N per unit of the signal.
     pub forces: Vec<f64>,
 }
 
-impl Sweep {
+impl FrequencySweep {
     /// φ at a time in s.
     fn phase(&self, time: f64) -> f64 {
         let Self { from, to, duration, .. } = *self;
@@ -69,7 +69,7 @@ impl Sweep {
     }
 }
 
-impl Signal {
+impl DrivingSignal {
     /// Whether its numbers make a signal that steps of this length in s can follow.
     ///
     /// # Errors
@@ -138,7 +138,7 @@ impl Signal {
     pub fn highest_frequency(&self) -> Option<f64> {
         match self {
             Self::Sine { angular_frequency, .. } => Some(angular_frequency.abs()),
-            Self::Sweep(Sweep { from, to, .. }) => Some(from.max(*to)),
+            Self::Sweep(FrequencySweep { from, to, .. }) => Some(from.max(*to)),
             Self::Random(noise) => Some(noise.band[1]),
             Self::Samples(_) => None,
         }
@@ -176,21 +176,24 @@ mod tests {
             (false, [5.0; 2], 5.0),
         ] {
             let [from, to] = ends.map(hertz);
-            let sweep = Sweep { amplitude: 1.0, from, to, duration: 4.0, is_logarithmic };
+            let sweep = FrequencySweep { amplitude: 1.0, from, to, duration: 4.0, is_logarithmic };
             let frequency = |time: f64| (sweep.phase(time + 1e-5) - sweep.phase(time - 1e-5)) / 2e-5 / TAU;
             for (time, expected) in [(0.0, ends[0]), (2.0, halfway), (4.0, ends[1])] {
                 assert!((frequency(time) - expected).abs() < 1e-3, "{sweep:?} {time}: {}", frequency(time));
             }
-            assert_eq!(Signal::Sweep(sweep).at(0.0), 0.0);
+            assert_eq!(DrivingSignal::Sweep(sweep).at(0.0), 0.0);
         }
     }
 
     #[test]
     fn signals_that_are_none_are_refused() {
         let step = 1e-3;
-        let refused = |signal: Signal| signal.check(step).unwrap_err().to_string();
-        let sine =
-            |frequency: f64| Signal::Sine { amplitude: 1.0, angular_frequency: hertz(frequency), phase: 0.0 };
+        let refused = |signal: DrivingSignal| signal.check(step).unwrap_err().to_string();
+        let sine = |frequency: f64| DrivingSignal::Sine {
+            amplitude: 1.0,
+            angular_frequency: hertz(frequency),
+            phase: 0.0,
+        };
         assert!(sine(499.0).check(step).is_ok());
         assert_eq!(
             refused(sine(600.0)),
@@ -198,7 +201,7 @@ mod tests {
         );
         assert!(refused(sine(f64::NAN)).contains("the frequency of a signal is NaN: it must be finite"));
         let sweep = |from: f64, duration: f64, is_logarithmic: bool| {
-            Signal::Sweep(Sweep {
+            DrivingSignal::Sweep(FrequencySweep {
                 amplitude: 1.0,
                 from: hertz(from),
                 to: hertz(20.0),
@@ -213,7 +216,7 @@ mod tests {
         );
         assert!(sweep(0.0, 1.0, false).check(step).is_ok());
         let samples = |times: &[f64]| {
-            Signal::Samples(TimeTable { times: times.to_vec(), values: vec![1.0; times.len()] })
+            DrivingSignal::Samples(TimeTable { times: times.to_vec(), values: vec![1.0; times.len()] })
         };
         assert!(refused(samples(&[0.0, 0.0])).contains("it must be above the one before"));
         assert!(samples(&[0.0, 1.0]).covers(1.0 + 1e-12).is_ok());

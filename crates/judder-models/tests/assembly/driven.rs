@@ -220,3 +220,26 @@ fn what_does_not_change_leaves_the_motion_as_it_is() {
             .contains("the modes in the motion are those about steady sliding with the case's own values")
     );
 }
+
+/// What a course leaves as it is, and what a step does not see, is told.
+#[test]
+fn what_a_driven_motion_does_not_follow_is_told() {
+    let desk = tempfile::tempdir().unwrap();
+    let path = desk.path().join("case.toml");
+    std::fs::write(desk.path().join("base.csv"), "time [s],a [m/s^2]\n0,0\n1e-6,1\n0.01,0\n").unwrap();
+    let text = "model = \"assembly\"\n\n[[structure]]\nname = \"disc\"\ndisc = { radii = [\"70 mm\", \"88 mm\"], thickness = \"20 mm\", cells = [1, 12, 1] }\n\
+        material = { youngs_modulus = \"210 GPa\", poisson_ratio = 0.3, density = \"7850 kg/m^3\" }\nsupports = [{ set = \"r-min\", fixed = [\"x\", \"y\", \"z\"] }]\n\
+        rotation = { speed = \"100 rpm\", frame = \"fixed\" }\n\n[[analysis]]\nname = \"m\"\nkind = \"march\"\nstep = \"10 us\"\nduration = \"10 ms\"\nmodes = 1\n\
+        course = { speed = { times = [\"0 s\", \"10 ms\"], factors = [1, 0] } }\nbase = [{ direction = \"z\", acceleration = { file = \"base.csv\" } }]\n";
+    std::fs::write(&path, text).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &judder_models::read(&path, &[]).unwrap(), &[]);
+    let told = format!("{:?}", report.summary);
+    for expected in [
+        "the modes in the motion are those about steady sliding with the case's own values",
+        "the speed of sliding changes over time, but what turning does to `disc` stays that of its full speed",
+        "samples of the acceleration of the base along z lie 1e-6 s apart, closer than the steps",
+    ] {
+        assert!(told.contains(expected), "{expected}: {told}");
+    }
+}

@@ -270,3 +270,26 @@ fn what_drives_and_cannot() {
         assert_eq!(place, at);
     }
 }
+
+/// A base moves bodies along directions: rows of matrices that have none are refused, and bodies that are seen as they turn.
+#[test]
+fn bodies_that_no_base_can_shake() {
+    let analysis = "[[analysis]]\nname = \"m\"\nkind = \"march\"\nstep = \"1 ms\"\nduration = \"1 s\"\n\
+        base = [{ direction = \"y\", acceleration = { amplitude = \"1 m/s^2\", frequency = \"1 Hz\" } }]\n";
+    let refused = |bodies: &str| {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small/case.toml");
+        let file =
+            parse(path, &format!("model = \"assembly\"\n\n{bodies}\n{analysis}"), &[]).expect("it reads");
+        let error = file.case.preflight(&file, &|_| true).map(drop).expect_err("it is refused");
+        let judder_study::StudyError::Case(error) = error else { panic!("{error}") };
+        (error.to_string(), error.place().to_owned())
+    };
+    let matrices = "[[structure]]\nname = \"box\"\n\n[structure.matrices]\nmass = [{ file = \"matrices/M.mtx\" }]\nstiffness = [{ file = \"matrices/K.mtx\" }]\n";
+    let (message, place) = refused(matrices);
+    let expected = "`box` has matrices whose rows have no directions, so that nobody knows how a base moves them; give its `freedoms`";
+    assert_eq!((message.as_str(), place.as_str()), (expected, "\"y\""));
+    let ring = "[[structure]]\nname = \"ring\"\ndisc = { radii = [\"80 mm\", \"88 mm\"], thickness = \"20 mm\", cells = [1, 12, 1] }\n\
+        material = { youngs_modulus = \"210 GPa\", poisson_ratio = 0.3, density = \"7850 kg/m^3\" }\nrotation = { speed = \"12000 rpm\", frame = \"rotating\" }\n";
+    let (message, _) = refused(ring);
+    assert!(message.starts_with("`ring` is seen from a frame that turns with it"), "{message}");
+}

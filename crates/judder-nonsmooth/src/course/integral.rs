@@ -1,12 +1,12 @@
 //! Integrals of factors: how far a track has come whose speed is multiplied.
 
-use super::{Factor, TimeTable};
+use super::{TimeFactor, TimeTable};
 use std::f64::consts::PI;
 
 /// ∫ s dt of a factor s from the start on.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FactorIntegral {
-    factor: Factor,
+    factor: TimeFactor,
     /// Of a table: up to each of its times, from the first on.
     before: Vec<f64>,
     /// What that is at the start.
@@ -14,9 +14,9 @@ pub struct FactorIntegral {
 }
 
 impl FactorIntegral {
-    pub(super) fn new(factor: Factor) -> Self {
+    pub(super) fn new(factor: TimeFactor) -> Self {
         let mut before = Vec::new();
-        if let Factor::Table(TimeTable { times, values }) = &factor {
+        if let TimeFactor::Table(TimeTable { times, values }) = &factor {
             before.push(0.0);
             for (times, values) in times.windows(2).zip(values.windows(2)) {
                 let piece = 0.5 * (values[0] + values[1]) * (times[1] - times[0]);
@@ -32,12 +32,12 @@ impl FactorIntegral {
     #[must_use]
     pub fn at(&self, time: f64) -> f64 {
         let whole = match &self.factor {
-            Factor::Constant(value) => value * time,
-            Factor::Rise(duration) if time < *duration => {
+            TimeFactor::Constant(value) => value * time,
+            TimeFactor::Rise(duration) if time < *duration => {
                 0.5 * (time - duration / PI * (PI * time / duration).sin())
             }
-            Factor::Rise(duration) => time - 0.5 * duration,
-            Factor::Table(table) => {
+            TimeFactor::Rise(duration) => time - 0.5 * duration,
+            TimeFactor::Table(table) => {
                 let last = table.times.partition_point(|own| *own <= time).saturating_sub(1);
                 let mean = 0.5 * (table.values[last] + table.at(time));
                 self.before[last] + mean * (time - table.times[last])
@@ -55,12 +55,12 @@ mod tests {
     #[test]
     fn integrals_are_sums_of_small_pieces() {
         let table = |times: [f64; 3]| {
-            Factor::Table(TimeTable { times: times.to_vec(), values: vec![1.0, -0.5, 0.25] })
+            TimeFactor::Table(TimeTable { times: times.to_vec(), values: vec![1.0, -0.5, 0.25] })
         };
         let factors = [
-            Factor::Constant(0.3),
-            Factor::Rise(0.7),
-            Factor::Rise(0.0),
+            TimeFactor::Constant(0.3),
+            TimeFactor::Rise(0.7),
+            TimeFactor::Rise(0.0),
             table([0.0, 0.5, 0.8]),
             table([-1.0, 0.5, 0.8]),
             table([0.2, 0.5, 0.8]),

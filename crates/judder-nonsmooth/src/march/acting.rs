@@ -3,7 +3,7 @@
 use super::NonsmoothMarch;
 use crate::NonsmoothError;
 use crate::course::{Course, FactorIntegral};
-use crate::excitation::{Excitation, Signal};
+use crate::excitation::{DrivingSignal, Excitation};
 
 /// Forces on the coordinates of the bodies in one step, and the factors of that step.
 #[derive(Debug, Clone)]
@@ -13,7 +13,7 @@ pub(super) struct Acting {
     /// f of the assembly.
     full: Vec<f64>,
     /// Signals, each with its forces per unit.
-    excitations: Vec<(Signal, Vec<f64>)>,
+    excitations: Vec<(DrivingSignal, Vec<f64>)>,
     /// f(t) where the scheme takes forces.
     now: Vec<f64>,
     /// How fast the tracks move where forces are taken, and where the velocities of the contact are.
@@ -109,7 +109,7 @@ impl NonsmoothMarch<'_> {
     /// Follows a course, with excitations on the freedoms; before a start.
     ///
     /// # Errors
-    /// What [`Course::check`] and [`Signal::check`] say; [`NonsmoothError::SignalFreedoms`].
+    /// What [`Course::check`] and [`DrivingSignal::check`] say; [`NonsmoothError::SignalFreedoms`].
     pub fn follow(&mut self, course: Course, excitations: &[Excitation]) -> Result<(), NonsmoothError> {
         course.check()?;
         let expected = self.freedoms;

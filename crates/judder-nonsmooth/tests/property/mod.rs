@@ -10,8 +10,8 @@ use judder_assembly::pressure::Pressure;
 use judder_nonsmooth::contact_problem::{
     ContactSolution, Delassus, FrictionCondition, ImpulseProblem, NormalCondition,
 };
-use judder_nonsmooth::course::{Course, Factor, TimeTable};
-use judder_nonsmooth::excitation::{BandNoise, Excitation, Signal, Sweep};
+use judder_nonsmooth::course::{Course, TimeFactor, TimeTable};
+use judder_nonsmooth::excitation::{BandNoise, DrivingSignal, Excitation, FrequencySweep};
 use judder_nonsmooth::gauss_seidel::{ContactAccuracy, solve};
 use judder_nonsmooth::march::NonsmoothMarch;
 use judder_nonsmooth::newton::newton;
@@ -96,12 +96,12 @@ fn random_assembly(numbers: &[f64], friction: InterfaceLaw, space: bool) -> Asse
 fn course() -> Course {
     let table = |values: &[f64]| {
         let times = (0..values.len()).map(|k| 0.1 * k as f64).collect();
-        Factor::Table(TimeTable { times, values: values.to_vec() })
+        TimeFactor::Table(TimeTable { times, values: values.to_vec() })
     };
     Course {
         speed: table(&[1.0, -0.5, 0.0]),
-        load: Factor::Rise(0.15),
-        friction: vec![table(&[1.0, 0.3, 1.2, 0.9]), Factor::Constant(1.1)],
+        load: TimeFactor::Rise(0.15),
+        friction: vec![table(&[1.0, 0.3, 1.2, 0.9]), TimeFactor::Constant(1.1)],
     }
 }
 
@@ -109,10 +109,16 @@ fn course() -> Course {
 fn excitations(size: usize) -> Vec<Excitation> {
     let samples = TimeTable { times: vec![0.0, 0.1, 0.4], values: vec![0.0, 4.0, -3.0] };
     let signals = [
-        Signal::Sine { amplitude: 5.0, angular_frequency: 300.0, phase: 1.0 },
-        Signal::Sweep(Sweep { amplitude: 3.0, from: 20.0, to: 900.0, duration: 0.3, is_logarithmic: true }),
-        Signal::Random(BandNoise::new(2.0, [100.0, 2000.0], 5)),
-        Signal::Samples(samples),
+        DrivingSignal::Sine { amplitude: 5.0, angular_frequency: 300.0, phase: 1.0 },
+        DrivingSignal::Sweep(FrequencySweep {
+            amplitude: 3.0,
+            from: 20.0,
+            to: 900.0,
+            duration: 0.3,
+            is_logarithmic: true,
+        }),
+        DrivingSignal::Random(BandNoise::new(2.0, [100.0, 2000.0], 5)),
+        DrivingSignal::Samples(samples),
     ];
     let forces = |number: usize| (0..size).map(|k| ((number + 2 * k) as f64).sin()).collect();
     signals.into_iter().enumerate().map(|(k, signal)| Excitation { signal, forces: forces(k) }).collect()

@@ -5,8 +5,8 @@ use judder_assembly::assembly::Assembly;
 use judder_assembly::friction::{Friction, FrictionTable};
 use judder_assembly::interface::InterfaceLaw;
 use judder_nonsmooth::contact_problem::PointMotion;
-use judder_nonsmooth::course::{Course, Factor, TimeTable};
-use judder_nonsmooth::excitation::{Excitation, Signal, Sweep};
+use judder_nonsmooth::course::{Course, TimeFactor, TimeTable};
+use judder_nonsmooth::excitation::{DrivingSignal, Excitation, FrequencySweep};
 use judder_nonsmooth::march::NonsmoothMarch;
 use judder_nonsmooth::scheme::ContactScheme;
 use std::f64::consts::PI;
@@ -20,8 +20,8 @@ fn table(times: &[f64], values: &[f64]) -> TimeTable {
     TimeTable { times: times.to_vec(), values: values.to_vec() }
 }
 
-fn sine(amplitude: f64, angular_frequency: f64, phase: f64) -> Signal {
-    Signal::Sine { amplitude, angular_frequency, phase }
+fn sine(amplitude: f64, angular_frequency: f64, phase: f64) -> DrivingSignal {
+    DrivingSignal::Sine { amplitude, angular_frequency, phase }
 }
 
 /// A mass on a spring with a damper that touches nothing.
@@ -110,7 +110,7 @@ fn a_load_that_rises_moves_a_mass_as_its_closed_form() {
     let exact = 0.5 * load / spring * (1.0 - free)
         - 0.5 * load / mass * ((turning * end).cos() - free) / (natural * natural - turning * turning);
     let case = oscillator(mass, 0.0, spring, load);
-    let course = Course { load: Factor::Rise(rise), ..Course::default() };
+    let course = Course { load: TimeFactor::Rise(rise), ..Course::default() };
     for scheme in SCHEMES {
         let off =
             [2e-3, 1e-3, 5e-4].map(|step| (place(&case, scheme, step, end, &course, &[]) - exact).abs());
@@ -124,8 +124,9 @@ fn a_load_that_rises_moves_a_mass_as_its_closed_form() {
 fn a_sweep_starts_as_its_phase_says() {
     let case = oscillator(1.0, 0.0, 1e-9, 0.0);
     let (rate, duration, end) = (4.0, 10.0, 0.3);
-    let sweep = Sweep { amplitude: 2.0, from: 0.0, to: rate * duration, duration, is_logarithmic: false };
-    let force = Excitation { signal: Signal::Sweep(sweep), forces: vec![1.0] };
+    let sweep =
+        FrequencySweep { amplitude: 2.0, from: 0.0, to: rate * duration, duration, is_logarithmic: false };
+    let force = Excitation { signal: DrivingSignal::Sweep(sweep), forces: vec![1.0] };
     let exact = 2.0 * rate * f64::powi(end, 4) / 24.0;
     for scheme in SCHEMES {
         let found = place(&case, scheme, 1e-4, end, &Course::default(), std::slice::from_ref(&force));
@@ -138,7 +139,7 @@ fn a_sweep_starts_as_its_phase_says() {
 #[test]
 fn a_mass_on_a_belt_that_stops() {
     let (mass, weight, speed, stop): (f64, f64, f64, f64) = (1.0, 10.0, 0.5, 0.2);
-    let course = Course { speed: Factor::Table(table(&[0.0, stop], &[1.0, 0.0])), ..Course::default() };
+    let course = Course { speed: TimeFactor::Table(table(&[0.0, stop], &[1.0, 0.0])), ..Course::default() };
     for scheme in SCHEMES {
         for friction in [0.4, 0.1] {
             let case = mass_on_plane(mass, 0.0, [0.0, -weight], friction, speed);
@@ -217,7 +218,7 @@ fn a_block_on_an_incline_creeps_when_it_is_shaken() {
 fn heat_that_halves_friction_halves_the_force() {
     let temperature = table(&[0.0, 1e-2, 2e-2], &[20.0, 220.0, 220.0]);
     let friction =
-        Factor::over("a temperature", &temperature, [&[0.0, 120.0, 220.0], &[1.0, 1.0, 0.5]]).unwrap();
+        TimeFactor::over("a temperature", &temperature, [&[0.0, 120.0, 220.0], &[1.0, 1.0, 0.5]]).unwrap();
     let course = Course { friction: vec![friction], ..Course::default() };
     for scheme in ALL {
         let mut case = mass_on_plane(1.0, 100.0, [0.0, -10.0], 0.4, 5.0);
@@ -271,11 +272,11 @@ fn friction_by_a_table_stops_a_block_as_its_closed_form() {
 fn courses_and_signals_that_are_none_are_refused() {
     let case = oscillator(1.0, 0.0, 100.0, 0.0);
     let mut march = NonsmoothMarch::new(&case, &[], settings(IMPLICIT, 1e-3)).unwrap();
-    let mut refused = |course: Course, signal: Signal, forces: Vec<f64>| {
+    let mut refused = |course: Course, signal: DrivingSignal, forces: Vec<f64>| {
         march.follow(course, &[Excitation { signal, forces }]).unwrap_err().to_string()
     };
     let still = || sine(0.0, 1.0, 0.0);
-    let negative = Course { friction: vec![Factor::Constant(-1.0)], ..Course::default() };
+    let negative = Course { friction: vec![TimeFactor::Constant(-1.0)], ..Course::default() };
     assert!(refused(negative, still(), vec![1.0]).contains("a factor of friction is -1"));
     assert!(
         refused(Course::default(), sine(1.0, 4000.0, 0.0), vec![1.0])

@@ -5,7 +5,7 @@ use judder_assembly::assembly::Assembly;
 use judder_assembly::contact_point::ContactPoint;
 use judder_assembly::row::Row;
 use judder_nonsmooth::NonsmoothError;
-use judder_nonsmooth::course::{Course, Factor};
+use judder_nonsmooth::course::{Course, TimeFactor};
 use judder_nonsmooth::march::{NonsmoothMarch, NonsmoothSettings};
 use judder_nonsmooth::scheme::ContactScheme;
 use judder_nonsmooth::travel::{EdgeNode, TravellingContact};
@@ -186,7 +186,7 @@ fn a_course_is_what_ramps_are() {
                 .unwrap();
         let largest = expected.iter().map(|own| own.normal_force).fold(0.0, f64::max);
         march.set_force_scale(largest);
-        let rise = |time: f64| if time > 0.0 { Factor::Rise(time) } else { Factor::Constant(1.0) };
+        let rise = |time: f64| if time > 0.0 { TimeFactor::Rise(time) } else { TimeFactor::Constant(1.0) };
         let course = Course {
             speed: rise(ramps.velocity),
             load: rise(ramps.load),

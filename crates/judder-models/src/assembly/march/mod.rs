@@ -17,7 +17,7 @@ use crate::assembly::build::TrackEnd;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::error::ModelError;
-use driven::Drive;
+use driven::MotionDrive;
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
 use judder_numerics::words::plain;
@@ -45,7 +45,7 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 
 impl Analysis<AssemblyCase> for AssemblyMarch {
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
-        let drive = match Drive::new(of, self) {
+        let drive = match MotionDrive::new(of, self) {
             Ok(drive) => drive,
             Err(undriven) => return undriven.refusal().map(Err),
         };

@@ -2,7 +2,7 @@
 
 use super::arrays::dataset;
 use super::content::SoughtContent;
-use super::driven::{Drive, with_drive};
+use super::driven::{MotionDrive, with_drive};
 use super::recorded::{Recorded, Signals};
 use super::settings::AssemblyMarch;
 use super::start::MotionState;
@@ -43,7 +43,7 @@ pub(super) fn run(
     asked: &AssemblyMarch,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
-    let drive = Drive::new(of, asked)?;
+    let drive = MotionDrive::new(of, asked)?;
     let steady = of.steady_to_march()?;
     let first = match drive.course.starts_as_given() {
         true => None,
@@ -70,7 +70,7 @@ pub(super) fn run(
         missing: usize::from(marched.march.record().unsolved > 0),
         warnings: [
             of.doubts(&steady),
-            drive.warnings(of, asked.modes),
+            drive.warnings(of, asked),
             marched.warnings(!of.built.travelling.is_empty()),
         ]
         .concat(),
@@ -107,7 +107,7 @@ fn march<'a>(
     asked: &AssemblyMarch,
     progress: &dyn Progress,
     Begins { steady, first }: Begins<'_>,
-    drive: &Drive,
+    drive: &MotionDrive,
 ) -> Result<RunMotion<'a>, ModelError> {
     let lag = asked.march().velocities_lag();
     let state = MotionState::new(of, [steady, first], asked.start.as_ref(), lag)?;

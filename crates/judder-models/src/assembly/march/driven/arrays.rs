@@ -1,8 +1,8 @@
 //! What is kept of what drives a motion: factors and signals at the times of its signals.
 
-use super::drive::{Drive, SignalName};
+use super::drive::{MotionDrive, SignalName};
 use crate::error::ModelError;
-use judder_nonsmooth::course::{Course, Factor};
+use judder_nonsmooth::course::{Course, TimeFactor};
 use judder_store::{Dataset, Variable};
 
 /// The arrays of the course, with their words.
@@ -12,7 +12,7 @@ pub(in crate::assembly::march) const COURSE: [(&str, &str); 3] =
 /// A dataset with what drives its motion at these times in s.
 pub(in crate::assembly::march) fn with_drive(
     mut dataset: Dataset,
-    drive: &Drive,
+    drive: &MotionDrive,
     times: &[f64],
 ) -> Result<Dataset, ModelError> {
     let over_time = |name: &str, unit: &str, words: &str, label: String, values: Vec<f64>| {
@@ -21,7 +21,8 @@ pub(in crate::assembly::march) fn with_drive(
     };
     let Course { speed, load, friction } = &drive.course;
     let factors = [std::slice::from_ref(speed), std::slice::from_ref(load), friction];
-    let changing = COURSE.into_iter().zip(factors).filter(|(_, factors)| !factors.iter().all(Factor::is_one));
+    let changing =
+        COURSE.into_iter().zip(factors).filter(|(_, factors)| !factors.iter().all(TimeFactor::is_one));
     for ((name, words), factors) in changing {
         let at = |time: &f64| factors.iter().map(|factor| factor.at(*time)).product();
         let values = times.iter().map(at).collect();

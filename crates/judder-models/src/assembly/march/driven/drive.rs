@@ -11,12 +11,13 @@ use crate::assembly::march::settings::AssemblyMarch;
 use crate::error::ModelError;
 use judder_keys::dimension::Dimension;
 use judder_nonsmooth::NonsmoothError;
-use judder_nonsmooth::course::{Course, Factor, TimeTable};
-use judder_nonsmooth::excitation::{BandNoise, Excitation, Signal, Sweep};
+use judder_nonsmooth::course::{Course, TimeFactor, TimeTable};
+use judder_nonsmooth::excitation::{BandNoise, DrivingSignal, Excitation, FrequencySweep};
+use judder_numerics::words::plain;
 use judder_study::model::Refusal;
 
 /// What drives a motion.
-pub(in crate::assembly::march) struct Drive {
+pub(in crate::assembly::march) struct MotionDrive {
     pub(in crate::assembly::march) course: Course,
     pub(in crate::assembly::march) excitations: Vec<Excitation>,
     /// What each signal is.
@@ -75,7 +76,7 @@ fn at<T>(path: &str, made: Result<T, NonsmoothError>) -> Result<T, Undriven> {
     made.map_err(|error| Unassembled::because(path, &error).into())
 }
 
-impl Drive {
+impl MotionDrive {
     /// What the keys of a march make of an assembly, files read.
     pub(in crate::assembly::march) fn new(
         of: &AssemblySubject<'_>,
@@ -117,12 +118,29 @@ impl Drive {
     }
 
     /// What to know of a motion that is driven so.
-    pub(in crate::assembly::march) fn warnings(&self, of: &AssemblySubject<'_>, modes: usize) -> Vec<String> {
+    pub(in crate::assembly::march) fn warnings(
+        &self,
+        of: &AssemblySubject<'_>,
+        AssemblyMarch { modes, step, .. }: &AssemblyMarch,
+    ) -> Vec<String> {
+        /// Of a step: samples that lie so close are not between steps by rounding.
+        const CLOSE: f64 = 1.0 - 1e-6;
         let mut warnings = Vec::new();
-        if !self.course.is_constant() && modes > 0 {
+        if !self.course.is_constant() && *modes > 0 {
             warnings.push(
                 "speeds, loads or friction change over time: the modes in the motion are those about steady sliding with the case's own values".to_owned(),
             );
+        }
+        for (excitation, own) in self.excitations.iter().zip(&self.names) {
+            if let DrivingSignal::Samples(samples) = &excitation.signal
+                && let Some(least) = samples.closest().filter(|least| *least < CLOSE * step)
+            {
+                warnings.push(format!(
+                    "samples of the {} lie {} s apart, closer than the steps: what lies between two steps is not seen",
+                    own.words,
+                    plain(least)
+                ));
+            }
         }
         let turning = of.case.structures.iter().filter(|own| own.rotation.is_some());
         let turning: Vec<String> = turning.map(|own| format!("`{}`", own.name)).collect();
@@ -142,7 +160,7 @@ impl DrivenSettings {
             let own = self.course.as_ref().and_then(pick);
             own.map(|own| own.factor(&format!("course.{key}"))).transpose()
         };
-        let one = || Factor::Constant(1.0);
+        let one = || TimeFactor::Constant(1.0);
         let mut course = Course {
             speed: factor("speed", |own| own.speed.as_ref())?.unwrap_or_else(one),
             load: factor("load", |own| own.load.as_ref())?.unwrap_or_else(one),
@@ -155,7 +173,9 @@ impl DrivenSettings {
             let table = TimeTable { times, values };
             at("friction_over_temperature", table.check())?;
             let places = [&*table.times, &*table.values];
-            course.friction.push(at("temperature", Factor::over("the temperature", &temperature, places))?);
+            course
+                .friction
+                .push(at("temperature", TimeFactor::over("the temperature", &temperature, places))?);
             at("friction_over_temperature", course.check())?;
         }
         Ok(course)
@@ -163,15 +183,15 @@ impl DrivenSettings {
 }
 
 impl FactorSettings {
-    fn factor(&self, path: &str) -> Result<Factor, Undriven> {
+    fn factor(&self, path: &str) -> Result<TimeFactor, Undriven> {
         let factor = match self {
-            Self::Rise(time) => Factor::Rise(*time),
+            Self::Rise(time) => TimeFactor::Rise(*time),
             Self::Table { times, factors } => {
-                Factor::Table(TimeTable { times: times.clone(), values: factors.clone() })
+                TimeFactor::Table(TimeTable { times: times.clone(), values: factors.clone() })
             }
             Self::File(file) => {
                 let [times, values] = columns(file, [Dimension::TIME, Dimension::NUMBER], "time [s],factor")?;
-                Factor::Table(TimeTable { times, values })
+                TimeFactor::Table(TimeTable { times, values })
             }
         };
         at(path, factor.check())?;
@@ -210,13 +230,13 @@ fn signal<const IS_FORCE: bool>(
     own: &SignalSettings<IS_FORCE>,
     asked: &AssemblyMarch,
     path: &str,
-) -> Result<Signal, Undriven> {
+) -> Result<DrivingSignal, Undriven> {
     let signal = match own {
         SignalSettings::Swing { amplitude, frequency: SwingFrequency::Steady { frequency, phase } } => {
-            Signal::Sine { amplitude: *amplitude, angular_frequency: *frequency, phase: *phase }
+            DrivingSignal::Sine { amplitude: *amplitude, angular_frequency: *frequency, phase: *phase }
         }
         SignalSettings::Swing { amplitude, frequency: SwingFrequency::Sweeping { from, to, sweep } } => {
-            Signal::Sweep(Sweep {
+            DrivingSignal::Sweep(FrequencySweep {
                 amplitude: *amplitude,
                 from: *from,
                 to: *to,
@@ -224,12 +244,14 @@ fn signal<const IS_FORCE: bool>(
                 is_logarithmic: *sweep == SweepWord::Logarithmic,
             })
         }
-        SignalSettings::Random { rms, band, seed } => Signal::Random(BandNoise::new(*rms, *band, *seed)),
+        SignalSettings::Random { rms, band, seed } => {
+            DrivingSignal::Random(BandNoise::new(*rms, *band, *seed))
+        }
         SignalSettings::Samples { file, scale } => {
             let header = if IS_FORCE { "time [s],force [N]" } else { "time [s],acceleration [m/s^2]" };
             let [times, mut values] = columns(file, [Dimension::TIME, dimension(IS_FORCE)], header)?;
             values.iter_mut().for_each(|value| *value *= scale);
-            Signal::Samples(TimeTable { times, values })
+            DrivingSignal::Samples(TimeTable { times, values })
         }
     };
     at(path, signal.check(asked.step))?;

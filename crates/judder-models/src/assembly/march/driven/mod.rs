@@ -11,4 +11,4 @@ pub mod settings;
 pub mod signal;
 
 pub(super) use arrays::{COURSE, with_drive};
-pub(super) use drive::Drive;
+pub(super) use drive::MotionDrive;

@@ -10,6 +10,7 @@ use judder_assembly::friction::check_table;
 use judder_assembly::interface::{Asperity, ForceAt, InterfaceLaw, PointForces};
 use judder_assembly::row::Row;
 use judder_numerics::ramp::{half_cosine, straight};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// A factor over time.
@@ -94,10 +95,32 @@ impl TimeFactor {
         }
     }
 
+    /// How fast it changes at a time in s, in 1/s; at a corner of a table as after it.
+    #[must_use]
+    pub fn rate(&self, time: f64) -> f64 {
+        match self {
+            Self::Constant(_) => 0.0,
+            Self::Rise(duration) if (0.0..*duration).contains(&time) => {
+                0.5 * PI / duration * (PI * time / duration).sin()
+            }
+            Self::Rise(_) => 0.0,
+            Self::Table(TimeTable { times, values }) => match times.partition_point(|own| *own <= time) {
+                next if next == 0 || next == times.len() => 0.0,
+                next => (values[next] - values[next - 1]) / (times[next] - times[next - 1]),
+            },
+        }
+    }
+
     /// Its integral over time.
     #[must_use]
     pub fn integral(&self) -> FactorIntegral {
         FactorIntegral::new(self.clone())
+    }
+
+    /// Whether it does not change.
+    #[must_use]
+    pub fn is_constant(&self) -> bool {
+        matches!(self, Self::Constant(_))
     }
 
     /// Whether it is 1 at all times.

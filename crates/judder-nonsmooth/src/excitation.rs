@@ -5,7 +5,7 @@ mod band_noise;
 pub use band_noise::BandNoise;
 
 use crate::NonsmoothError;
-use crate::course::TimeTable;
+use crate::course::{TimeFactor, TimeTable};
 use std::f64::consts::TAU;
 
 /// A signal over time, in the unit of what it is for: N, or m/s².
@@ -26,6 +26,8 @@ pub enum DrivingSignal {
     Random(BandNoise),
     /// Samples, straight between them.
     Samples(TimeTable),
+    /// How fast a factor changes, in 1/s: a share of the inertia of what is carried along with it.
+    Rate(TimeFactor),
 }
 
 /// a sin φ(t), φ̇ = ω from one frequency to another.
@@ -91,6 +93,7 @@ impl DrivingSignal {
             ],
             Self::Random(noise) => return noise.check().and_then(|()| self.check_speed(step)),
             Self::Samples(samples) => return samples.check(),
+            Self::Rate(factor) => return factor.check(),
         };
         if let Some((name, value)) = numbers.iter().find(|(_, value)| !value.is_finite()) {
             return refused(name, *value, "finite");
@@ -133,14 +136,14 @@ impl DrivingSignal {
         }
     }
 
-    /// The highest frequency that it has, in rad/s; of samples none is known.
+    /// The highest frequency that it has, in rad/s; of samples and rates none is known.
     #[must_use]
     pub fn highest_frequency(&self) -> Option<f64> {
         match self {
             Self::Sine { angular_frequency, .. } => Some(angular_frequency.abs()),
             Self::Sweep(FrequencySweep { from, to, .. }) => Some(from.max(*to)),
             Self::Random(noise) => Some(noise.band[1]),
-            Self::Samples(_) => None,
+            Self::Samples(_) | Self::Rate(_) => None,
         }
     }
 
@@ -154,6 +157,7 @@ impl DrivingSignal {
             Self::Sweep(own) => own.amplitude * own.phase(time).sin(),
             Self::Random(noise) => noise.at(time),
             Self::Samples(samples) => samples.at(time),
+            Self::Rate(factor) => factor.rate(time),
         }
     }
 }

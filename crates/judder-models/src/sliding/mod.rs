@@ -18,7 +18,7 @@ pub mod march;
 pub mod modes;
 pub mod shapes;
 pub mod spectrogram;
-mod system;
+pub(crate) mod system;
 
 use crate::error::ModelError;
 use crate::estimate::Estimate;

@@ -33,6 +33,27 @@ impl BuiltAssembly {
         }
     }
 
+    /// What holds sliders back that travel faster by their own speed in a second, M V with the velocity of the track beside them: their frame goes against it.
+    pub(crate) fn carried_along(&self, case: &AssemblyCase, path: &str) -> Result<Vec<f64>, Unassembled> {
+        let mut forces = vec![0.0; self.bodies.last().map_or(0, |last| last.first + last.size())];
+        let mut carried = Vec::new();
+        for own in &self.travelling {
+            let index = *case.contacts[own.interface].slider.structure;
+            if carried.contains(&index) {
+                continue;
+            }
+            carried.push(index);
+            let body = &self.bodies[index];
+            let velocity = self.assembly.interfaces[own.interface].points[0].velocity;
+            for (direction, speed) in [Direction::X, Direction::Y].into_iter().zip(velocity) {
+                let inertia = body.on_basis(body.inertia(case, index, direction, path)?);
+                let own = forces[body.first..].iter_mut().zip(inertia);
+                own.for_each(|(force, own)| *force += speed * own);
+            }
+        }
+        Ok(self.on_freedoms_left(forces))
+    }
+
     /// A force of 1 N that the nodes share alike, on the freedoms; `path` is that of the table that names them.
     pub(crate) fn unit_force(
         &self,

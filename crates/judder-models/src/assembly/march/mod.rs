@@ -1,6 +1,9 @@
 //! `march`: the motion through stick, slip and lift-off at every contact point.
 
 mod arrays;
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod beams;
 mod content;
 pub mod driven;
 pub mod field;

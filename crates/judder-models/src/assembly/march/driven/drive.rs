@@ -20,7 +20,7 @@ use judder_study::model::Refusal;
 pub(in crate::assembly::march) struct MotionDrive {
     pub(in crate::assembly::march) course: Course,
     pub(in crate::assembly::march) excitations: Vec<Excitation>,
-    /// What each signal is.
+    /// What each signal of the case is; behind them may be the inertia of what travels.
     pub(super) names: Vec<SignalName>,
 }
 
@@ -108,6 +108,10 @@ impl MotionDrive {
                 is_force: true,
                 words: format!("force on {} along {direction}", own.nodes.words()),
             });
+        }
+        if !course.speed.is_constant() && !of.built.travelling.is_empty() {
+            let forces = of.built.carried_along(of.case, "course.speed")?;
+            excitations.push(Excitation { signal: DrivingSignal::Rate(course.speed.clone()), forces });
         }
         Ok(Self { course, excitations, names })
     }

@@ -591,6 +591,7 @@ class Assembly(Model):
         base: Sequence[Mapping[str, Any]] | None = None,
         forces: Sequence[Mapping[str, Any]] | None = None,
         sample_rate: str | None = None,
+        checkpoint_steps: int | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> Result:

@@ -12,7 +12,7 @@
 //! - [`checks`]: every number doubted by another number.
 //! - [`oscillator`], [`contact`], [`belt`], [`two_degrees`], [`structure`], [`sliding`], [`assembly`]: the models. [`motion`]: what oscillator and belt share. [`parameters`]:
 //!   `[parameters]`. `entries`, [`mass`]: matrices of numbers and expressions of them.
-//! - `estimate`: what analyses would take. `written`: files of other programs, in memory.
+//! - `samples`: arrays of a march on their way into the study. `estimate`: what analyses would take. `written`: files of other programs, in memory.
 //! - [`template`]: the commented cases of `judder new`.
 
 pub mod assembly;
@@ -40,6 +40,7 @@ pub mod oscillator;
 pub mod parameters;
 mod read_family;
 mod read_sweep;
+mod samples;
 pub mod sliding;
 mod spectrum_source;
 pub mod structure;

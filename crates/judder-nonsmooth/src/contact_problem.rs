@@ -10,6 +10,7 @@ use crate::newton::NewtonMemory;
 use crate::one_point::PointDelassus;
 use judder_assembly::friction::Friction;
 use pulp::Arch;
+use serde::{Deserialize, Serialize};
 
 /// The most components of a point: along the normal, along the slip, across it.
 pub(crate) const MOST: usize = 3;
@@ -96,7 +97,7 @@ impl FrictionCondition<'_> {
 }
 
 /// What a point does after a step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum PointMotion {
     /// It carries no force.
     #[default]

@@ -152,6 +152,9 @@ pub enum NonsmoothError {
         /// When, in s.
         time: f64,
     },
+    /// A checkpoint of another march.
+    #[error("the checkpoint is of another march: it has other coordinates or contact points")]
+    ForeignCheckpoint,
     /// What is wrong with the assembly.
     #[error(transparent)]
     Assembly(#[from] AssemblyError),

@@ -1,6 +1,7 @@
 //! A motion, step by step.
 
 mod acting;
+mod checkpoint;
 mod located;
 mod step;
 #[cfg(test)]
@@ -19,7 +20,10 @@ use crate::travel::{Travel, TravellingContact};
 use acting::Acting;
 use judder_assembly::assembly::Assembly;
 use judder_assembly::row::Row;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
+
+pub use checkpoint::MarchCheckpoint;
 
 /// What a march is to do.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +39,7 @@ pub struct NonsmoothSettings {
 }
 
 /// Where work went since the start, in J: what it added to the bodies.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Works {
     /// Of friction on the bodies, Σ T·(velocity of the slider beside the track's undisturbed motion).
     pub friction: f64,
@@ -56,7 +60,7 @@ pub struct Works {
 }
 
 /// How well the contact was solved, over all steps.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct ContactRecord {
     /// Sweeps, all together.
     pub iterations: u64,

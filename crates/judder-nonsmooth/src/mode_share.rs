@@ -1,10 +1,12 @@
 //! How much of a complex mode a motion has.
 
+use crate::NonsmoothError;
 use crate::march::NonsmoothMarch;
 use faer::c64;
 use judder_assembly::assembly::triplets;
 use judder_assembly::linearised::Linearised;
 use judder_structure::assembly::Sparse;
+use serde::{Deserialize, Serialize};
 
 /// The amplitude of a mode in a deviation from steady sliding: a = yᴴ ((λ M + C) q + M q̇)/(yᴴ (2 λ M + C) x), with all damping, that of the
 /// contacts too.
@@ -68,19 +70,28 @@ fn transposed(matrix: &Sparse, left: &[c64]) -> Vec<c64> {
 #[derive(Debug, Clone)]
 pub struct ModalContent {
     shares: Vec<ModeShare>,
-    sums: Vec<ModeSums>,
+    so_far: ModalSums,
+}
+
+/// What the samples of a [`ModalContent`] add up to.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ModalSums {
+    of_modes: Vec<ModeSums>,
     samples: u64,
     /// When the last sample was taken, and how long after the one before, in s.
     last: f64,
     apart: f64,
 }
 
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 struct ModeSums {
     /// About the first amplitude, so that a small swing about a large mean keeps its digits.
+    #[serde(with = "parts")]
     origin: c64,
+    #[serde(with = "parts")]
     sum: c64,
     squared: f64,
+    #[serde(with = "parts")]
     last: c64,
     /// Σ |aₖ − aₖ₋₁|².
     changed: f64,
@@ -90,16 +101,34 @@ impl ModalContent {
     /// Of these modes, before the first step.
     #[must_use]
     pub fn new(shares: Vec<ModeShare>) -> Self {
-        let sums = vec![ModeSums::default(); shares.len()];
-        Self { shares, sums, samples: 0, last: 0.0, apart: 0.0 }
+        let of_modes = vec![ModeSums::default(); shares.len()];
+        Self { shares, so_far: ModalSums { of_modes, samples: 0, last: 0.0, apart: 0.0 } }
+    }
+
+    /// What the samples so far add up to.
+    #[must_use]
+    pub fn so_far(&self) -> &ModalSums {
+        &self.so_far
+    }
+
+    /// Goes on with the sums of an earlier run.
+    ///
+    /// # Errors
+    /// [`NonsmoothError::ForeignCheckpoint`] where they are those of other modes.
+    pub fn resume(&mut self, kept: &ModalSums) -> Result<(), NonsmoothError> {
+        if kept.of_modes.len() != self.shares.len() {
+            return Err(NonsmoothError::ForeignCheckpoint);
+        }
+        self.so_far.clone_from(kept);
+        Ok(())
     }
 
     /// Takes the step that a march is at; evenly apart, several in every half period of each mode.
     pub fn take(&mut self, march: &NonsmoothMarch<'_>) {
-        let time = march.time();
-        for (share, sums) in self.shares.iter().zip(&mut self.sums) {
+        let (time, so_far) = (march.time(), &mut self.so_far);
+        for (share, sums) in self.shares.iter().zip(&mut so_far.of_modes) {
             let amplitude = share.of(march);
-            if self.samples == 0 {
+            if so_far.samples == 0 {
                 (sums.origin, sums.last) = (amplitude, amplitude);
             }
             let deviation = amplitude - sums.origin;
@@ -108,21 +137,36 @@ impl ModalContent {
             sums.changed += (amplitude - sums.last).norm_sqr();
             sums.last = amplitude;
         }
-        (self.apart, self.last) = (time - self.last, time);
-        self.samples += 1;
+        (so_far.apart, so_far.last) = (time - so_far.last, time);
+        so_far.samples += 1;
     }
 
     /// The root mean square of |a| of a mode about its mean, and the angular frequency with which it turned, in rad/s: that of an even turn
     /// which changes as much from sample to sample. Of no samples nothing.
     #[must_use]
     pub fn of(&self, mode: usize) -> Option<[f64; 2]> {
-        let sums = self.sums.get(mode).filter(|_| self.samples > 1)?;
-        let count = self.samples as f64;
+        let ModalSums { of_modes, samples, apart, .. } = &self.so_far;
+        let sums = of_modes.get(mode).filter(|_| *samples > 1)?;
+        let count = *samples as f64;
         let variance = (sums.squared / count - (sums.sum / count).norm_sqr()).max(0.0);
         if variance == 0.0 {
             return Some([0.0, 0.0]);
         }
         let half_chord = 0.5 * (sums.changed / (count - 1.0) / variance).sqrt();
-        Some([variance.sqrt(), 2.0 * half_chord.min(1.0).asin() / self.apart])
+        Some([variance.sqrt(), 2.0 * half_chord.min(1.0).asin() / apart])
+    }
+}
+
+/// A complex number as its real and its imaginary part.
+mod parts {
+    use faer::c64;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(value: &c64, serializer: S) -> Result<S::Ok, S::Error> {
+        [value.re, value.im].serialize(serializer)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<c64, D::Error> {
+        <[f64; 2]>::deserialize(deserializer).map(|[re, im]| c64::new(re, im))
     }
 }

@@ -10,6 +10,7 @@ use crate::contact_problem::{
 };
 use crate::elimination::KeptElimination;
 use crate::gauss_seidel::name_motions;
+use serde::{Deserialize, Serialize};
 
 /// Steps at most: a start that is near takes three to six.
 const STEPS: usize = 30;
@@ -26,8 +27,8 @@ struct Projections {
 }
 
 /// ∂/∂P and ∂/∂U of each component within its point, rows of three.
-#[derive(Debug, Clone, PartialEq)]
-struct Slopes {
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Slopes {
     by_impulse: Vec<[f64; 3]>,
     by_velocity: Vec<[f64; 3]>,
 }
@@ -62,6 +63,11 @@ impl Slopes {
         self.by_velocity[row] == [0.0; 3] && self.by_impulse[row] == alone
     }
 
+    /// Whether they are those of so many components.
+    pub(crate) fn are_of(&self, size: usize) -> bool {
+        self.by_impulse.len() == size && self.by_velocity.len() == size
+    }
+
     fn copy_from(&mut self, other: &Self) {
         self.by_impulse.copy_from_slice(&other.by_impulse);
         self.by_velocity.copy_from_slice(&other.by_velocity);
@@ -92,21 +98,33 @@ impl NewtonMemory {
         self.is_eliminated = false;
     }
 
-    /// Eliminates the slopes at a place; whether that succeeds. Points that share their freedoms leave it open who of them carries what: where it is singular
-    /// every impulse holds on a little to what it was.
-    fn eliminate(&mut self, problem: &ImpulseProblem<'_>) -> bool {
-        self.eliminate_held(problem, 0.0) || self.eliminate_held(problem, HOLD)
+    /// The slopes that are eliminated: all that goes on from one problem to the next.
+    pub(crate) fn eliminated(&self) -> Option<&Slopes> {
+        self.is_eliminated.then_some(&self.eliminated)
     }
 
-    fn eliminate_held(&mut self, problem: &ImpulseProblem<'_>, hold: f64) -> bool {
-        let dimension = problem.delassus.dimension();
+    /// Eliminates these slopes, as they were.
+    pub(crate) fn recall(&mut self, delassus: &Delassus, slopes: &Slopes) {
+        self.here.slopes.copy_from(slopes);
+        self.eliminated.copy_from(slopes);
+        self.is_eliminated = self.eliminate(delassus);
+    }
+
+    /// Eliminates the slopes at a place; whether that succeeds. Points that share their freedoms leave it open who of them carries what: where it is singular
+    /// every impulse holds on a little to what it was.
+    fn eliminate(&mut self, delassus: &Delassus) -> bool {
+        self.eliminate_held(delassus, 0.0) || self.eliminate_held(delassus, HOLD)
+    }
+
+    fn eliminate_held(&mut self, delassus: &Delassus, hold: f64) -> bool {
+        let dimension = delassus.dimension();
         let slopes = &self.here.slopes;
         self.unknowns.clear();
-        let rows = 0..problem.delassus.size();
+        let rows = 0..delassus.size();
         self.unknowns.extend(rows.filter(|row| !slopes.is_known(*row, row % dimension)));
         let columns = self.elimination.columns(self.unknowns.len());
         for (component, column) in self.unknowns.iter().zip(columns) {
-            let of_velocity = problem.delassus.column(*component);
+            let of_velocity = delassus.column(*component);
             for (row, entry) in self.unknowns.iter().zip(column) {
                 let first = row - row % dimension;
                 let own = &slopes.by_velocity[*row];
@@ -125,7 +143,7 @@ impl NewtonMemory {
     /// The step of Newton's method at a place, into `change`; whether there is one.
     fn step(&mut self, problem: &ImpulseProblem<'_>) -> bool {
         if !(self.is_eliminated && self.eliminated == self.here.slopes) {
-            self.is_eliminated = self.eliminate(problem);
+            self.is_eliminated = self.eliminate(problem.delassus);
             self.eliminated.copy_from(&self.here.slopes);
         }
         if !self.is_eliminated {

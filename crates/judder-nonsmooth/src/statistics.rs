@@ -1,10 +1,12 @@
 //! What the points of a march do on average.
 
+use crate::NonsmoothError;
 use crate::contact_problem::PointMotion;
 use crate::march::NonsmoothMarch;
+use serde::{Deserialize, Serialize};
 
-/// Sums over the steps of a march, point by point.
-#[derive(Debug, Clone)]
+/// Sums over the steps of a march, point by point; written and read back they go on as they were.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Statistics {
     steps: u64,
     points: Vec<PointSums>,
@@ -15,7 +17,7 @@ pub struct Statistics {
     of_batches: Vec<BatchSums>,
 }
 
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 struct PointSums {
     stick: u64,
     slip: u64,
@@ -32,7 +34,7 @@ struct PointSums {
 const BATCHES: usize = 20;
 
 /// Sums over one batch of steps.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 struct BatchSums {
     stick: u64,
     slip: u64,
@@ -85,6 +87,21 @@ impl Statistics {
             batches: 0,
             of_batches: vec![BatchSums::default(); 2 * BATCHES * points],
         }
+    }
+
+    /// Goes on with the sums of an earlier run.
+    ///
+    /// # Errors
+    /// [`NonsmoothError::ForeignCheckpoint`] where they are those of other points.
+    pub fn resume(&mut self, kept: &Self) -> Result<(), NonsmoothError> {
+        let fits = kept.points.len() == self.points.len()
+            && kept.of_batches.len() == self.of_batches.len()
+            && kept.batches <= 2 * BATCHES;
+        if !fits {
+            return Err(NonsmoothError::ForeignCheckpoint);
+        }
+        self.clone_from(kept);
+        Ok(())
     }
 
     /// Takes the step that a march is at.

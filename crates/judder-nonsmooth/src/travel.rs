@@ -5,6 +5,7 @@
 
 mod edge;
 mod forms;
+mod kept;
 
 use crate::NonsmoothError;
 use crate::bodies::MovingBodies;
@@ -16,6 +17,8 @@ use judder_assembly::interface::Interface;
 use judder_assembly::row::Row;
 use judder_sliding::edge::{EdgePoint, Interpolation, RunOff, combined};
 use judder_sliding::plane::{PlaneVector, dot, minus, plus};
+
+pub(crate) use kept::KeptPoint;
 
 /// A node of an edge.
 #[derive(Debug, Clone, PartialEq)]

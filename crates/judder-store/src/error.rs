@@ -178,16 +178,14 @@ pub enum StoreError {
     },
     /// A variable that cannot grow.
     #[error(
-        "variable `{variable}` cannot grow: describe it as an array of real numbers over `{dimension}` alone, which all growing variables share, of length 0"
+        "variable `{variable}` cannot grow: describe it as an array of real numbers or codes, of length 0 along its first dimension and longer along the others"
     )]
     CannotGrow {
         /// The variable.
         variable: String,
-        /// The dimension along which the first one grows.
-        dimension: String,
     },
     /// A variable that does not grow was asked for.
-    #[error("no variable `{variable}` grows here; there are {}", known.join(", "))]
+    #[error("no variable `{variable}` of real numbers grows here; there are {}", known.join(", "))]
     NotGrowing {
         /// The variable.
         variable: String,
@@ -202,14 +200,22 @@ pub enum StoreError {
         /// How many slices there are.
         found: usize,
     },
-    /// New values that would leave variables of different lengths.
+    /// New values of another kind than the variable is of.
     #[error(
-        "variable `{variable}`: {found} new values, where the first variable has {expected}; all grow together"
+        "variable `{variable}`: real numbers and codes are not of one kind; give those that it was described with"
+    )]
+    SliceKind {
+        /// The variable.
+        variable: String,
+    },
+    /// New values that are no whole rows, or would leave variables of different lengths.
+    #[error(
+        "variable `{variable}`: {found} new values, where {expected} would be whole rows and as many as of the first variable of that dimension"
     )]
     SliceLength {
         /// The variable.
         variable: String,
-        /// New values of the first variable.
+        /// New values that would fit.
         expected: usize,
         /// New values of this one.
         found: usize,

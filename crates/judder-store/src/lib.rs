@@ -53,7 +53,7 @@ pub use num_complex::Complex64;
 pub use reader::{DatasetHead, StudyReader};
 pub use scratch::Scratch;
 pub use shared::SharedStudy;
-pub use stream::StreamWriter;
+pub use stream::{StreamSlice, StreamWriter};
 pub use summary::{AnalysisRecord, Status, Summary, number};
 pub use sweep::{
     ChunkClaim, ChunkDamage, ChunkPoints, ChunkState, ClaimAnswer, PointFailure, StoredChunk, SweepChunks,

@@ -1,7 +1,8 @@
 //! A dataset in the making: arrays that grow while an analysis runs, and what the analysis needs to go on after an interruption.
 
+use std::borrow::Cow;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, ErrorKind, Seek, SeekFrom, Write};
+use std::io::{self, BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -10,12 +11,13 @@ use crate::name::check_name;
 use crate::zarr::Elsewhere;
 use crate::{Dataset, StoreError, StudyFolder, Variable, VariableValues, content_hash, staging};
 
-/// The file that says how much counts. No variable is called so, since theirs end in `.f64`.
+/// The file that says how much counts. No variable is called so, since theirs end in `.f64` or `.u8`.
 const CHECKPOINT: &str = "checkpoint";
 
-const VALUE_BYTES: u64 = size_of::<f64>() as u64;
+/// What is read of a file at a time.
+const READ_BYTES: usize = 1 << 20;
 
-/// One analysis's arrays along one dimension, appended to while it runs, never in memory as a whole.
+/// One analysis's arrays, appended to along their first dimensions while it runs, never in memory as a whole.
 ///
 /// Every append brings a checkpoint, some bytes of the caller's choice that say how to go on from there. Both are on the disk once
 /// [`append`](Self::append) has returned. A run that is killed, at any instant, leaves everything up to its last whole append; what it was
@@ -29,7 +31,7 @@ const VALUE_BYTES: u64 = size_of::<f64>() as u64;
 /// let variables = [grows("time").units("s"), grows("normal_force").units("N").long_name("normal force N")];
 /// let mut stream = StreamWriter::open(&study, "march", "hash", &variables)?;
 /// assert_eq!((stream.len(), stream.checkpoint()), (0, None));
-/// stream.append(b"step 2", &[&[0.0, 1e-6], &[10.0, 10.5]])?;
+/// stream.append(b"step 2", &[[0.0, 1e-6][..].into(), [10.0, 10.5][..].into()])?;
 /// drop(stream); // or a kill
 /// let stream = StreamWriter::open(&study, "march", "hash", &variables)?;
 /// assert_eq!((stream.len(), stream.checkpoint()), (2, Some(&b"step 2"[..])));
@@ -44,11 +46,21 @@ pub struct StreamWriter<'a> {
     analysis: String,
     hash: String,
     folder: PathBuf,
-    /// As described, each of length 0.
+    /// As described, each without a row.
     variables: Vec<Variable>,
     files: Vec<File>,
-    len: u64,
+    /// Rows of each variable.
+    rows: Vec<u64>,
     checkpoint: Option<Vec<u8>>,
+}
+
+/// New rows of a growing variable, one after the other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StreamSlice<'a> {
+    /// Real numbers.
+    F64(&'a [f64]),
+    /// Codes of classes.
+    U8(&'a [u8]),
 }
 
 /// The first line of the file [`CHECKPOINT`]; the bytes of the caller follow.
@@ -56,7 +68,7 @@ pub struct StreamWriter<'a> {
 struct CheckpointHeader {
     hash: String,
     variables: Vec<String>,
-    len: u64,
+    rows: Vec<u64>,
     checkpoint_hash: String,
 }
 
@@ -64,8 +76,8 @@ impl<'a> StreamWriter<'a> {
     /// Takes up what an earlier run left under the same hash and names of variables, or starts anew: what another hash left, or what is
     /// damaged, is forgotten. One writer an analysis at a time.
     ///
-    /// A growing variable is described by its [`Variable`] of length 0, of real numbers over the one dimension that all share; that which has
-    /// the name of the dimension is its coordinate.
+    /// A growing variable is described by its [`Variable`] without a row: real numbers or codes, of length 0 along its first dimension, along which it
+    /// grows, and of a fixed length along the others. All that have a first dimension in common grow alike; that which has its name is its coordinate.
     ///
     /// # Errors
     /// A name that cannot be a folder, [`StoreError::CannotGrow`], [`StoreError::Duplicate`], what a [`Dataset`] refuses; failures of the file
@@ -77,31 +89,31 @@ impl<'a> StreamWriter<'a> {
         variables: &[Variable],
     ) -> Result<Self, StoreError> {
         check_name("an analysis", analysis)?;
-        grown(variables, 0)?;
+        grown(variables, &vec![0; variables.len()])?;
         let folder = study.path().join(format!("{}{analysis}", staging::STREAM_PREFIX));
-        let names: Vec<&str> = variables.iter().map(|variable| variable.name.as_str()).collect();
-        let left = left_by_earlier_run(&folder, hash, &names)?;
+        let left = left_by_earlier_run(&folder, hash, variables)?;
         let failed = |source| StoreError::write(&folder, 0, source);
         if left.is_none() {
-            start_anew(&folder, &names).map_err(failed)?;
+            start_anew(&folder, variables).map_err(failed)?;
         }
-        let (len, checkpoint) = left.map_or((0, None), |(len, checkpoint)| (len, Some(checkpoint)));
-        let open = |name: &&str| OpenOptions::new().write(true).open(place(&folder, name));
-        let files = names.iter().map(open).collect::<Result<_, _>>().map_err(failed)?;
+        let nothing = || (vec![0; variables.len()], None);
+        let (rows, checkpoint) = left.map_or_else(nothing, |(rows, checkpoint)| (rows, Some(checkpoint)));
+        let open = |variable: &Variable| OpenOptions::new().write(true).open(place(&folder, variable));
+        let files = variables.iter().map(open).collect::<Result<_, _>>().map_err(failed)?;
         let (analysis, hash, variables) = (analysis.to_owned(), hash.to_owned(), variables.to_vec());
-        Ok(Self { study, analysis, hash, folder, variables, files, len, checkpoint })
+        Ok(Self { study, analysis, hash, folder, variables, files, rows, checkpoint })
     }
 
-    /// Values of each variable so far.
+    /// Rows of the first variable so far.
     #[must_use]
     pub fn len(&self) -> u64 {
-        self.len
+        self.rows.first().copied().unwrap_or(0)
     }
 
-    /// Whether there are none yet.
+    /// Whether it has none yet.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.len == 0
+        self.len() == 0
     }
 
     /// The last checkpoint, of this run or of an earlier one; none where there was no append.
@@ -110,40 +122,71 @@ impl<'a> StreamWriter<'a> {
         self.checkpoint.as_deref()
     }
 
-    /// What has been appended to a variable so far; it is read from the disk.
+    /// What has been appended to a variable of real numbers so far, row after row; it is read from the disk.
     ///
     /// # Errors
     /// [`StoreError::NotGrowing`], failures of the file system.
     pub fn values(&self, variable: &str) -> Result<Vec<f64>, StoreError> {
-        if !self.variables.iter().any(|known| known.name == variable) {
-            let known = self.variables.iter().map(|known| known.name.clone()).collect();
-            return Err(StoreError::NotGrowing { variable: variable.to_owned(), known });
-        }
-        let path = place(&self.folder, variable);
+        let k = self.index_of(variable)?;
+        let path = place(&self.folder, &self.variables[k]);
         let mut bytes = fs::read(&path).map_err(|source| StoreError::read(&path, source))?;
-        bytes.truncate((self.len * VALUE_BYTES) as usize);
-        let (values, _) = bytes.as_chunks::<{ VALUE_BYTES as usize }>();
+        bytes.truncate((self.rows[k] * row_bytes(&self.variables[k])) as usize);
+        let (values, _) = bytes.as_chunks();
         Ok(values.iter().map(|value| f64::from_le_bytes(*value)).collect())
     }
 
-    /// Appends a slice of new values to each variable, in their order and equally long (empty ones keep the checkpoint alone), and replaces the
+    /// The value at one place of every row of a variable of real numbers, read from the disk row by row; nothing where a row has no such place.
+    ///
+    /// # Errors
+    /// As of [`values`](Self::values).
+    pub fn column(&self, variable: &str, column: usize) -> Result<Vec<f64>, StoreError> {
+        let k = self.index_of(variable)?;
+        let path = place(&self.folder, &self.variables[k]);
+        let read = || -> io::Result<Vec<f64>> {
+            let mut file = BufReader::with_capacity(READ_BYTES, File::open(&path)?);
+            let mut row = vec![0; row_bytes(&self.variables[k]) as usize];
+            let mut values = Vec::with_capacity(self.rows[k] as usize);
+            for _ in 0..self.rows[k] {
+                file.read_exact(&mut row)?;
+                values.extend(row.as_chunks().0.get(column).map(|value| f64::from_le_bytes(*value)));
+            }
+            Ok(values)
+        };
+        read().map_err(|source| StoreError::read(&path, source))
+    }
+
+    /// The place of a growing variable of real numbers among all.
+    fn index_of(&self, variable: &str) -> Result<usize, StoreError> {
+        let reals = || self.variables.iter().filter(|known| matches!(known.data, VariableValues::F64(_)));
+        let found = reals().find(|known| known.name == variable);
+        found.and_then(|found| self.variables.iter().position(|known| known.name == found.name)).ok_or_else(
+            || StoreError::NotGrowing {
+                variable: variable.to_owned(),
+                known: reals().map(|known| known.name.clone()).collect(),
+            },
+        )
+    }
+
+    /// Appends new rows to each variable, in their order and as many to all of one dimension (none keep the checkpoint alone), and replaces the
     /// checkpoint.
     ///
     /// # Errors
-    /// [`StoreError::SliceCount`], [`StoreError::SliceLength`], failures of the file system; what was appended before still counts, and the same
-    /// append may be tried again.
-    pub fn append(&mut self, checkpoint: &[u8], slices: &[&[f64]]) -> Result<(), StoreError> {
+    /// [`StoreError::SliceCount`], [`StoreError::SliceKind`], [`StoreError::SliceLength`], failures of the file system; what was appended before still
+    /// counts, and the same append may be tried again.
+    pub fn append(&mut self, checkpoint: &[u8], slices: &[StreamSlice<'_>]) -> Result<(), StoreError> {
         let added = self.check_slices(slices)?;
-        for ((file, variable), slice) in self.files.iter_mut().zip(&self.variables).zip(slices) {
-            let bytes: Vec<u8> = slice.iter().flat_map(|value| value.to_le_bytes()).collect();
-            write_at(file, self.len * VALUE_BYTES, &bytes).map_err(|source| {
-                StoreError::write(&place(&self.folder, &variable.name), bytes.len() as u64, source)
+        for (k, slice) in slices.iter().enumerate() {
+            let variable = &self.variables[k];
+            let bytes = slice.bytes();
+            write_at(&mut self.files[k], self.rows[k] * row_bytes(variable), &bytes).map_err(|source| {
+                StoreError::write(&place(&self.folder, variable), bytes.len() as u64, source)
             })?;
         }
+        let rows: Vec<u64> = self.rows.iter().zip(added).map(|(rows, added)| rows + added).collect();
         let header = CheckpointHeader {
             hash: self.hash.clone(),
             variables: self.variables.iter().map(|variable| variable.name.clone()).collect(),
-            len: self.len + added,
+            rows: rows.clone(),
             checkpoint_hash: content_hash(checkpoint),
         };
         let path = self.folder.join(CHECKPOINT);
@@ -151,7 +194,7 @@ impl<'a> StreamWriter<'a> {
             serde_json::to_string(&header).map_err(|source| StoreError::write(&path, 0, source.into()))?;
         // the values are on the disk: from this rename on they count
         staging::write_file(self.study.path(), &path, &[line.as_bytes(), b"\n", checkpoint].concat())?;
-        self.len += added;
+        self.rows = rows;
         self.checkpoint = Some(checkpoint.to_vec());
         Ok(())
     }
@@ -162,7 +205,7 @@ impl<'a> StreamWriter<'a> {
     /// # Errors
     /// What a [`Dataset`] refuses, failures of the file system; the stream is then still there to be opened again.
     pub fn finish(self, rest: Dataset) -> Result<(), StoreError> {
-        let mut dataset = grown(&self.variables, self.len as usize)?;
+        let mut dataset = grown(&self.variables, &self.rows)?;
         for variable in rest.variables() {
             dataset = dataset.with(variable.clone())?;
         }
@@ -172,55 +215,117 @@ impl<'a> StreamWriter<'a> {
         let elsewhere: Elsewhere = self
             .variables
             .iter()
-            .map(|variable| (variable.name.clone(), place(&self.folder, &variable.name)))
+            .map(|variable| (variable.name.clone(), place(&self.folder, variable)))
             .collect();
         self.study.publish(&self.analysis, &self.hash, &dataset, &elsewhere)?;
         drop(self.files);
         remove(&self.folder).map_err(|source| StoreError::write(&self.folder, 0, source))
     }
 
-    /// How many values every slice has.
-    fn check_slices(&self, slices: &[&[f64]]) -> Result<u64, StoreError> {
+    /// How many rows each slice has.
+    fn check_slices(&self, slices: &[StreamSlice<'_>]) -> Result<Vec<u64>, StoreError> {
         let (expected, found) = (self.variables.len(), slices.len());
         if expected != found {
             return Err(StoreError::SliceCount { expected, found });
         }
-        let expected = slices.first().map_or(0, |slice| slice.len());
-        match slices.iter().zip(&self.variables).find(|(slice, _)| slice.len() != expected) {
-            Some((slice, variable)) => {
-                Err(StoreError::SliceLength { variable: variable.name.clone(), expected, found: slice.len() })
+        let mut added: Vec<u64> = Vec::with_capacity(slices.len());
+        for (variable, slice) in self.variables.iter().zip(slices) {
+            let name = || variable.name.clone();
+            let is_same = matches!(
+                (&variable.data, slice),
+                (VariableValues::F64(_), StreamSlice::F64(_)) | (VariableValues::U8(_), StreamSlice::U8(_))
+            );
+            if !is_same {
+                return Err(StoreError::SliceKind { variable: name() });
             }
-            None => Ok(expected as u64),
+            let row = row_values(variable);
+            let alike = self.variables.iter().zip(&added).find(|(other, _)| grow_alike(other, variable));
+            let rows = alike.map_or(slice.len() as u64 / row, |(_, rows)| *rows);
+            let (expected, found) = ((rows * row) as usize, slice.len());
+            if expected != found {
+                return Err(StoreError::SliceLength { variable: name(), expected, found });
+            }
+            added.push(rows);
+        }
+        Ok(added)
+    }
+}
+
+impl StreamSlice<'_> {
+    fn len(&self) -> usize {
+        match self {
+            Self::F64(values) => values.len(),
+            Self::U8(values) => values.len(),
+        }
+    }
+
+    fn bytes(&self) -> Cow<'_, [u8]> {
+        match self {
+            Self::F64(values) => values.iter().flat_map(|value| value.to_le_bytes()).collect(),
+            Self::U8(values) => Cow::Borrowed(values),
         }
     }
 }
 
-/// The described variables at a length, without their values.
-fn grown(variables: &[Variable], len: usize) -> Result<Dataset, StoreError> {
+impl<'a> From<&'a [f64]> for StreamSlice<'a> {
+    fn from(values: &'a [f64]) -> Self {
+        Self::F64(values)
+    }
+}
+
+impl<'a> From<&'a [u8]> for StreamSlice<'a> {
+    fn from(values: &'a [u8]) -> Self {
+        Self::U8(values)
+    }
+}
+
+/// Whether two variables have the dimension in common along which they grow.
+fn grow_alike(a: &Variable, b: &Variable) -> bool {
+    a.dimensions.first() == b.dimensions.first()
+}
+
+/// Values of a row.
+fn row_values(variable: &Variable) -> u64 {
+    variable.shape.iter().skip(1).map(|length| *length as u64).product()
+}
+
+fn row_bytes(variable: &Variable) -> u64 {
+    row_values(variable) * variable.data.value_size() as u64
+}
+
+/// The described variables with so many rows, without their values.
+fn grown(variables: &[Variable], rows: &[u64]) -> Result<Dataset, StoreError> {
     let mut dataset = Dataset::new();
-    let dimension = variables.first().and_then(|first| first.dimensions.first());
-    for variable in variables {
-        let is_real = matches!(&variable.data, VariableValues::F64(values) if values.is_empty());
-        if !is_real || variable.shape != [0] || variable.dimensions.first() != dimension {
-            let dimension = dimension.map_or("time", String::as_str).to_owned();
-            return Err(StoreError::CannotGrow { variable: variable.name.clone(), dimension });
+    for (variable, rows) in variables.iter().zip(rows) {
+        let is_kept = matches!(&variable.data, VariableValues::F64(_) | VariableValues::U8(_));
+        let is_empty = variable.data.is_empty() && variable.shape.first() == Some(&0);
+        let has_rows = variable.shape.iter().skip(1).all(|length| *length > 0)
+            && variable.shape.len() == variable.dimensions.len();
+        if !(is_kept && is_empty && has_rows) {
+            return Err(StoreError::CannotGrow { variable: variable.name.clone() });
         }
-        dataset = dataset.joined_by(Variable { shape: vec![len], ..variable.clone() })?;
+        let mut shape = variable.shape.clone();
+        shape[0] = *rows as usize;
+        dataset = dataset.joined_by(Variable { shape, ..variable.clone() })?;
     }
     Ok(dataset)
 }
 
 /// Where the values of a variable lie.
-fn place(folder: &Path, variable: &str) -> PathBuf {
-    folder.join(format!("{variable}.f64"))
+fn place(folder: &Path, variable: &Variable) -> PathBuf {
+    let kind = if matches!(variable.data, VariableValues::U8(_)) { "u8" } else { "f64" };
+    folder.join(format!("{}.{kind}", variable.name))
 }
 
-/// Length and checkpoint of an earlier run under this hash; none where there is nothing whole.
+/// Rows of each variable, and the checkpoint.
+type LeftRows = (Vec<u64>, Vec<u8>);
+
+/// Rows and checkpoint of an earlier run under this hash; none where there is nothing whole.
 fn left_by_earlier_run(
     folder: &Path,
     hash: &str,
-    variables: &[&str],
-) -> Result<Option<(u64, Vec<u8>)>, StoreError> {
+    variables: &[Variable],
+) -> Result<Option<LeftRows>, StoreError> {
     let path = folder.join(CHECKPOINT);
     let mut content = match fs::read(&path) {
         Ok(content) => content,
@@ -232,19 +337,21 @@ fn left_by_earlier_run(
     let Some(end) = content.iter().position(|byte| *byte == b'\n') else { return Ok(None) };
     let checkpoint = content.split_off(end + 1);
     let Ok(header) = serde_json::from_slice::<CheckpointHeader>(&content) else { return Ok(None) };
-    let holds = |variable: &&str| {
+    let holds = |(variable, rows): (&Variable, &u64)| {
         let bytes = fs::metadata(place(folder, variable)).map_or(0, |metadata| metadata.len());
-        header.len.checked_mul(VALUE_BYTES).is_some_and(|needed| needed <= bytes)
+        rows.checked_mul(row_bytes(variable)).is_some_and(|needed| needed <= bytes)
     };
+    let names = || variables.iter().map(|variable| &variable.name);
     let is_whole = header.hash == hash
-        && header.variables == variables
+        && header.variables.iter().eq(names())
+        && header.rows.len() == variables.len()
         && header.checkpoint_hash == content_hash(&checkpoint)
-        && variables.iter().all(holds);
-    Ok(is_whole.then_some((header.len, checkpoint)))
+        && variables.iter().zip(&header.rows).all(holds);
+    Ok(is_whole.then_some((header.rows, checkpoint)))
 }
 
 /// A folder with nothing appended yet, in place of whatever is there.
-fn start_anew(folder: &Path, variables: &[&str]) -> io::Result<()> {
+fn start_anew(folder: &Path, variables: &[Variable]) -> io::Result<()> {
     remove(folder)?;
     fs::create_dir(folder)?;
     for variable in variables {

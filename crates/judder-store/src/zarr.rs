@@ -5,7 +5,6 @@ use std::error::Error;
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use std::slice;
 use std::sync::Arc;
 
 use num_complex::Complex64;
@@ -30,8 +29,8 @@ const LARGEST_CHUNK_BYTES: u64 = 1 << 30;
 
 pub(crate) const COMPRESSION_LEVEL: i32 = 3;
 
-/// Files with the values of one-dimensional real variables that are too long for memory, by the names of the variables; each number is eight
-/// bytes, the least significant first.
+/// Files with the values of variables of real numbers or codes that are too long for memory, by the names of the variables; each number is eight bytes,
+/// the least significant first, each code one.
 pub(crate) type Elsewhere = BTreeMap<String, PathBuf>;
 
 /// Why a group could not be written.
@@ -151,25 +150,33 @@ fn write_array<T: Element>(
     array_metadata(&array)
 }
 
-/// Writes a one-dimensional variable whose values lie in a file, a chunk at a time, and returns the metadata of its array.
+/// Writes a variable whose values lie in a file, as many rows at a time as a chunk has, and returns the metadata of its array.
 fn write_from_file(
     store: &Arc<FilesystemStore>,
     variable: &Variable,
     path: &Path,
 ) -> Result<Value, WriteFailure> {
     let array = create_array(store, variable)?;
-    let length: u64 = array.shape().iter().product();
-    let chunk = chunk_shape(array.shape(), size_of::<f64>() as u64).first().copied().unwrap_or(1);
+    let value_size = variable.data.value_size() as u64;
+    let chunk = chunk_shape(array.shape(), value_size).first().copied().unwrap_or(1);
+    let mut ranges: Vec<_> = array.shape().iter().map(|length| 0..*length).collect();
+    let rows = ranges.first().map_or(0, |rows| rows.end);
+    let row_size = ranges.iter().skip(1).map(|range| range.end).product::<u64>() * value_size;
     let mut file = File::open(path)?;
     let mut first = 0;
-    while first < length {
-        let next = (first + chunk).min(length);
-        let mut bytes = vec![0; (next - first) as usize * size_of::<f64>()];
+    while first < rows {
+        let next = (first + chunk).min(rows);
+        let mut bytes = vec![0; ((next - first) * row_size) as usize];
         file.read_exact(&mut bytes)?;
-        let (numbers, _) = bytes.as_chunks();
-        let values: Vec<f64> = numbers.iter().map(|number| f64::from_le_bytes(*number)).collect();
-        let subset = ArraySubset::new_with_ranges(slice::from_ref(&(first..next)));
-        array.store_array_subset_opt(&subset, &values, &with_empty_chunks())?;
+        ranges[0] = first..next;
+        let subset = ArraySubset::new_with_ranges(&ranges);
+        if let VariableValues::U8(_) = variable.data {
+            array.store_array_subset_opt(&subset, &bytes[..], &with_empty_chunks())?;
+        } else {
+            let numbers = bytes.as_chunks().0.iter();
+            let values: Vec<f64> = numbers.map(|number| f64::from_le_bytes(*number)).collect();
+            array.store_array_subset_opt(&subset, &values[..], &with_empty_chunks())?;
+        }
         first = next;
     }
     array_metadata(&array)

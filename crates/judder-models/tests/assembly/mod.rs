@@ -4,6 +4,7 @@ mod deformed;
 mod driven;
 mod interface_modes;
 mod joined;
+mod marches;
 mod meshes;
 mod minimal;
 mod onsets;

@@ -64,7 +64,7 @@ fn studied(analyses: &str) -> (TempDir, RunReport) {
 }
 
 /// Every file below a folder with its content.
-fn contents(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+pub(crate) fn contents(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     let mut all = Vec::new();
     let mut folders = vec![folder.to_owned()];
     while let Some(next) = folders.pop() {

@@ -48,6 +48,11 @@ impl TravelledEdge {
         EdgePoint { segment, fraction: fraction.clamp(0.0, 1.0) }
     }
 
+    /// Whether there is such a place.
+    pub(super) fn has(&self, at: EdgePoint) -> bool {
+        at.segment + 1 < self.places.len()
+    }
+
     pub(super) fn near(&self, at: EdgePoint) -> NearNodes {
         NearNodes {
             row: self.first_row + 2 * self.edge.first_node(at.segment),

@@ -51,6 +51,11 @@ impl TravelForms {
         }
     }
 
+    /// The form of a point after the last step, or where it starts; of one that stays none.
+    pub(super) fn now(&self, point: usize) -> Option<&PointForm> {
+        self.now[point].as_ref()
+    }
+
     /// Begins a step.
     pub(super) fn begin(&mut self, impulses: &[f64]) {
         self.stamp += 1;

@@ -6,8 +6,11 @@ use judder_assembly::assembly::Assembly;
 use judder_assembly::friction::{FallingFriction, Friction};
 use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::pressure::Pressure;
-use judder_nonsmooth::march::NonsmoothMarch;
+use judder_nonsmooth::course::{Course, TimeFactor, TimeTable};
+use judder_nonsmooth::excitation::{DrivingSignal, Excitation};
+use judder_nonsmooth::march::{MarchCheckpoint, NonsmoothMarch};
 use judder_nonsmooth::scheme::ContactScheme;
+use judder_nonsmooth::statistics::Statistics;
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestCaseError, TestRng, TestRunner};
 
@@ -140,24 +143,70 @@ impl Drawn {
     }
 }
 
+impl Drawn {
+    /// A march that is cut anywhere and goes on from what was written of it, in one that was elsewhere, is the one that was not cut.
+    fn goes_on(&self, steps: usize) -> Result<(), TestCaseError> {
+        let case = self.assembly();
+        let scheme = [IMPLICIT, ContactScheme::ForwardIncrement, ContactScheme::Smoothed]
+            [(self.law + self.scheme) % 3];
+        let new = || {
+            let mut march = NonsmoothMarch::new(&case, &[], settings(scheme, 1e-4)).unwrap();
+            march.set_force_scale(self.load.max(1e-3 * self.speed / 1e-4));
+            if self.doubled > 0 {
+                let speed = TimeFactor::Table(TimeTable { times: vec![0.0, 0.01], values: vec![1.0, 0.3] });
+                let forces = vec![0.1 * self.load; case.size()];
+                let signal = DrivingSignal::Sine { amplitude: 1.0, angular_frequency: 700.0, phase: 0.3 };
+                let course = Course { speed, load: TimeFactor::Rise(0.005), ..Course::default() };
+                march.follow(course, &[Excitation { signal, forces }]).unwrap();
+            }
+            march
+        };
+        let (mut whole, mut cut) = (new(), new());
+        let mut statistics = Statistics::new(whole.contact().points.len());
+        let every = 1 + (self.numbers[0].abs() * 30.0) as usize;
+        for step in 1..=steps {
+            whole.advance().unwrap();
+            statistics.take(&whole);
+            cut.advance().unwrap();
+            if step % every == 0 {
+                let text = serde_json::to_string(&(cut.checkpoint(), &statistics)).unwrap();
+                let (checkpoint, read): (MarchCheckpoint, Statistics) = serde_json::from_str(&text).unwrap();
+                prop_assert_eq!(&read, &statistics);
+                cut = new();
+                (0..step % 7).for_each(|_| cut.advance().unwrap());
+                cut.resume(&checkpoint).unwrap();
+            }
+            prop_assert!(cut.checkpoint() == whole.checkpoint(), "{step}");
+        }
+        let [a, b] = [whole, cut].map(|march| serde_json::to_string(&march.checkpoint()).unwrap());
+        prop_assert_eq!(a, b);
+        Ok(())
+    }
+}
+
 /// Heat is taken at the mean of the velocities before and after a step, and a point that turns within one drags against the later of them.
 const TURNING: f64 = 1e-3;
 
-fn march_many(cases: u32, steps: usize) {
+fn many(cases: u32, held_to: impl Fn(Drawn) -> Result<(), TestCaseError>) {
     let config = ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() };
     // the same assemblies every time
     let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
-    runner.run(&drawn(), |own| own.march(steps)).unwrap();
+    runner.run(&drawn(), held_to).unwrap();
 }
 
 #[test]
 fn random_assemblies_march() {
-    march_many(30, 400);
+    many(30, |own| own.march(400));
+}
+
+#[test]
+fn a_march_goes_on_from_its_checkpoint_to_the_bit() {
+    many(30, |own| own.goes_on(200));
 }
 
 /// The same at length.
 #[test]
 #[ignore = "takes minutes"]
 fn a_thousand_random_assemblies_march() {
-    march_many(1000, 10_000);
+    many(1000, |own| own.march(10_000));
 }

@@ -320,6 +320,35 @@ fn modes_that_only_yield_carry_what_is_slow() {
     assert!(matches!(too_long, Err(NonsmoothError::StepOverLimit { .. })), "{too_long:?}");
 }
 
+/// A march that goes on from what was written of it travels as if it had never stopped, to the bit.
+#[test]
+fn a_travelling_point_goes_on_from_its_checkpoint() {
+    let ride = Ride { velocity: 0.8, bumps: 3e-5, damping: 0.5, ..CALM };
+    let pair = pair(ride);
+    let (case, travelling) = as_assembly(&pair, ride);
+    for scheme in [IMPLICIT, FILM] {
+        let new = || {
+            let travelling = std::slice::from_ref(&travelling);
+            NonsmoothMarch::travelling(&case, travelling, &[], settings(scheme, 2e-6)).unwrap()
+        };
+        let (mut whole, mut cut) = (new(), new());
+        let text = |march: &NonsmoothMarch<'_>| serde_json::to_string(&march.checkpoint()).unwrap();
+        for step in 1..=10_000 {
+            whole.advance().unwrap();
+            cut.advance().unwrap();
+            if step % 777 == 0 {
+                let kept = serde_json::from_str(&text(&cut)).unwrap();
+                cut = new();
+                cut.resume(&kept).unwrap();
+                assert_eq!((cut.gap(0), cut.velocity(0)), (whole.gap(0), whole.velocity(0)), "{step}");
+            }
+        }
+        assert_eq!(text(&whole), text(&cut), "{scheme:?}");
+        let mut still = NonsmoothMarch::new(&case, &[], settings(scheme, 2e-6)).unwrap();
+        assert_eq!(still.resume(&whole.checkpoint()), Err(NonsmoothError::ForeignCheckpoint));
+    }
+}
+
 #[test]
 fn a_point_that_leaves_its_track_is_told() {
     let pair = pair(CALM);

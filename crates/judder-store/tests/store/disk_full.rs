@@ -79,12 +79,12 @@ fn write_without_room(study: &StudyFolder) {
 fn stream_without_room(study: &StudyFolder) {
     let force = Variable::new("force", &["time"], &[0], Vec::<f64>::new());
     let mut stream = StreamWriter::open(study, "march", "h", &[force]).unwrap();
-    stream.append(b"1", &[&[1.0]]).unwrap();
-    check_full(stream.append(b"2", &[&vec![2.0; 262_144]]), ".stream-march/force.f64", 2 << 20);
+    stream.append(b"1", &[[1.0][..].into()]).unwrap();
+    check_full(stream.append(b"2", &[vec![2.0; 262_144][..].into()]), ".stream-march/force.f64", 2 << 20);
     let values = study.path().join(".stream-march/force.f64");
     assert_eq!(fs::metadata(&values).unwrap().len(), 8);
     assert_eq!((stream.len(), stream.checkpoint()), (1, Some(&b"1"[..])));
-    stream.append(b"2", &[&[2.0]]).unwrap();
+    stream.append(b"2", &[[2.0][..].into()]).unwrap();
     assert_eq!(stream.len(), 2);
     fs::remove_dir_all(study.path().join(".stream-march")).unwrap();
 }

@@ -8,15 +8,39 @@ use std::process::{Command, Stdio};
 use std::thread;
 use std::time::Duration;
 
-use judder_store::{Dataset, StoreError, StreamWriter, StudyFolder, Variable, VariableValues};
+use judder_store::{Dataset, StoreError, StreamSlice, StreamWriter, StudyFolder, Variable, VariableValues};
 use proptest::prelude::*;
 
 const CHILD_FOLDER: &str = "JUDDER_TEST_KILLED_STREAM";
 
-fn variables() -> [Variable; 2] {
+/// Points of a row.
+const POINTS: usize = 3;
+/// Steps between two rows of states.
+const THIN: usize = 4;
+
+/// Numbers over time, rows of numbers over time, rows of codes over fewer times.
+fn variables() -> [Variable; 4] {
     let grows = |name| Variable::new(name, &["time"], &[0], Vec::<f64>::new());
-    [grows("time").units("s").long_name("time t"), grows("force").units("N").attribute("note", 7)]
+    [
+        grows("time").units("s").long_name("time t"),
+        grows("force").units("N").attribute("note", 7),
+        Variable::new("velocity", &["time", "point"], &[0, POINTS], Vec::<f64>::new()),
+        Variable::classes("state", &["state_time", "point"], &[0, POINTS], Vec::new(), &[(0, "a"), (1, "b")]),
+    ]
 }
+
+fn velocities(step: usize) -> [f64; POINTS] {
+    [0, 1, 2].map(|point| force(3 * step + point))
+}
+
+/// Of every so many-th step.
+fn states(step: usize) -> Option<[u8; POINTS]> {
+    step.is_multiple_of(THIN).then(|| [0, 1, 2].map(|point| (step / THIN + point) as u8 % 2))
+}
+
+/// No new rows.
+const NOTHING: [StreamSlice<'_>; 4] =
+    [StreamSlice::F64(&[]), StreamSlice::F64(&[]), StreamSlice::F64(&[]), StreamSlice::U8(&[])];
 
 fn time(step: usize) -> f64 {
     step as f64 * 0.1
@@ -38,11 +62,19 @@ fn rest() -> Dataset {
 
 /// The same in memory.
 fn whole(len: usize) -> Dataset {
-    let [mut times, mut forces] = variables();
-    times.data = VariableValues::F64((0..len).map(time).collect());
-    forces.data = VariableValues::F64((0..len).map(force).collect());
-    (times.shape, forces.shape) = (vec![len], vec![len]);
-    let mut dataset = Dataset::new().with(times).unwrap().with(forces).unwrap();
+    let values: [VariableValues; 4] = [
+        (0..len).map(time).collect::<Vec<_>>().into(),
+        (0..len).map(force).collect::<Vec<_>>().into(),
+        (0..len).flat_map(velocities).collect::<Vec<_>>().into(),
+        (0..len).filter_map(states).flatten().collect::<Vec<_>>().into(),
+    ];
+    let mut dataset = Dataset::new();
+    for (mut variable, data) in variables().into_iter().zip(values) {
+        let row: usize = variable.shape[1..].iter().product();
+        variable.shape[0] = data.len() / row;
+        variable.data = data;
+        dataset = dataset.with(variable).unwrap();
+    }
     for variable in rest().variables() {
         dataset = dataset.with(variable.clone()).unwrap();
     }
@@ -56,7 +88,11 @@ fn append(stream: &mut StreamWriter, until: usize, at_a_time: usize) {
         let last = (first + at_a_time).min(until);
         let (times, forces): (Vec<f64>, Vec<f64>) =
             (first..last).map(|step| (time(step), force(step))).unzip();
-        stream.append(format!("steps {last}").as_bytes(), &[&times, &forces]).unwrap();
+        let velocities: Vec<f64> = (first..last).flat_map(velocities).collect();
+        let states: Vec<u8> = (first..last).filter_map(states).flatten().collect();
+        let slices =
+            [StreamSlice::F64(&times), StreamSlice::F64(&forces), velocities[..].into(), states[..].into()];
+        stream.append(format!("steps {last}").as_bytes(), &slices).unwrap();
     }
 }
 
@@ -122,16 +158,36 @@ proptest! {
     }
 }
 
-/// Two chunks and a part of a third.
+/// Several chunks of rows and a part of another.
 #[test]
 fn a_stream_of_many_chunks_gives_the_same_bytes() {
     let folder = tempfile::tempdir().unwrap();
     let study = StudyFolder::create(folder.path()).unwrap();
     let mut stream = open(&study);
-    append(&mut stream, 2_500_001, 400_000);
+    append(&mut stream, 1_500_001, 400_000);
     stream.finish(rest()).unwrap();
-    check_finished(folder.path(), 2_500_001);
-    assert!(fs::read_dir(folder.path().join("results.zarr/march/force/c")).unwrap().count() > 2);
+    check_finished(folder.path(), 1_500_001);
+    assert!(fs::read_dir(folder.path().join("results.zarr/march/velocity/c")).unwrap().count() > 2);
+}
+
+/// What is read while it grows is what was appended, and nothing else.
+#[test]
+fn what_was_appended_is_read_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = StudyFolder::create(folder.path()).unwrap();
+    let mut stream = open(&study);
+    append(&mut stream, 10, 3);
+    assert_eq!(stream.values("force").unwrap(), (0..10).map(force).collect::<Vec<_>>());
+    assert_eq!(stream.values("velocity").unwrap(), (0..10).flat_map(velocities).collect::<Vec<_>>());
+    let column: Vec<f64> = (0..10).map(|step| velocities(step)[1]).collect();
+    assert_eq!(stream.column("velocity", 1).unwrap(), column);
+    assert!(stream.column("velocity", POINTS).unwrap().is_empty());
+    for unknown in ["state", "steps"] {
+        let error = stream.column(unknown, 0).unwrap_err();
+        assert!(
+            matches!(&error, StoreError::NotGrowing { known, .. } if *known == ["time", "force", "velocity"])
+        );
+    }
 }
 
 /// What a kill can leave: values of an append whose checkpoint never came.
@@ -168,8 +224,8 @@ fn what_another_hash_or_other_variables_left_is_forgotten() {
     };
     left("other", &variables());
     left("h", &variables()[..1]);
-    let [time, force] = variables();
-    left("h", &[force, time]);
+    let [time, force, velocity, state] = variables();
+    left("h", &[force, time, velocity, state]);
 }
 
 #[test]
@@ -200,7 +256,7 @@ fn a_checkpoint_alone_is_kept_and_may_be_any_bytes() {
     let folder = tempfile::tempdir().unwrap();
     let study = StudyFolder::create(folder.path()).unwrap();
     let bytes: Vec<u8> = (0..=255).rev().collect();
-    open(&study).append(&bytes, &[&[], &[]]).unwrap();
+    open(&study).append(&bytes, &NOTHING).unwrap();
     assert_eq!((open(&study).len(), open(&study).checkpoint()), (0, Some(&bytes[..])));
     study.forget().unwrap();
     assert_eq!(open(&study).checkpoint(), None);
@@ -211,16 +267,17 @@ fn what_cannot_grow_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let study = StudyFolder::create(folder.path()).unwrap();
     let refused = |variables: &[Variable]| StreamWriter::open(&study, "march", "h", variables).unwrap_err();
-    let [time, force] = variables();
+    let [time, force, _, _] = variables();
     for odd in [
         Variable::new("a", &["time"], &[0], Vec::<i64>::new()),
         Variable::new("a", &["time"], &[1], vec![1.0]),
-        Variable::new("a", &["step"], &[0], Vec::<f64>::new()),
-        Variable::new("a", &["time", "node"], &[0, 3], Vec::<f64>::new()),
+        Variable::new("a", &["time", "node"], &[0, 0], Vec::<f64>::new()),
+        Variable::new("a", &["time", "node"], &[0], Vec::<f64>::new()),
+        Variable::new("a", &["node", "time"], &[3, 0], Vec::<f64>::new()),
         Variable::new("a", &[], &[], Vec::<f64>::new()),
     ] {
         let error = refused(&[time.clone(), odd]);
-        assert!(matches!(&error, StoreError::CannotGrow { dimension, .. } if dimension == "time"), "{error}");
+        assert!(matches!(&error, StoreError::CannotGrow { variable } if variable == "a"), "{error}");
     }
     assert!(matches!(refused(&[force.clone(), force.clone()]), StoreError::Duplicate { .. }));
     assert!(matches!(refused(&[force.units("seconds")]), StoreError::DateUnits { .. }));
@@ -234,10 +291,21 @@ fn slices_that_do_not_fit_leave_the_stream_as_it_was() {
     let study = StudyFolder::create(folder.path()).unwrap();
     let mut stream = open(&study);
     append(&mut stream, 2, 2);
-    let refused = stream.append(b"x", &[&[1.0]]).unwrap_err();
-    assert!(matches!(refused, StoreError::SliceCount { expected: 2, found: 1 }), "{refused}");
-    let refused = stream.append(b"x", &[&[1.0], &[]]).unwrap_err();
-    assert!(matches!(refused, StoreError::SliceLength { expected: 1, found: 0, .. }), "{refused}");
+    let refused = stream.append(b"x", &NOTHING[..1]).unwrap_err();
+    assert!(matches!(refused, StoreError::SliceCount { expected: 4, found: 1 }), "{refused}");
+    let mut refused = |at: usize, slice: StreamSlice<'_>| {
+        let mut slices = [[1.0][..].into(), [1.0][..].into(), [1.0; 3][..].into(), NOTHING[3]];
+        slices[at] = slice;
+        stream.append(b"x", &slices).unwrap_err()
+    };
+    let error = refused(1, NOTHING[1]);
+    assert!(matches!(error, StoreError::SliceLength { expected: 1, found: 0, .. }), "{error}");
+    let error = refused(2, [1.0; 4][..].into());
+    assert!(matches!(error, StoreError::SliceLength { expected: 3, found: 4, .. }), "{error}");
+    let error = refused(3, [0_u8; 4][..].into());
+    assert!(matches!(error, StoreError::SliceLength { expected: 3, found: 4, .. }), "{error}");
+    let error = refused(3, [0.0; 3][..].into());
+    assert!(matches!(&error, StoreError::SliceKind { variable } if variable == "state"), "{error}");
     assert_eq!((stream.len(), stream.checkpoint()), (2, Some(&b"steps 2"[..])));
     // a dimension of another length, and a name that is taken
     let longer = Dataset::new().with(Variable::new("a", &["time"], &[3], vec![0.0; 3])).unwrap();

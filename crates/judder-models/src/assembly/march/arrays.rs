@@ -1,6 +1,5 @@
 //! What is stored of a motion: signals, and states of the points over time.
 
-use super::recorded::{Recorded, Signals};
 use super::settings::AssemblyMarch;
 use crate::assembly::AssemblySubject;
 use crate::error::ModelError;
@@ -8,87 +7,77 @@ use judder_assembly::contact_point::ContactPoint;
 use judder_numerics::contact_state::ContactState;
 use judder_store::{Dataset, Variable, VariableValues};
 
-/// Signals of the contacts and of the observed points, states of the contact points over time.
-pub(super) fn dataset(
+/// The arrays that grow: time, the signals of the contacts and of the observed points, velocities and states of the contact points over time.
+pub(super) fn growing(of: &AssemblySubject<'_>) -> Vec<Variable> {
+    let time = signal("time", "s", "time since the start", "Time $t$ (s)".to_owned());
+    let interfaces = &of.built.assembly.interfaces;
+    let forces = interfaces.iter().flat_map(|interface| forces(&interface.name));
+    let observed = of.built.watched.iter().flat_map(|own| observed(&own.name));
+    let points: usize = interfaces.iter().map(|interface| interface.points.len()).sum();
+    let of_points = if points > 0 { over_points(points).to_vec() } else { Vec::new() };
+    std::iter::once(time).chain(forces).chain(observed).chain(of_points).collect()
+}
+
+/// What is stored beside them: how it was marched, and the contact points.
+pub(super) fn rest(
     of: &AssemblySubject<'_>,
     asked: &AssemblyMarch,
-    recorded: &Recorded,
-    signals: Signals,
+    sample_rate: f64,
+    frequency: Option<f64>,
 ) -> Result<Dataset, ModelError> {
-    let time = Variable::coordinate("time", signals.time).units("s").long_name("time since the start");
-    let dataset = Dataset::new()
+    let mut dataset = Dataset::new()
+        .attribute("kind", super::KIND.name)?
         .attribute("method", asked.method.name())?
         .attribute("step_s", asked.step)?
         .attribute("transient_s", asked.transient)?
-        .attribute("sample_rate_hz", signals.rate)?
-        .with(time.attribute("label", "Time $t$ (s)"))?;
-    let interfaces = &of.built.assembly.interfaces;
-    let points: usize = interfaces.iter().map(|interface| interface.points.len()).sum();
-    let mut columns = signals.columns.into_iter();
-    let names = interfaces.iter().map(|interface| &interface.name);
-    let dataset = names.into_iter().try_fold(dataset, |dataset, name| forces(dataset, name, &mut columns))?;
-    let velocities: Vec<Vec<f64>> = columns.by_ref().take(points).collect();
-    let watched = of.built.watched.iter();
-    let dataset =
-        watched.into_iter().try_fold(dataset, |dataset, own| observed(dataset, &own.name, &mut columns))?;
-    if points == 0 {
-        return Ok(dataset);
+        .attribute("sample_rate_hz", sample_rate)?;
+    if let Some(frequency) = frequency {
+        dataset = dataset.attribute("frequency_hz", frequency)?;
     }
-    over_points(contact_points(dataset, of)?, recorded, &velocities)
+    let touches = of.built.assembly.interfaces.iter().any(|interface| !interface.points.is_empty());
+    if touches { contact_points(dataset, of) } else { Ok(dataset) }
 }
 
 /// A signal over time with its unit, what it is, and how an axis is labelled.
-fn signal(name: &str, unit: &str, words: &str, label: String, values: Vec<f64>) -> Variable {
-    let variable = Variable::new(name, &["time"], &[values.len()], values).units(unit);
+fn signal(name: &str, unit: &str, words: &str, label: String) -> Variable {
+    let variable = Variable::new(name, &["time"], &[0], Vec::<f64>::new()).units(unit);
     variable.long_name(words).attribute("label", label)
 }
 
 /// N and T of a contact.
-fn forces(
-    dataset: Dataset,
-    contact: &str,
-    columns: &mut impl Iterator<Item = Vec<f64>>,
-) -> Result<Dataset, ModelError> {
-    let mut next = || columns.next().unwrap_or_default();
-    let normal = signal(
-        &format!("{contact}.normal_force"),
-        "N",
-        &format!("normal forces of {contact}"),
-        format!("Normal force of {contact}, $N$ (N)"),
-        next(),
-    );
-    let friction = signal(
-        &format!("{contact}.friction_force"),
-        "N",
-        &format!("friction on the slider along the slip of {contact}"),
-        format!("Friction of {contact}, $T$ (N)"),
-        next(),
-    );
-    Ok(dataset.with(normal)?.with(friction)?)
+fn forces(contact: &str) -> [Variable; 2] {
+    [
+        signal(
+            &format!("{contact}.normal_force"),
+            "N",
+            &format!("normal forces of {contact}"),
+            format!("Normal force of {contact}, $N$ (N)"),
+        ),
+        signal(
+            &format!("{contact}.friction_force"),
+            "N",
+            &format!("friction on the slider along the slip of {contact}"),
+            format!("Friction of {contact}, $T$ (N)"),
+        ),
+    ]
 }
 
 /// Acceleration and velocity of an observed displacement.
-fn observed(
-    dataset: Dataset,
-    name: &str,
-    columns: &mut impl Iterator<Item = Vec<f64>>,
-) -> Result<Dataset, ModelError> {
-    let mut next = || columns.next().unwrap_or_default();
-    let acceleration = signal(
-        name,
-        "m/s^2",
-        &format!("acceleration of the observed point, {name}"),
-        format!("Acceleration {name}, $ü$ (m/s^{{2}})"),
-        next(),
-    );
-    let velocity = signal(
-        &format!("{name}.velocity"),
-        "m/s",
-        &format!("velocity of the observed point, {name}"),
-        format!("Velocity {name}, $u̇$ (m/s)"),
-        next(),
-    );
-    Ok(dataset.with(acceleration)?.with(velocity)?)
+fn observed(name: &str) -> [Variable; 2] {
+    [
+        signal(
+            name,
+            "m/s^2",
+            &format!("acceleration of the observed point, {name}"),
+            format!("Acceleration {name}, $ü$ (m/s^{{2}})"),
+        ),
+        signal(
+            &format!("{name}.velocity"),
+            "m/s",
+            &format!("velocity of the observed point, {name}"),
+            format!("Velocity {name}, $u̇$ (m/s)"),
+        ),
+    ]
 }
 
 /// The contact points, their contacts and places.
@@ -112,24 +101,17 @@ fn contact_points(dataset: Dataset, of: &AssemblySubject<'_>) -> Result<Dataset,
 }
 
 /// Velocities at the times of the signals, states and normal forces at those of the states.
-fn over_points(
-    dataset: Dataset,
-    recorded: &Recorded,
-    velocities: &[Vec<f64>],
-) -> Result<Dataset, ModelError> {
-    let (points, samples) = (velocities.len(), velocities.first().map_or(0, Vec::len));
-    let by_time: Vec<f64> =
-        (0..samples).flat_map(|k| velocities.iter().map(move |column| column[k])).collect();
-    let times = recorded.state_times();
-    let (dimensions, shape) = (["state_time", "contact_point"], [times.len(), points]);
-    let velocity = Variable::new("velocity", &["time", "contact_point"], &[samples, points], by_time);
+fn over_points(points: usize) -> [Variable; 4] {
+    let (dimensions, shape) = (["state_time", "contact_point"], [0, points]);
+    let numbers = Vec::<f64>::new;
+    let velocity = Variable::new("velocity", &["time", "contact_point"], &shape, numbers());
     let words = "velocity of the slider beside the track's undisturbed place, along the slip";
-    let states =
-        Variable::classes("state", &dimensions, &shape, recorded.states.clone(), &ContactState::CODES);
-    let forces = Variable::new("point_normal_force", &dimensions, &shape, recorded.normal_forces.clone());
-    Ok(dataset
-        .with(velocity.units("m/s").long_name(words))?
-        .with(Variable::coordinate("state_time", times).units("s").long_name("time of the states"))?
-        .with(states.long_name("what each contact point does"))?
-        .with(forces.units("N").long_name("normal force of each contact point"))?)
+    let states = Variable::classes("state", &dimensions, &shape, Vec::new(), &ContactState::CODES);
+    let forces = Variable::new("point_normal_force", &dimensions, &shape, numbers());
+    [
+        velocity.units("m/s").long_name(words),
+        Variable::coordinate("state_time", numbers()).units("s").long_name("time of the states"),
+        states.long_name("what each contact point does"),
+        forces.units("N").long_name("normal force of each contact point"),
+    ]
 }

@@ -6,7 +6,7 @@ use crate::error::ModelError;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::SteadySliding;
 use judder_nonsmooth::march::NonsmoothMarch;
-use judder_nonsmooth::mode_share::{ModalContent, ModeShare};
+use judder_nonsmooth::mode_share::{ModalContent, ModalSums, ModeShare};
 use judder_store::Results;
 use judder_structure::complex_modes::{ComplexMode, Verdict};
 use std::f64::consts::TAU;
@@ -76,6 +76,16 @@ impl SoughtContent {
         if taken.is_multiple_of(self.every) {
             self.content.take(march);
         }
+    }
+
+    /// What its samples add up to.
+    pub(super) fn so_far(&self) -> &ModalSums {
+        self.content.so_far()
+    }
+
+    /// Goes on with the sums of an earlier run.
+    pub(super) fn resume(&mut self, kept: &ModalSums) -> Result<(), ModelError> {
+        Ok(self.content.resume(kept)?)
     }
 
     /// What is told of the modes.

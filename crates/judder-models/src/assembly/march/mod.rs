@@ -4,6 +4,7 @@ mod arrays;
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod beams;
+mod blocks;
 mod content;
 pub mod driven;
 pub mod field;
@@ -11,6 +12,7 @@ mod figure;
 mod recorded;
 mod run;
 pub mod settings;
+mod size;
 mod start;
 pub(super) mod tables;
 mod told;
@@ -30,6 +32,7 @@ use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use settings::AssemblyMarch;
+use size::MotionSize;
 use std::sync::Arc;
 use told::ToldAssemblyMotion;
 
@@ -55,18 +58,19 @@ impl Analysis<AssemblyCase> for AssemblyMarch {
         // at full speed
         let time = drive.course.speed.integral().at(self.duration);
         let ended = of.built.track_ends().find(|end| end.speed * time > end.way);
-        Ok(ended.map_or(Ok(()), |TrackEnd { contact, way, speed }| {
-            let after = match drive.course.speed.is_one() {
-                true => format!(", after {} s", plain(way / speed)),
-                false => String::new(),
-            };
-            let reason = format!(
-                "the contact `{}` travels {} m and then runs off its track{after}: shorten the duration, or begin farther from that end",
-                of.case.contacts[contact].name,
-                plain(way),
-            );
-            Err(Refusal::key("duration", AssemblyProblem::Refused { reason }))
-        }))
+        let Some(TrackEnd { contact, way, speed }) = ended else {
+            return Ok(MotionSize::new(of, self).fits());
+        };
+        let after = match drive.course.speed.is_one() {
+            true => format!(", after {} s", plain(way / speed)),
+            false => String::new(),
+        };
+        let reason = format!(
+            "the contact `{}` travels {} m and then runs off its track{after}: shorten the duration, or begin farther from that end",
+            of.case.contacts[contact].name,
+            plain(way),
+        );
+        Ok(Err(Refusal::key("duration", AssemblyProblem::Refused { reason })))
     }
 
     fn files(&self) -> Vec<&FileReference> {
@@ -74,7 +78,7 @@ impl Analysis<AssemblyCase> for AssemblyMarch {
     }
 
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run(of, self, task.progress)
+        run::run(of, self, task)
     }
 
     fn summary_keys(&self) -> Vec<Declared> {

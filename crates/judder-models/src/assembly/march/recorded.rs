@@ -1,39 +1,60 @@
-//! What is kept of a motion: signals, low-passed as they are thinned, and the states of all points at their times.
+//! What is kept of a motion: signals, low-passed as they are thinned, and the states of all points at their times, on their way into the study.
 
 use crate::error::ModelError;
+use judder_nonsmooth::NonsmoothError;
 use judder_nonsmooth::contact_problem::PointMotion;
 use judder_nonsmooth::march::NonsmoothMarch;
 use judder_numerics::contact_state::ContactState;
 use judder_numerics::signal::Decimation;
-use judder_numerics::signal::decimate::Decimator;
+use judder_numerics::signal::decimate::{Decimator, DecimatorState};
+use judder_store::StreamSlice;
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
 
 /// Of the rate of the samples, what signals keep.
 const PASS: f64 = 0.4;
 
 /// Takes the steps of a motion.
 pub(super) struct Recorded {
+    decimation: Decimation,
     filter: Option<Decimator>,
+    /// Steps by which what the filter lets through lies behind.
+    delay: u64,
     step: f64,
     factor: u64,
     /// Contact points of each interface.
-    interfaces: Vec<std::ops::Range<usize>>,
+    interfaces: Vec<Range<usize>>,
+    /// N and T of each interface, then the velocity of each point along the slip, then acceleration and velocity of each observed
+    /// displacement.
     values: Vec<f64>,
     /// Velocities of the observed points now and a step before.
     watched: [Vec<f64>; 2],
     steps: u64,
-    /// N and T of each interface, then the velocity of each point along the slip, then acceleration and velocity of each observed
-    /// displacement: a column each.
-    columns: Vec<Vec<f64>>,
-    pub(super) states: Vec<u8>,
-    pub(super) normal_forces: Vec<f64>,
-    state_steps: Vec<u64>,
+    /// What the filter has let through.
+    outputs: u64,
+    samples: WaitingSamples,
 }
 
-/// Signals at their times.
-pub(super) struct Signals {
-    pub(super) time: Vec<f64>,
-    pub(super) columns: Vec<Vec<f64>>,
-    pub(super) rate: f64,
+/// Samples that are not stored yet.
+#[derive(Default)]
+struct WaitingSamples {
+    time: Vec<f64>,
+    /// A column for each of the values but the velocities of the points,
+    columns: Vec<Vec<f64>>,
+    /// which have a row a sample, as states and normal forces of the points at their times have.
+    velocities: Vec<f64>,
+    state_time: Vec<f64>,
+    states: Vec<u8>,
+    normal_forces: Vec<f64>,
+}
+
+/// What a recorder remembers beside the samples that were taken from it, for a checkpoint.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct RecordedState {
+    filter: Option<DecimatorState>,
+    watched: Vec<f64>,
+    steps: u64,
+    outputs: u64,
 }
 
 impl Recorded {
@@ -45,41 +66,51 @@ impl Recorded {
         rate: f64,
     ) -> Result<Self, ModelError> {
         let step = march.settings().step;
-        let mut first = 0;
+        let mut points = 0;
         let interfaces: Vec<_> = counts
             .iter()
             .map(|count| {
-                let own = first..first + count;
-                first += count;
+                let own = points..points + count;
+                points += count;
                 own
             })
             .collect();
-        let channels = 2 * counts.len() + first + 2 * watched;
+        let single = 2 * counts.len() + 2 * watched;
         let factor = Decimation::factor_to(1.0 / step, rate);
+        let kept = 1.0 / step / factor as f64;
         let mut recorded = Self {
+            decimation: Decimation {
+                stop_edge: (1.0 - PASS) * kept,
+                ..Decimation::new(1.0 / step, PASS * kept, factor)
+            },
             filter: None,
+            delay: 0,
             step,
             factor: factor as u64,
             interfaces,
-            values: vec![0.0; channels],
+            values: vec![0.0; single + points],
             watched: [vec![0.0; watched], vec![0.0; watched]],
             steps: 0,
-            columns: vec![Vec::new(); channels],
-            states: Vec::new(),
-            normal_forces: Vec::new(),
-            state_steps: Vec::new(),
+            outputs: 0,
+            samples: WaitingSamples { columns: vec![Vec::new(); single], ..WaitingSamples::default() },
         };
         march.observed_velocities(&mut recorded.watched[0]);
-        if factor > 1 && channels > 0 {
-            let kept = 1.0 / step / factor as f64;
-            let asked = Decimation {
-                stop_edge: (1.0 - PASS) * kept,
-                ..Decimation::new(1.0 / step, PASS * kept, factor)
-            };
+        if factor > 1 && !recorded.values.is_empty() {
             recorded.look(march);
-            recorded.filter = Some(Decimator::new(&asked, &recorded.values)?);
+            let filter = Decimator::new(&recorded.decimation, &recorded.values)?;
+            recorded.delay = filter.delay_in_samples() as u64;
+            recorded.filter = Some(filter);
         }
         Ok(recorded)
+    }
+
+    /// Samples a second that are kept.
+    pub(super) fn rate(&self) -> f64 {
+        1.0 / (self.step * self.factor as f64)
+    }
+
+    fn points(&self) -> usize {
+        self.interfaces.last().map_or(0, |last| last.end)
     }
 
     fn look(&mut self, march: &NonsmoothMarch<'_>) {
@@ -106,50 +137,119 @@ impl Recorded {
     /// Takes the step that a march has come to.
     pub(super) fn take(&mut self, march: &NonsmoothMarch<'_>) {
         self.look(march);
-        match &mut self.filter {
-            Some(filter) => {
-                if let Some(passed) = filter.push(&self.values) {
-                    self.columns.iter_mut().zip(passed).for_each(|(column, value)| column.push(*value));
-                }
-            }
-            None => self.columns.iter_mut().zip(&self.values).for_each(|(column, value)| column.push(*value)),
+        let points = self.velocities();
+        let passed = match &mut self.filter {
+            Some(filter) => filter.push(&self.values),
+            None => Some(&self.values[..]),
+        };
+        if let Some(passed) = passed {
+            let time = sample_time(self.outputs, self.factor, self.delay, self.step);
+            self.outputs += 1;
+            self.samples.push(time, passed, points);
         }
-        if self.steps.is_multiple_of(self.factor) {
-            self.state_steps.push(self.steps);
-            for point in 0..self.interfaces.last().map_or(0, |last| last.end) {
-                self.states.push(state(march, point).number());
-                self.normal_forces.push(march.force(point)[0]);
+        if self.steps.is_multiple_of(self.factor) && self.points() > 0 {
+            self.samples.state_time.push((self.steps + 1) as f64 * self.step);
+            for point in 0..self.points() {
+                self.samples.states.push(state(march, point).number());
+                self.samples.normal_forces.push(march.force(point)[0]);
             }
         }
         self.steps += 1;
     }
 
-    /// When the states are, in s.
-    pub(super) fn state_times(&self) -> Vec<f64> {
-        self.state_steps.iter().map(|step| (step + 1) as f64 * self.step).collect()
+    /// Which of the values are the velocities of the points.
+    fn velocities(&self) -> Range<usize> {
+        let first = 2 * self.interfaces.len();
+        first..first + self.points()
     }
 
-    /// The signals; their delay is taken out of their times.
-    pub(super) fn signals(&mut self) -> Signals {
-        let rate = 1.0 / (self.step * self.factor as f64);
-        let mut columns = std::mem::take(&mut self.columns);
-        let delay = match self.filter.take() {
-            Some(filter) => {
-                let delay = filter.delay_in_samples() as u64;
-                for (column, rest) in columns.iter_mut().zip(filter.finish()) {
-                    column.extend(rest);
-                }
-                delay
-            }
-            None => 0,
-        };
-        // outputs before the first input show the level from which the filter started
-        let early = delay.div_ceil(self.factor) as usize;
-        columns.iter_mut().for_each(|column| drop(column.drain(..early.min(column.len()))));
-        let count = columns.first().map_or(0, Vec::len);
-        let time = |k: usize| ((k + early) as u64 * self.factor + 1 - delay) as f64 * self.step;
-        Signals { time: (0..count).map(time).collect(), columns, rate }
+    /// Lets the rest out of the filter, as if the signals stayed at their last values; the march has ended.
+    pub(super) fn flush(&mut self) {
+        let points = self.velocities();
+        let tails = self.filter.clone().map(Decimator::finish).unwrap_or_default();
+        for k in 0..tails.first().map_or(0, Vec::len) {
+            let passed: Vec<f64> = tails.iter().map(|tail| tail[k]).collect();
+            let time = sample_time(self.outputs, self.factor, self.delay, self.step);
+            self.outputs += 1;
+            self.samples.push(time, &passed, points.clone());
+        }
     }
+
+    /// What waits to be stored, in the order of [`growing`](super::arrays::growing).
+    pub(super) fn slices(&self) -> Vec<StreamSlice<'_>> {
+        let WaitingSamples { time, columns, velocities, state_time, states, normal_forces } = &self.samples;
+        let columns = columns.iter().map(|column| StreamSlice::F64(column));
+        let of_points = [
+            StreamSlice::F64(velocities),
+            StreamSlice::F64(state_time),
+            StreamSlice::U8(states),
+            StreamSlice::F64(normal_forces),
+        ];
+        let of_points = of_points.into_iter().filter(|_| self.points() > 0);
+        std::iter::once(StreamSlice::F64(time)).chain(columns).chain(of_points).collect()
+    }
+
+    /// Bytes that wait.
+    pub(super) fn waiting(&self) -> usize {
+        let WaitingSamples { time, columns, velocities, states, normal_forces, .. } = &self.samples;
+        let numbers = time.len() * (1 + columns.len()) + velocities.len() + normal_forces.len();
+        8 * numbers + states.len()
+    }
+
+    /// Forgets the samples, which have been stored elsewhere.
+    pub(super) fn clear(&mut self) {
+        let WaitingSamples { time, columns, velocities, state_time, states, normal_forces } =
+            &mut self.samples;
+        let single = [time, velocities, state_time, normal_forces];
+        single.into_iter().chain(columns).for_each(Vec::clear);
+        states.clear();
+    }
+
+    /// What it remembers.
+    pub(super) fn state(&self) -> RecordedState {
+        RecordedState {
+            filter: self.filter.as_ref().map(Decimator::state),
+            watched: self.watched[0].clone(),
+            steps: self.steps,
+            outputs: self.outputs,
+        }
+    }
+
+    /// Goes on from where a recorder of the same march was, to the bit.
+    pub(super) fn resume(&mut self, state: &RecordedState) -> Result<(), ModelError> {
+        let fits =
+            state.watched.len() == self.watched[0].len() && state.filter.is_some() == self.filter.is_some();
+        if !fits {
+            return Err(NonsmoothError::ForeignCheckpoint.into());
+        }
+        if let Some(kept) = &state.filter {
+            let filter = Decimator::resumed(&self.decimation, kept)?;
+            if filter.signals() != self.values.len() {
+                return Err(NonsmoothError::ForeignCheckpoint.into());
+            }
+            self.filter = Some(filter);
+        }
+        self.watched[0].copy_from_slice(&state.watched);
+        (self.steps, self.outputs) = (state.steps, state.outputs);
+        Ok(())
+    }
+}
+
+impl WaitingSamples {
+    /// A sample of all values, of which these are the velocities of the points; none before the first step.
+    fn push(&mut self, time: Option<f64>, values: &[f64], points: Range<usize>) {
+        let (Some(time), false) = (time, values.is_empty()) else { return };
+        self.time.push(time);
+        self.velocities.extend_from_slice(&values[points.clone()]);
+        let single = values[..points.start].iter().chain(&values[points.end..]);
+        self.columns.iter_mut().zip(single).for_each(|(column, value)| column.push(*value));
+    }
+}
+
+/// When an output of a filter is, counted from 0, in s; none of those that show the level from which it started.
+fn sample_time(output: u64, factor: u64, delay: u64, step: f64) -> Option<f64> {
+    let input = (output * factor).checked_sub(delay)?;
+    Some((input + 1) as f64 * step)
 }
 
 /// What a point does, by the names that every model has.

@@ -78,10 +78,15 @@ pub struct AssemblyMarch {
     /// Samples of signals and of the states of the contact that are kept, at least.
     #[key(symbol = "2π f_s", default = Hertz(400e3))]
     pub sample_rate: Hertz,
+    /// Steps between two states that an interrupted march can go on from, at most; one is kept every ten seconds besides.
+    #[key(rule = Whole { from: 1000, to: 1_000_000_000 }, usual = CHECKPOINT_STEPS, omitted)]
+    pub checkpoint_steps: Option<usize>,
 }
 
 const STEP: Number = Number::positive(Dimension::TIME);
 const RESTITUTION: Number = Number { dimension: Dimension::NUMBER, range: Range::Fraction };
+/// Steps between two states that are kept where the case does not say.
+const CHECKPOINT_STEPS: usize = 500_000;
 /// The most steps: hours.
 const STEPS: f64 = 1e10;
 
@@ -147,6 +152,11 @@ impl AssemblyMarch {
     pub(super) fn march(&self) -> NonsmoothSettings {
         let settings = self.method.march(self.step, self.restitution.unwrap_or(0.0));
         NonsmoothSettings { cut_off: self.cut_off.map(|own| own.0), ..settings }
+    }
+
+    /// Steps between two states that are kept, at most.
+    pub(super) fn block(&self) -> u64 {
+        self.checkpoint_steps.unwrap_or(CHECKPOINT_STEPS) as u64
     }
 
     /// Steps in all, and those of the transient.

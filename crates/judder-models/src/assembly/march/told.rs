@@ -1,10 +1,10 @@
 //! What is told of a motion.
 
+use super::blocks::OngoingMotion;
 use super::content::{ModeInMotion, SoughtContent};
-use super::recorded::Signals;
-use super::run::RunMotion;
 use super::settings::{AssemblyMarch, SchemeWord};
 use crate::assembly::AssemblySubject;
+use crate::error::ModelError;
 use crate::sliding::march::sound::ToldSound;
 use judder_nonsmooth::march::Works;
 use judder_nonsmooth::statistics::PointStatistics;
@@ -94,7 +94,7 @@ pub(super) struct ContactInMotion {
 /// What the balance of energy may be off, over the largest of works and energies.
 const BALANCE: f64 = 1e-6;
 
-impl RunMotion<'_> {
+impl OngoingMotion<'_, '_> {
     /// What each point did after the transient.
     fn points(&self) -> Vec<PointStatistics> {
         (0..self.march.contact().points.len()).filter_map(|point| self.statistics.of(point)).collect()
@@ -135,21 +135,19 @@ impl RunMotion<'_> {
         &self,
         of: &AssemblySubject<'_>,
         asked: &AssemblyMarch,
-        signals: &Signals,
         sound: Vec<ToldSound>,
-    ) -> ToldAssemblyMotion {
+    ) -> Result<ToldAssemblyMotion, ModelError> {
         let (points, works, record) = (self.points(), self.march.works(), self.march.record());
         let [off, exchanged] = self.balance();
         let time = self.statistics.steps() as f64 * asked.step;
         let mean = |pick: fn(&Works) -> f64| (pick(&works) - pick(&self.settled)) / time;
         let sum = |pick: fn(&PointStatistics) -> f64| points.iter().map(pick).sum::<f64>();
-        let interfaces = of.built.assembly.interfaces.len();
-        ToldAssemblyMotion {
+        Ok(ToldAssemblyMotion {
             method: asked.method.name(),
             steps: self.march.steps(),
             step_s: asked.step,
             seconds: self.seconds,
-            frequency_hz: frequency(signals, &points, interfaces, asked.transient),
+            frequency_hz: self.frequency(&points, asked.transient)?,
             normal_force_mean: sum(|own| own.normal_force_mean),
             friction_force_mean: sum(|own| own.friction_force_mean),
             power: ToldPower {
@@ -170,7 +168,16 @@ impl RunMotion<'_> {
             modes: self.content.as_ref().map(SoughtContent::told).unwrap_or_default(),
             contacts: contacts(of, &points),
             sound,
-        }
+        })
+    }
+
+    /// The strongest line of the velocity of the point that moves most, after the transient.
+    fn frequency(&self, points: &[PointStatistics], transient: f64) -> Result<Option<f64>, ModelError> {
+        let rms = |k: &usize| points[*k].tangential_velocity_rms;
+        let Some(most) = (0..points.len()).max_by(|a, b| rms(a).total_cmp(&rms(b))) else { return Ok(None) };
+        let (time, velocity) = (self.samples.values("time")?, self.samples.column("velocity", most)?);
+        let first = time.partition_point(|time| *time <= transient);
+        Ok(velocity.get(first..).and_then(|settled| strongest_frequency(settled, self.recorded.rate())))
     }
 
     /// The contact of every step, and the balance of energy.
@@ -216,20 +223,6 @@ impl RunMotion<'_> {
         }
         warnings
     }
-}
-
-/// The strongest line of the velocity of the point that moves most, after the transient.
-fn frequency(
-    signals: &Signals,
-    points: &[PointStatistics],
-    interfaces: usize,
-    transient: f64,
-) -> Option<f64> {
-    let rms = |k: &usize| points[*k].tangential_velocity_rms;
-    let most = (0..points.len()).max_by(|a, b| rms(a).total_cmp(&rms(b)))?;
-    let column = signals.columns.get(2 * interfaces + most)?;
-    let first = signals.time.partition_point(|time| *time <= transient);
-    strongest_frequency(column.get(first..)?, signals.rate)
 }
 
 fn contacts(of: &AssemblySubject<'_>, points: &[PointStatistics]) -> ByName<ContactInMotion> {

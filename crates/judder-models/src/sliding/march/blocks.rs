@@ -1,11 +1,12 @@
 //! A march in blocks: after each its samples are stored with the state from which it goes on.
 
-use super::samples::Samples;
 use crate::error::ModelError;
+use crate::samples::Samples;
 use judder_numerics::signal::Decimation;
 use judder_sliding::march::{Checkpoint, March, Reached};
 use judder_sliding::motion::Motion;
 use judder_sliding::recorder::{Recorder, RecorderState};
+use judder_store::StreamSlice;
 use judder_study::Progress;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
@@ -117,7 +118,9 @@ impl Marching<'_, '_> {
     fn keep(&mut self, way: &mut OngoingMarch) -> Result<(), ModelError> {
         (way.march, way.recorder) = (self.march.checkpoint(), self.recorder.state());
         let bytes = serde_json::to_vec(way).map_err(|source| ModelError::Checkpoint { source })?;
-        self.samples.append(&bytes, &self.recorder.columns())?;
+        let columns: Vec<StreamSlice<'_>> =
+            self.recorder.columns().into_iter().map(StreamSlice::from).collect();
+        self.samples.append(&bytes, &columns)?;
         self.recorder.clear();
         Ok(())
     }

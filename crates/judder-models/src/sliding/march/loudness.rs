@@ -1,10 +1,10 @@
 //! Where a signal of a march is loud.
 
 use super::expected::zone_of;
-use super::samples::Samples;
 use super::signals::variable_name;
 use crate::band::Sampled;
 use crate::error::ModelError;
+use crate::samples::Samples;
 use crate::sliding::case::observe::{ObservedPoint, Signal};
 use judder_numerics::signal::SignalError;
 use judder_numerics::signal::bursts::{Burst, BurstSettings, bursts};

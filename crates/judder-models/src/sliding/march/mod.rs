@@ -5,7 +5,6 @@ mod expected;
 pub mod figure;
 mod loudness;
 mod run;
-mod samples;
 mod sampling;
 pub mod settings;
 mod signals;

@@ -2,10 +2,10 @@
 
 use super::blocks::Marching;
 use super::loudness::loudness;
-use super::samples::{Finished, Samples};
 use super::summary::EndedMarch;
 use super::{Marched, expected, sampling, signals, sound};
 use crate::error::ModelError;
+use crate::samples::{Finished, Samples};
 use crate::sliding::case::signals::SoundSignals;
 use crate::sliding::system::step;
 use judder_sliding::march::{March, MarchSettings};

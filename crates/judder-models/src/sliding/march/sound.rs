@@ -1,8 +1,8 @@
 //! The signals of a march as sound.
 
-use super::samples::Samples;
 use super::signals::{unit, variable_name};
 use crate::error::ModelError;
+use crate::samples::Samples;
 use crate::sliding::case::observe::{ObservedPoint, Signal};
 use judder_exchange::wav::{Loudness, WavFormat, wav_bytes};
 use judder_numerics::signal::resample::resampled;

@@ -1,11 +1,11 @@
 //! The samples of a march on their way into the study: on the disk while it runs, or in memory where there is no study.
 
 use crate::error::ModelError;
-use judder_store::{Dataset, StreamWriter, Variable, VariableValues};
+use judder_store::{Dataset, StreamSlice, StreamWriter, Variable, VariableValues};
 use judder_study::kept::StudyPlace;
 
 /// Where the samples of a march go.
-pub(super) enum Samples<'a> {
+pub(crate) enum Samples<'a> {
     /// Into a study folder, with checkpoints.
     Streamed(StreamWriter<'a>),
     /// Into memory.
@@ -14,7 +14,7 @@ pub(super) enum Samples<'a> {
 
 impl<'a> Samples<'a> {
     /// Takes up what an interrupted run has left in the study, or starts anew.
-    pub(super) fn open(place: Option<StudyPlace<'a>>, variables: Vec<Variable>) -> Result<Self, ModelError> {
+    pub(crate) fn open(place: Option<StudyPlace<'a>>, variables: Vec<Variable>) -> Result<Self, ModelError> {
         Ok(match place {
             Some(StudyPlace { study, analysis, hash, .. }) => {
                 Self::Streamed(StreamWriter::open(study, analysis, hash, &variables)?)
@@ -24,21 +24,27 @@ impl<'a> Samples<'a> {
     }
 
     /// What the last append said, in this run or an earlier one.
-    pub(super) fn checkpoint(&self) -> Option<&[u8]> {
+    pub(crate) fn checkpoint(&self) -> Option<&[u8]> {
         match self {
             Self::Streamed(stream) => stream.checkpoint(),
             Self::Held(_) => None,
         }
     }
 
-    pub(super) fn append(&mut self, checkpoint: &[u8], columns: &[&[f64]]) -> Result<(), ModelError> {
+    /// New rows of each array, and from where to go on.
+    pub(crate) fn append(&mut self, checkpoint: &[u8], slices: &[StreamSlice<'_>]) -> Result<(), ModelError> {
         match self {
-            Self::Streamed(stream) => stream.append(checkpoint, columns)?,
+            Self::Streamed(stream) => stream.append(checkpoint, slices)?,
             Self::Held(variables) => {
-                for (variable, column) in variables.iter_mut().zip(columns) {
-                    variable.shape = vec![variable.shape[0] + column.len()];
-                    if let VariableValues::F64(values) = &mut variable.data {
-                        values.extend_from_slice(column);
+                for (variable, slice) in variables.iter_mut().zip(slices) {
+                    let row: usize = variable.shape.iter().skip(1).product();
+                    match (&mut variable.data, slice) {
+                        (VariableValues::F64(values), StreamSlice::F64(own)) => values.extend_from_slice(own),
+                        (VariableValues::U8(values), StreamSlice::U8(own)) => values.extend_from_slice(own),
+                        _ => (),
+                    }
+                    if let Some(rows) = variable.shape.first_mut() {
+                        *rows = variable.data.len() / row;
                     }
                 }
             }
@@ -47,7 +53,7 @@ impl<'a> Samples<'a> {
     }
 
     /// All samples of a variable; none where there is no such variable.
-    pub(super) fn values(&self, name: &str) -> Result<Vec<f64>, ModelError> {
+    pub(crate) fn values(&self, name: &str) -> Result<Vec<f64>, ModelError> {
         match self {
             Self::Streamed(stream) => Ok(stream.values(name)?),
             Self::Held(variables) => {
@@ -60,8 +66,25 @@ impl<'a> Samples<'a> {
         }
     }
 
+    /// All samples of one column of a variable of several; none where there is no such variable or column.
+    pub(crate) fn column(&self, name: &str, column: usize) -> Result<Vec<f64>, ModelError> {
+        match self {
+            Self::Streamed(stream) => Ok(stream.column(name, column)?),
+            Self::Held(variables) => {
+                let found = variables.iter().find(|variable| variable.name == name);
+                let row = found.map_or(1, |variable| variable.shape.iter().skip(1).product());
+                Ok(match found.map(|variable| &variable.data) {
+                    Some(VariableValues::F64(values)) if column < row => {
+                        values.iter().skip(column).step_by(row).copied().collect()
+                    }
+                    _ => Vec::new(),
+                })
+            }
+        }
+    }
+
     /// The arrays together with others: stored already, or for the caller to store.
-    pub(super) fn finish(self, rest: Dataset) -> Result<Finished, ModelError> {
+    pub(crate) fn finish(self, rest: Dataset) -> Result<Finished, ModelError> {
         match self {
             Self::Streamed(stream) => {
                 stream.finish(rest)?;
@@ -82,7 +105,7 @@ impl<'a> Samples<'a> {
 }
 
 /// The arrays of a march that has ended.
-pub(super) enum Finished {
+pub(crate) enum Finished {
     /// They are in the study.
     Stored,
     /// They are here.

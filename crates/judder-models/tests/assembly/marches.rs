@@ -1,0 +1,116 @@
+//! Marches of assemblies that are interrupted, killed, and too large.
+
+use crate::case;
+use crate::march::contents;
+use crate::stopping::Stopping;
+use judder_study::case::file::CaseFile;
+use judder_study::run::{RunOptions, RunReport, run};
+use judder_study::{Silent, StudyError};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+use std::{env, fs, thread};
+
+const CHILD_FOLDER: &str = "JUDDER_TEST_KILLED_MARCH";
+
+/// 40 000 steps of a block that rattles, one sample in 25 of its signals, by one scheme.
+fn rattling(name: &str) -> CaseFile {
+    let set = ["duration=\"4 ms\"", "transient=\"0.5 ms\"", "checkpoint_steps=1500"];
+    let set = set.map(|own| format!("analysis.{name}.{own}"));
+    case("assembly/block-in-motion.toml", &set.each_ref().map(String::as_str))
+}
+
+fn only(name: &str) -> RunOptions {
+    RunOptions { only: vec![name.to_owned()], ..RunOptions::default() }
+}
+
+fn run_only(name: &str, study: &Path) -> RunReport {
+    run(&rattling(name), study, &only(name), &Silent).unwrap()
+}
+
+/// Arrays and sounds of a study.
+fn left(study: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+    let all = contents(study).into_iter();
+    all.filter(|(path, _)| {
+        path.starts_with("results.zarr") || path.extension().is_some_and(|own| own == "wav")
+    })
+    .collect()
+}
+
+/// What the summary says, but for the time on the wall.
+fn told(report: &RunReport, name: &str) -> serde_json::Map<String, serde_json::Value> {
+    let mut told = report.summary.results[name].clone();
+    told.remove("seconds");
+    told
+}
+
+#[test]
+fn an_interrupted_march_goes_on_to_the_bit() {
+    for name in ["implicit", "explicit"] {
+        let folder = tempfile::tempdir().unwrap();
+        let whole = run_only(name, &folder.path().join("whole"));
+        assert!(whole.complete, "{:?}", whole.messages);
+        let study = folder.path().join("study");
+        for at in [2, 5, 1] {
+            let stopped = run(&rattling(name), &study, &only(name), &Stopping::at(at));
+            assert!(matches!(stopped, Err(StudyError::Interrupted)), "{stopped:?}");
+            assert!(study.join(format!(".stream-{name}")).exists());
+        }
+        let cut = run_only(name, &study);
+        assert!(cut.complete && !study.join(format!(".stream-{name}")).exists());
+        assert_eq!(told(&cut, name), told(&whole, name));
+        let (cut, whole) = (left(&study), left(&folder.path().join("whole")));
+        assert!(whole.iter().any(|(path, _)| path.ends_with(format!("{name}-edge.y.wav"))));
+        assert!(cut == whole);
+    }
+}
+
+/// Kills a process that marches, at various moments after it has kept a state, and goes on from what it left.
+#[test]
+fn a_killed_march_goes_on_to_the_bit() {
+    let folder = tempfile::tempdir().unwrap();
+    let (study, whole) = (folder.path().join("study"), folder.path().join("whole"));
+    let told_whole = told(&run_only("implicit", &whole), "implicit");
+    let checkpoint = study.join(".stream-implicit/checkpoint");
+    let kept = || fs::read(&checkpoint).unwrap_or_default();
+    for moment in 0..4 {
+        let before = kept();
+        let mut child = Command::new(env::current_exe().unwrap())
+            .args(["--exact", "assembly::marches::until_killed", "--ignored"])
+            .env(CHILD_FOLDER, &study)
+            .stdout(Stdio::null())
+            .spawn()
+            .unwrap();
+        let waited = Instant::now();
+        while kept() == before && waited.elapsed() < Duration::from_secs(60) {
+            thread::sleep(Duration::from_millis(1));
+        }
+        thread::sleep(Duration::from_millis(3 * moment));
+        assert!(child.try_wait().unwrap().is_none(), "the child ended by itself");
+        child.kill().unwrap();
+        child.wait().unwrap();
+        assert!(!study.join("results.zarr/implicit").exists());
+    }
+    let cut = run_only("implicit", &study);
+    assert_eq!(told(&cut, "implicit"), told_whole);
+    assert!(left(&study) == left(&whole));
+}
+
+#[test]
+#[ignore = "run and killed by a_killed_march_goes_on_to_the_bit"]
+fn until_killed() {
+    let Some(folder) = env::var_os(CHILD_FOLDER) else { return };
+    run_only("implicit", Path::new(&folder));
+}
+
+/// What is kept is looked at as a whole in the end: too much is refused beforehand, at its key.
+#[test]
+fn a_march_that_no_memory_holds_is_refused() {
+    let file = case(
+        "assembly/block-in-motion.toml",
+        &["analysis.implicit.duration=\"1000 s\"", "analysis.implicit.step=\"1e-6 s\""],
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let refused = run(&file, folder.path(), &only("implicit"), &Silent).unwrap_err().to_string();
+    assert!(refused.contains("lower sample_rate"), "{refused}");
+}

@@ -41,6 +41,8 @@ struct BatchSums {
     open: u64,
     velocity: f64,
     squared: f64,
+    normal: f64,
+    friction: f64,
 }
 
 /// What a point did.
@@ -58,7 +60,7 @@ pub struct PointStatistics {
     pub normal_force_mean: f64,
     /// Mean friction on the slider along the slip of steady sliding, in N.
     pub friction_force_mean: f64,
-    /// How far shares and rms may be off; none of less than 20 steps.
+    /// How far they may be off; none of less than 20 steps.
     pub errors: Option<StatisticErrors>,
 }
 
@@ -74,6 +76,10 @@ pub struct StatisticErrors {
     pub open_share: f64,
     /// Of the rms: that of the mean square about the mean, over twice the rms; in m/s.
     pub tangential_velocity_rms: f64,
+    /// Of the mean N in N.
+    pub normal_force_mean: f64,
+    /// Of the mean friction in N.
+    pub friction_force_mean: f64,
 }
 
 impl Statistics {
@@ -135,6 +141,8 @@ impl Statistics {
                 open: a.open + b.open,
                 velocity: a.velocity + b.velocity,
                 squared: a.squared + b.squared,
+                normal: a.normal + b.normal,
+                friction: a.friction + b.friction,
             };
         }
         self.of_batches[BATCHES * points..].fill(BatchSums::default());
@@ -160,6 +168,8 @@ impl Statistics {
         sums.squared += deviation * deviation;
         batch.velocity += deviation;
         batch.squared += deviation * deviation;
+        batch.normal += normal;
+        batch.friction += friction;
         sums.normal += normal;
         sums.friction += friction;
     }
@@ -188,28 +198,54 @@ impl Statistics {
         })
     }
 
-    /// From the batches that are complete.
-    fn errors(&self, point: usize, mean: f64, rms: f64) -> Option<StatisticErrors> {
+    /// Standard errors of the means of N and friction of all points together, in N; none of less than 20 steps.
+    #[must_use]
+    pub fn force_errors(&self) -> Option<[f64; 2]> {
+        let points = self.points.len();
+        let of_batch = |batch: usize| &self.of_batches[batch * points..(batch + 1) * points];
+        let error = |pick: fn(&BatchSums) -> f64| {
+            self.error(&|batch| of_batch(batch).iter().map(pick).sum::<f64>() / self.length as f64)
+        };
+        Some([error(|own| own.normal)?, error(|own| own.friction)?])
+    }
+
+    /// The standard error of an average by those of the batches that are complete.
+    fn error(&self, of_batch: &dyn Fn(usize) -> f64) -> Option<f64> {
         let is_whole = self.steps == self.length * self.batches as u64;
-        let batches = if is_whole { self.batches } else { self.batches - 1 };
+        let batches = if is_whole { self.batches } else { self.batches.saturating_sub(1) };
         if batches < BATCHES {
             return None;
         }
-        let (count, length, points) = (batches as f64, self.length as f64, self.points.len());
+        standard_error(&(0..batches).map(of_batch).collect::<Vec<_>>())
+    }
+
+    fn errors(&self, point: usize, mean: f64, rms: f64) -> Option<StatisticErrors> {
+        let (length, points) = (self.length as f64, self.points.len());
         let error = |of: &dyn Fn(&BatchSums) -> f64| {
-            let own = || (0..batches).map(|batch| of(&self.of_batches[batch * points + point]) / length);
-            let average = own().sum::<f64>() / count;
-            let scatter = own().map(|value| (value - average).powi(2)).sum::<f64>() / (count - 1.0);
-            (scatter / count).sqrt()
+            self.error(&|batch| of(&self.of_batches[batch * points + point]) / length)
         };
         let about_mean = |own: &BatchSums| own.squared - 2.0 * mean * own.velocity + length * mean * mean;
         Some(StatisticErrors {
-            stick_share: error(&|own| own.stick as f64),
-            slip_share: error(&|own| own.slip as f64),
-            open_share: error(&|own| own.open as f64),
-            tangential_velocity_rms: if rms > 0.0 { error(&about_mean) / (2.0 * rms) } else { 0.0 },
+            stick_share: error(&|own| own.stick as f64)?,
+            slip_share: error(&|own| own.slip as f64)?,
+            open_share: error(&|own| own.open as f64)?,
+            tangential_velocity_rms: if rms > 0.0 { error(&about_mean)? / (2.0 * rms) } else { 0.0 },
+            normal_force_mean: error(&|own| own.normal)?,
+            friction_force_mean: error(&|own| own.friction)?,
         })
     }
+}
+
+/// The standard error of an average over batches of one length, from what each of them has: their scatter over √(their number). None of less than two.
+#[must_use]
+pub fn standard_error(of_batches: &[f64]) -> Option<f64> {
+    if of_batches.len() < 2 {
+        return None;
+    }
+    let count = of_batches.len() as f64;
+    let average = of_batches.iter().sum::<f64>() / count;
+    let scatter = of_batches.iter().map(|value| (value - average).powi(2)).sum::<f64>() / (count - 1.0);
+    Some((scatter / count).sqrt())
 }
 
 #[cfg(test)]
@@ -232,7 +268,7 @@ mod tests {
             velocity = phi * velocity + (-2.0 * (1.0 - a).ln()).sqrt() * (TAU * b).cos();
             let motion = if velocity < 0.0 { PointMotion::Stick } else { PointMotion::Slip };
             statistics.begin_step();
-            statistics.take_point(0, motion, velocity, [1.0, 0.0]);
+            statistics.take_point(0, motion, velocity, [1.0, 2.0 * velocity]);
         }
         let told = statistics.of(0).unwrap();
         let errors = told.errors.unwrap();
@@ -244,7 +280,11 @@ mod tests {
         let exact = (sum / TAU / steps as f64).sqrt();
         assert!((errors.stick_share / exact - 1.0).abs() < 0.4, "{errors:?} {exact}");
         assert!((told.stick_share - 0.5).abs() < 4.0 * exact);
-        assert_eq!(errors.open_share, 0.0);
+        assert_eq!((errors.open_share, errors.normal_force_mean), (0.0, 0.0));
+        // of a mean σ² (1 + φ)/(1 − φ)/N; of one point the force is that of all
+        let exact = 2.0 * rms * ((1.0 + phi) / (1.0 - phi) / steps as f64).sqrt();
+        assert!((errors.friction_force_mean / exact - 1.0).abs() < 0.4, "{errors:?} {exact}");
+        assert_eq!(statistics.force_errors(), Some([0.0, errors.friction_force_mean]));
     }
 
     #[test]

@@ -6,8 +6,16 @@ use serde_json::{Map, Value};
 
 /// What each contact does on average, and where the energy goes.
 pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
-    let heads =
-        ["contact", "points", "stick", "slip", "lift-off", "normal force (N)", "largest rms velocity (m/s)"];
+    let heads = [
+        "contact",
+        "points",
+        "stick",
+        "slip",
+        "lift-off",
+        "largest error of a share",
+        "normal force (N)",
+        "largest rms velocity (m/s)",
+    ];
     let numbers = |told: &Value, key: &str| -> Vec<f64> {
         told[key].as_array().into_iter().flatten().filter_map(Value::as_f64).collect()
     };
@@ -17,10 +25,16 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
             if own.is_empty() { Value::Null } else { (own.iter().sum::<f64>() / own.len() as f64).into() }
         };
         let force = numbers(told, "normal_force_mean").iter().sum::<f64>();
-        let rms = numbers(told, "tangential_velocity_rms").into_iter().fold(0.0, f64::max);
+        let rms = numbers(told, "tangential_velocity_rms");
+        let most = (0..rms.len()).max_by(|a, b| rms[*a].total_cmp(&rms[*b])).unwrap_or(0);
+        let rms =
+            with_error(&told["tangential_velocity_rms"][most], &told["tangential_velocity_rms_error"][most]);
+        let errors =
+            ["stick_share_error", "slip_share_error", "open_share_error"].map(|key| numbers(told, key));
+        let error = errors.into_iter().flatten().reduce(f64::max).map_or(Value::Null, Value::from);
         let shares = ["stick_share", "slip_share", "open_share"].map(|key| short(&mean(key)));
         let points = numbers(told, "x_m").len().to_string();
-        [vec![name.clone(), points], shares.to_vec(), vec![short(&force.into()), short(&rms.into())]].concat()
+        [vec![name.clone(), points], shares.to_vec(), vec![known(&error), short(&force.into()), rms]].concat()
     };
     let contacts = results.get("contacts").and_then(Value::as_object);
     let rows: Vec<Vec<String>> = contacts.into_iter().flatten().map(row).collect();
@@ -30,9 +44,38 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     let power = results.get("power").and_then(Value::as_object);
     let powers: Vec<Vec<String>> =
         power.into_iter().flatten().map(|(name, value)| vec![name.clone(), short(value)]).collect();
-    let shares = table("Contacts, averages over points and time", heads.map(String::from).to_vec(), rows);
+    let shares = table(
+        "Contacts, averages over points and time, with standard errors by batch means",
+        heads.map(String::from).to_vec(),
+        rows,
+    );
     let powers = table("Power into the bodies, on average", vec!["from".to_owned(), "W".to_owned()], powers);
-    shares.into_iter().chain(powers).chain(modes(results)).collect()
+    shares.into_iter().chain(averages(results)).chain(powers).chain(modes(results)).collect()
+}
+
+/// A number, or that it is not known.
+fn known(value: &Value) -> String {
+    if value.is_null() { "unknown".to_owned() } else { short(value) }
+}
+
+fn with_error(value: &Value, error: &Value) -> String {
+    format!("{} ± {}", short(value), known(error))
+}
+
+/// Frequency and forces with their standard errors.
+fn averages(results: &Map<String, Value>) -> Option<PageTable> {
+    results.get("steps")?;
+    let rows = [
+        ("strongest line (Hz)", "frequency_hz", "frequency_error_hz"),
+        ("normal forces (N)", "normal_force_mean", "normal_force_mean_error"),
+        ("friction forces (N)", "friction_force_mean", "friction_force_mean_error"),
+    ];
+    let of = |key: &str| results.get(key).unwrap_or(&Value::Null);
+    Some(PageTable {
+        caption: "The whole motion, with standard errors".to_owned(),
+        head: ["", "average", "error"].map(String::from).to_vec(),
+        rows: rows.map(|(name, key, error)| vec![name.to_owned(), known(of(key)), known(of(error))]).to_vec(),
+    })
 }
 
 /// The modes about steady sliding beside what the motion has of them.

@@ -7,7 +7,7 @@ use crate::assembly::AssemblySubject;
 use crate::error::ModelError;
 use crate::sliding::march::sound::ToldSound;
 use judder_nonsmooth::march::Works;
-use judder_nonsmooth::statistics::PointStatistics;
+use judder_nonsmooth::statistics::{PointStatistics, StatisticErrors, standard_error};
 use judder_numerics::signal::tone::strongest_frequency;
 use judder_store::{ByName, Results};
 use judder_study::outcome::CheckRecord;
@@ -24,10 +24,15 @@ pub(super) struct ToldAssemblyMotion {
     seconds: f64,
     /// the strongest line of the velocity along the slip of the point that moves most, in Hz; none where nothing moves
     pub(super) frequency_hz: Option<f64>,
+    /// its standard error, by the strongest lines of twenty stretches, in Hz; none where a stretch has fewer than ten periods, or no line
+    frequency_error_hz: Option<f64>,
     /// all normal forces together, on average, in N
     normal_force_mean: f64,
+    /// its standard error by batch means, in N, as of all errors below; none of fewer than twenty steps
+    normal_force_mean_error: Option<f64>,
     /// the friction on the sliders along the slip, on average, in N
     friction_force_mean: f64,
+    friction_force_mean_error: Option<f64>,
     /// what goes into the bodies, on average, in W
     power: ToldPower,
     /// by how much the energy of the bodies changed otherwise than the power says, over the largest of works and energies
@@ -89,6 +94,14 @@ pub(super) struct ContactInMotion {
     tangential_velocity_rms: Vec<f64>,
     /// its normal force, on average, in N
     normal_force_mean: Vec<f64>,
+    /// the standard errors of these
+    stick_share_error: Vec<Option<f64>>,
+    slip_share_error: Vec<Option<f64>>,
+    open_share_error: Vec<Option<f64>>,
+    /// in m/s
+    tangential_velocity_rms_error: Vec<Option<f64>>,
+    /// in N
+    normal_force_mean_error: Vec<Option<f64>>,
 }
 
 /// What the balance of energy may be off, over the largest of works and energies.
@@ -142,14 +155,19 @@ impl OngoingMotion<'_, '_> {
         let time = self.statistics.steps() as f64 * asked.step;
         let mean = |pick: fn(&Works) -> f64| (pick(&works) - pick(&self.settled)) / time;
         let sum = |pick: fn(&PointStatistics) -> f64| points.iter().map(pick).sum::<f64>();
+        let frequency = self.frequency(&points, asked.transient)?;
+        let errors = self.statistics.force_errors();
         Ok(ToldAssemblyMotion {
             method: asked.method.name(),
             steps: self.march.steps(),
             step_s: asked.step,
             seconds: self.seconds,
-            frequency_hz: self.frequency(&points, asked.transient)?,
+            frequency_hz: frequency.value,
+            frequency_error_hz: frequency.error,
             normal_force_mean: sum(|own| own.normal_force_mean),
+            normal_force_mean_error: errors.map(|[normal, _]| normal),
             friction_force_mean: sum(|own| own.friction_force_mean),
+            friction_force_mean_error: errors.map(|[_, friction]| friction),
             power: ToldPower {
                 friction: mean(|own| own.friction),
                 damping: mean(|own| own.damping),
@@ -172,12 +190,14 @@ impl OngoingMotion<'_, '_> {
     }
 
     /// The strongest line of the velocity of the point that moves most, after the transient.
-    fn frequency(&self, points: &[PointStatistics], transient: f64) -> Result<Option<f64>, ModelError> {
+    fn frequency(&self, points: &[PointStatistics], transient: f64) -> Result<MotionFrequency, ModelError> {
         let rms = |k: &usize| points[*k].tangential_velocity_rms;
-        let Some(most) = (0..points.len()).max_by(|a, b| rms(a).total_cmp(&rms(b))) else { return Ok(None) };
+        let Some(most) = (0..points.len()).max_by(|a, b| rms(a).total_cmp(&rms(b))) else {
+            return Ok(MotionFrequency::default());
+        };
         let (time, velocity) = (self.samples.values("time")?, self.samples.column("velocity", most)?);
         let first = time.partition_point(|time| *time <= transient);
-        Ok(velocity.get(first..).and_then(|settled| strongest_frequency(settled, self.recorded.rate())))
+        Ok(MotionFrequency::of(velocity.get(first..).unwrap_or_default(), self.recorded.rate()))
     }
 
     /// The contact of every step, and the balance of energy.
@@ -225,12 +245,38 @@ impl OngoingMotion<'_, '_> {
     }
 }
 
+/// Stretches of which a frequency has its error, and the periods that each has at least.
+const STRETCHES: (usize, f64) = (20, 10.0);
+
+/// The strongest line of a signal in Hz, and its standard error.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct MotionFrequency {
+    value: Option<f64>,
+    error: Option<f64>,
+}
+
+impl MotionFrequency {
+    fn of(signal: &[f64], rate: f64) -> Self {
+        let value = strongest_frequency(signal, rate);
+        let (count, periods) = STRETCHES;
+        let length = signal.len() / count;
+        let is_long = value.is_some_and(|value| length as f64 * value >= periods * rate);
+        let stretches = signal.chunks_exact(length.max(1)).take(count);
+        let lines = || stretches.map(|stretch| strongest_frequency(stretch, rate)).collect();
+        let lines: Option<Vec<f64>> = if is_long { lines() } else { None };
+        Self { value, error: lines.and_then(|lines| standard_error(&lines)) }
+    }
+}
+
 fn contacts(of: &AssemblySubject<'_>, points: &[PointStatistics]) -> ByName<ContactInMotion> {
     let mut first = 0;
     let told = of.built.assembly.interfaces.iter().map(|interface| {
         let own = &points[first.min(points.len())..(first + interface.points.len()).min(points.len())];
         first += interface.points.len();
         let list = |pick: fn(&PointStatistics) -> f64| own.iter().map(pick).collect::<Vec<_>>();
+        let errors = |pick: fn(&StatisticErrors) -> f64| {
+            own.iter().map(|own| own.errors.as_ref().map(pick)).collect::<Vec<_>>()
+        };
         let contact = ContactInMotion {
             x_m: interface.points.iter().map(|point| point.place[0]).collect(),
             stick_share: list(|own| own.stick_share),
@@ -238,6 +284,11 @@ fn contacts(of: &AssemblySubject<'_>, points: &[PointStatistics]) -> ByName<Cont
             open_share: list(|own| own.open_share),
             tangential_velocity_rms: list(|own| own.tangential_velocity_rms),
             normal_force_mean: list(|own| own.normal_force_mean),
+            stick_share_error: errors(|own| own.stick_share),
+            slip_share_error: errors(|own| own.slip_share),
+            open_share_error: errors(|own| own.open_share),
+            tangential_velocity_rms_error: errors(|own| own.tangential_velocity_rms),
+            normal_force_mean_error: errors(|own| own.normal_force_mean),
         };
         (interface.name.clone(), contact)
     });

@@ -596,3 +596,18 @@ class Assembly(Model):
         progress: Progress | None = None,
     ) -> Result:
         """The motion through stick, slip and lift-off at every contact point, with its balance of energy."""
+    def spectrogram(
+        self,
+        *,
+        of: str,
+        signal: str | None = None,
+        window: Literal["hann", "hamming", "blackman", "rectangular"] | None = None,
+        length: str | None = None,
+        overlap: float | None = None,
+        reference: str | None = None,
+        range: Sequence[float] | None = None,
+        waterfall: int | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Result:
+        """A signal of a march over time and frequency."""

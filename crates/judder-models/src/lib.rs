@@ -12,7 +12,7 @@
 //! - [`checks`]: every number doubted by another number.
 //! - [`oscillator`], [`contact`], [`belt`], [`two_degrees`], [`structure`], [`sliding`], [`assembly`]: the models. [`motion`]: what oscillator and belt share. [`parameters`]:
 //!   `[parameters]`. `entries`, [`mass`]: matrices of numbers and expressions of them.
-//! - `samples`: arrays of a march on their way into the study. `estimate`: what analyses would take. `written`: files of other programs, in memory.
+//! - `samples`: arrays of a march on their way into the study; [`mod@spectrogram`]: of any of them. `estimate`: what analyses would take. `written`: files of other programs, in memory.
 //! - [`template`]: the commented cases of `judder new`.
 
 pub mod assembly;
@@ -42,6 +42,7 @@ mod read_family;
 mod read_sweep;
 mod samples;
 pub mod sliding;
+pub mod spectrogram;
 mod spectrum_source;
 pub mod structure;
 pub mod substrate;

@@ -21,6 +21,7 @@ pub mod structure;
 mod vector;
 pub(crate) mod watched;
 
+use super::spectrogram::settings::check_references;
 use super::{KINDS, MODEL};
 use crate::REGISTRY;
 use crate::entries::Scope;
@@ -202,6 +203,9 @@ pub(crate) fn read(node: &Node, folder: &Path) -> Result<AssemblyCase, Fault> {
     let (root, case) = read_bodies(node, folder)?;
     let analyses = read_analyses(&root, &case.as_ref().ok().cloned(), &KINDS, REGISTRY);
     let (case, analyses) = both(case, analyses)?;
+    if let Some(Node { data: Data::List(nodes), .. }) = node.entry("analysis") {
+        check_references(&analyses, nodes)?;
+    }
     Ok(AssemblyCase { analyses, ..case })
 }
 

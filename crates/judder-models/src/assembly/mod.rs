@@ -4,7 +4,7 @@
 //! - `check`: what `judder check` shows.
 //! - `interface_error`: what interface modes cost.
 //! - `swept`: steady sliding and small motions about it at any values of keys.
-//! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`.
+//! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`, `spectrogram`.
 
 pub(crate) mod build;
 pub mod case;
@@ -14,6 +14,7 @@ pub mod eigen_sweep;
 pub mod growth;
 mod interface_error;
 pub mod march;
+pub mod spectrogram;
 pub mod stability_map;
 pub mod steady_sliding;
 mod swept;
@@ -47,6 +48,7 @@ pub(crate) static KINDS: Kinds<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCa
     stability_map::KIND,
     growth::KIND,
     march::KIND,
+    spectrogram::KIND,
 ]);
 
 /// What the forces of a converged solution may be off, over all forces.

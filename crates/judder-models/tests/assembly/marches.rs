@@ -114,3 +114,32 @@ fn a_march_that_no_memory_holds_is_refused() {
     let refused = run(&file, folder.path(), &only("implicit"), &Silent).unwrap_err().to_string();
     assert!(refused.contains("lower sample_rate"), "{refused}");
 }
+
+/// The highest level of a spectrogram is at a line that the march tells; what it names must be there.
+#[test]
+fn a_spectrogram_shows_a_march() {
+    let folder = tempfile::tempdir().unwrap();
+    let set = |signal: &str| {
+        let own = ["analysis.implicit.duration=\"4 ms\"", "analysis.implicit.transient=\"2 ms\"", signal];
+        case("assembly/block-in-motion.toml", &own)
+    };
+    let options =
+        RunOptions { only: vec!["implicit".to_owned(), "levels".to_owned()], ..RunOptions::default() };
+    let of = |signal: &str| run(&set(signal), folder.path(), &options, &Silent);
+    let report = of("analysis.levels.signal=\"edge.x.velocity\"").unwrap();
+    assert!(report.complete, "{:?}", report.messages);
+    let told = &report.summary.results["levels"];
+    let number = |key: &str| told[key].as_f64().unwrap();
+    assert!(number("windows") >= 20.0 && told["reference"] == "1 m/s");
+    assert!(number("resolution_hz") < 2010.0 && number("peak_frequency_hz") <= 160e3);
+    assert!(!told.contains_key("peak_position_m"));
+    let forces = of("analysis.levels.signal=\"sole.normal_force\"").unwrap();
+    assert_eq!(forces.skipped, ["implicit"]);
+    assert_eq!(forces.summary.results["levels"]["reference"], "1 N");
+    let unknown = of("analysis.levels.signal=\"edge.z\"").unwrap_err().to_string();
+    assert!(unknown.contains("edge.z"), "{unknown}");
+    let march = case("assembly/block-in-motion.toml", &[]);
+    let text = march.text.replace("of = \"implicit\"", "of = \"explicit\"");
+    let refused = judder_models::parse("case.toml", &text, &[]).unwrap_err().to_string();
+    assert!(refused.contains("explicit"), "{refused}");
+}

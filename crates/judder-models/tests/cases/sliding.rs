@@ -8,7 +8,8 @@ use judder_models::sliding::case::observe::{PointNode, PointQuantity, Signal};
 use judder_models::sliding::growth::settings::GrowthAnalysis;
 use judder_models::sliding::locus::settings::{Along, LocusAnalysis};
 use judder_models::sliding::march::settings::MarchAnalysis;
-use judder_models::sliding::spectrogram::settings::{SpectrogramAnalysis, SpectrogramWindow};
+use judder_models::sliding::spectrogram::settings::SpectrogramAnalysis;
+use judder_models::spectrogram::settings::SpectrogramWindow;
 use judder_models::structure::case::StructureSource;
 use judder_models::structure::case::body::{BodyGeometry, EndCondition};
 use judder_models::structure::case::damping::{Damping, Rayleigh};
@@ -289,9 +290,9 @@ fn a_spectrogram_has_the_unit_of_its_signal() {
         let case = sliding(&with_analyses(&format!("{march}{settings}\n")), &[]);
         let found: &SpectrogramAnalysis = case.analyses[1].settings().unwrap();
         assert_eq!(
-            (found.reference.0.number, found.window, found.length),
+            (found.reference.0.number, found.pieces.window, found.pieces.length),
             (reference, SpectrogramWindow::Hann, 5e-3)
         );
-        assert_eq!(found.waterfall, None);
+        assert_eq!(found.drawn.waterfall, None);
     }
 }

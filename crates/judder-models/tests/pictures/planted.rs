@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use structure::{
     assembly_map, assembly_march, eigen, eigen_sweep, growth, locus, march, mode_growth, modes, receptance,
-    reduction, spectrogram, steady_sliding,
+    reduction, spectrogram, steady_sliding, timed_spectrogram,
 };
 
 pub(super) type Point = (f64, f64);
@@ -31,7 +31,7 @@ pub(super) struct Planted {
 
 type Plant = fn(u64) -> Vec<Planted>;
 
-pub(super) const PLANTED: [(&str, &str, Plant); 37] = [
+pub(super) const PLANTED: [(&str, &str, Plant); 38] = [
     ("oscillator", "equivalent-damping", equivalent_damping),
     ("oscillator", "spectrum", spectrum),
     ("oscillator", "critical-shear-strength", critical),
@@ -69,6 +69,7 @@ pub(super) const PLANTED: [(&str, &str, Plant); 37] = [
     ("assembly", "stability-map", assembly_map),
     ("assembly", "growth", mode_growth),
     ("assembly", "march", assembly_march),
+    ("assembly", "spectrogram", timed_spectrogram),
 ];
 
 const NAN: f64 = f64::NAN;

@@ -22,7 +22,7 @@ pub(super) fn growing(of: &AssemblySubject<'_>) -> Vec<Variable> {
 pub(super) fn rest(
     of: &AssemblySubject<'_>,
     asked: &AssemblyMarch,
-    sample_rate: f64,
+    [sample_rate, pass_band]: [f64; 2],
     frequency: Option<f64>,
 ) -> Result<Dataset, ModelError> {
     let mut dataset = Dataset::new()
@@ -30,7 +30,8 @@ pub(super) fn rest(
         .attribute("method", asked.method.name())?
         .attribute("step_s", asked.step)?
         .attribute("transient_s", asked.transient)?
-        .attribute("sample_rate_hz", sample_rate)?;
+        .attribute("sample_rate_hz", sample_rate)?
+        .attribute("pass_band_hz", pass_band)?;
     if let Some(frequency) = frequency {
         dataset = dataset.attribute("frequency_hz", frequency)?;
     }

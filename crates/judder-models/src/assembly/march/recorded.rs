@@ -109,6 +109,11 @@ impl Recorded {
         1.0 / (self.step * self.factor as f64)
     }
 
+    /// Up to where signals are what they were, in Hz: all that steps tell, where every step is kept.
+    pub(super) fn pass_band(&self) -> f64 {
+        if self.filter.is_some() { PASS * self.rate() } else { 0.5 * self.rate() }
+    }
+
     fn points(&self) -> usize {
         self.interfaces.last().map_or(0, |last| last.end)
     }

@@ -38,7 +38,8 @@ pub(super) fn run(
     let (heard, files): (Vec<_>, Vec<_>) =
         sounds.into_iter().map(|own| (own.told, (own.name, own.bytes))).unzip();
     let told = motion.told(of, asked, heard)?;
-    let rest = rest(of, asked, motion.recorded.rate(), told.frequency_hz)?;
+    let bands = [motion.recorded.rate(), motion.recorded.pass_band()];
+    let rest = rest(of, asked, bands, told.frequency_hz)?;
     let times = if drive.is_none() { Vec::new() } else { motion.samples.values("time")? };
     let rest = with_drive(rest, &drive, &times)?;
     let mut outcome = Outcome {

@@ -1,6 +1,5 @@
 //! `spectrogram`: a signal of a march over time and frequency, from what the march has stored.
 
-mod figure;
 mod run;
 pub mod settings;
 
@@ -11,12 +10,13 @@ use crate::estimate::{Estimate, cost::FIGURE};
 use crate::sliding::case::SlidingCase;
 use crate::sliding::case::problem::SlidingProblem;
 use crate::sliding::march::settings::MarchAnalysis;
+use crate::spectrogram::figure;
+use crate::spectrogram::levels::ToldSpectrogram;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
-use run::ToldSpectrogram;
 use serde_json::{Map, Value as Json};
 use settings::SpectrogramAnalysis;
 use std::sync::Arc;
@@ -51,8 +51,10 @@ fn march<'a>(asked: &SpectrogramAnalysis, case: &'a SlidingCase) -> Option<&'a M
 impl Analysis<SlidingCase> for SpectrogramAnalysis {
     fn fits(&self, of: &SlidingSubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         let duration = march(self, of.case).map(|march| of.system.along(march).duration());
-        let Some(duration) = duration.filter(|duration| self.length > *duration) else { return Ok(Ok(())) };
-        let (length, name) = (self.length, &self.of);
+        let Some(duration) = duration.filter(|duration| self.pieces.length > *duration) else {
+            return Ok(Ok(()));
+        };
+        let (length, name) = (self.pieces.length, &self.of);
         let reason = format!("a window is {length} s long, but the march `{name}` takes {duration:.6} s");
         Ok(Err(Refusal::key("length", SlidingProblem::Unbuilt { reason, advice: SHORTER })))
     }

@@ -228,10 +228,21 @@ pub(super) fn assembly_march(seed: u64) -> Vec<Planted> {
 
 /// Two spectra one behind the other, with levels so low that nothing is hidden; frames about two zones.
 pub(super) fn spectrogram(seed: u64) -> Vec<Planted> {
+    spectra(seed, Some(vec![1.0, 2.0]))
+}
+
+/// The same of a march along no path.
+pub(super) fn timed_spectrogram(seed: u64) -> Vec<Planted> {
+    spectra(seed, None)
+}
+
+fn spectra(seed: u64, positions: Option<Vec<f64>>) -> Vec<Planted> {
     let mut random = Random(seed);
     let frequency: Vec<f64> = steps(9).iter().map(|step| 1e3 * step).collect();
     let level: Vec<f64> =
         random.gappy(18, 0.0).iter().map(|level| if level.is_nan() { NAN } else { 1e-3 * level }).collect();
+    let time = vec![0.0, 1.0];
+    let places = positions.as_ref().unwrap_or(&time);
     // 4 times the distance of two spectra for the whole range
     let rise = |level: f64| 4.0 * 1e3 * level / 100.0;
     let spectrum = |k: usize| -> Vec<Point> {
@@ -239,15 +250,15 @@ pub(super) fn spectrogram(seed: u64) -> Vec<Planted> {
         steps(9)
             .iter()
             .zip(own)
-            .map(|(kilohertz, level)| (*kilohertz, 1e3 * (1 + k) as f64 + rise(*level)))
+            .map(|(kilohertz, level)| (*kilohertz, 1e3 * places[k] + rise(*level)))
             .collect()
     };
     let runs = vec![spectrum(0), spectrum(1)];
-    let variables = vec![
-        Variable::coordinate("time", vec![0.0, 1.0]),
+    let mut variables = vec![
+        Variable::coordinate("time", time.clone()),
         Variable::coordinate("frequency", frequency),
         over("level", &["time", "frequency"], &[2, 9], level),
-        along("position", "time", vec![1.0, 2.0]),
     ];
+    variables.extend(positions.map(|positions| along("position", "time", positions)));
     alone(dataset(variables, &[("signal", json!("y")), ("range_db", json!([0.0, 100.0]))]), runs)
 }

@@ -1,4 +1,4 @@
-//! Spectrograms: levels over time and frequency with unstable zones, and the waterfall of their spectra.
+//! Spectrograms: levels over time and frequency, along a path with unstable zones, and the waterfall of their spectra.
 
 use super::settings::SPECTRA;
 use crate::sliding::march::figure::positions;
@@ -37,7 +37,8 @@ pub(crate) fn spectrogram(dataset: &Dataset) -> Option<Vec<Panel>> {
 /// Levels in at most so many cells.
 struct Levels {
     times: Vec<f64>,
-    positions: Vec<f64>,
+    /// Where the contact was, m; none of a march along no path.
+    positions: Option<Vec<f64>>,
     /// kHz.
     frequencies: Vec<f64>,
     /// dB, a row a time.
@@ -57,7 +58,7 @@ impl Levels {
     /// All frequencies, or where zones are laid over, those up to some multiple of the highest of them.
     fn of(dataset: &Dataset) -> Option<Self> {
         let (times, frequencies) = (reals(dataset, "time")?, reals(dataset, "frequency")?);
-        let (levels, positions) = (reals(dataset, "level")?, reals(dataset, "position")?);
+        let levels = reals(dataset, "level")?;
         let zones = zones(dataset);
         let highest_zone = zones.iter().map(|zone| 1e3 * zone.frequency).fold(0.0, f64::max);
         let end = if highest_zone > 0.0 { ABOVE_ZONES * highest_zone } else { f64::INFINITY };
@@ -71,7 +72,7 @@ impl Levels {
             .and_then(|range| Some((range.get(0)?.as_f64()?, range.get(1)?.as_f64()?)));
         Some(Self {
             times: middles(times, CELLS[0]),
-            positions: middles(positions, CELLS[0]),
+            positions: reals(dataset, "position").map(|positions| middles(positions, CELLS[0])),
             frequencies: middles(&frequencies[..shown], CELLS[1]).iter().map(|f| 1e-3 * f).collect(),
             values: coarser(&kept, shown, CELLS),
             range: stated.unwrap_or((highest - SHOWN, highest)),
@@ -101,7 +102,8 @@ impl Levels {
         let across = axis(dataset.variable("time")?);
         let panel = Panel::new(across, Axis::linear("Frequency (kHz)"), layers).with_legend(Legend::Below);
         let panel = panel.with_title(format!("levels of {}", signal(dataset)?));
-        Some(match positions(reals(dataset, "time")?, reals(dataset, "position")?) {
+        let time = reals(dataset, "time")?;
+        Some(match reals(dataset, "position").and_then(|position| positions(time, position)) {
             Some(second) => panel.with_second_axis(second),
             None => panel,
         })
@@ -109,7 +111,8 @@ impl Levels {
 
     /// The frame about a zone, by time and kHz, what grows in it left in sight; `None` where the contact never is in it.
     fn frame(&self, zone: &DrawnZone) -> Option<[(f64, f64); 6]> {
-        let ends = [self.positions.first()?, self.positions.last()?];
+        let positions = self.positions.as_ref()?;
+        let ends = [positions.first()?, positions.last()?];
         let (low, high) = (ends[0].min(*ends[1]), ends[0].max(*ends[1]));
         if zone.to < low || zone.from > high {
             return None;
@@ -123,17 +126,21 @@ impl Levels {
 
     /// When the contact is at a position; none where it never is.
     fn time_at(&self, position: f64) -> Option<f64> {
-        let own = &self.positions;
+        let own = self.positions.as_ref()?;
         let k = own.windows(2).position(|p| p[0] != p[1] && (p[0] - position) * (p[1] - position) <= 0.0)?;
         let share = (position - own[k]) / (own[k + 1] - own[k]);
         Some(self.times[k] + share * (self.times[k + 1] - self.times[k]))
     }
 
-    /// Spectra one behind the other, each standing on its position, the front ones hiding what is behind; zones where they are.
+    /// Spectra one behind the other, each standing on its position, or its time where there is none, the front ones hiding what is behind; zones where they are.
     fn waterfall(&self, dataset: &Dataset, count: usize) -> Option<Panel> {
         let lines = self.frequencies.len();
         let spectra = coarser(&self.values, lines, [count, lines]);
-        let places: Vec<f64> = middles(&self.positions, count).iter().map(|place| 1e3 * place).collect();
+        let (along, label, unit) = match &self.positions {
+            Some(positions) => (positions, "Position $s$ (mm)", "mm"),
+            None => (&self.times, "Time $t$ (ms)", "ms"),
+        };
+        let places: Vec<f64> = middles(along, count).iter().map(|place| 1e3 * place).collect();
         let (first, last) = (*places.first()?, *places.last()?);
         let distance = (last - first).abs() / (places.len().max(2) - 1) as f64;
         let (low, high) = self.range;
@@ -160,10 +167,10 @@ impl Levels {
         }
         layers.extend(self.bars(&zones_label(dataset)));
         let title =
-            format!("{}: {:.0} dB are {:.1} mm high", signal(dataset)?, high - low, HEIGHT * distance);
+            format!("{}: {:.0} dB are {:.1} {unit} high", signal(dataset)?, high - low, HEIGHT * distance);
         let (least, most) = (first.min(last), first.max(last));
         let top = skyline.iter().copied().fold(most, f64::max);
-        let up = Axis::linear("Position $s$ (mm)").over(least, top + 0.5 * distance);
+        let up = Axis::linear(label).over(least, top + 0.5 * distance);
         let across =
             Axis::linear("Frequency (kHz)").over(*self.frequencies.first()?, *self.frequencies.last()?);
         Some(Panel::new(across, up, layers).with_title(title).with_legend(Legend::Below))
@@ -252,7 +259,7 @@ mod tests {
     fn a_frame_reaches_from_start_to_end_of_what_is_passed_of_a_zone() {
         let levels = Levels {
             times: vec![0.0, 1.0, 2.0],
-            positions: vec![0.01, 0.02, 0.03],
+            positions: Some(vec![0.01, 0.02, 0.03]),
             frequencies: vec![0.0, 10.0],
             values: Vec::new(),
             range: (0.0, 1.0),

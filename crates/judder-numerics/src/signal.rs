@@ -5,7 +5,7 @@
 //! - [`extremes`]: the smallest and the largest value of every step, with the step.
 //! - [`resample`]: any sample rate from any other, for the ear.
 //! - [`window`], [`spectrogram`]: levels over time and frequency.
-//! - [`tone`]: the frequency of the strongest line.
+//! - [`tone`]: the frequency of the strongest line. [`octave`]: the mean square in octave bands.
 //! - [`envelope`], [`bursts`]: where a signal is loud, how loud, at which frequency.
 
 mod bits;
@@ -18,6 +18,7 @@ pub mod extremes;
 pub mod fir;
 pub mod kaiser;
 mod line;
+pub mod octave;
 mod plan;
 pub mod resample;
 pub mod spectrogram;

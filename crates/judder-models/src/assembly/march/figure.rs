@@ -5,9 +5,10 @@ use crate::sliding::march::figure::{history, panel, trace};
 use judder_numerics::contact_state::ContactState;
 use judder_report::figure::{Class, ClassMap};
 use judder_report::{Axis, Layer, Legend, Panel, Role};
-use judder_store::Dataset;
-use judder_study::pictures::{codes, reals, words};
+use judder_store::{Dataset, Variable};
+use judder_study::pictures::{axis, codes, reals, words};
 use serde_json::Value;
+use std::f64::consts::SQRT_2;
 
 /// Columns of the picture of states.
 const COLUMNS: usize = 900;
@@ -46,7 +47,27 @@ pub(super) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
         let panel = history(dataset, &variable.name, Role::Series(0).solid())?;
         panels.push(with_transient(dataset, panel));
     }
+    panels.extend(octaves(dataset));
     Some(panels)
+}
+
+/// Levels of the observed points, each octave from edge to edge; what is unknown is a gap.
+fn octaves(dataset: &Dataset) -> Option<Panel> {
+    let bands = reals(dataset, "octave_band")?;
+    let edges = bands.iter().flat_map(|band| [band / SQRT_2, band * SQRT_2]);
+    let edges: Vec<f64> = edges.collect();
+    let over_bands = |own: &&Variable| own.units == "dB" && own.dimensions == ["octave_band"];
+    let layer = |(k, own): (usize, &Variable)| {
+        let levels = reals(dataset, &own.name)?.iter().flat_map(|level| [*level; 2]).collect();
+        let name = own.name.trim_end_matches(".level");
+        Some(Layer::line(name, edges.clone(), levels, Role::Series(k).solid()))
+    };
+    let layers: Vec<Layer> =
+        dataset.variables().iter().filter(over_bands).enumerate().filter_map(layer).collect();
+    let first = dataset.variables().iter().find(over_bands)?;
+    let across = Axis::log("Frequency (Hz)");
+    let panel = Panel::new(across, axis(first), layers).with_legend(Legend::Below);
+    Some(panel.with_title("levels after the transient, in octaves"))
 }
 
 /// What speeds, loads and friction are multiplied by, where they change.

@@ -9,6 +9,7 @@ mod content;
 pub mod driven;
 pub mod field;
 mod figure;
+mod levels;
 mod recorded;
 mod run;
 pub mod settings;
@@ -45,7 +46,7 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
     picture: Some(Picture {
         draw: figure::march,
         caption: "Forces of each contact over time: each line fills the space between the smallest and the largest sample of a column. What each contact point does, \
-        in the order of its points, over the whole motion and at its end.",
+        in the order of its points, over the whole motion and at its end. Accelerations of the observed points, and their levels in octaves after the transient; what the signal does not tell is left out.",
     }),
 };
 

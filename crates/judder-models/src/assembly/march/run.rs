@@ -4,6 +4,7 @@ use super::arrays::{growing, rest};
 use super::blocks::OngoingMotion;
 use super::content::SoughtContent;
 use super::driven::{MotionDrive, with_drive};
+use super::levels;
 use super::recorded::Recorded;
 use super::settings::AssemblyMarch;
 use super::start::MotionState;
@@ -15,6 +16,7 @@ use judder_assembly::row::Row;
 use judder_assembly::steady::SteadySliding;
 use judder_nonsmooth::march::NonsmoothMarch;
 use judder_nonsmooth::statistics::Statistics;
+use judder_store::Dataset;
 use judder_study::model::Task;
 use judder_study::outcome::Outcome;
 
@@ -37,9 +39,11 @@ pub(super) fn run(
     let sounds = sounds(of, &motion)?;
     let (heard, files): (Vec<_>, Vec<_>) =
         sounds.into_iter().map(|own| (own.told, (own.name, own.bytes))).unzip();
-    let told = motion.told(of, asked, heard)?;
+    let levels = motion.levels(of, asked.transient)?;
+    let of_octaves = levels::variables(&levels);
+    let told = motion.told(of, asked, heard, levels)?;
     let bands = [motion.recorded.rate(), motion.recorded.pass_band()];
-    let rest = rest(of, asked, bands, told.frequency_hz)?;
+    let rest = of_octaves.into_iter().try_fold(rest(of, asked, bands, told.frequency_hz)?, Dataset::with)?;
     let times = if drive.is_none() { Vec::new() } else { motion.samples.values("time")? };
     let rest = with_drive(rest, &drive, &times)?;
     let mut outcome = Outcome {

@@ -50,7 +50,13 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
         rows,
     );
     let powers = table("Power into the bodies, on average", vec!["from".to_owned(), "W".to_owned()], powers);
-    shares.into_iter().chain(averages(results)).chain(powers).chain(modes(results)).collect()
+    shares
+        .into_iter()
+        .chain(averages(results))
+        .chain(powers)
+        .chain(levels(results))
+        .chain(modes(results))
+        .collect()
 }
 
 /// A number, or that it is not known.
@@ -75,6 +81,24 @@ fn averages(results: &Map<String, Value>) -> Option<PageTable> {
         caption: "The whole motion, with standard errors".to_owned(),
         head: ["", "average", "error"].map(String::from).to_vec(),
         rows: rows.map(|(name, key, error)| vec![name.to_owned(), known(of(key)), known(of(error))]).to_vec(),
+    })
+}
+
+/// Levels of the observed points, a row an octave.
+fn levels(results: &Map<String, Value>) -> Option<PageTable> {
+    let levels = results.get("levels")?.as_object()?;
+    let bands = levels.values().next()?["band_hz"].as_array()?;
+    let row = |(k, band): (usize, &Value)| {
+        let own = levels.values().map(|own| match own["level_db"][k].as_f64() {
+            Some(level) => format!("{level:.1}"),
+            None => known(&Value::Null),
+        });
+        std::iter::once(short(band)).chain(own).collect()
+    };
+    Some(PageTable {
+        caption: "Accelerations after the transient, in dB re 1 µm/s² in octaves".to_owned(),
+        head: std::iter::once("octave about (Hz)".to_owned()).chain(levels.keys().cloned()).collect(),
+        rows: bands.iter().enumerate().map(row).collect(),
     })
 }
 

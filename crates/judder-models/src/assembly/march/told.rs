@@ -2,6 +2,7 @@
 
 use super::blocks::OngoingMotion;
 use super::content::{ModeInMotion, SoughtContent};
+use super::levels::OctaveLevels;
 use super::settings::{AssemblyMarch, SchemeWord};
 use crate::assembly::AssemblySubject;
 use crate::error::ModelError;
@@ -48,6 +49,8 @@ pub(super) struct ToldAssemblyMotion {
     modes: Vec<ModeInMotion>,
     /// each contact
     contacts: ByName<ContactInMotion>,
+    /// accelerations of the observed points after the transient, in octave bands
+    levels: ByName<OctaveLevels>,
     /// accelerations of the observed points as sound
     sound: Vec<ToldSound>,
 }
@@ -149,6 +152,7 @@ impl OngoingMotion<'_, '_> {
         of: &AssemblySubject<'_>,
         asked: &AssemblyMarch,
         sound: Vec<ToldSound>,
+        levels: Vec<(String, OctaveLevels)>,
     ) -> Result<ToldAssemblyMotion, ModelError> {
         let (points, works, record) = (self.points(), self.march.works(), self.march.record());
         let [off, exchanged] = self.balance();
@@ -185,6 +189,7 @@ impl OngoingMotion<'_, '_> {
             contact_sweeps: record.iterations as f64 / self.march.steps().max(1) as f64,
             modes: self.content.as_ref().map(SoughtContent::told).unwrap_or_default(),
             contacts: contacts(of, &points),
+            levels: levels.into_iter().collect(),
             sound,
         })
     }

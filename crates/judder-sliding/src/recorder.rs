@@ -65,6 +65,8 @@ pub struct Recorder {
     filter: Decimator,
     /// Time, position, then a column a channel.
     columns: Vec<Vec<f64>>,
+    /// Times of states in s, and the numbers of these.
+    states: (Vec<f64>, Vec<u8>),
     steps: u64,
     outputs: u64,
     /// N, T and sliding velocity of the step before.
@@ -114,6 +116,7 @@ impl Recorder {
             filter,
             values: levels,
             columns: vec![Vec::new(); 2 + channels.len()],
+            states: (Vec::new(), Vec::new()),
             steps: 0,
             outputs: 0,
             contact: start,
@@ -129,6 +132,8 @@ impl Recorder {
         for column in &mut self.columns {
             column.reserve(samples);
         }
+        self.states.0.reserve(samples);
+        self.states.1.reserve(samples);
     }
 
     /// The samples since they were last cleared: times in s, positions of C without deformation in m, then a column a channel.
@@ -137,11 +142,20 @@ impl Recorder {
         self.columns.iter().map(Vec::as_slice).collect()
     }
 
+    /// The states of the contact since they were last cleared, those of every so many-th step as of signals: times in s, and their numbers
+    /// ([`ContactState::number`]).
+    #[must_use]
+    pub fn states(&self) -> (&[f64], &[u8]) {
+        (&self.states.0, &self.states.1)
+    }
+
     /// Forgets the samples, which have been stored elsewhere.
     pub fn clear(&mut self) {
         for column in &mut self.columns {
             column.clear();
         }
+        self.states.0.clear();
+        self.states.1.clear();
     }
 
     /// Lets the rest out of the filters, as if the signals stayed at their last values; the march has ended.
@@ -238,7 +252,12 @@ impl Sink for Recorder {
     #[inline]
     fn take(&mut self, sample: &MarchSample, accelerations: &[f64]) {
         self.steps += 1;
-        let is_kept = (self.steps - 1).is_multiple_of(self.factor) && self.begin_sample();
+        let is_due = (self.steps - 1).is_multiple_of(self.factor);
+        if is_due {
+            self.states.0.push(sample.time);
+            self.states.1.push(sample.state.number());
+        }
+        let is_kept = is_due && self.begin_sample();
         for k in 0..self.channels.len() {
             self.values[k] = self.value(self.channels[k], accelerations);
         }

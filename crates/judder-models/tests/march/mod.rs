@@ -132,6 +132,20 @@ fn samples_follow_the_motion() {
     for (time, position) in time.iter().zip(&position).filter(|(time, _)| **time > 4e-3) {
         assert!((position - (0.09 + 0.3 * (time - 2e-3))).abs() < 1e-12);
     }
+    // of what the contact does every so many-th step is kept, shares as of all steps
+    let told = &report.summary.results["ensubs"];
+    let states = match &dataset.variable("state").unwrap().data {
+        judder_store::VariableValues::U8(codes) => codes.clone(),
+        _ => panic!("state"),
+    };
+    let settled = values("state_time").partition_point(|time| *time <= told["settled_s"].as_f64().unwrap());
+    let after = &states[settled..];
+    let keys = ["stick_steps", "slip_steps", "reversed_steps", "open_steps"];
+    let counts = keys.map(|key| told[key].as_f64().unwrap());
+    for (code, count) in (0..).zip(counts) {
+        let kept = after.iter().filter(|state| **state == code).count() as f64 / after.len() as f64;
+        assert!((kept - count / counts.iter().sum::<f64>()).abs() < 0.01, "{code}: {kept} {counts:?}");
+    }
     // the velocity is the slope of what the acceleration is the slope of: trapezoids between samples
     let (acceleration, velocity) = (values("T.y"), values("T.y.velocity"));
     let step = time[1] - time[0];

@@ -88,6 +88,9 @@ fn extremes_and_states_are_those_after_the_ramps() {
     assert_eq!(values(&tally.sliding_velocity), [-0.01, 0.05]);
     let counts = [tally.slip_steps, tally.stick_steps, tally.open_steps, tally.reversed_steps];
     assert_eq!(counts, [2, 1, 1, 1]);
+    // the first of eight steps
+    let time = (settled - 10) as f64 * STEP;
+    assert_eq!(recorder.states(), (&[time][..], &[ContactState::LiftOff.number()][..]));
 }
 
 /// A march and its recorder, both taken up again from text, leave the same samples to the bit.
@@ -117,6 +120,8 @@ fn a_recorder_goes_on_to_the_bit() {
     {
         assert_eq!(whole, [first, second].concat());
     }
+    let of = |recorder: &Recorder| recorder.states().1.to_vec();
+    assert_eq!(of(&whole), [of(&first), of(&second)].concat());
     assert_eq!(whole.tally(), second.tally());
 }
 

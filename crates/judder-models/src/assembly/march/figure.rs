@@ -1,7 +1,7 @@
 //! A motion: forces over time, and what every contact point does.
 
 use super::driven::COURSE;
-use crate::sliding::march::figure::{history, panel, trace};
+use crate::sliding::march::figure::{STATES, history, panel, trace};
 use judder_numerics::contact_state::ContactState;
 use judder_report::figure::{Class, ClassMap};
 use judder_report::{Axis, Layer, Legend, Panel, Role};
@@ -14,14 +14,6 @@ use std::f64::consts::SQRT_2;
 const COLUMNS: usize = 900;
 /// Periods of the strongest line that are shown closely, at its end.
 const CLOSE: f64 = 12.0;
-
-/// The colours of the states, as of every model.
-const STATES: [(ContactState, Role); 4] = [
-    (ContactState::Stick, Role::Stick),
-    (ContactState::SlipBehind, Role::Stable),
-    (ContactState::SlipAhead, Role::SlipAhead),
-    (ContactState::LiftOff, Role::LiftOff),
-];
 
 /// Normal and friction forces of each contact, then the states of its points over the whole motion and over its end; what changes over time, and accelerations of the observed
 /// points.

@@ -118,9 +118,10 @@ impl Marching<'_, '_> {
     fn keep(&mut self, way: &mut OngoingMarch) -> Result<(), ModelError> {
         (way.march, way.recorder) = (self.march.checkpoint(), self.recorder.state());
         let bytes = serde_json::to_vec(way).map_err(|source| ModelError::Checkpoint { source })?;
-        let columns: Vec<StreamSlice<'_>> =
-            self.recorder.columns().into_iter().map(StreamSlice::from).collect();
-        self.samples.append(&bytes, &columns)?;
+        let (times, states) = self.recorder.states();
+        let columns = self.recorder.columns().into_iter().map(StreamSlice::from);
+        let slices: Vec<StreamSlice<'_>> = columns.chain([times.into(), states.into()]).collect();
+        self.samples.append(&bytes, &slices)?;
         self.recorder.clear();
         Ok(())
     }

@@ -1,8 +1,9 @@
 //! Marches: signals over time, with the position of the contact above.
 
+use judder_numerics::contact_state::ContactState;
 use judder_report::{Axis, Layer, Legend, Panel, Role, SecondAxis, Style};
 use judder_store::Dataset;
-use judder_study::pictures::{axis, reals};
+use judder_study::pictures::{axis, codes, reals};
 use serde_json::Value;
 
 /// Columns of a history, each with its smallest and its largest value: a few a pixel of the drawing would not be told apart.
@@ -13,7 +14,15 @@ const PLACES: usize = 200;
 const DECADES: f64 = 1e-4;
 const ROOM: f64 = 2.0;
 
-/// The signal of the march, its amplitude, normal force, sliding velocity.
+/// The colours of the states, as of every model.
+pub(crate) const STATES: [(ContactState, Role); 4] = [
+    (ContactState::Stick, Role::Stick),
+    (ContactState::SlipBehind, Role::Stable),
+    (ContactState::SlipAhead, Role::SlipAhead),
+    (ContactState::LiftOff, Role::LiftOff),
+];
+
+/// The signal of the march, its amplitude, normal force, what the contact does, sliding velocity.
 pub(crate) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
     let signal = dataset.attributes().get("signal")?.as_str()?;
     let style = Role::Series(0).solid();
@@ -23,8 +32,31 @@ pub(crate) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
     let mut panels = vec![with_bursts, logarithmic(amplitude).with_title("amplitude: √2 rms of a column")];
     for name in ["normal_force", "sliding_velocity"].into_iter().filter(|name| *name != signal) {
         panels.push(history(dataset, name, style)?);
+        if name == "normal_force" {
+            panels.extend(states(dataset));
+        }
     }
     Some(panels)
+}
+
+/// How much of each column the contact spends in each state.
+fn states(dataset: &Dataset) -> Option<Panel> {
+    let (times, all) = (reals(dataset, "state_time")?, codes(dataset, "state")?);
+    let width = times.len().div_ceil(COLUMNS).max(1);
+    let middles: Vec<f64> =
+        times.chunks(width).map(|column| 0.5 * (column[0] + column[column.len() - 1])).collect();
+    let layer = |(state, role): &(ContactState, Role)| {
+        let share = |column: &[u8]| {
+            column.iter().filter(|code| **code == state.number()).count() as f64 / column.len() as f64
+        };
+        let shares = all.chunks(width).map(share).collect();
+        Layer::line(state.name(), middles.clone(), shares, role.solid())
+    };
+    let occurs = |(state, _): &&(ContactState, Role)| all.contains(&state.number());
+    let layers = STATES.iter().filter(occurs).map(layer).collect();
+    let panel = panel(dataset, "state", layers)?;
+    let up = Axis::linear("Share of a column").over(0.0, 1.0);
+    Some(Panel { y: up, ..panel }.with_title("what the contact does"))
 }
 
 /// A signal over time.

@@ -47,7 +47,7 @@ pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>>
     },
     picture: Some(Picture {
         draw: figure::march,
-        caption: "Each line fills the space between the smallest and the largest sample of a column; samples are low-passed before they are thinned. Above \
+        caption: "Each line fills the space between the smallest and the largest sample of a column; samples are low-passed before they are thinned. Below the normal force, the share of each state of the contact in the samples of a column. Above \
         the frame, where the contact is. Extremes of every step stand in the table.",
     }),
 };

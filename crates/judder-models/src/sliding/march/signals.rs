@@ -2,6 +2,7 @@
 
 use crate::sliding::case::observe::{ObservedPoint, PointQuantity, Signal};
 use crate::sliding::system::ReducedPair;
+use judder_numerics::contact_state::ContactState;
 use judder_sliding::recorder::Channel;
 use judder_store::Variable;
 
@@ -68,7 +69,7 @@ pub(super) fn unit(signal: Signal) -> &'static str {
     }
 }
 
-/// The arrays that grow: time, position of C, then the signals in their order.
+/// The arrays that grow: time, position of C, then the signals in their order, then the states at times of their own.
 pub(super) fn growing(signals: &[Signal], points: &[ObservedPoint]) -> Vec<Variable> {
     let grows = |name: &str| Variable::new(name, &["time"], &[0], Vec::<f64>::new());
     let mut variables = vec![
@@ -87,5 +88,11 @@ pub(super) fn growing(signals: &[Signal], points: &[ObservedPoint]) -> Vec<Varia
             .long_name(&long_name)
             .attribute("label", label)
     }));
+    let (over, codes) = (["state_time"], &ContactState::CODES);
+    variables.push(
+        Variable::coordinate("state_time", Vec::<f64>::new()).units("s").long_name("time of the states"),
+    );
+    let states = Variable::classes("state", &over, &[0], Vec::new(), codes);
+    variables.push(states.long_name("what the contact does"));
     variables
 }

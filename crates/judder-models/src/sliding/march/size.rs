@@ -10,6 +10,8 @@ use judder_study::model::Refusal;
 /// What bursts, sound and spectrum of one signal take beside the stored arrays: copies of time, position and signal, before and after
 /// the ramps, envelope and what is sorted of it.
 const COPIES: f64 = 9.0;
+/// Bytes of a state of the contact and its time.
+const STATE: f64 = 9.0;
 /// What the arrays of one march may take while they are looked at.
 const LIMIT: Memory = Memory::DEFAULT;
 
@@ -47,7 +49,7 @@ impl MarchSize {
 
     /// Bytes of memory of what looks at all samples when the march is over.
     pub(crate) fn memory(&self) -> f64 {
-        8.0 * self.samples * (self.signals as f64 + COPIES)
+        self.samples * (8.0 * (self.signals as f64 + COPIES) + STATE)
     }
 
     /// Refuses a march whose samples would not fit into memory.

@@ -1,6 +1,7 @@
 //! Steps of a slider in its modes on a moving plane, as a line of JSON: the Rust side of `benches/compare_march.py`.
 //!
 //! - without arguments: microseconds a step of several sizes;
+//! - `steps COUNT`: seconds of so many steps, from the first, of 200 modes with 50 points;
 //! - `problem POINTS DIMENSION FOLDER`: one of them, whose matrices, and forces of the first steps, are written to the folder as f64.
 //!
 //! The slider is a bar in its modes, whose shapes along the contact are cosines turned by drawn angles between normal and slip, so that rigid
@@ -69,6 +70,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 println!("{}", timed(Size::new(points, dimension))?);
             }
         }
+        ["steps", count] => println!("{}", whole(Size::new(50, 2), count.parse()?)?),
         ["problem", points, dimension, folder] => {
             let size = Size::new(points.parse()?, dimension.parse()?);
             let first = written(size, Path::new(folder))?;
@@ -76,7 +78,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             told["first_microseconds"] = json!(first);
             println!("{told}");
         }
-        _ => eprintln!("SKIPPED: nothing, or problem POINTS DIMENSION FOLDER"),
+        _ => eprintln!("SKIPPED: nothing, steps COUNT, or problem POINTS DIMENSION FOLDER"),
     }
     Ok(())
 }
@@ -156,6 +158,22 @@ fn march(assembly: &Assembly, size: Size) -> Result<NonsmoothMarch<'_>, Box<dyn 
     let mut march = NonsmoothMarch::new(assembly, &[], settings)?;
     march.set_force_scale(LOAD / size.points as f64);
     Ok(march)
+}
+
+/// A march from its first step on.
+fn whole(size: Size, steps: u64) -> Result<Value, Box<dyn Error>> {
+    let assembly = slider(size)?;
+    let mut march = march(&assembly, size)?;
+    let start = Instant::now();
+    for _ in 0..steps {
+        march.advance()?;
+    }
+    let seconds = start.elapsed().as_secs_f64();
+    let record = march.record();
+    Ok(json!({
+        "modes": size.modes, "points": size.points, "steps": steps, "seconds": seconds,
+        "residual": record.residual, "unsolved": record.unsolved,
+    }))
 }
 
 fn timed(size: Size) -> Result<Value, Box<dyn Error>> {

@@ -102,8 +102,9 @@ fn states(dataset: &Dataset, contact: &str, first: usize) -> Option<Panel> {
     };
     let drawn: Vec<(ContactState, Role)> = STATES.into_iter().filter(|(state, _)| is_there(*state)).collect();
     let place = |number: u8| drawn.iter().position(|(state, _)| state.number() == number).unwrap_or(0) as u8;
+    let (unit, factor) = if *times.last()? < 1.0 { ("ms", 1e3) } else { ("s", 1.0) };
     let map = ClassMap {
-        x: shown.iter().map(|instant| 1e3 * times[*instant]).collect(),
+        x: shown.iter().map(|instant| factor * times[*instant]).collect(),
         y: (1..=own.len()).map(|number| number as f64).collect(),
         codes: own
             .iter()
@@ -112,7 +113,9 @@ fn states(dataset: &Dataset, contact: &str, first: usize) -> Option<Panel> {
             .collect(),
         classes: drawn.iter().map(|(state, role)| Class::new(state.name(), *role)).collect(),
     };
-    let (across, up) =
-        (Axis::linear("Time $t$ (ms)"), Axis::linear("Contact point").over(0.5, own.len() as f64 + 0.5));
+    let (across, up) = (
+        Axis::linear(format!("Time $t$ ({unit})")),
+        Axis::linear("Contact point").over(0.5, own.len() as f64 + 0.5),
+    );
     Some(Panel::new(across, up, vec![Layer::Classes(map)]).with_legend(Legend::Below))
 }

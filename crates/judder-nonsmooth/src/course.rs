@@ -120,7 +120,11 @@ impl TimeFactor {
     /// Whether it does not change.
     #[must_use]
     pub fn is_constant(&self) -> bool {
-        matches!(self, Self::Constant(_))
+        match self {
+            Self::Constant(_) => true,
+            Self::Table(table) => table.values.iter().all(|value| *value == table.values[0]),
+            Self::Rise(_) => false,
+        }
     }
 
     /// Whether it is 1 at all times.

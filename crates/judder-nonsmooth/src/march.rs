@@ -70,6 +70,10 @@ pub struct ContactRecord {
     pub unsolved: u64,
     /// The first of them, its time in s, its point.
     pub first_unsolved: Option<(f64, usize)>,
+    /// Of sliding that is known: steps in which a pressed point does not slide as is known,
+    pub against: u64,
+    /// the first of them, its time in s, its point.
+    pub first_against: Option<(f64, usize)>,
 }
 
 /// A march: bodies, contact, and where they are.
@@ -415,6 +419,20 @@ impl<'a> NonsmoothMarch<'a> {
             record.unsolved += 1;
             let time = (self.steps + 1) as f64 * self.settings.step;
             record.first_unsolved.get_or_insert((time, progress.point));
+        }
+    }
+
+    /// Whether a pressed point slides otherwise than is known: its friction would drive it.
+    fn note_against(&mut self) {
+        let (dimension, solution) = (self.contact.dimension, &self.solution);
+        let slides_against = |point: &usize| {
+            let first = point * dimension;
+            solution.impulse[first] > 0.0 && solution.velocity[first + 1] >= 0.0
+        };
+        if let Some(point) = (0..self.gap.len()).find(slides_against) {
+            self.record.against += 1;
+            let time = (self.steps + 1) as f64 * self.settings.step;
+            self.record.first_against.get_or_insert((time, point));
         }
     }
 }

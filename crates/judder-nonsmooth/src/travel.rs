@@ -18,7 +18,7 @@ use judder_assembly::row::Row;
 use judder_sliding::edge::{EdgePoint, Interpolation, RunOff, combined};
 use judder_sliding::plane::{PlaneVector, dot, minus, plus};
 
-pub(crate) use kept::KeptPoint;
+pub(crate) use kept::TravelledPoint;
 
 /// A node of an edge.
 #[derive(Debug, Clone, PartialEq)]

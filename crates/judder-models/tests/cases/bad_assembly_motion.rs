@@ -155,141 +155,19 @@ fn a_way_that_is_longer_than_the_track() {
     let (message, place) = unassembled(&text);
     let expected = "the contact `face` travels 0.22 m and then runs off its track, after 0.11 s: shorten the duration, or begin farther from that end";
     assert_eq!((message.as_str(), place.as_str()), (expected, "\"0.2 s\""));
-}
-
-/// The block, shaken or driven otherwise.
-fn driven(lines: &str) -> String {
-    march(&format!("duration = \"1 ms\"\n{lines}"))
-}
-
-#[test]
-fn courses_and_signals_that_say_too_much_or_too_little() {
-    refused(&driven("course = { }"), "a course has a `speed`, a `load` or a `friction`", "{ }", "");
-    let both = "temperature = { times = [\"0 s\"], temperatures = [\"20 degC\"] }";
-    refused(
-        &driven(both),
-        "a `temperature` decides on friction by `friction_over_temperature`, which is not there",
-        "{ times = [\"0 s\"], temperatures = [\"20 degC\"] }",
-        "",
+    // amid the motion, though it comes back
+    let turns =
+        "duration = \"0.3 s\"\ncourse = { speed = { times = [\"0 s\", \"0.3 s\"], factors = [2, -2] } }";
+    let (message, _) = unassembled(&spoilt(&sole(), "duration = \"80 ms\"", turns));
+    assert!(
+        message.starts_with("the contact `face` travels 0.22 m and then runs off its track"),
+        "{message}"
     );
-    refused(
-        &driven("friction_over_temperature = { temperatures = [\"20 degC\"], factors = [1] }"),
-        "`friction_over_temperature` needs a `temperature` over time",
-        "{ temperatures = [\"20 degC\"], factors = [1] }",
-        "",
+    // by its other end
+    let back = "duration = \"0.1 s\"\ncourse = { speed = { times = [\"0 s\"], factors = [-1] } }";
+    let (message, _) = unassembled(&spoilt(&sole(), "duration = \"80 ms\"", back));
+    assert!(
+        message.starts_with("the contact `face` travels 0.06 m and then runs off its track"),
+        "{message}"
     );
-    let force = |signal: &str| {
-        driven(&format!(
-            "forces = [{{ structure = \"block\", set = \"x-min\", direction = \"x\", force = {signal} }}]"
-        ))
-    };
-    for (signal, message) in [
-        (
-            "{ rms = \"-1 N\", band = [\"1 Hz\", \"2 Hz\"] }",
-            "`forces.force.rms` must be zero or positive, but is -1",
-        ),
-        ("{ amplitude = \"1 N\" }", "`frequency`"),
-        ("{ amplitude = \"1 m/s^2\", frequency = \"1 Hz\" }", "is an acceleration"),
-        ("{ amplitude = \"1 N\", frequency = \"1 Hz\", rms = \"1 N\" }", "`forces.force.rms`"),
-        ("{ rms = \"1 N\", band = [\"2 Hz\", \"1 Hz\"] }", "2"),
-        ("{ file = \"nix.csv\" }", "does not exist"),
-        (
-            "{ amplitude = \"1 N\", from = \"1 Hz\", to = \"2 Hz\", sweep = \"evenly\" }",
-            "unknown sweep `evenly`",
-        ),
-    ] {
-        let found = parse("case.toml", &force(signal), &[]).map(drop).expect_err(signal).to_string();
-        assert!(found.contains(message), "{signal}: {found}");
-    }
-    let nowhere = force("{ amplitude = \"1 N\", frequency = \"1 Hz\" }").replacen(
-        "structure = \"block\", set = \"x-min\", direction",
-        "structure = \"nix\", set = \"x-min\", direction",
-        1,
-    );
-    let found = parse("case.toml", &nowhere, &[]).map(drop).expect_err("it is refused").to_string();
-    assert!(found.contains("`nix`"), "{found}");
-}
-
-#[test]
-fn what_drives_and_cannot() {
-    let base = |signal: &str| format!("base = [{{ direction = \"y\", acceleration = {signal} }}]");
-    let table = |factors: &str| {
-        format!("course = {{ friction = {{ times = [\"0 s\", \"1 s\"], factors = {factors} }} }}")
-    };
-    let cases = [
-        (
-            table("[1, -1]"),
-            "a factor of friction is -1: it must be not negative",
-            "{ times = [\"0 s\", \"1 s\"], factors = [1, -1] }",
-        ),
-        (
-            table("[1]"),
-            "values of a table over time: there are 1, but must be 2",
-            "{ times = [\"0 s\", \"1 s\"], factors = [1] }",
-        ),
-        (
-            "course = { speed = { times = [\"0 s\", \"0 s\"], factors = [1, 0] } }".to_owned(),
-            "a time of a table is 0: it must be above the one before",
-            "{ times = [\"0 s\", \"0 s\"], factors = [1, 0] }",
-        ),
-        (
-            "temperature = { times = [\"0 s\"], temperatures = [\"400 K\"] }\nfriction_over_temperature = { temperatures = [\"300 K\", \"350 K\"], factors = [1, 0.5] }"
-                .to_owned(),
-            "the temperature is 400 at 0 s, outside of the table of factors, which goes from 300 to 350 and is not extrapolated",
-            "{ times = [\"0 s\"], temperatures = [\"400 K\"] }",
-        ),
-        (
-            base("{ amplitude = \"1 m/s^2\", frequency = \"6 MHz\" }"),
-            "a signal of up to 6000000 Hz is too fast for steps of 1e-7 s, which show no more than 5000000 Hz: shorten the step",
-            "{ amplitude = \"1 m/s^2\", frequency = \"6 MHz\" }",
-        ),
-        (
-            base("{ amplitude = \"1 m/s^2\", from = \"0 Hz\", to = \"1 kHz\", sweep = \"logarithmic\" }"),
-            "a frequency of a sweep is 0: it must be positive",
-            "{ amplitude = \"1 m/s^2\", from = \"0 Hz\", to = \"1 kHz\", sweep = \"logarithmic\" }",
-        ),
-        (
-            base("{ amplitude = \"1 m/s^2\", frequency = \"1 kHz\" }").replacen("\"y\"", "\"z\"", 1),
-            "nothing moves along z: a base that moves so does nothing",
-            "\"z\"",
-        ),
-        (
-            "forces = [{ structure = \"block\", set = \"nix\", direction = \"x\", force = { amplitude = \"1 N\", frequency = \"1 kHz\" } }]".to_owned(),
-            "there is no set of nodes named `nix`",
-            "\"nix\"",
-        ),
-        (
-            "forces = [{ structure = \"block\", set = \"y-max\", direction = \"x\", force = { amplitude = \"1 N\", frequency = \"1 kHz\" } }]".to_owned(),
-            "no node of `y-max` is free along x: a force there moves nothing",
-            "\"x\"",
-        ),
-    ];
-    for (lines, expected, at) in cases {
-        let (message, place) = super::bad_assembly::unassembled(&driven(&lines));
-        assert!(message.contains(expected), "{message}");
-        assert_eq!(place, at);
-    }
-}
-
-/// A base moves bodies along directions: rows of matrices that have none are refused, and bodies that are seen as they turn.
-#[test]
-fn bodies_that_no_base_can_shake() {
-    let analysis = "[[analysis]]\nname = \"m\"\nkind = \"march\"\nstep = \"1 ms\"\nduration = \"1 s\"\n\
-        base = [{ direction = \"y\", acceleration = { amplitude = \"1 m/s^2\", frequency = \"1 Hz\" } }]\n";
-    let refused = |bodies: &str| {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small/case.toml");
-        let file =
-            parse(path, &format!("model = \"assembly\"\n\n{bodies}\n{analysis}"), &[]).expect("it reads");
-        let error = file.case.preflight(&file, &|_| true).map(drop).expect_err("it is refused");
-        let judder_study::StudyError::Case(error) = error else { panic!("{error}") };
-        (error.to_string(), error.place().to_owned())
-    };
-    let matrices = "[[structure]]\nname = \"box\"\n\n[structure.matrices]\nmass = [{ file = \"matrices/M.mtx\" }]\nstiffness = [{ file = \"matrices/K.mtx\" }]\n";
-    let (message, place) = refused(matrices);
-    let expected = "`box` has matrices whose rows have no directions, so that nobody knows how a base moves them; give its `freedoms`";
-    assert_eq!((message.as_str(), place.as_str()), (expected, "\"y\""));
-    let ring = "[[structure]]\nname = \"ring\"\ndisc = { radii = [\"80 mm\", \"88 mm\"], thickness = \"20 mm\", cells = [1, 12, 1] }\n\
-        material = { youngs_modulus = \"210 GPa\", poisson_ratio = 0.3, density = \"7850 kg/m^3\" }\nrotation = { speed = \"12000 rpm\", frame = \"rotating\" }\n";
-    let (message, _) = refused(ring);
-    assert!(message.starts_with("`ring` is seen from a frame that turns with it"), "{message}");
 }

@@ -28,6 +28,30 @@ impl FactorIntegral {
         own
     }
 
+    /// How far back and how far ahead it goes until a time in s, in s.
+    #[must_use]
+    pub fn extent(&self, until: f64) -> [f64; 2] {
+        let turns: Vec<f64> = match &self.factor {
+            TimeFactor::Constant(_) | TimeFactor::Rise(_) => Vec::new(),
+            TimeFactor::Table(TimeTable { times, values }) => {
+                let crossing = |(times, values): (&[f64], &[f64])| {
+                    (values[0] * values[1] < 0.0)
+                        .then(|| times[0] + (times[1] - times[0]) * values[0] / (values[0] - values[1]))
+                };
+                times
+                    .iter()
+                    .copied()
+                    .chain(times.windows(2).zip(values.windows(2)).filter_map(crossing))
+                    .collect()
+            }
+        };
+        let within = turns.into_iter().filter(|time| (0.0..until).contains(time));
+        within
+            .chain([until])
+            .map(|time| self.at(time))
+            .fold([0.0; 2], |[least, most], way| [way.min(least), way.max(most)])
+    }
+
     /// In s, at a time in s.
     #[must_use]
     pub fn at(&self, time: f64) -> f64 {
@@ -68,12 +92,15 @@ mod tests {
         for factor in factors {
             let (integral, step) = (factor.integral(), 1e-4);
             assert_eq!(integral.at(0.0), 0.0);
-            let mut sum = 0.0;
+            let (mut sum, mut extent) = (0.0, [0.0_f64; 2]);
             for k in 0..12_000 {
                 sum += step * factor.at((f64::from(k) + 0.5) * step);
                 let found = integral.at(f64::from(k + 1) * step);
                 assert!((found - sum).abs() < 1e-6, "{factor:?} {k}: {found} {sum}");
+                extent = [extent[0].min(sum), extent[1].max(sum)];
             }
+            let found = integral.extent(1.2);
+            assert!((0..2).all(|k| (found[k] - extent[k]).abs() < 1e-4), "{factor:?}: {found:?} {extent:?}");
         }
     }
 }

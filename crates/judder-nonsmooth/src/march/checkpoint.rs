@@ -4,7 +4,7 @@ use super::{ContactRecord, NonsmoothMarch, Works};
 use crate::NonsmoothError;
 use crate::contact_problem::{ContactSolution, PointMotion};
 use crate::newton::Slopes;
-use crate::travel::{KeptPoint, Travel};
+use crate::travel::{Travel, TravelledPoint};
 use serde::{Deserialize, Serialize};
 
 /// Where a march is, to the bit: what it goes on from after an interruption.
@@ -20,7 +20,7 @@ pub struct MarchCheckpoint {
     motion: Vec<PointMotion>,
     /// What Newton's method has eliminated, which decides where it begins.
     eliminated: Option<Slopes>,
-    travelling: Vec<KeptPoint>,
+    travelling: Vec<TravelledPoint>,
     rounding: f64,
     scale: f64,
     works: Works,

@@ -59,7 +59,8 @@ impl NonsmoothMarch<'_> {
         /// A share of how far the largest force moves the point in a step, which the scheme does not resolve: what solving the contact to its
         /// tolerance adds up to over millions of steps is less.
         const UNRESOLVED: f64 = 1e-4;
-        let opening = self.relative[point * self.contact.dimension];
+        let normal = point * self.contact.dimension;
+        let opening = self.relative[normal] - self.imposed[normal];
         let in_step = self.settings.step * self.scale * self.delassus.block(point).normal();
         PointBefore { gap: self.gap[point], opening, rounding: self.rounding.max(UNRESOLVED * in_step) }
     }
@@ -156,6 +157,9 @@ impl NonsmoothMarch<'_> {
         }
         let progress = self.solve_contact();
         self.note(progress);
+        if self.settings.scheme == ContactScheme::KnownSliding {
+            self.note_against();
+        }
         self.relative.copy_from_slice(&self.solution.velocity);
         for point in (0..self.gap.len()).filter(|point| !self.contact.is_compliant(*point)) {
             self.relative[point * dimension] -= self.gap[point] / step;

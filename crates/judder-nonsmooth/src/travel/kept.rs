@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 /// Where a travelling point is after a step, to the bit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(crate) struct KeptPoint {
+pub(crate) struct TravelledPoint {
     at: EdgePoint,
     directions: [PlaneVector; 2],
     imposed: [f64; 2],
@@ -18,22 +18,22 @@ pub(crate) struct KeptPoint {
 
 impl Travel {
     /// Where the points are.
-    pub(crate) fn kept(&self) -> Vec<KeptPoint> {
+    pub(crate) fn kept(&self) -> Vec<TravelledPoint> {
         let kept = self.points().filter_map(|(number, own)| {
             let directions = self.forms.now(number)?.directions;
-            Some(KeptPoint { at: own.at, directions, imposed: own.imposed, gap: own.gap })
+            Some(TravelledPoint { at: own.at, directions, imposed: own.imposed, gap: own.gap })
         });
         kept.collect()
     }
 
     /// Whether these are places of its points.
-    pub(crate) fn fits(&self, kept: &[KeptPoint]) -> bool {
+    pub(crate) fn fits(&self, kept: &[TravelledPoint]) -> bool {
         kept.len() == self.points().count()
             && self.points().zip(kept).all(|((_, own), kept)| self.edges[own.edge].has(kept.at))
     }
 
     /// Takes the points there, with the compliance between them.
-    pub(crate) fn resume(&mut self, kept: &[KeptPoint], delassus: &mut Delassus) {
+    pub(crate) fn resume(&mut self, kept: &[TravelledPoint], delassus: &mut Delassus) {
         let Self { edges, points, forms } = self;
         let mut kept = kept.iter();
         for (number, own) in points.iter_mut().enumerate() {

@@ -286,6 +286,31 @@ fn energy_closes_along_the_track() {
     assert!((gaps[0] - gaps[1]).abs() < 1e-3 * gaps[1] && gaps[1] > 1e-5, "{gaps:?}");
 }
 
+/// Impacts give no energy where a bump throws a point that is let go with half of its velocity, and what slides otherwise than is known is told.
+#[test]
+fn impacts_on_slopes_take_energy_and_known_sliding_is_watched() {
+    let thrown = Ride { velocity: 0.8, bumps: 3e-5, damping: 0.5, ..CALM };
+    let turning = Ride { velocity: 0.01, load: -4.0, bumps: 3e-4, damping: 0.02, ..CALM };
+    let ridden = |ride: Ride, scheme: ContactScheme| {
+        let (case, travelling) = as_assembly(&pair(ride), ride);
+        let mut march =
+            NonsmoothMarch::travelling(&case, std::slice::from_ref(&travelling), &[], settings(scheme, STEP))
+                .unwrap();
+        march.set_force_scale(1.0);
+        (0..100_000).for_each(|_| march.advance().unwrap());
+        (march.works(), march.record())
+    };
+    for restitution in [0.0, 0.5] {
+        let (works, _) = ridden(thrown, ContactScheme::MoreauJean { restitution });
+        let (impacts, moved) = (works.normal - works.slope, works.normal.abs() + works.slope.abs());
+        assert!(impacts < 1e-3 * moved && moved > 0.0, "{restitution}: {works:?}");
+    }
+    let (_, record) = ridden(turning, ContactScheme::KnownSliding);
+    assert!(record.against > 100 && record.first_against.is_some(), "{record:?}");
+    let (_, record) = ridden(CALM, ContactScheme::KnownSliding);
+    assert_eq!((record.against, record.first_against), (0, None));
+}
+
 /// Modes above 800 Hz only yield: a step that is twenty times as long, beyond what the fastest of them allows, follows the ride; the balance of energy closes with what
 /// they take.
 #[test]

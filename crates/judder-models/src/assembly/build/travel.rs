@@ -47,8 +47,8 @@ pub(super) fn travelling(
 pub(crate) struct TrackEnd {
     /// Its number in the case.
     pub(crate) contact: usize,
-    /// How far it may travel, in m.
-    pub(crate) way: f64,
+    /// How far it may travel back and ahead, in m.
+    pub(crate) ways: [f64; 2],
     /// Its speed, in m/s.
     pub(crate) speed: f64,
 }
@@ -58,16 +58,17 @@ impl BuiltAssembly {
     pub(crate) fn track_ends(&self) -> impl Iterator<Item = TrackEnd> {
         self.travelling.iter().map(|own| {
             let points = &self.assembly.interfaces[own.interface].points;
-            let left = |point: &ContactPoint| {
-                let [x, y, _] = point.velocity;
-                let speed = length([x, y]);
-                let ahead = |place: PlaneVector| -dot(place, [x, y]) / speed;
-                let end = own.nodes.iter().map(|node| ahead(node.place)).fold(f64::NEG_INFINITY, f64::max);
-                (end - ahead([point.place[0], point.place[1]]), speed)
-            };
-            let nearest = points.iter().map(left).min_by(|a, b| a.0.total_cmp(&b.0));
-            let (way, speed) = nearest.unwrap_or((f64::INFINITY, 0.0));
-            TrackEnd { contact: own.interface, way, speed }
+            let mut end = TrackEnd { contact: own.interface, ways: [f64::INFINITY; 2], speed: 0.0 };
+            for ContactPoint { velocity: [x, y, _], place: [from, over, _], .. } in points {
+                end.speed = length([*x, *y]);
+                let ahead = |place: PlaneVector| -dot(place, [*x, *y]) / end.speed;
+                let here = ahead([*from, *over]);
+                let nodes = || own.nodes.iter().map(|node| ahead(node.place));
+                let [first, last] =
+                    [nodes().fold(f64::INFINITY, f64::min), nodes().fold(f64::NEG_INFINITY, f64::max)];
+                end.ways = [end.ways[0].min(here - first), end.ways[1].min(last - here)];
+            }
+            end
         })
     }
 }

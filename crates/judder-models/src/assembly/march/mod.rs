@@ -33,7 +33,7 @@ use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use settings::AssemblyMarch;
-use size::MotionSize;
+use size::MarchedSize;
 use std::sync::Arc;
 use told::ToldAssemblyMotion;
 
@@ -57,10 +57,16 @@ impl Analysis<AssemblyCase> for AssemblyMarch {
             Err(undriven) => return undriven.refusal().map(Err),
         };
         // at full speed
-        let time = drive.course.speed.integral().at(self.duration);
-        let ended = of.built.track_ends().find(|end| end.speed * time > end.way);
-        let Some(TrackEnd { contact, way, speed }) = ended else {
-            return Ok(MotionSize::new(of, self).fits());
+        let [back, ahead] = drive.course.speed.integral().extent(self.duration);
+        let left = |TrackEnd { contact, ways, speed }: TrackEnd| {
+            [-back, ahead]
+                .into_iter()
+                .zip(ways)
+                .find(|(time, way)| speed * time > *way)
+                .map(|(_, way)| (contact, way, speed))
+        };
+        let Some((contact, way, speed)) = of.built.track_ends().find_map(left) else {
+            return Ok(MarchedSize::new(of, self).fits());
         };
         let after = match drive.course.speed.is_one() {
             true => format!(", after {} s", plain(way / speed)),
@@ -69,7 +75,7 @@ impl Analysis<AssemblyCase> for AssemblyMarch {
         let reason = format!(
             "the contact `{}` travels {} m and then runs off its track{after}: shorten the duration, or begin farther from that end",
             of.case.contacts[contact].name,
-            plain(way),
+            plain(way.max(0.0)),
         );
         Ok(Err(Refusal::key("duration", AssemblyProblem::Refused { reason })))
     }

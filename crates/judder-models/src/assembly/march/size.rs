@@ -15,14 +15,14 @@ const LIMIT: Memory = Memory::DEFAULT;
 
 /// The arrays of a march.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct MotionSize {
+pub(super) struct MarchedSize {
     /// Samples of each signal.
     samples: f64,
     /// Bytes a sample of all of them, with the states.
     bytes: f64,
 }
 
-impl MotionSize {
+impl MarchedSize {
     /// Of a march with this contact.
     pub(super) fn new(of: &AssemblySubject<'_>, asked: &AssemblyMarch) -> Self {
         let built = of.built;

@@ -179,7 +179,8 @@ impl OngoingMotion<'_, '_> {
                 drive: mean(|own| own.friction + own.heat + own.slope),
                 heat: mean(|own| own.heat),
                 slope: (!of.built.travelling.is_empty()).then(|| mean(|own| own.slope)),
-                excitation: (works.excitation != 0.0).then(|| mean(|own| own.excitation)),
+                excitation: (works.excitation != 0.0 || asked.driven.is_driven())
+                    .then(|| mean(|own| own.excitation)),
                 circulation: (works.circulation != 0.0).then(|| mean(|own| own.circulation)),
                 flexibility: asked.cut_off.map(|_| mean(|own| own.flexibility)),
             },
@@ -223,7 +224,15 @@ impl OngoingMotion<'_, '_> {
             (off / exchanged).into(),
             BALANCE,
         );
-        contact.into_iter().chain([energy]).collect()
+        let known = (asked.method == SchemeWord::Ensubs).then(|| {
+            CheckRecord::new(
+                "points slide as is known beforehand",
+                format!("share of {steps} steps in which a pressed point does not"),
+                (self.march.record().against as f64 / steps.max(1) as f64).into(),
+                0.0,
+            )
+        });
+        contact.into_iter().chain(known).chain([energy]).collect()
     }
 
     /// What to know before the numbers are trusted.
@@ -236,6 +245,15 @@ impl OngoingMotion<'_, '_> {
             warnings.push(format!("which modes the motion contains is not known: {error}"));
         }
         let record = self.march.record();
+        if let Some((time, point)) = record.first_against {
+            warnings.push(format!(
+                "in {} of {} steps a point does not slide as `ensubs` takes it to, first at {time} s contact point {}: it would stick or turn, and friction drives it; \
+                 take `film` or `moreau`",
+                record.against,
+                self.march.steps(),
+                point + 1,
+            ));
+        }
         if let Some((time, point)) = record.first_unsolved {
             warnings.push(format!(
                 "in {} of {} steps the contact is not solved to its tolerance, first at {time} s at contact point {}, at worst with the residual \

@@ -7,6 +7,7 @@ use super::settings::{
 use super::signal::{SignalSettings, SweepWord, SwingFrequency, dimension};
 use crate::assembly::AssemblySubject;
 use crate::assembly::build::Unassembled;
+use crate::assembly::case::load::{Load, LoadAmount};
 use crate::assembly::march::settings::AssemblyMarch;
 use crate::error::ModelError;
 use judder_keys::dimension::Dimension;
@@ -130,6 +131,14 @@ impl MotionDrive {
         /// Of a step: samples that lie so close are not between steps by rounding.
         const CLOSE: f64 = 1.0 - 1e-6;
         let mut warnings = Vec::new();
+        let imposes = |own: &Load| matches!(own.amount, LoadAmount::Displacement(_));
+        if !(self.course.load.is_constant() && self.course.load.at(0.0) == 1.0)
+            && of.case.loads.iter().any(imposes)
+        {
+            warnings.push(
+                "displacements that loads impose follow the course without the inertia of what they displace, and gaps at nodes that they displace stay those of the full loads".to_owned(),
+            );
+        }
         if !self.course.is_constant() && *modes > 0 {
             warnings.push(
                 "speeds, loads or friction change over time: the modes in the motion are those about steady sliding with the case's own values".to_owned(),

@@ -36,6 +36,13 @@ pub struct DrivenSettings {
     pub forces: Option<Vec<ForceSettings>>,
 }
 
+impl DrivenSettings {
+    /// Whether anything drives the motion.
+    pub(in crate::assembly::march) fn is_driven(&self) -> bool {
+        *self != Self::default()
+    }
+}
+
 /// What speeds, loads and friction are multiplied by over time.
 #[derive(Debug, Clone, PartialEq, Settings)]
 #[settings(check = CourseSettings::check)]

@@ -107,6 +107,8 @@ pub(super) struct ContactInMotion {
     normal_force_mean_error: Vec<Option<f64>>,
 }
 
+/// What rigid contact may give, over the largest of works.
+const GIVEN: f64 = 1e-2;
 /// What the balance of energy may be off, over the largest of works and energies.
 const BALANCE: f64 = 1e-6;
 
@@ -206,6 +208,17 @@ impl OngoingMotion<'_, '_> {
         Ok(MotionFrequency::of(velocity.get(first..).unwrap_or_default(), self.recorded.rate()))
     }
 
+    /// What rigid contact gave to the bodies, over the largest of works; none where its normal forces may hold energy, or nothing is solved.
+    fn given_by_contact(&self, asked: &AssemblyMarch) -> Option<f64> {
+        let contact = self.march.contact();
+        let is_rigid = (0..contact.points.len()).all(|point| !contact.is_compliant(point));
+        self.contact_residual(asked).filter(|_| is_rigid)?;
+        let works = self.march.works();
+        let sizes = [works.friction, works.normal, works.slope, works.damping, works.excitation];
+        let most = sizes.iter().fold(f64::MIN_POSITIVE, |most, own| most.max(own.abs()));
+        Some((works.normal - works.slope).max(0.0) / most)
+    }
+
     /// The contact of every step, and the balance of energy.
     pub(super) fn checks(&self, asked: &AssemblyMarch) -> Vec<CheckRecord> {
         let (steps, points) = (self.march.steps(), self.march.contact().points.len());
@@ -232,7 +245,15 @@ impl OngoingMotion<'_, '_> {
                 0.0,
             )
         });
-        contact.into_iter().chain(known).chain([energy]).collect()
+        let given = self.given_by_contact(asked).map(|given| {
+            CheckRecord::new(
+                "rigid contact takes energy and gives none",
+                "what normal impulses gave, over the largest of works: of bodies that swing within a step a shorter one takes it away".to_owned(),
+                given.into(),
+                GIVEN,
+            )
+        });
+        contact.into_iter().chain(known).chain(given).chain([energy]).collect()
     }
 
     /// What to know before the numbers are trusted.

@@ -374,6 +374,27 @@ fn a_travelling_point_goes_on_from_its_checkpoint() {
     }
 }
 
+/// The implicit scheme closes gaps at velocities: off the edge it drifts by the square of the step.
+#[test]
+fn the_implicit_scheme_drifts_by_the_square_of_the_step() {
+    let ride = Ride { interpolation: Interpolation::Hermite, ..CALM };
+    let (case, travelling) = as_assembly(&pair(ride), ride);
+    let [coarse, fine] = [4e-6, 2e-6].map(|step| {
+        let mut march = NonsmoothMarch::travelling(
+            &case,
+            std::slice::from_ref(&travelling),
+            &[],
+            settings(IMPLICIT, step),
+        )
+        .unwrap();
+        (0..(0.04 / step) as u64).fold(0.0_f64, |most, _| {
+            march.advance().unwrap();
+            most.max(march.gap(0).abs())
+        })
+    });
+    assert!((3.5..4.5).contains(&(coarse / fine)) && coarse < 1e-12, "{coarse:e} {fine:e}");
+}
+
 #[test]
 fn a_point_that_leaves_its_track_is_told() {
     let pair = pair(CALM);

@@ -583,6 +583,7 @@ class Assembly(Model):
         transient: str | None = None,
         start: Mapping[str, Any] | None = None,
         restitution: float | None = None,
+        implicitness: float | None = None,
         cut_off: str | None = None,
         modes: int | None = None,
         course: Mapping[str, Any] | None = None,

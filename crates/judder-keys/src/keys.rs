@@ -109,7 +109,7 @@ impl<K> Key<K> {
         let about = |value: f64| if value > 0.0 { [1e-3 * value, 1e3 * value] } else { [0.0, 1.0] };
         match (self.typical, self.rule.range) {
             (Some(typical), _) => typical,
-            (None, Range::Interval { above, up_to }) => [above, up_to],
+            (None, Range::Interval { above: from, up_to: to } | Range::Closed { from, to }) => [from, to],
             (None, Range::Fraction) => [0.0, 1.0],
             (None, _) => about(self.usual_value().map_or(0.0, |value| value.number)),
         }

@@ -21,6 +21,13 @@ pub enum Range {
         /// Included upper end.
         up_to: f64,
     },
+    /// From the first number to the second, both included.
+    Closed {
+        /// Lower end.
+        from: f64,
+        /// Upper end.
+        to: f64,
+    },
 }
 
 impl Range {
@@ -33,6 +40,7 @@ impl Range {
                 Self::Fraction => (0.0..1.0).contains(&number),
                 Self::Any => true,
                 Self::Interval { above, up_to } => number > above && number <= up_to,
+                Self::Closed { from, to } => (from..=to).contains(&number),
             }
     }
 
@@ -44,6 +52,7 @@ impl Range {
             Self::Fraction => "≥ 0, < 1".to_owned(),
             Self::Any => "any".to_owned(),
             Self::Interval { above, up_to } => format!("> {above}, ≤ {up_to}").replace('-', "−"),
+            Self::Closed { from, to } => format!("≥ {from}, ≤ {to}").replace('-', "−"),
         }
     }
 }
@@ -58,6 +67,7 @@ impl fmt::Display for Range {
             Self::Interval { above, up_to } => {
                 write!(formatter, "above {} and at most {}", plain(*above), plain(*up_to))
             }
+            Self::Closed { from, to } => write!(formatter, "from {} to {}", plain(*from), plain(*to)),
         }
     }
 }

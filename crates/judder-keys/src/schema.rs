@@ -41,6 +41,7 @@ pub fn plain_number(range: Range) -> Json {
         Range::Fraction => json!({ "minimum": 0.0, "exclusiveMaximum": 1.0 }),
         Range::Any => json!({}),
         Range::Interval { above, up_to } => json!({ "exclusiveMinimum": above, "maximum": up_to }),
+        Range::Closed { from, to } => json!({ "minimum": from, "maximum": to }),
     };
     json["type"] = json!("number");
     json

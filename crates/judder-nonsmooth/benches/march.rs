@@ -152,7 +152,7 @@ fn slider(size: Size) -> Result<Assembly, Box<dyn Error>> {
 }
 
 fn march(assembly: &Assembly, size: Size) -> Result<NonsmoothMarch<'_>, Box<dyn Error>> {
-    let scheme = ContactScheme::MoreauJean { restitution: 0.0 };
+    let scheme = ContactScheme::MoreauJean { restitution: 0.0, implicitness: 0.5 };
     let settings =
         NonsmoothSettings { scheme, step: STEP, accuracy: ContactAccuracy::default(), cut_off: None };
     let mut march = NonsmoothMarch::new(assembly, &[], settings)?;

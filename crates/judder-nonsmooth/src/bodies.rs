@@ -1,6 +1,6 @@
 //! The bodies as a step moves them.
 //!
-//! Every scheme here goes v⁺ = v + A⁻¹ (−h (C v + K (z + h θ v) − f) + Hᵀ P) with A = M + h θ C + h² θ² K: θ = ½ is the implicit scheme,
+//! Every scheme here goes v⁺ = v + A⁻¹ (−h (C v + K (z + h θ v) − f) + Hᵀ P) with A = M + h θ C + h² θ² K: θ from ½ to 1 is the implicit scheme,
 //! θ = 0 central differences, whose velocities lie between the steps. Where the damping leaves the modes of all bodies together free
 //! of each other, z are these modes, and a step costs a pass over them; else z are the freedoms, and a step a solution with A.
 //!
@@ -50,12 +50,21 @@ pub struct BodyEnergy {
 /// What a step took from the bodies, in J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct BodyWork {
-    /// −h v̄ᵀ C v, of the damping.
+    /// −h v̄ᵀ C v, of the damping, with v̄ = θ v⁺ + (1 − θ) v, of explicit steps ½ (v + v⁺).
     pub damping: f64,
     /// Of the part of K that is not symmetric.
     pub circulation: f64,
     /// Of modes that only yield, which follow forces at once and do not swing on.
     pub flexibility: f64,
+    /// Of an implicit step that is not of second order, −(θ − ½) (Δvᵀ M Δv + Δzᵀ K Δz) with Δz = h v̄.
+    pub scheme: f64,
+}
+
+impl StepRule {
+    /// The velocity that does work, as shares of those before and after.
+    fn working(self) -> [f64; 2] {
+        if self.implicitness == 0.0 { [0.5, 0.5] } else { [1.0 - self.implicitness, self.implicitness] }
+    }
 }
 
 impl MovingBodies {
@@ -155,7 +164,7 @@ impl MovingBodies {
         }
     }
 
-    /// What damping and circulation took in a step from `before` to `after`, velocities both, that began at z.
+    /// What damping, circulation and the step itself took in a step from `before` to `after`, velocities both, that began at z.
     #[must_use]
     pub fn work(&self, z: &[f64], before: &[f64], after: &[f64]) -> BodyWork {
         match &self.kind {

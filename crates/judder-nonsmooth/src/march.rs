@@ -7,6 +7,7 @@ mod step;
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod widths;
+mod works;
 
 use crate::NonsmoothError;
 use crate::bodies::{BodyEnergy, MovingBodies, StepRule};
@@ -20,10 +21,10 @@ use crate::travel::{Travel, TravellingContact};
 use acting::Acting;
 use judder_assembly::assembly::Assembly;
 use judder_assembly::row::Row;
-use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 pub use checkpoint::MarchCheckpoint;
+pub use works::{ContactRecord, Works};
 
 /// What a march is to do.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,44 +37,6 @@ pub struct NonsmoothSettings {
     pub accuracy: ContactAccuracy,
     /// Of an explicit scheme: modes from this frequency on only yield, in Hz.
     pub cut_off: Option<f64>,
-}
-
-/// Where work went since the start, in J: what it added to the bodies.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub struct Works {
-    /// Of friction on the bodies, Σ T·(velocity of the slider beside the track's undisturbed motion).
-    pub friction: f64,
-    /// What became heat between the bodies, Σ −T·(slip velocity).
-    pub heat: f64,
-    /// Of normal forces: what impacts took, and what compliant contacts hold,
-    pub normal: f64,
-    /// with what the track's slope lifts of them, Σ N·(velocity of the track along the normal), where points travel.
-    pub slope: f64,
-    /// Of the damping.
-    pub damping: f64,
-    /// Of stiffness that brings circulation.
-    pub circulation: f64,
-    /// Of forces beyond the load of the assembly: of excitations, and of what a course adds to the load or takes of it.
-    pub excitation: f64,
-    /// Of modes that only yield.
-    pub flexibility: f64,
-}
-
-/// How well the contact was solved, over all steps.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub struct ContactRecord {
-    /// Sweeps, all together.
-    pub iterations: u64,
-    /// The largest residual of a step.
-    pub residual: f64,
-    /// Steps beyond the tolerance.
-    pub unsolved: u64,
-    /// The first of them, its time in s, its point.
-    pub first_unsolved: Option<(f64, usize)>,
-    /// Of sliding that is known: steps in which a pressed point does not slide as is known,
-    pub against: u64,
-    /// the first of them, its time in s, its point.
-    pub first_against: Option<(f64, usize)>,
 }
 
 /// A march: bodies, contact, and where they are.
@@ -133,6 +96,7 @@ impl NonsmoothSettings {
         if !(self.step.is_finite() && self.step > 0.0) {
             return refuse("the step", self.step, "finite and positive");
         }
+        self.scheme.check()?;
         match self.cut_off {
             Some(cut_off) if !(cut_off.is_finite() && cut_off > 0.0) => {
                 refuse("the cut-off", cut_off, "finite and positive")

@@ -86,6 +86,7 @@ impl Range {
             Self::Fraction => json!({ "from": 0.0, "below": 1.0 }),
             Self::Any => json!({}),
             Self::Interval { above, up_to } => json!({ "above": above, "to": up_to }),
+            Self::Closed { from, to } => json!({ "from": from, "to": to }),
         }
     }
 }

@@ -103,6 +103,31 @@ fn until_killed() {
     run_only("implicit", Path::new(&folder));
 }
 
+/// Points of the sole that rise and are held within a step are given energy with θ = ½, and none with θ = 1, where the scheme takes some.
+#[test]
+fn contact_gives_no_energy_where_forces_are_taken_late() {
+    let told = [None, Some("1.0")].map(|implicitness| {
+        let theta = implicitness.map(|own| format!("analysis.ride.implicitness={own}"));
+        let set: Vec<&str> = std::iter::once("analysis.ride.step=\"4 us\"").chain(theta.as_deref()).collect();
+        let folder = tempfile::tempdir().unwrap();
+        let report =
+            run(&case("assembly/sole-along-rail.toml", &set), folder.path(), &only("ride"), &Silent).unwrap();
+        assert!(told(&report, "ride")["energy_balance"].as_f64().unwrap() < 1e-10);
+        let power = told(&report, "ride")["power"].clone();
+        (power, report.messages)
+    });
+    let [(early, of_early), (late, of_late)] = &told;
+    let number = |power: &serde_json::Value, key: &str| power[key].as_f64().unwrap();
+    assert!(number(early, "impacts") > 0.1 && early.get("scheme").is_none(), "{early}");
+    assert!(number(late, "impacts").abs() < 1e-12 && number(late, "scheme") < 0.0, "{late}");
+    let gives = |messages: &[String]| messages.iter().filter(|own| own.contains("rigid contact")).count();
+    assert!(
+        gives(of_early) == 2 && of_early.iter().any(|own| own.contains("`implicitness`")),
+        "{of_early:?}"
+    );
+    assert_eq!(gives(of_late), 0);
+}
+
 /// What is kept is looked at as a whole in the end: too much is refused beforehand, at its key.
 #[test]
 fn a_march_that_no_memory_holds_is_refused() {

@@ -81,6 +81,24 @@ fn times_that_do_not_go_together() {
 }
 
 #[test]
+fn an_implicitness_that_gives_energy() {
+    let given = |lines: &str| march(&format!("duration = \"1 ms\"\n{lines}"));
+    refused(&given("implicitness = 0.4"), "`implicitness` must be from 0.5 to 1, but is 0.4", "0.4", "");
+    refused(
+        &given("implicitness = 0.8\nrestitution = 0.6"),
+        "impacts with `restitution` 0.6 would give energy: `implicitness` is 1/(1 + restitution) = 0.625 at most",
+        "0.8",
+        "",
+    );
+    refused(
+        &given("method = \"film\"\nimplicitness = 0.8"),
+        "`implicitness` has no meaning with method = \"film\"",
+        "0.8",
+        "leave `implicitness` out",
+    );
+}
+
+#[test]
 fn what_only_a_run_can_see() {
     // a block of few elements, whose modes are found at once
     let refused = |text: String| refused_running(&spoilt(&text, "cells = [20, 10]", "cells = [4, 2]"));

@@ -180,7 +180,7 @@ impl ModalBodies {
     }
 
     pub(super) fn work(&self, before: &[f64], after: &[f64]) -> BodyWork {
-        let share = self.rule.implicitness;
+        let (share, [earlier, later]) = (self.rule.implicitness, self.rule.working());
         let (before, after, damping) =
             (&before[..self.size], &after[..self.size], &self.damping[..self.size]);
         let taken = self.arch.dispatch(
@@ -191,17 +191,28 @@ impl ModalBodies {
                     for (lane, sum) in sums.iter_mut().enumerate() {
                         let k = first + lane;
                         let damped = before[k] + share * (after[k] - before[k]);
-                        *sum += damping[k] * damped * (before[k] + after[k]);
+                        *sum += damping[k] * damped * (earlier * before[k] + later * after[k]);
                     }
                 }
                 total(sums)
             },
         );
         BodyWork {
-            damping: -0.5 * self.rule.step * taken,
+            damping: -self.rule.step * taken,
             circulation: 0.0,
             flexibility: if self.rule.cut_off.is_finite() { self.yielded(before, after) } else { 0.0 },
+            scheme: if share > 0.5 { self.held_back(before, after) } else { 0.0 },
         }
+    }
+
+    /// −(θ − ½) (|Δv|² + Δzᵀ λ Δz).
+    fn held_back(&self, before: &[f64], after: &[f64]) -> f64 {
+        let (step, [first, second]) = (self.rule.step, self.rule.working());
+        let of = |k: usize| {
+            let (faster, moved) = (after[k] - before[k], step * (first * before[k] + second * after[k]));
+            faster * faster + self.eigenvalues[k] * moved * moved
+        };
+        -(second - 0.5) * (0..self.size).map(of).sum::<f64>()
     }
 
     /// What modes that only yield take of the impulses' work: −½ (p⁺ − p)·(v + v⁺) of each, whose impulse p⁺ − p = h² λ v⁺ has changed.

@@ -134,25 +134,36 @@ impl WholeBodies {
 
     pub(super) fn work(&self, z: &[f64], before: &[f64], after: &[f64]) -> BodyWork {
         let StepRule { step, implicitness, .. } = self.rule;
-        let mean = |k: usize| 0.5 * (before[k] + after[k]);
+        let [first, second] = self.rule.working();
+        let mean = |k: usize| first * before[k] + second * after[k];
         let damped: Vec<f64> =
             (0..z.len()).map(|k| before[k] + implicitness * (after[k] - before[k])).collect();
         let forces = product(&self.damping, &damped);
         let damping = -step * (0..z.len()).map(|k| mean(k) * forces[k]).sum::<f64>();
         let circulation = if self.circulates { self.circulation(z, before, after) } else { 0.0 };
-        BodyWork { damping, circulation, flexibility: 0.0 }
+        let scheme = if implicitness > 0.5 { self.held_back(before, after) } else { 0.0 };
+        BodyWork { damping, circulation, flexibility: 0.0, scheme }
     }
 
-    /// −h v̄ᵀ ½ (K − Kᵀ) z_θ.
+    /// −(θ − ½) (Δvᵀ M Δv + Δzᵀ ½ (K + Kᵀ) Δz).
+    fn held_back(&self, before: &[f64], after: &[f64]) -> f64 {
+        let (step, [first, second]) = (self.rule.step, self.rule.working());
+        let both = || before.iter().zip(after);
+        let faster: Vec<f64> = both().map(|(before, after)| after - before).collect();
+        let moved: Vec<f64> =
+            both().map(|(before, after)| step * (first * before + second * after)).collect();
+        let square = |matrix: &Sparse, x: &[f64]| -> f64 {
+            product(matrix, x).iter().zip(x).map(|(force, x)| force * x).sum()
+        };
+        -(second - 0.5) * (square(&self.mass, &faster) + square(&self.elastic, &moved))
+    }
+
+    /// −h v̄ᵀ ½ (K − Kᵀ) z, of which z where the forces are taken has no more: it lies off along v̄.
     fn circulation(&self, z: &[f64], before: &[f64], after: &[f64]) -> f64 {
-        let step = self.rule.step;
-        let mean: Vec<f64> = before.iter().zip(after).map(|(a, b)| 0.5 * (a + b)).collect();
-        let ahead = if self.rule.implicitness == 0.0 { 0.0 } else { 0.5 * step };
-        let middle: Vec<f64> = z.iter().zip(&mean).map(|(z, v)| z + ahead * v).collect();
+        let (step, [first, second]) = (self.rule.step, self.rule.working());
+        let mean: Vec<f64> = before.iter().zip(after).map(|(a, b)| first * a + second * b).collect();
         let taken: f64 = triplets(&self.stiffness)
-            .map(|entry| {
-                entry.val * (mean[entry.row] * middle[entry.col] - mean[entry.col] * middle[entry.row])
-            })
+            .map(|entry| entry.val * (mean[entry.row] * z[entry.col] - mean[entry.col] * z[entry.row]))
             .sum();
         -0.5 * step * taken
     }

@@ -94,13 +94,13 @@ impl Acting {
         self.friction
     }
 
-    /// What forces beyond the load of the assembly do in a step with velocities from `before` to `after`, in J: h (f(t) − f)ᵀ v̄.
-    pub(super) fn work(&self, step: f64, before: &[f64], after: &[f64]) -> f64 {
+    /// What forces beyond the load of the assembly do in a step, in J: h (f(t) − f)ᵀ v̄, with these shares of the velocities before and after.
+    pub(super) fn work(&self, step: f64, [first, second]: [f64; 2], [before, after]: [&[f64]; 2]) -> f64 {
         if self.is_constant() {
             return 0.0;
         }
         let forces = self.now.iter().zip(&self.full).map(|(now, full)| now - full);
-        let velocities = before.iter().zip(after).map(|(before, after)| 0.5 * (before + after));
+        let velocities = before.iter().zip(after).map(|(before, after)| first * before + second * after);
         step * forces.zip(velocities).map(|(force, velocity)| force * velocity).sum::<f64>()
     }
 }

@@ -31,10 +31,9 @@ impl NonsmoothMarch<'_> {
 
     /// Gaps where the bodies are, and what acts in the step from here.
     pub(super) fn look(&mut self) {
-        let scheme = self.settings.scheme;
-        let [forces, velocities] = [scheme.implicitness(), scheme.implicitness() + 0.5];
         let at = |share: f64| (self.steps as f64 + share) * self.settings.step;
-        self.acting.look(at(forces), at(velocities));
+        let [forces, velocities] = self.settings.scheme.instants().map(at);
+        self.acting.look(forces, velocities);
         self.bodies.seen(&self.z, 0, self.contact.dimension, &mut self.gap);
         for (point, gap) in self.gap.iter_mut().enumerate() {
             *gap += self.contact.first_gap(point);

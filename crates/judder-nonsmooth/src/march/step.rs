@@ -6,7 +6,7 @@ use crate::contact_problem::{
     ContactProgress, FrictionCondition, ImpulseProblem, NormalCondition, PointMotion, add,
 };
 use crate::gauss_seidel::solve;
-use crate::scheme::{ContactScheme, PointBefore, about_closure, at_places, at_velocities, middle_closure};
+use crate::scheme::{ContactScheme, ImplicitStep, PointBefore, at_places};
 
 /// Times that the law of a compliant point is taken about a new closure in a step: straight laws take one.
 const ROUNDS: usize = 12;
@@ -22,7 +22,7 @@ impl NonsmoothMarch<'_> {
         self.locate(&next)?;
         self.set_off();
         match self.settings.scheme {
-            ContactScheme::MoreauJean { restitution } => self.solve_velocities(restitution),
+            ContactScheme::MoreauJean { restitution, .. } => self.solve_velocities(restitution),
             ContactScheme::ForwardIncrement | ContactScheme::KnownSliding => self.solve_places(),
             ContactScheme::Smoothed => self.smooth_contact(),
         }
@@ -80,18 +80,22 @@ impl NonsmoothMarch<'_> {
         along.hypot(across)
     }
 
+    fn implicit_step(&self) -> ImplicitStep {
+        ImplicitStep { length: self.settings.step, shares: self.settings.scheme.shares() }
+    }
+
     /// The contact of the implicit scheme.
     fn solve_velocities(&mut self, restitution: f64) {
-        let step = self.settings.step;
+        let step = self.implicit_step();
         let mut is_curved = false;
         for point in 0..self.gap.len() {
             let before = self.before(point);
             self.normal[point] = if self.contact.is_compliant(point) {
                 is_curved = true;
-                let closure = middle_closure(before, before.opening, step);
-                about_closure(&self.contact, point, before, closure, self.slip_speed(point), step)
+                let closure = step.closure(before, before.opening);
+                step.about_closure(&self.contact, point, before, closure, self.slip_speed(point))
             } else {
-                at_velocities(before, step, restitution, self.contact.points[point].stays_closed)
+                step.at_velocities(before, restitution, self.contact.points[point].stays_closed)
             };
         }
         let mut progress = self.solve_contact();
@@ -115,13 +119,13 @@ impl NonsmoothMarch<'_> {
 
     /// By how much impulses differ from those of the laws of compliant points at most, as a share of the scale, and at which point.
     fn law_residual(&self) -> (f64, Option<usize>) {
-        let (step, dimension) = (self.settings.step, self.contact.dimension);
+        let (step, dimension) = (self.implicit_step(), self.contact.dimension);
         let mut worst = (0.0, None);
         for point in (0..self.gap.len()).filter(|point| self.contact.is_compliant(*point)) {
             let after = self.solution.velocity[point * dimension];
-            let closure = middle_closure(self.before(point), after, step);
+            let closure = step.closure(self.before(point), after);
             let force = self.contact.forces(point, closure, self.slip_speed(point)).normal.value;
-            let off = (step * force - self.solution.impulse[point * dimension]).abs() / self.scale;
+            let off = (step.length * force - self.solution.impulse[point * dimension]).abs() / self.scale;
             if off > worst.0 {
                 worst = (off, Some(point));
             }
@@ -131,13 +135,13 @@ impl NonsmoothMarch<'_> {
 
     /// Takes the laws of compliant points about where these are now, and says how far off they were.
     fn about_new_closures(&mut self) -> (f64, usize) {
-        let (step, dimension) = (self.settings.step, self.contact.dimension);
+        let (step, dimension) = (self.implicit_step(), self.contact.dimension);
         let (off, point) = self.law_residual();
         for point in (0..self.gap.len()).filter(|point| self.contact.is_compliant(*point)) {
             let before = self.before(point);
-            let closure = middle_closure(before, self.solution.velocity[point * dimension], step);
+            let closure = step.closure(before, self.solution.velocity[point * dimension]);
             let speed = self.slip_speed(point);
-            self.normal[point] = about_closure(&self.contact, point, before, closure, speed, step);
+            self.normal[point] = step.about_closure(&self.contact, point, before, closure, speed);
         }
         (off, point.unwrap_or(0))
     }
@@ -231,11 +235,11 @@ impl NonsmoothMarch<'_> {
 
     /// Works of a step whose velocities go from `v` to `next`.
     fn take_account(&mut self, next: &[f64]) {
-        let dimension = self.contact.dimension;
+        let (dimension, [first, second]) = (self.contact.dimension, self.settings.scheme.working());
         for point in 0..self.gap.len() {
             for k in 0..dimension {
                 let component = point * dimension + k;
-                let mean = 0.5 * (self.before_step[component] + self.relative[component]);
+                let mean = first * self.before_step[component] + second * self.relative[component];
                 let impulse = self.solution.impulse[component];
                 match k {
                     0 => {
@@ -253,7 +257,8 @@ impl NonsmoothMarch<'_> {
         let taken = self.bodies.work(&self.z, &self.v, next);
         self.works.damping += taken.damping;
         self.works.circulation += taken.circulation;
-        self.works.excitation += self.acting.work(self.settings.step, &self.v, next);
+        self.works.excitation += self.acting.work(self.settings.step, [first, second], [&self.v, next]);
         self.works.flexibility += taken.flexibility;
+        self.works.scheme += taken.scheme;
     }
 }

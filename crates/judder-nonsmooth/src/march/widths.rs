@@ -82,7 +82,7 @@ fn no_bit_depends_on_the_width_of_the_vectors() {
     for dimension in [2, 3] {
         let case = slider(dimension);
         for scheme in [
-            ContactScheme::MoreauJean { restitution: 0.0 },
+            ContactScheme::MoreauJean { restitution: 0.0, implicitness: 0.5 },
             ContactScheme::ForwardIncrement,
             ContactScheme::Smoothed,
         ] {

@@ -12,7 +12,12 @@ use judder_nonsmooth::scheme::ContactScheme;
 use judder_structure::assembly::Sparse;
 use std::sync::Arc;
 
-pub(crate) const IMPLICIT: ContactScheme = ContactScheme::MoreauJean { restitution: 0.0 };
+pub(crate) const IMPLICIT: ContactScheme = ContactScheme::MoreauJean { restitution: 0.0, implicitness: 0.5 };
+
+/// The implicit scheme without restitution.
+pub(crate) fn implicit(implicitness: f64) -> ContactScheme {
+    ContactScheme::MoreauJean { restitution: 0.0, implicitness }
+}
 
 pub(crate) fn diagonal(values: &[f64]) -> Sparse {
     let entries: Vec<_> = values.iter().enumerate().map(|(k, value)| Triplet::new(k, k, *value)).collect();

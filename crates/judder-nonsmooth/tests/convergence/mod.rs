@@ -1,11 +1,14 @@
 //! Orders of the schemes.
 
-use crate::common::{IMPLICIT, assembly, coulomb, diagonal, mass_on_plane, point_on_plane, settings};
+use crate::common::{
+    IMPLICIT, assembly, coulomb, diagonal, implicit, mass_on_plane, point_on_plane, settings,
+};
 use crate::validation::block::block;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::friction::{FallingFriction, Friction};
 use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
+use judder_assembly::pressure::Pressure;
 use judder_assembly::steady::steady_sliding;
 use judder_nonsmooth::growth::growth;
 use judder_nonsmooth::march::NonsmoothMarch;
@@ -13,15 +16,21 @@ use judder_nonsmooth::scheme::ContactScheme;
 use judder_structure::complex_modes::{ComplexMode, ComplexModeSettings, Region, complex_modes};
 
 /// Where the motion is smooth, what the march measures of a mode comes to its eigenvalue with the square of the step; the
-/// explicit scheme takes the damping at velocities half a step back, and is of first order in it.
+/// explicit scheme takes the damping at velocities half a step back, and is of first order in it; the implicit one is of first order where forces are not taken amid the step.
 #[test]
 fn smooth_motion_is_of_second_order() {
-    for (scheme, damping, ratios) in [
-        (IMPLICIT, [100.0, 5e-8], 3.5..4.5),
-        (ContactScheme::ForwardIncrement, [0.0; 2], 3.5..4.5),
-        (ContactScheme::ForwardIncrement, [100.0, 5e-8], 1.8..2.6),
+    let rigid = || InterfaceLaw::Rigid(Friction::Constant(0.5));
+    let compliant = || InterfaceLaw::Compliant(Pressure::PointStiffness(1e8), Friction::Constant(0.5));
+    let (damped, second, first) = ([100.0, 5e-8], 3.5..4.5, 1.8..2.6);
+    for (scheme, law, damping, ratios) in [
+        (IMPLICIT, rigid(), damped, &second),
+        (IMPLICIT, compliant(), damped, &second),
+        (implicit(0.75), rigid(), damped, &first),
+        (implicit(0.75), compliant(), damped, &first),
+        (ContactScheme::ForwardIncrement, rigid(), [0.0; 2], &second),
+        (ContactScheme::ForwardIncrement, rigid(), damped, &first),
     ] {
-        let case = block(InterfaceLaw::Rigid(Friction::Constant(0.5)), 1.0, damping);
+        let case = block(law, 1.0, damping);
         let steady = steady_sliding(&case, &Compliance::new(&case).unwrap()).unwrap();
         let about = Linearised::new(&case, &steady, LinearisedTerms::default()).unwrap();
         let region = Region { re: [-5e4, 5e4], im: [1e3, 4e5] };
@@ -34,7 +43,9 @@ fn smooth_motion_is_of_second_order() {
             assert!(told.is_small);
             [(told.measured.re - told.predicted.re).abs(), (told.measured.im - told.predicted.im).abs()]
         });
-        for part in 0..2 {
+        // in frequency the terms of both orders are of one size at these steps
+        let parts = if scheme == implicit(0.75) { 0..1 } else { 0..2 };
+        for part in parts {
             for pair in off.windows(2) {
                 let ratio = pair[0][part] / pair[1][part];
                 assert!(ratios.contains(&ratio), "{scheme:?} {damping:?}: {off:?}");
@@ -58,7 +69,7 @@ fn motion_with_impacts_is_of_first_order() {
                     vec![point_on_plane(&[0, 1], 1e-12, height)],
                     coulomb(0.0),
                 );
-                let scheme = ContactScheme::MoreauJean { restitution };
+                let scheme = ContactScheme::MoreauJean { restitution, implicitness: 0.5 };
                 let mut march = NonsmoothMarch::new(&case, &[], settings(scheme, step)).unwrap();
                 march.set_force_scale(gravity);
                 (0..(end / step).round() as u64).for_each(|_| march.advance().unwrap());

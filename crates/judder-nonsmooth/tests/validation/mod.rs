@@ -6,6 +6,7 @@ mod rod;
 mod travel;
 
 use crate::common::{IMPLICIT, assembly, coulomb, diagonal, mass_on_plane, point_on_plane, settings};
+use judder_nonsmooth::NonsmoothError;
 use judder_nonsmooth::contact_problem::PointMotion;
 use judder_nonsmooth::march::NonsmoothMarch;
 use judder_nonsmooth::scheme::ContactScheme;
@@ -56,6 +57,25 @@ fn a_block_stays_slides_and_stops() {
     }
 }
 
+/// With more than 1/(1 + e) impacts would give energy, with less than ½ a step would.
+#[test]
+fn an_implicitness_that_gives_energy_is_refused() {
+    let case = mass_on_plane(1.0, 1.0, [0.0, -1.0], 0.1, REST);
+    for (restitution, implicitness, is_known) in [
+        (0.0, 1.0, true),
+        (0.5, 0.66, true),
+        (0.5, 0.67, false),
+        (0.0, 0.49, false),
+        (0.0, f64::NAN, false),
+        (1.1, 0.5, false),
+    ] {
+        let scheme = ContactScheme::MoreauJean { restitution, implicitness };
+        let march = NonsmoothMarch::new(&case, &[], settings(scheme, 1e-4));
+        assert_eq!(march.is_ok(), is_known, "{scheme:?}");
+        assert!(is_known || matches!(march, Err(NonsmoothError::InvalidNumber { .. })), "{scheme:?}");
+    }
+}
+
 /// A ball that falls from h meets the plane after √(2 h/g) and rises to e² h.
 #[test]
 fn a_ball_bounces_with_its_restitution() {
@@ -66,8 +86,12 @@ fn a_ball_bounces_with_its_restitution() {
         vec![point_on_plane(&[0, 1], REST, height)],
         coulomb(0.0),
     );
-    let mut march =
-        NonsmoothMarch::new(&case, &[], settings(ContactScheme::MoreauJean { restitution }, step)).unwrap();
+    let mut march = NonsmoothMarch::new(
+        &case,
+        &[],
+        settings(ContactScheme::MoreauJean { restitution, implicitness: 0.5 }, step),
+    )
+    .unwrap();
     march.set_force_scale(gravity);
     let mut met = None;
     let mut highest = 0.0_f64;

@@ -54,7 +54,7 @@ pub(super) fn run(
         }
     };
     progress.go_on()?;
-    let told = growth(&of.built.assembly, &steady, &about, mode, asked.method.march(asked.step, 0.0))?;
+    let told = growth(&of.built.assembly, &steady, &about, mode, asked.method.march(asked.step))?;
     progress.advance();
     let [measured, predicted] = [told.measured, told.predicted];
     let results = ToldMarchGrowth {

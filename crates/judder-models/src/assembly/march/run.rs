@@ -52,7 +52,7 @@ pub(super) fn run(
         warnings: [
             of.doubts(&steady),
             drive.warnings(of, asked),
-            motion.warnings(!of.built.travelling.is_empty()),
+            motion.warnings(asked, !of.built.travelling.is_empty()),
         ]
         .concat(),
         files,

@@ -16,6 +16,7 @@ use judder_keys::{Choice, Settings};
 use judder_nonsmooth::gauss_seidel::ContactAccuracy;
 use judder_nonsmooth::march::NonsmoothSettings;
 use judder_nonsmooth::scheme::ContactScheme;
+use judder_numerics::words::plain;
 
 /// The word of a scheme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
@@ -33,9 +34,9 @@ pub enum SchemeWord {
 
 impl SchemeWord {
     /// What it stands for.
-    pub(in crate::assembly) fn march(self, step: f64, restitution: f64) -> NonsmoothSettings {
+    pub(in crate::assembly) fn march(self, step: f64) -> NonsmoothSettings {
         let scheme = match self {
-            Self::Moreau => ContactScheme::MoreauJean { restitution },
+            Self::Moreau => ContactScheme::MoreauJean { restitution: 0.0, implicitness: IMPLICITNESS },
             Self::Film => ContactScheme::ForwardIncrement,
             Self::Ensubs => ContactScheme::KnownSliding,
             Self::Smoothed => ContactScheme::Smoothed,
@@ -66,6 +67,9 @@ pub struct AssemblyMarch {
     /// Of `moreau`: how much of the velocity with which a point meets the track it leaves it with.
     #[key(rule = RESTITUTION, symbol = "e", usual = 0.0, omitted)]
     pub restitution: Option<f64>,
+    /// Of `moreau`: how far in a step forces are taken; above 0.5 the scheme takes energy from swinging within a step, and is of first order.
+    #[key(rule = IMPLICITNESSES, symbol = "θ", usual = IMPLICITNESS, omitted)]
+    pub implicitness: Option<f64>,
     /// Of the explicit methods: modes of the bodies from this frequency on only yield, and do not bound the step.
     #[key(symbol = "2π f_c", omitted)]
     pub cut_off: Option<Hertz>,
@@ -85,6 +89,10 @@ pub struct AssemblyMarch {
 
 const STEP: Number = Number::positive(Dimension::TIME);
 const RESTITUTION: Number = Number { dimension: Dimension::NUMBER, range: Range::Fraction };
+const IMPLICITNESSES: Number =
+    Number { dimension: Dimension::NUMBER, range: Range::Closed { from: 0.5, to: 1.0 } };
+/// θ where the case does not say: of second order.
+const IMPLICITNESS: f64 = 0.5;
 /// Steps between two states that are kept where the case does not say.
 const CHECKPOINT_STEPS: usize = 500_000;
 /// The most steps: hours.
@@ -119,7 +127,9 @@ impl AssemblyMarch {
 
     fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
         let is_implicit = self.method == SchemeWord::Moreau;
-        for (key, has_meaning) in [("restitution", is_implicit), ("cut_off", !is_implicit)] {
+        let meanings =
+            [("restitution", is_implicit), ("implicitness", is_implicit), ("cut_off", !is_implicit)];
+        for (key, has_meaning) in meanings {
             if let (Some(node), false) = (section.get(key), has_meaning) {
                 let with = format!("method = \"{}\"", self.method.name());
                 return Err(Cause::Meaningless { key, with }.at(node.place));
@@ -128,6 +138,14 @@ impl AssemblyMarch {
         let refused = |key: &'static str, reason: String| {
             Err(AssemblyProblem::Refused { reason }.at(section.place_of(&[key])))
         };
+        let (restitution, implicitness) = self.of_impacts();
+        if implicitness * (1.0 + restitution) > 1.0 {
+            let most = plain(1.0 / (1.0 + restitution));
+            let reason = format!(
+                "impacts with `restitution` {restitution} would give energy: `implicitness` is 1/(1 + restitution) = {most} at most"
+            );
+            return refused("implicitness", reason);
+        }
         let [all, transient] = self.steps();
         if transient >= all && all > 0 {
             return refused(
@@ -150,8 +168,20 @@ impl AssemblyMarch {
 
     /// How the motion is integrated.
     pub(super) fn march(&self) -> NonsmoothSettings {
-        let settings = self.method.march(self.step, self.restitution.unwrap_or(0.0));
-        NonsmoothSettings { cut_off: self.cut_off.map(|own| own.0), ..settings }
+        let settings = self.method.march(self.step);
+        let scheme = match settings.scheme {
+            ContactScheme::MoreauJean { .. } => {
+                let (restitution, implicitness) = self.of_impacts();
+                ContactScheme::MoreauJean { restitution, implicitness }
+            }
+            explicit => explicit,
+        };
+        NonsmoothSettings { scheme, cut_off: self.cut_off.map(|own| own.0), ..settings }
+    }
+
+    /// e and θ.
+    fn of_impacts(&self) -> (f64, f64) {
+        (self.restitution.unwrap_or(0.0), self.implicitness.unwrap_or(IMPLICITNESS))
     }
 
     /// Steps between two states that are kept, at most.

@@ -80,6 +80,9 @@ pub(super) struct ToldPower {
     /// from modes above the cut-off, which follow forces at once and do not swing on
     #[result(optional)]
     flexibility: Option<f64>,
+    /// taken by the scheme itself, with an `implicitness` above 0.5
+    #[result(optional)]
+    scheme: Option<f64>,
 }
 
 /// The points of a contact, as lists.
@@ -122,23 +125,10 @@ impl OngoingMotion<'_, '_> {
     fn balance(&self) -> [f64; 2] {
         let (works, energy) = (self.march.works(), self.march.energy());
         let gained = energy.kinetic + energy.potential - self.first_energy;
-        let told = works.friction
-            + works.normal
-            + works.damping
-            + works.circulation
-            + works.excitation
-            + works.flexibility;
-        let sizes = [
-            works.friction,
-            works.normal,
-            works.damping,
-            works.circulation,
-            works.excitation,
-            works.flexibility,
-            energy.kinetic,
-            energy.potential,
-        ];
-        let exchanged = sizes.iter().fold(f64::MIN_POSITIVE, |most, own| most.max(own.abs()));
+        let parts = works.parts();
+        let told: f64 = parts.iter().sum();
+        let sizes = parts.iter().chain([&energy.kinetic, &energy.potential]);
+        let exchanged = sizes.fold(f64::MIN_POSITIVE, |most, own| most.max(own.abs()));
         [(gained - told).abs(), exchanged]
     }
 
@@ -185,6 +175,7 @@ impl OngoingMotion<'_, '_> {
                     .then(|| mean(|own| own.excitation)),
                 circulation: (works.circulation != 0.0).then(|| mean(|own| own.circulation)),
                 flexibility: asked.cut_off.map(|_| mean(|own| own.flexibility)),
+                scheme: asked.implicitness.map(|_| mean(|own| own.scheme)),
             },
             energy_balance: off / exchanged,
             contact_residual: self.contact_residual(asked),
@@ -248,7 +239,7 @@ impl OngoingMotion<'_, '_> {
         let given = self.given_by_contact(asked).map(|given| {
             CheckRecord::new(
                 "rigid contact takes energy and gives none",
-                "what normal impulses gave, over the largest of works: of bodies that swing within a step a shorter one takes it away".to_owned(),
+                "what normal impulses gave, over the largest of works".to_owned(),
                 given.into(),
                 GIVEN,
             )
@@ -257,13 +248,16 @@ impl OngoingMotion<'_, '_> {
     }
 
     /// What to know before the numbers are trusted.
-    pub(super) fn warnings(&self, travels: bool) -> Vec<String> {
+    pub(super) fn warnings(&self, asked: &AssemblyMarch, travels: bool) -> Vec<String> {
         let mut warnings = Vec::new();
         if travels && self.content.is_ok() {
             warnings.push("the modes that are looked for in the motion are those of the places where the points begin to travel".to_owned());
         }
         if let Err(error) = &self.content {
             warnings.push(format!("which modes the motion contains is not known: {error}"));
+        }
+        if self.given_by_contact(asked).is_some_and(|given| given > GIVEN) {
+            warnings.push("rigid contact gives energy to bodies that swing within a step: a shorter step takes that away, or by `moreau` an `implicitness` near 1".to_owned());
         }
         let record = self.march.record();
         if let Some((time, point)) = record.first_against {

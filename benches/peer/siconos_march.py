@@ -1,9 +1,15 @@
 """The slider of judder-nonsmooth's benchmark in Siconos; prints microseconds a step and the largest difference in force as JSON.
 
-    python siconos_march.py FOLDER
+    python siconos_march.py FOLDER FINER
 
-Needs Siconos 4.4. The same modes, rows, load, step, friction and tolerance. `kernel` is its time stepping (MoreauJeanOSI with θ = ½); the plane is a freedom of its own there, so
+FINER has the same march with the contact solved to a finer tolerance; of it `finer` is the solver alone. Needs Siconos 4.4. The same modes, rows, load, step, friction and tolerance. `kernel` is its time stepping (MoreauJeanOSI with θ = ½); the plane is a freedom of its own there, so
 heavy that nothing moves it. `numerics` is its solver of the contact alone, of problems that a march in NumPy makes of the same matrices: nothing else is timed.
+
+Siconos ends where |z - P(z - w)| / |q| is below its tolerance, with impulses z in N s beside velocities w and q in m/s, as if a kilogram were one; judder where no impulse changes by more than its tolerance, of the largest of steady
+sliding, when it is projected with the point's own mass. Siconos' tolerance is set so that what it leaves is the same by judder's measure, which `residual` tells of every step of `numerics`.
+
+Siconos' time stepping leaves a point open that touches but would have risen by the middle of the step; judder's, and the march in NumPy, let it push if it turns round within the step. From the first such step on, `compared`, both march
+differently, and forces of `kernel` are no longer compared.
 """
 
 import json
@@ -37,11 +43,26 @@ class Problem:
     def options(self) -> sn.SolverOptions:
         made = sn.SolverOptions(sn.SICONOS_FRICTION_2D_NSGS if self.dimension == 2 else sn.SICONOS_FRICTION_3D_NSGS)
         made.iparam[sn.SICONOS_IPARAM_MAX_ITER] = ITERATIONS
-        made.dparam[sn.SICONOS_DPARAM_TOL] = self.tolerance
         return made
 
+    def tolerance_of(self, compliance: np.ndarray, free: np.ndarray) -> float:
+        """Siconos' tolerance that leaves as much as judder's."""
+        return self.tolerance * self.step * self.scale * compliance.diagonal().min() / np.linalg.norm(free)
 
-def kernel(problem: Problem) -> dict:
+    def residual(self, compliance: np.ndarray, impulse: np.ndarray, velocity: np.ndarray) -> float:
+        """By judder's measure: how much impulses change when they are projected."""
+        each = self.dimension
+        mobility = compliance.diagonal().reshape(-1, each)
+        p, u = impulse.reshape(-1, each), velocity.reshape(-1, each)
+        off = np.empty_like(p)
+        off[:, 0] = p[:, 0] - np.maximum(0.0, p[:, 0] - u[:, 0] / mobility[:, 0])
+        tried = p[:, 1:] - u[:, 1:] / mobility[:, 1:].max(axis=1, keepdims=True)
+        bound, size = self.friction * np.maximum(p[:, 0], 0.0), np.linalg.norm(tried, axis=1)
+        off[:, 1:] = p[:, 1:] - tried * (np.minimum(bound, size) / np.maximum(size, np.finfo(float).tiny))[:, None]
+        return float(np.linalg.norm(off, axis=1).max(initial=0.0) / (self.step * self.scale))
+
+
+def kernel(problem: Problem, tolerance: float, alike: int) -> dict:
     size, dimension = problem.modes + 1, problem.dimension
     body = sk.LagrangianLinearTIDS(
         np.zeros(size),
@@ -66,7 +87,7 @@ def kernel(problem: Problem) -> dict:
         interactions.append(interaction)
     contact = sk.FrictionContact(dimension, sn.SICONOS_FRICTION_2D_NSGS if dimension == 2 else sn.SICONOS_FRICTION_3D_NSGS)
     contact.numericsSolverOptions().iparam[sn.SICONOS_IPARAM_MAX_ITER] = ITERATIONS
-    contact.numericsSolverOptions().dparam[sn.SICONOS_DPARAM_TOL] = problem.tolerance
+    contact.numericsSolverOptions().dparam[sn.SICONOS_DPARAM_TOL] = tolerance
     contact.setMaxSize(dimension * problem.points)
     contact.setKeepLambdaAndYState(True)
     march = sk.TimeStepping(model, sk.TimeDiscretisation(0.0, problem.step), sk.MoreauJeanOSI(0.5), contact)
@@ -76,11 +97,12 @@ def kernel(problem: Problem) -> dict:
         march.computeOneStep()
         seconds += time.perf_counter() - start
         forces = np.concatenate([own.lambda_(1) for own in interactions]) / problem.step
-        off = max(off, np.abs(forces - problem.forces[step]).max() / problem.scale)
+        if step < alike:
+            off = max(off, np.abs(forces - problem.forces[step]).max() / problem.scale)
         march.nextStep()
         if seconds > MOST_SECONDS:
             break
-    return {"microseconds": 1e6 * seconds / (step + 1), "off": off, "steps": step + 1}
+    return {"microseconds": 1e6 * seconds / (step + 1), "off": off, "steps": step + 1, "compared": min(step + 1, alike)}
 
 
 def numerics(problem: Problem) -> dict:
@@ -93,30 +115,39 @@ def numerics(problem: Problem) -> dict:
     impulse, velocity = np.zeros(len(problem.rows)), np.zeros(len(problem.rows))
     options, solve = problem.options(), sn.fc2d_driver if dimension == 2 else sn.fc3d_driver
     friction = np.full(problem.points, problem.friction)
-    off, seconds, sweeps = 0.0, 0.0, 0
-    for forces in problem.forces:
+    off, seconds, sweeps, residual, least = 0.0, 0.0, 0, 0.0, problem.tolerance
+    alike = len(problem.forces)
+    for step, forces in enumerate(problem.forces):
         gap, opening = problem.gap + problem.rows[::dimension] @ z, problem.rows[::dimension] @ v
         touches = np.repeat(gap + 0.5 * h * np.minimum(opening, 0.0) <= 0.0, dimension)
+        if (touches[::dimension] & (gap + 0.5 * h * opening > 0.0)).any():
+            alike = min(alike, step)
         free = v - h * inverse * (problem.damping * v + problem.stiffness * (z + 0.5 * h * v) - problem.load)
         at_points = problem.rows @ free
         at_points[1::dimension] -= problem.speed
-        own = sn.FrictionContactProblem(dimension, compliance[np.ix_(touches, touches)].copy(), at_points[touches], friction[: touches.sum() // dimension])
+        closed = compliance[np.ix_(touches, touches)].copy()
+        own = sn.FrictionContactProblem(dimension, closed, at_points[touches], friction[: touches.sum() // dimension])
+        tolerance = problem.tolerance_of(closed, at_points[touches])
+        least = min(least, tolerance)
+        options.dparam[sn.SICONOS_DPARAM_TOL] = tolerance
         p, u = impulse[touches], velocity[touches]
         start = time.perf_counter()
         solve(own, p, u, options)
         seconds += time.perf_counter() - start
         sweeps += int(options.iparam[sn.SICONOS_IPARAM_ITER_DONE])
+        residual = max(residual, problem.residual(closed, p, closed @ p + at_points[touches]))
         impulse[:], velocity[:] = 0.0, 0.0
         impulse[touches], velocity[touches] = p, u
         after = free + pushes.T @ impulse
         z, v = z + 0.5 * h * (v + after), after
         off = max(off, np.abs(impulse / h - forces).max() / problem.scale)
-    return {"microseconds": 1e6 * seconds / len(problem.forces), "off": off, "sweeps": sweeps / len(problem.forces)}
+    return {"microseconds": 1e6 * seconds / len(problem.forces), "off": off, "sweeps": sweeps / len(problem.forces), "residual": residual, "tolerance": least, "alike": alike}
 
 
 def main() -> None:
     problem = Problem(Path(sys.argv[1]))
-    print(json.dumps({"kernel": kernel(problem), "numerics": numerics(problem)}))
+    own = numerics(problem)
+    print(json.dumps({"kernel": kernel(problem, own["tolerance"], own["alike"]), "numerics": own, "finer": numerics(Problem(Path(sys.argv[2])))}))
 
 
 if __name__ == "__main__":

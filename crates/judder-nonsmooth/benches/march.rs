@@ -2,7 +2,8 @@
 //!
 //! - without arguments: microseconds a step of several sizes;
 //! - `steps COUNT`: seconds of so many steps, from the first, of 200 modes with 50 points;
-//! - `problem POINTS DIMENSION FOLDER`: one of them, whose matrices, and forces of the first steps, are written to the folder as f64.
+//! - `problem POINTS DIMENSION FOLDER`: one of them, whose matrices, and forces of the first steps, are written to the folder as f64;
+//! - `forces POINTS DIMENSION FOLDER TOLERANCE`: these alone, with the contact solved to another tolerance.
 //!
 //! The slider is a bar in its modes, whose shapes along the contact are cosines turned by drawn angles between normal and slip, so that rigid
 //! Coulomb friction couples them; it flutters, and every point sticks and slides in turn.
@@ -73,12 +74,19 @@ fn main() -> Result<(), Box<dyn Error>> {
         ["steps", count] => println!("{}", whole(Size::new(50, 2), count.parse()?)?),
         ["problem", points, dimension, folder] => {
             let size = Size::new(points.parse()?, dimension.parse()?);
-            let first = written(size, Path::new(folder))?;
+            let first = written(size, Path::new(folder), ContactAccuracy::default())?;
             let mut told = timed(size)?;
             told["first_microseconds"] = json!(first);
             println!("{told}");
         }
-        _ => eprintln!("SKIPPED: nothing, steps COUNT, or problem POINTS DIMENSION FOLDER"),
+        ["forces", points, dimension, folder, tolerance] => {
+            let size = Size::new(points.parse()?, dimension.parse()?);
+            let accuracy = ContactAccuracy { tolerance: tolerance.parse()?, ..ContactAccuracy::default() };
+            written(size, Path::new(folder), accuracy)?;
+        }
+        _ => eprintln!(
+            "SKIPPED: nothing, steps COUNT, problem POINTS DIMENSION FOLDER, or forces POINTS DIMENSION FOLDER TOLERANCE"
+        ),
     }
     Ok(())
 }
@@ -151,10 +159,13 @@ fn slider(size: Size) -> Result<Assembly, Box<dyn Error>> {
     })
 }
 
-fn march(assembly: &Assembly, size: Size) -> Result<NonsmoothMarch<'_>, Box<dyn Error>> {
+fn march(
+    assembly: &Assembly,
+    size: Size,
+    accuracy: ContactAccuracy,
+) -> Result<NonsmoothMarch<'_>, Box<dyn Error>> {
     let scheme = ContactScheme::MoreauJean { restitution: 0.0, implicitness: 0.5 };
-    let settings =
-        NonsmoothSettings { scheme, step: STEP, accuracy: ContactAccuracy::default(), cut_off: None };
+    let settings = NonsmoothSettings { scheme, step: STEP, accuracy, cut_off: None };
     let mut march = NonsmoothMarch::new(assembly, &[], settings)?;
     march.set_force_scale(LOAD / size.points as f64);
     Ok(march)
@@ -163,7 +174,7 @@ fn march(assembly: &Assembly, size: Size) -> Result<NonsmoothMarch<'_>, Box<dyn 
 /// A march from its first step on.
 fn whole(size: Size, steps: u64) -> Result<Value, Box<dyn Error>> {
     let assembly = slider(size)?;
-    let mut march = march(&assembly, size)?;
+    let mut march = march(&assembly, size, ContactAccuracy::default())?;
     let start = Instant::now();
     for _ in 0..steps {
         march.advance()?;
@@ -178,7 +189,7 @@ fn whole(size: Size, steps: u64) -> Result<Value, Box<dyn Error>> {
 
 fn timed(size: Size) -> Result<Value, Box<dyn Error>> {
     let assembly = slider(size)?;
-    let mut march = march(&assembly, size)?;
+    let mut march = march(&assembly, size, ContactAccuracy::default())?;
     for _ in 0..TRANSIENT {
         march.advance()?;
     }
@@ -236,9 +247,9 @@ fn floor(assembly: &Assembly, march: &NonsmoothMarch<'_>) -> Result<f64, Box<dyn
 }
 
 /// Writes what a peer needs to march the same, and the forces of the first steps; microseconds that one of these takes.
-fn written(size: Size, folder: &Path) -> Result<f64, Box<dyn Error>> {
+fn written(size: Size, folder: &Path, accuracy: ContactAccuracy) -> Result<f64, Box<dyn Error>> {
     let assembly = slider(size)?;
-    let mut march = march(&assembly, size)?;
+    let mut march = march(&assembly, size, accuracy)?;
     let write = |name: &str, values: &[f64]| {
         let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
         std::fs::write(folder.join(format!("{name}.f64")), bytes)

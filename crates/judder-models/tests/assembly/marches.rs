@@ -3,6 +3,8 @@
 use crate::case;
 use crate::march::contents;
 use crate::stopping::Stopping;
+use judder_models::parse;
+use judder_store::StudyFolder;
 use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, RunReport, run};
 use judder_study::{Silent, StudyError};
@@ -102,6 +104,55 @@ fn until_killed() {
     let Some(folder) = env::var_os(CHILD_FOLDER) else { return };
     run_only("implicit", Path::new(&folder));
 }
+
+/// A march that cannot go on keeps what it has: where a point runs off its track, and where the motion leaves the numbers, before its transient is over.
+#[test]
+fn a_march_that_ends_early_keeps_what_it_has() {
+    // the force throws the sole off an end of the rail
+    let force = "[{structure=\"sole\", set=\"y-min\", direction=\"x\", force={amplitude=\"3 kN\", frequency=\"102.27 Hz\"}}]";
+    let force = format!("analysis.ride.forces={force}");
+    let ride = case("assembly/sole-along-rail.toml", &["analysis.ride.step=\"4 us\"", force.as_str()]);
+    let growing = parse("case.toml", GROWING, &[]).unwrap();
+    for (file, name, reason, [least, most]) in [
+        (&ride, "ride", "of interface `face` has run off the track", [1e-3, 0.08]),
+        (&growing, "m", "the motion is no longer finite after", [0.3, 0.5]),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let report = run(file, folder.path(), &only(name), &Silent).unwrap();
+        assert!(report.summary.results.contains_key(name), "{:?} {:?}", report.refused, report.messages);
+        let ended = &told(&report, name)["ended"];
+        assert!(ended["reason"].as_str().unwrap().contains(reason), "{ended}");
+        let time = ended["time_s"].as_f64().unwrap();
+        assert!(time > least && time < most, "{time}");
+        assert!(!report.complete && report.messages.iter().any(|own| own.contains("before its duration")));
+        assert!(!folder.path().join(format!(".stream-{name}")).exists());
+        let kept = StudyFolder::open(folder.path()).unwrap().read_dataset(name).unwrap();
+        let times = kept.variable("time").unwrap().shape[0];
+        assert!(times > 100 && kept.attributes()["ended"].as_str().unwrap().contains(reason), "{times}");
+        assert!(folder.path().join("report.html").exists());
+    }
+}
+
+/// A mass that its damper drives.
+const GROWING: &str = r#"
+title = "growing"
+model = "assembly"
+
+[[structure]]
+name = "mass"
+matrices = { mass = [[1]], damping = [[-2000]], stiffness = [[1e4]], freedoms = [["mass", "x"]] }
+
+[observe]
+points = [{ name = "mass", structure = "mass", set = "mass" }]
+
+[[analysis]]
+name = "m"
+kind = "march"
+step = "1e-5 s"
+duration = "1 s"
+transient = "0.9 s"
+start = { velocity = [1, 0] }
+"#;
 
 /// Points of the sole that rise and are held within a step are given energy with θ = ½, and none with θ = 1, where the scheme takes some.
 #[test]

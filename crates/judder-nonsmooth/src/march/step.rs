@@ -15,11 +15,14 @@ impl NonsmoothMarch<'_> {
     /// One step.
     ///
     /// # Errors
-    /// [`NonsmoothError::NotFinite`], [`NonsmoothError::RunOff`].
+    /// [`NonsmoothError::NotFinite`], [`NonsmoothError::RunOff`]; the march is then where it was, and goes no farther.
     pub fn advance(&mut self) -> Result<(), NonsmoothError> {
         let mut next = std::mem::take(&mut self.next);
         self.bodies.free(&self.z, &self.v, self.acting.forces(), &mut next);
-        self.locate(&next)?;
+        if let Err(run_off) = self.locate(&next) {
+            self.next = next;
+            return Err(run_off);
+        }
         self.set_off();
         match self.settings.scheme {
             ContactScheme::MoreauJean { restitution, .. } => self.solve_velocities(restitution),
@@ -27,6 +30,10 @@ impl NonsmoothMarch<'_> {
             ContactScheme::Smoothed => self.smooth_contact(),
         }
         self.push(&mut next);
+        if !(are_finite(&next) && are_finite(&self.relative)) {
+            self.next = next;
+            return Err(NonsmoothError::NotFinite { time: (self.steps + 1) as f64 * self.settings.step });
+        }
         self.end_travel();
         self.take_account(&next);
         let [before, after] = self.settings.scheme.shares().map(|share| share * self.settings.step);
@@ -37,8 +44,7 @@ impl NonsmoothMarch<'_> {
         self.next = next;
         self.steps += 1;
         self.look();
-        let is_finite = self.relative.iter().chain(&self.gap).all(|value| value.is_finite());
-        if is_finite { Ok(()) } else { Err(NonsmoothError::NotFinite { time: self.time() }) }
+        Ok(())
     }
 
     /// Adds what the impulses do to velocities.
@@ -261,4 +267,9 @@ impl NonsmoothMarch<'_> {
         self.works.flexibility += taken.flexibility;
         self.works.scheme += taken.scheme;
     }
+}
+
+/// Whether all are numbers, without a branch for each.
+fn are_finite(values: &[f64]) -> bool {
+    values.iter().fold(true, |all, value| all & value.is_finite())
 }

@@ -21,6 +21,15 @@ const LOST: Duration = Duration::from_secs(10);
 /// Bytes of samples that wait to be stored, at most: memory does not grow with the motion.
 const WAITING: usize = 32 << 20;
 
+/// When and why a motion ended before its duration.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct MotionStop {
+    /// s.
+    pub(super) time: f64,
+    /// What stopped it.
+    pub(super) reason: String,
+}
+
 /// A motion on its way.
 pub(super) struct OngoingMotion<'a, 'b> {
     pub(super) march: NonsmoothMarch<'a>,
@@ -35,6 +44,8 @@ pub(super) struct OngoingMotion<'a, 'b> {
     pub(super) first_energy: f64,
     /// Wall time of the steps alone, in s.
     pub(super) seconds: f64,
+    /// Why it goes no farther, before all steps.
+    pub(super) ended: Option<MotionStop>,
     /// Steps in all, and those of the transient.
     pub(super) steps: [u64; 2],
     /// Steps between two checkpoints, at most.
@@ -50,6 +61,7 @@ struct MotionCheckpoint {
     content: Option<ModalSums>,
     settled: Works,
     seconds: f64,
+    ended: Option<MotionStop>,
 }
 
 impl OngoingMotion<'_, '_> {
@@ -58,11 +70,11 @@ impl OngoingMotion<'_, '_> {
         self.take_up()?;
         let [all, _] = self.steps;
         progress.expect((all.saturating_sub(self.march.steps()) / LOOK) as usize);
-        while self.march.steps() < all {
+        while !self.is_over() {
             let begun = Instant::now();
             let is_interrupted = self.one_block(progress)?;
             self.seconds += begun.elapsed().as_secs_f64();
-            let is_over = self.march.steps() == all;
+            let is_over = self.is_over();
             if is_over {
                 self.recorded.flush();
             }
@@ -72,6 +84,10 @@ impl OngoingMotion<'_, '_> {
             }
         }
         Ok(())
+    }
+
+    fn is_over(&self) -> bool {
+        self.ended.is_some() || self.march.steps() == self.steps[0]
     }
 
     /// The state of an earlier run, if there was one.
@@ -87,7 +103,7 @@ impl OngoingMotion<'_, '_> {
             (Err(_), None) => (),
             _ => return Err(NonsmoothError::ForeignCheckpoint.into()),
         }
-        (self.settled, self.seconds) = (kept.settled, kept.seconds);
+        (self.settled, self.seconds, self.ended) = (kept.settled, kept.seconds, kept.ended);
         Ok(())
     }
 
@@ -97,7 +113,10 @@ impl OngoingMotion<'_, '_> {
         let mut looked = begun;
         let last = self.steps[0].min(self.march.steps() + self.block);
         while self.march.steps() < last {
-            self.step()?;
+            if let Err(error) = self.step() {
+                self.ended = Some(MotionStop { time: self.march.time(), reason: error.to_string() });
+                break;
+            }
             let is_told = self.march.steps().is_multiple_of(LOOK);
             if is_told {
                 progress.advance();
@@ -118,7 +137,7 @@ impl OngoingMotion<'_, '_> {
         Ok(false)
     }
 
-    fn step(&mut self) -> Result<(), ModelError> {
+    fn step(&mut self) -> Result<(), NonsmoothError> {
         self.march.advance()?;
         self.recorded.take(&self.march);
         let (taken, [_, transient]) = (self.march.steps(), self.steps);
@@ -142,6 +161,7 @@ impl OngoingMotion<'_, '_> {
             content: self.content.as_ref().ok().map(|content| content.so_far().clone()),
             settled: self.settled,
             seconds: self.seconds,
+            ended: self.ended.clone(),
         };
         let bytes = serde_json::to_vec(&kept).map_err(|source| ModelError::Checkpoint { source })?;
         self.samples.append(&bytes, &self.recorded.slices())?;

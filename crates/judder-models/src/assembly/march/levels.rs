@@ -32,6 +32,8 @@ impl OngoingMotion<'_, '_> {
         let told = watched.iter().map(|own| {
             let acceleration = self.samples.values(&own.name)?;
             let settled = acceleration.get(first..).unwrap_or_default();
+            // of a motion that leaves the numbers no level is known
+            let settled = if settled.iter().all(|own| own.is_finite()) { settled } else { &[] };
             let bands = octave_bands(settled, rate, pass_band)?;
             let level = |mean_square: f64| 10.0 * (mean_square / REFERENCE.powi(2)).log10();
             let levels = OctaveLevels {

@@ -17,6 +17,7 @@ use judder_assembly::steady::SteadySliding;
 use judder_nonsmooth::march::NonsmoothMarch;
 use judder_nonsmooth::statistics::Statistics;
 use judder_store::Dataset;
+use judder_study::kept::StudyPlace;
 use judder_study::model::Task;
 use judder_study::outcome::Outcome;
 
@@ -33,8 +34,7 @@ pub(super) fn run(
         false => Some(of.steady_at_first(&drive.course)?),
     };
     let begins = Begins { steady: &steady, first: first.as_ref().unwrap_or(&steady) };
-    let samples = Samples::open(task.own.place, growing(of))?;
-    let mut motion = started(of, asked, begins, &drive, samples)?;
+    let mut motion = started(of, asked, begins, &drive, task.own.place)?;
     motion.march_on(task.progress)?;
     let sounds = sounds(of, &motion)?;
     let (heard, files): (Vec<_>, Vec<_>) =
@@ -45,10 +45,13 @@ pub(super) fn run(
     let bands = [motion.recorded.rate(), motion.recorded.pass_band()];
     let rest = of_octaves.into_iter().try_fold(rest(of, asked, bands, told.frequency_hz)?, Dataset::with)?;
     let times = if drive.is_none() { Vec::new() } else { motion.samples.values("time")? };
-    let rest = with_drive(rest, &drive, &times)?;
+    let mut rest = with_drive(rest, &drive, &times)?;
+    if let Some(ended) = &motion.ended {
+        rest = rest.attribute("ended", ended.reason.clone())?;
+    }
     let mut outcome = Outcome {
         checks: motion.checks(asked),
-        missing: usize::from(motion.march.record().unsolved > 0),
+        missing: usize::from(motion.march.record().unsolved > 0) + usize::from(motion.ended.is_some()),
         warnings: [
             of.doubts(&steady),
             drive.warnings(of, asked),
@@ -94,7 +97,7 @@ fn started<'a, 'b>(
     asked: &AssemblyMarch,
     Begins { steady, first }: Begins<'_>,
     drive: &MotionDrive,
-    samples: Samples<'b>,
+    place: Option<StudyPlace<'b>>,
 ) -> Result<OngoingMotion<'a, 'b>, ModelError> {
     let lag = asked.march().velocities_lag();
     let state = MotionState::new(of, [steady, first], asked.start.as_ref(), lag)?;
@@ -119,9 +122,11 @@ fn started<'a, 'b>(
         settled: march.works(),
         first_energy: energy.kinetic + energy.potential,
         seconds: 0.0,
+        ended: None,
         steps: asked.steps(),
         block: asked.block(),
         march,
-        samples,
+        // of what cannot start nothing stays
+        samples: Samples::open(place, growing(of))?,
     })
 }

@@ -1,6 +1,6 @@
 //! What is told of a motion.
 
-use super::blocks::OngoingMotion;
+use super::blocks::{MotionStop, OngoingMotion};
 use super::content::{ModeInMotion, SoughtContent};
 use super::levels::OctaveLevels;
 use super::settings::{AssemblyMarch, SchemeWord};
@@ -53,6 +53,17 @@ pub(super) struct ToldAssemblyMotion {
     levels: ByName<OctaveLevels>,
     /// accelerations of the observed points as sound
     sound: Vec<ToldSound>,
+    /// why it ended before its duration
+    #[result(optional)]
+    ended: Option<ToldStop>,
+}
+
+/// When and why a motion ended before its duration.
+#[derive(Results)]
+struct ToldStop {
+    /// the last step that it took, in s
+    time_s: f64,
+    reason: String,
 }
 
 /// What goes into the bodies.
@@ -185,6 +196,10 @@ impl OngoingMotion<'_, '_> {
             contacts: contacts(of, &points),
             levels: levels.into_iter().collect(),
             sound,
+            ended: self
+                .ended
+                .as_ref()
+                .map(|ended| ToldStop { time_s: ended.time, reason: ended.reason.clone() }),
         })
     }
 
@@ -250,6 +265,11 @@ impl OngoingMotion<'_, '_> {
     /// What to know before the numbers are trusted.
     pub(super) fn warnings(&self, asked: &AssemblyMarch, travels: bool) -> Vec<String> {
         let mut warnings = Vec::new();
+        if let Some(MotionStop { time, reason }) = &self.ended {
+            warnings.push(format!(
+                "the march ended at {time:.6} s, before its duration: {reason}; what it had computed until then is kept"
+            ));
+        }
         if travels && self.content.is_ok() {
             warnings.push("the modes that are looked for in the motion are those of the places where the points begin to travel".to_owned());
         }

@@ -60,9 +60,11 @@ pub(crate) fn sound_of(
     mut values: Vec<f64>,
     sample_rate: f64,
 ) -> Result<SoundFile, ModelError> {
+    /// What can still be filtered, and made a sample of by a gain.
+    const LARGEST: f64 = 1e100;
     // a march that has grown without bound ends in what cannot be heard
-    let finite = values.iter().position(|value| !value.is_finite()).unwrap_or(values.len());
-    values.truncate(finite);
+    let heard = |value: &f64| value.abs() <= LARGEST;
+    values.truncate(values.iter().position(|value| !heard(value)).unwrap_or(values.len()));
     let heard = resampled(&values, sample_rate, f64::from(AUDIO_RATE))?;
     let (bytes, gain) = wav_bytes(&[&heard], AUDIO_RATE, WavFormat::Integer24, Loudness::default())
         .map_err(|source| ModelError::Sound { source })?;

@@ -6,6 +6,7 @@
 //!
 //! Modes above a cut-off only yield, λ z⁺ = f + Hᵀ P/h, so that they do not bound an explicit step: the residual flexibility of the beams' marches.
 
+mod free_modes;
 mod modal;
 mod whole;
 
@@ -14,6 +15,8 @@ use judder_assembly::assembly::Assembly;
 use judder_assembly::row::Row;
 use modal::ModalBodies;
 use whole::WholeBodies;
+
+pub use free_modes::FreeModes;
 
 /// How long a step is, and how implicit.
 #[derive(Debug, Clone, Copy, PartialEq)]

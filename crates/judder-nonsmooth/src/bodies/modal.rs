@@ -1,19 +1,14 @@
 //! MovingBodies as the modes of all of them together, which their damping leaves free of each other.
 
+use super::free_modes::FreeModes;
 use super::{BodyEnergy, BodyWork, StepRule};
 use faer::Mat;
-use judder_assembly::assembly::{Assembly, is_symmetric};
+use judder_assembly::assembly::Assembly;
 use judder_assembly::row::Row;
-use judder_dense::symmetric::generalised;
-use judder_structure::assembly::Sparse;
 use pulp::Arch;
 
 /// Numbers that are worked together, whatever the machine: sums are in the same order on all.
 const LANES: usize = 8;
-/// Freedoms up to which all modes are computed: some seconds.
-const MOST: usize = 1200;
-/// Damping between modes that is rounding, as a share of the modes' own.
-const ROUNDING: f64 = 1e-8;
 
 /// z̈ + d ż + λ z = f of each mode, with vectors filled up to whole groups of lanes.
 #[derive(Debug, Clone)]
@@ -41,20 +36,13 @@ pub(super) struct ModalBodies {
 impl ModalBodies {
     /// `None` where the modes are too many, their damping joins them, or a matrix is not symmetric.
     pub(super) fn new(assembly: &Assembly, rows: &[Row], rule: StepRule) -> Option<Self> {
-        let freedoms = assembly.size();
-        let symmetric = is_symmetric(&assembly.stiffness) && is_symmetric(&assembly.mass);
-        if freedoms == 0 || freedoms > MOST || !assembly.gyroscopic.is_empty() || !symmetric {
-            return None;
-        }
-        let mass = assembly.mass.to_dense();
-        let eigen = generalised(assembly.stiffness.to_dense(), &mass)?;
-        let shapes = eigen.vectors;
-        let damping = modal_damping(&assembly.damping, &shapes, &eigen.values)?;
+        let FreeModes { eigenvalues: values, damping, shapes, weighted } = FreeModes::new(assembly)?;
+        let freedoms = values.len();
         let size = freedoms.next_multiple_of(LANES);
         let filled = |values: &[f64]| [values, &vec![0.0; size - freedoms]].concat();
         let StepRule { step, implicitness, cut_off } = rule;
         let moves = |value: &f64| *value < cut_off * cut_off;
-        let eigenvalues = filled(&eigen.values);
+        let eigenvalues = filled(&values);
         let moving: Vec<f64> = eigenvalues.iter().map(|value| f64::from(u8::from(moves(value)))).collect();
         let damping: Vec<f64> =
             filled(&damping).iter().zip(&moving).map(|(own, moves)| own * moves).collect();
@@ -77,7 +65,6 @@ impl ModalBodies {
             .chunks_exact(size)
             .flat_map(|own| own.iter().zip(&inverse).map(|(value, inverse)| value * inverse))
             .collect();
-        let weighted = judder_dense::product::product(mass.as_ref(), shapes.as_ref());
         Some(Self {
             arch: Arch::new(),
             rule,
@@ -245,20 +232,4 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 #[inline(always)]
 fn total(sums: [f64; LANES]) -> f64 {
     ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]))
-}
-
-/// d of each mode, where Φᵀ C Φ has no other entries.
-fn modal_damping(damping: &Sparse, shapes: &Mat<f64>, eigenvalues: &[f64]) -> Option<Vec<f64>> {
-    let product = judder_dense::product::product(damping.to_dense().as_ref(), shapes.as_ref());
-    let projected = judder_dense::product::product(shapes.transpose(), product.as_ref());
-    let size = shapes.ncols();
-    let own: Vec<f64> = (0..size).map(|mode| projected[(mode, mode)]).collect();
-    let largest = own.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
-    let fastest = eigenvalues.iter().fold(0.0_f64, |most, own| most.max(own.abs())).sqrt();
-    let joins = |i: usize, j: usize| {
-        let size = (own[i].abs() * own[j].abs()).sqrt().max(f64::EPSILON * largest.max(fastest));
-        projected[(i, j)].abs() > ROUNDING * size
-    };
-    let is_free = (0..size).all(|i| (0..i).all(|j| !joins(i, j) && !joins(j, i)));
-    is_free.then_some(own)
 }

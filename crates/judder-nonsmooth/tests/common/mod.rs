@@ -1,5 +1,7 @@
 //! Assemblies that several tests march.
 
+pub(crate) mod block;
+
 use faer::sparse::Triplet;
 use judder_assembly::assembly::{Assembly, from_triplets};
 use judder_assembly::contact_point::ContactPoint;

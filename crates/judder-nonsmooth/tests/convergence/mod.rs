@@ -1,9 +1,9 @@
 //! Orders of the schemes.
 
+use crate::common::block::block;
 use crate::common::{
     IMPLICIT, assembly, coulomb, diagonal, implicit, mass_on_plane, point_on_plane, settings,
 };
-use crate::validation::block::block;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::friction::{FallingFriction, Friction};
 use judder_assembly::interface::InterfaceLaw;

@@ -1,0 +1,335 @@
+//! The balance of harmonics on the contact points.
+//!
+//! Unknown are the forces of all points, λ(τ) = Λ₀ + Σ (…); bodies follow as y(τ) = Y₀ + Re Σ Γ(i h ω) Λ_h e^{ihτ}. What is sought is
+//!
+//!     Λ = F_H[π(λ(τ), y(τ))]
+//!
+//! with the laws of [`crate::point_law`] at even instants of a period and F_H the first H harmonics: alternating frequency and time (T. M. Cameron, J. H. Griffin,
+//! J. Appl. Mech. 56, 1989). Bodies of any size come in by their receptances at the points alone. Of the mean the unknown is s₀ = Λ₀ + ε c x₀ on the normals: [`StaticResponse`].
+
+mod jacobian;
+
+use crate::CycleError;
+use crate::point_law::{COMPONENTS, PointScales, Projected, projected};
+use crate::receptance::{AtHarmonic, HarmonicBodies, StaticResponse};
+use crate::series::Series;
+use faer::{Mat, c64};
+use judder_assembly::assembly::Assembly;
+use judder_assembly::steady::SteadySliding;
+use judder_nonsmooth::contact::ContactPoints;
+
+/// A periodic force on the freedoms, Re f e^{ihτ}.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HarmonicForce {
+    /// h, from one on.
+    pub harmonic: usize,
+    /// f of each freedom in N.
+    pub amplitude: Vec<c64>,
+}
+
+/// The equations of periodic motions of an assembly.
+#[derive(Debug, Clone)]
+pub struct HarmonicBalance<'a> {
+    contact: ContactPoints<'a>,
+    bodies: HarmonicBodies,
+    series: Series,
+    scales: Vec<PointScales>,
+    /// In N: unknowns and residuals are shares of it.
+    force: f64,
+    statics: StaticResponse,
+    /// On the coordinates, of each harmonic from one on.
+    forcing: Vec<Option<Vec<c64>>>,
+}
+
+/// What periodic motions turn and grow with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Turning {
+    /// ω in rad/s.
+    pub frequency: f64,
+    /// σ in 1/s, which is taken off.
+    pub growth: f64,
+}
+
+/// Forces and motions of the points: a column a component, of coefficients or of instants.
+#[derive(Debug, Clone)]
+pub struct PointSignals {
+    /// λ in N.
+    pub forces: Mat<f64>,
+    /// y: gaps in m, slip velocities in m/s.
+    pub motions: Mat<f64>,
+}
+
+/// The equations at a guess.
+#[derive(Debug, Clone)]
+pub struct Balanced {
+    /// Λ − F_H[π] as shares of the force scale, component after component.
+    pub residual: Vec<f64>,
+    /// Its derivative by the unknowns, and by ω and σ in the last two columns.
+    pub jacobian: Mat<f64>,
+    /// Coefficients.
+    pub signals: PointSignals,
+    /// Derivatives of the first harmonics of y by the unknowns, ω and σ: cosine and sine of each component, two rows a component.
+    pub first: Mat<f64>,
+}
+
+/// What harmonics of the bodies are at a guess.
+struct Responses {
+    receptances: Vec<Mat<c64>>,
+    harmonics: Vec<AtHarmonic>,
+}
+
+impl<'a> HarmonicBalance<'a> {
+    /// Those of an assembly about steady sliding, whose motions turn about as fast as `frequency` in rad/s.
+    ///
+    /// # Errors
+    /// [`CycleError::NothingTouches`], [`CycleError::NotHeld`], [`CycleError::TooManyFreedoms`], and what the contact points say.
+    pub fn new(
+        assembly: &'a Assembly,
+        steady: &SteadySliding,
+        frequency: f64,
+        series: Series,
+        forcing: &[HarmonicForce],
+    ) -> Result<Self, CycleError> {
+        let contact = ContactPoints::new(assembly, &[])?;
+        if contact.points.is_empty() {
+            return Err(CycleError::NothingTouches);
+        }
+        let bodies = HarmonicBodies::new(assembly, &contact)?;
+        let force = steady.points.iter().fold(0.0_f64, |most, own| most.max(own.normal_force.abs()));
+        let force = if force > 0.0 { force } else { largest(&assembly.load) };
+        let scales = scales(&bodies, contact.dimension, frequency)?;
+        let stiffness: Vec<f64> = scales.iter().map(|own| own.stiffness).collect();
+        let statics = bodies.statics(&assembly.load, &stiffness)?;
+        let mut loads = vec![None; series.harmonics()];
+        for own in forcing {
+            if let Some(load) = own.harmonic.checked_sub(1).and_then(|k| loads.get_mut(k)) {
+                let part = |part: fn(&c64) -> f64| {
+                    bodies.forces(&own.amplitude.iter().map(part).collect::<Vec<_>>())
+                };
+                let [re, im] = [part(|own| own.re), part(|own| own.im)];
+                *load = Some(re.into_iter().zip(im).map(|(re, im)| c64::new(re, im)).collect());
+            }
+        }
+        Ok(Self { contact, bodies, series, scales, force, statics, forcing: loads })
+    }
+
+    /// The same bodies with other harmonics.
+    #[must_use]
+    pub fn with_series(&self, series: Series) -> Self {
+        let mut forcing = self.forcing.clone();
+        forcing.resize(series.harmonics(), None);
+        Self { series, forcing, ..self.clone() }
+    }
+
+    /// The harmonics.
+    #[must_use]
+    pub fn series(&self) -> &Series {
+        &self.series
+    }
+
+    /// The contact points.
+    #[must_use]
+    pub fn contact(&self) -> &ContactPoints<'a> {
+        &self.contact
+    }
+
+    /// The bodies.
+    #[must_use]
+    pub fn bodies(&self) -> &HarmonicBodies {
+        &self.bodies
+    }
+
+    /// The force in N by which unknowns are measured.
+    #[must_use]
+    pub fn force_scale(&self) -> f64 {
+        self.force
+    }
+
+    /// ε of each point.
+    #[must_use]
+    pub fn scales(&self) -> &[PointScales] {
+        &self.scales
+    }
+
+    /// Components of all points.
+    #[must_use]
+    pub fn components(&self) -> usize {
+        self.contact.rows.len()
+    }
+
+    /// Unknown shares of the force scale: component after component, of each its coefficients.
+    #[must_use]
+    pub fn unknowns(&self) -> usize {
+        self.components() * self.series.coefficients()
+    }
+
+    /// The unknowns of steady sliding.
+    #[must_use]
+    pub fn steady(&self, steady: &SteadySliding) -> Vec<f64> {
+        let (dimension, size) = (self.contact.dimension, self.series.coefficients());
+        let mut unknown = vec![0.0; self.unknowns()];
+        for (point, state) in steady.points.iter().enumerate() {
+            let opening = state.gap - self.contact.first_gap(point);
+            let normal = state.normal_force + self.scales[point].stiffness * opening;
+            unknown[point * dimension * size] = normal / self.force;
+            unknown[(point * dimension + 1) * size] = state.friction_force / self.force;
+        }
+        unknown
+    }
+
+    /// λ of a harmonic of the unknowns, from one on.
+    fn harmonic(&self, unknown: &[f64], harmonic: usize) -> Vec<c64> {
+        let columns = unknown.chunks_exact(self.series.coefficients());
+        columns.map(|own| self.force * c64::new(own[2 * harmonic - 1], -own[2 * harmonic])).collect()
+    }
+
+    /// s₀.
+    fn mean(&self, unknown: &[f64]) -> Vec<f64> {
+        unknown.chunks_exact(self.series.coefficients()).map(|own| self.force * own[0]).collect()
+    }
+
+    fn responses(
+        &self,
+        unknown: &[f64],
+        at: Turning,
+        with_receptances: bool,
+    ) -> Result<Responses, CycleError> {
+        let (mut receptances, mut harmonics) = (Vec::new(), Vec::new());
+        for harmonic in 1..=self.series.harmonics() {
+            let s = c64::new(0.0, harmonic as f64 * at.frequency);
+            if with_receptances {
+                receptances.push(self.bodies.receptance(s, at.growth)?);
+            }
+            let load = self.forcing[harmonic - 1].as_deref();
+            harmonics.push(self.bodies.at(s, at.growth, &self.harmonic(unknown, harmonic), load)?);
+        }
+        Ok(Responses { receptances, harmonics })
+    }
+
+    /// Coefficients of forces and motions.
+    fn signals(&self, unknown: &[f64], responses: &Responses) -> PointSignals {
+        let (size, dimension) = (self.series.coefficients(), self.contact.dimension);
+        let components = self.components();
+        let mut forces = Mat::from_fn(size, components, |k, c| self.force * unknown[c * size + k]);
+        let mut motions = Mat::zeros(size, components);
+        let mean = self.mean(unknown);
+        for component in 0..components {
+            let own: f64 = (0..components).map(|j| self.statics.receptance[(component, j)] * mean[j]).sum();
+            let moved = self.statics.free[component] + own;
+            let point = component / dimension;
+            motions[(0, component)] = match component % dimension {
+                0 => {
+                    forces[(0, component)] -= self.scales[point].stiffness * moved;
+                    self.contact.first_gap(point) + moved
+                }
+                1 => moved - self.contact.speed(point),
+                _ => moved,
+            };
+            for (k, own) in responses.harmonics.iter().enumerate() {
+                motions[(2 * k + 1, component)] = own.motion[component].re;
+                motions[(2 * k + 2, component)] = -own.motion[component].im;
+            }
+        }
+        PointSignals { forces, motions }
+    }
+
+    /// Forces and motions at a guess, as coefficients.
+    ///
+    /// # Errors
+    /// [`CycleError::Singular`].
+    pub fn signals_at(&self, unknown: &[f64], at: Turning) -> Result<PointSignals, CycleError> {
+        Ok(self.signals(unknown, &self.responses(unknown, at, false)?))
+    }
+
+    /// x of the coordinates of the bodies: the mean, and the complex amplitude of each harmonic.
+    ///
+    /// # Errors
+    /// [`CycleError::Singular`].
+    pub fn coordinates(&self, unknown: &[f64], at: Turning) -> Result<(Vec<f64>, Vec<Vec<c64>>), CycleError> {
+        let responses = self.responses(unknown, at, false)?;
+        let mean = self.statics.coordinates(&self.mean(unknown));
+        Ok((mean, responses.harmonics.into_iter().map(|own| own.coordinates).collect()))
+    }
+
+    /// π of all points at the instants of a series, row after row an instant, in order of the points.
+    #[must_use]
+    pub fn projected(&self, series: &Series, signals: &PointSignals) -> Vec<Vec<Projected>> {
+        let [forces, motions] =
+            [&signals.forces, &signals.motions].map(|coefficients| series.values(coefficients.as_ref()));
+        let dimension = self.contact.dimension;
+        let of = |values: &Mat<f64>, instant: usize, point: usize| {
+            let mut own = [0.0; COMPONENTS];
+            own.iter_mut()
+                .take(dimension)
+                .enumerate()
+                .for_each(|(k, own)| *own = values[(instant, point * dimension + k)]);
+            own
+        };
+        let at = |instant: usize, point: usize| {
+            let (force, motion) = (of(&forces, instant, point), of(&motions, instant, point));
+            projected(&self.contact.points[point], self.scales[point], force, motion)
+        };
+        let points = 0..self.contact.points.len();
+        (0..series.samples())
+            .map(|instant| points.clone().map(|point| at(instant, point)).collect())
+            .collect()
+    }
+
+    /// The residual alone.
+    ///
+    /// # Errors
+    /// [`CycleError::Singular`].
+    pub fn residual(&self, unknown: &[f64], at: Turning) -> Result<Vec<f64>, CycleError> {
+        Ok(self.residual_of_signals(&self.signals_at(unknown, at)?))
+    }
+
+    /// The residual with these forces and motions.
+    #[must_use]
+    pub fn residual_of_signals(&self, signals: &PointSignals) -> Vec<f64> {
+        self.residual_of(signals, &self.projected(&self.series, signals))
+    }
+
+    fn residual_of(&self, signals: &PointSignals, projected: &[Vec<Projected>]) -> Vec<f64> {
+        let (size, dimension) = (self.series.coefficients(), self.contact.dimension);
+        let allowed = Mat::from_fn(self.series.samples(), self.components(), |instant, component| {
+            projected[instant][component / dimension].force[component % dimension]
+        });
+        let allowed = self.series.of_values(allowed.as_ref());
+        let entry =
+            |k: usize| (signals.forces[(k % size, k / size)] - allowed[(k % size, k / size)]) / self.force;
+        (0..self.unknowns()).map(entry).collect()
+    }
+
+    /// The equations with their derivatives.
+    ///
+    /// # Errors
+    /// [`CycleError::Singular`].
+    pub fn balanced(&self, unknown: &[f64], at: Turning) -> Result<Balanced, CycleError> {
+        let responses = self.responses(unknown, at, true)?;
+        let signals = self.signals(unknown, &responses);
+        let projected = self.projected(&self.series, &signals);
+        let residual = self.residual_of(&signals, &projected);
+        let jacobian = self.jacobian(&responses, &projected);
+        let first = self.first(&responses);
+        Ok(Balanced { residual, jacobian, signals, first })
+    }
+}
+
+/// ε of each point, from how it yields to a force that grows as fast as the motion turns: there nothing resonates.
+fn scales(bodies: &HarmonicBodies, dimension: usize, frequency: f64) -> Result<Vec<PointScales>, CycleError> {
+    /// The smaller they are, the closer are forces to their laws between the instants, and the harder to find.
+    const NORMAL: f64 = 0.3;
+    const TANGENTIAL: f64 = 0.5;
+    let receptance = bodies.receptance(c64::new(frequency, 0.0), 0.0)?;
+    let size = |component: usize| receptance[(component, component)].norm();
+    let of = |point: usize| PointScales {
+        stiffness: NORMAL / size(point * dimension),
+        viscosity: TANGENTIAL / size(point * dimension + 1).max(f64::MIN_POSITIVE),
+    };
+    Ok((0..bodies.components() / dimension).map(of).collect())
+}
+
+fn largest(values: &[f64]) -> f64 {
+    let most = values.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
+    if most > 0.0 { most } else { 1.0 }
+}

@@ -1,0 +1,234 @@
+//! The limit cycle that a mode grows to.
+
+use crate::CycleError;
+use crate::backbone::{Backbone, BackboneSettings, PeriodicMotion, backbone, refined};
+use crate::balance::HarmonicBalance;
+use crate::series::Series;
+use faer::{Mat, c64};
+use judder_assembly::assembly::Assembly;
+use judder_assembly::row::Row;
+use judder_assembly::steady::SteadySliding;
+use judder_nonsmooth::contact_problem::PointMotion;
+
+/// How a limit cycle is sought.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CycleSettings {
+    /// How many harmonics it gets.
+    pub harmonics: HarmonicCount,
+    /// Instants of a period a harmonic.
+    pub samples: usize,
+    /// How the motions of the mode are followed, with few harmonics.
+    pub backbone: BackboneSettings,
+}
+
+/// How many harmonics a cycle gets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum HarmonicCount {
+    /// So many.
+    Fixed(usize),
+    /// As many as leave this share of the swing of the contact forces out, up to a number.
+    Adaptive {
+        /// [`CycleQuality::left_out`].
+        left_out: f64,
+        /// The most.
+        most: usize,
+    },
+}
+
+impl Default for CycleSettings {
+    fn default() -> Self {
+        let harmonics = HarmonicCount::Adaptive { left_out: 0.01, most: 40 };
+        Self { harmonics, samples: 16, backbone: BackboneSettings::default() }
+    }
+}
+
+/// A limit cycle.
+#[derive(Debug, Clone)]
+pub struct LimitCycle<'a> {
+    /// Its equations, with the harmonics that it has.
+    pub balance: HarmonicBalance<'a>,
+    /// Its unknowns.
+    pub motion: PeriodicMotion,
+    /// Whether σ falls with the amplitude: motions of this shape nearby are drawn to it.
+    pub attracts: bool,
+    /// What its points do.
+    pub points: Vec<PointCycle>,
+    /// How well it is known.
+    pub quality: CycleQuality,
+    /// Why it has no more harmonics, where it should.
+    pub held_back: Option<CycleError>,
+}
+
+/// What became of a mode.
+#[derive(Debug, Clone)]
+pub struct CycleSearch<'a> {
+    /// Its motions over their amplitude, with few harmonics.
+    pub backbone: Backbone,
+    /// Its cycles, in order of their amplitude along the backbone.
+    pub cycles: Vec<LimitCycle<'a>>,
+}
+
+/// Harmonics with which the motions of a mode are followed.
+const FEW: usize = 3;
+
+/// The limit cycles of the mode with this eigenvalue about steady sliding.
+///
+/// # Errors
+/// What [`HarmonicBalance::new`] and [`backbone`] say.
+pub fn limit_cycles<'a>(
+    assembly: &'a Assembly,
+    steady: &SteadySliding,
+    eigenvalue: c64,
+    settings: &CycleSettings,
+) -> Result<CycleSearch<'a>, CycleError> {
+    let (asked, limit) = match settings.harmonics {
+        HarmonicCount::Fixed(count) => (count, 0.0),
+        HarmonicCount::Adaptive { left_out, most } => (most, left_out),
+    };
+    let series = |harmonics: usize| Series::new(harmonics, settings.samples * harmonics);
+    let balance = HarmonicBalance::new(assembly, steady, eigenvalue.im, series(FEW.min(asked)), &[])?;
+    let backbone = backbone(&balance, steady, eigenvalue, &settings.backbone)?;
+    let mut cycles = Vec::new();
+    for (motion, attracts) in &backbone.cycles {
+        let (points, quality) = points(&balance, motion)?;
+        let (balance, motion) = (balance.clone(), motion.clone());
+        let mut cycle = LimitCycle { balance, motion, attracts: *attracts, points, quality, held_back: None };
+        while cycle.balance.series().harmonics() < asked && cycle.quality.left_out > limit {
+            let now = cycle.balance.series().harmonics();
+            let balance = cycle.balance.with_series(series((now + now.div_ceil(2)).min(asked)));
+            let next = refined(&balance, &cycle.motion, &settings.backbone.rule)
+                .and_then(|motion| self::points(&balance, &motion).map(|told| (motion, told)));
+            match next {
+                Ok((motion, (points, quality))) => {
+                    cycle = LimitCycle { balance, motion, points, quality, ..cycle };
+                }
+                Err(error) => {
+                    cycle.held_back = Some(error);
+                    break;
+                }
+            }
+        }
+        cycles.push(cycle);
+    }
+    Ok(CycleSearch { backbone, cycles })
+}
+
+impl LimitCycle<'_> {
+    /// What a form on the freedoms does: its mean and harmonics, as those of [`crate::series`].
+    ///
+    /// # Errors
+    /// [`CycleError::Singular`].
+    pub fn followed(&self, row: &Row) -> Result<Vec<f64>, CycleError> {
+        let (mean, harmonics) = self.balance.coordinates(&self.motion.unknown, self.motion.turning)?;
+        let own = self.balance.bodies().on_coordinates(row);
+        let mut coefficients = vec![own.iter().zip(&mean).map(|(a, b)| a * b).sum()];
+        for harmonic in &harmonics {
+            let sum: c64 = own.iter().zip(harmonic).map(|(a, b)| b * *a).sum();
+            coefficients.extend([sum.re, -sum.im]);
+        }
+        Ok(coefficients)
+    }
+
+    /// ω in rad/s.
+    #[must_use]
+    pub fn frequency(&self) -> f64 {
+        self.motion.turning.frequency
+    }
+
+    /// Forces, motions and states of the points at even instants of a period.
+    ///
+    /// # Errors
+    /// [`CycleError::Singular`].
+    pub fn over_a_period(&self, instants: usize) -> Result<PointsOverPeriod, CycleError> {
+        let series = Series::new(self.balance.series().harmonics(), instants);
+        let signals = self.balance.signals_at(&self.motion.unknown, self.motion.turning)?;
+        let projected = self.balance.projected(&series, &signals);
+        let dimension = self.balance.contact().dimension;
+        let forces = Mat::from_fn(series.samples(), self.balance.components(), |instant, component| {
+            projected[instant][component / dimension].force[component % dimension]
+        });
+        let states = projected.iter().map(|own| own.iter().map(|own| own.state).collect()).collect();
+        Ok(PointsOverPeriod { forces, motions: series.values(signals.motions.as_ref()), states })
+    }
+}
+
+/// The points over a period, a row an instant.
+#[derive(Debug, Clone)]
+pub struct PointsOverPeriod {
+    /// What the contact laws make of them, in N, a column a component.
+    pub forces: Mat<f64>,
+    /// Gaps in m, slip velocities in m/s.
+    pub motions: Mat<f64>,
+    /// What each point does.
+    pub states: Vec<Vec<PointMotion>>,
+}
+
+/// A point over a cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct PointCycle {
+    /// Shares of the period: stuck, sliding, open.
+    pub shares: [f64; 3],
+    /// The mean of N in N.
+    pub normal_force: f64,
+    /// The mean of the friction along the slip of steady sliding, in N.
+    pub friction_force: f64,
+    /// The root mean square of the velocity along the slip about its mean, in m/s.
+    pub tangential_velocity_rms: f64,
+}
+
+/// How well a cycle is known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CycleQuality {
+    /// The largest |λ − π(λ, y)| of a point at any instant between and at the samples, of the force scale.
+    pub between_samples: f64,
+    /// The share of the swing of the contact forces that lies beyond the harmonics, as a root of energies.
+    pub left_out: f64,
+}
+
+/// How many times more instants a cycle is looked at than it was solved with.
+const FINER: usize = 4;
+
+/// What points do over a periodic motion, from instants between those it was solved with.
+///
+/// # Errors
+/// [`CycleError::Singular`].
+pub fn points(
+    balance: &HarmonicBalance<'_>,
+    motion: &PeriodicMotion,
+) -> Result<(Vec<PointCycle>, CycleQuality), CycleError> {
+    let series = Series::new(balance.series().harmonics(), FINER * balance.series().samples());
+    let signals = balance.signals_at(&motion.unknown, motion.turning)?;
+    let projected = balance.projected(&series, &signals);
+    let forces = series.values(signals.forces.as_ref());
+    let dimension = balance.contact().dimension;
+    let instants = series.samples() as f64;
+    let mut points = vec![PointCycle::default(); balance.contact().points.len()];
+    let (mut between, mut missing, mut swing) = (0.0_f64, 0.0, 0.0);
+    for (instant, own) in projected.iter().enumerate() {
+        for (point, projected) in own.iter().enumerate() {
+            let told = &mut points[point];
+            let state = match projected.state {
+                PointMotion::Stick => 0,
+                PointMotion::Slip => 1,
+                PointMotion::Open => 2,
+            };
+            told.shares[state] += 1.0 / instants;
+            told.normal_force += projected.force[0] / instants;
+            told.friction_force += projected.force[1] / instants;
+            for k in 0..dimension {
+                let component = point * dimension + k;
+                let off = forces[(instant, component)] - projected.force[k];
+                let mean = signals.forces[(0, component)];
+                between = between.max(off.abs() / balance.force_scale());
+                missing += off * off;
+                swing += (projected.force[k] - mean) * (projected.force[k] - mean);
+            }
+        }
+    }
+    for (point, told) in points.iter_mut().enumerate() {
+        let own = signals.motions.col_as_slice(point * dimension + 1);
+        told.tangential_velocity_rms = (own[1..].iter().map(|a| a * a).sum::<f64>() / 2.0).sqrt();
+    }
+    let left_out = if swing > 0.0 { (missing / swing).sqrt() } else { 0.0 };
+    Ok((points, CycleQuality { between_samples: between, left_out }))
+}

@@ -1,0 +1,48 @@
+use judder_assembly::AssemblyError;
+use judder_nonsmooth::NonsmoothError;
+use thiserror::Error;
+
+/// Why a limit cycle is not found.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum CycleError {
+    /// Newton's method ends elsewhere than in a solution.
+    #[error(
+        "the balance of harmonics was not solved: after {iterations} steps of Newton's method {residual:.1e} of the contact forces is left"
+    )]
+    NotConverged {
+        /// Steps taken.
+        iterations: usize,
+        /// The largest residual, of the force by which it is measured.
+        residual: f64,
+    },
+    /// What was found is steady sliding.
+    #[error("the balance of harmonics leads back to steady sliding, which solves it too")]
+    Shrunk,
+    /// A linear system is singular.
+    #[error("the equations of the balance of harmonics are singular")]
+    Singular,
+    /// A static force moves the bodies without end.
+    #[error(
+        "the bodies are not held: a steady force along the contact moves them without end, so that no mean place of a cycle exists"
+    )]
+    NotHeld,
+    /// More freedoms than harmonic responses are computed of.
+    #[error(
+        "bodies with {freedoms} freedoms whose damping joins their modes: up to {most} are taken; reduce the bodies"
+    )]
+    TooManyFreedoms {
+        /// Freedoms.
+        freedoms: usize,
+        /// The most.
+        most: usize,
+    },
+    /// There are no contact points.
+    #[error("nothing touches")]
+    NothingTouches,
+    /// What is wrong with the contact points of an assembly.
+    #[error(transparent)]
+    Nonsmooth(#[from] NonsmoothError),
+    /// What is wrong with an assembly.
+    #[error(transparent)]
+    Assembly(#[from] AssemblyError),
+}

@@ -1,0 +1,22 @@
+//! Limit cycles of structures that touch at many points.
+//!
+//! In the order in which the data flows:
+//!
+//! - [`series`]: periodic signals as their mean and harmonics.
+//! - [`receptance`]: how the contact points yield to harmonic forces, whatever the size of the bodies.
+//! - [`point_law`]: the force of a contact point as the projection of its force and motion on what the contact allows, with its derivatives.
+//! - [`balance`]: the balance of harmonics on the contact points, with its derivatives.
+//! - [`path`]: solutions of equations with one unknown more, one after the other.
+//! - [`backbone`]: the periodic motions of a mode over their amplitude; those that need neither drive nor brake are limit cycles.
+//! - [`cycle`]: what is told of a limit cycle.
+
+pub mod backbone;
+pub mod balance;
+pub mod cycle;
+mod error;
+pub mod path;
+pub mod point_law;
+pub mod receptance;
+pub mod series;
+
+pub use error::CycleError;

@@ -1,0 +1,3 @@
+//! How errors fall, and derivatives against differences.
+
+mod derivatives;

@@ -1,0 +1,4 @@
+//! Against closed forms, marches, published cases.
+
+mod belt;
+mod block;

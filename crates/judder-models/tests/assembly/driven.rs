@@ -55,6 +55,33 @@ fn a_mass_with_dry_friction_on_a_shaking_base_swings_as_den_hartog_says() {
     }
 }
 
+/// A mass on a spring and a damper whose base shakes: seen from what does not, its acceleration is that of the base times
+/// √((1 + (2 ζ r)²)/((1 − r²)² + (2 ζ r)²)) with r = Ω/ω, beside the base r²/√((1 − r²)² + (2 ζ r)²).
+#[test]
+fn a_shaken_mass_transmits_in_closed_form() {
+    let (mass, stiffness, damping, shaking, omega): (f64, f64, f64, f64, f64) = (2.0, 800.0, 12.0, 3.0, 25.0);
+    let ratio = omega / (stiffness / mass).sqrt();
+    let damped = damping * omega / stiffness;
+    let size = (1.0 - ratio * ratio).hypot(damped);
+    let expected = [shaking * 1.0_f64.hypot(damped) / size, shaking * ratio * ratio / size];
+    for method in ["moreau", "film"] {
+        let text = format!(
+            "model = \"assembly\"\n\n[[structure]]\nname = \"block\"\n\n[structure.matrices]\nmass = [[{mass}]]\nfreedoms = [[\"mass\", \"x\"]]\n\n\
+             [[spring]]\nname = \"along\"\nfrom = {{ structure = \"block\", set = \"mass\" }}\nto = \"ground\"\ndirection = [1, 0, 0]\n\
+             stiffness = \"{stiffness} N/m\"\ndamping = \"{damping} N s/m\"\n\n[observe]\npoints = [{{ name = \"mass\", structure = \"block\", set = \"mass\" }}]\n\n\
+             [[analysis]]\nname = \"shaken\"\nkind = \"march\"\nmethod = \"{method}\"\nstep = \"0.1 ms\"\nduration = \"12 s\"\ntransient = \"8 s\"\nmodes = 0\n\
+             base = [{{ direction = \"x\", acceleration = {{ amplitude = \"{shaking} m/s^2\", frequency = \"{omega} rad/s\" }} }}]\n"
+        );
+        let (_, dataset) = marched(&parse("case.toml", &text, &[]).unwrap(), "shaken");
+        let times = array(&dataset, "time");
+        for (name, expected) in ["mass.x.absolute", "mass.x"].into_iter().zip(expected) {
+            let own = times.iter().zip(array(&dataset, name)).filter(|(time, _)| **time > 8.0);
+            let largest = own.map(|(_, value)| value.abs()).fold(0.0, f64::max);
+            assert!((largest / expected - 1.0).abs() < 1e-3, "{method}, {name}: {largest} {expected}");
+        }
+    }
+}
+
 /// The disc stops, friction ends with the temperature's factor, and the pad judders where friction falls faster than the damper takes.
 #[test]
 fn a_stop_from_speed_judders_at_its_end() {

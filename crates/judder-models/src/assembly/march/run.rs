@@ -3,7 +3,7 @@
 use super::arrays::{growing, rest};
 use super::blocks::OngoingMotion;
 use super::content::SoughtContent;
-use super::driven::{MotionDrive, with_drive};
+use super::driven::{MotionDrive, with_absolute, with_drive};
 use super::levels;
 use super::recorded::Recorded;
 use super::settings::AssemblyMarch;
@@ -45,7 +45,12 @@ pub(super) fn run(
     let bands = [motion.recorded.rate(), motion.recorded.pass_band()];
     let rest = of_octaves.into_iter().try_fold(rest(of, asked, bands, told.frequency_hz)?, Dataset::with)?;
     let times = if drive.is_none() { Vec::new() } else { motion.samples.values("time")? };
-    let mut rest = with_drive(rest, &drive, &times)?;
+    // a difference of velocities is that amid them
+    let lag = 0.5 * asked.step + asked.march().velocities_lag();
+    let watched = of.built.watched.iter();
+    let observed = watched.map(|own| Ok((own.name.clone(), motion.samples.values(&own.name)?)));
+    let rest = with_absolute(with_drive(rest, &drive, &times)?, &drive, &times, lag, observed);
+    let mut rest = rest?;
     if let Some(ended) = &motion.ended {
         rest = rest.attribute("ended", ended.reason.clone())?;
     }

@@ -30,6 +30,7 @@ pub(super) struct SignalName {
     /// As arrays call it.
     pub(super) name: String,
     pub(super) is_force: bool,
+    pub(super) direction: &'static str,
     pub(super) words: String,
 }
 
@@ -95,6 +96,7 @@ impl MotionDrive {
             names.push(SignalName {
                 name: format!("base.{}.{direction}", k + 1),
                 is_force: false,
+                direction,
                 words: format!("acceleration of the base along {direction}"),
             });
         }
@@ -107,6 +109,7 @@ impl MotionDrive {
             names.push(SignalName {
                 name: format!("force.{}.{direction}", k + 1),
                 is_force: true,
+                direction,
                 words: format!("force on {} along {direction}", own.nodes.words()),
             });
         }

@@ -10,5 +10,5 @@ mod series_file;
 pub mod settings;
 pub mod signal;
 
-pub(super) use arrays::{COURSE, with_drive};
+pub(super) use arrays::{COURSE, with_absolute, with_drive};
 pub(super) use drive::MotionDrive;

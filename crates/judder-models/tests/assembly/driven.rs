@@ -213,7 +213,7 @@ fn files_are_read_and_known_by_what_they_hold() {
     let none = refused("heat.csv", "time,T [degC]\n0,0\n2,1\n");
     assert!(none.contains("the column of a time has no unit in brackets"), "{none}");
     let hot = refused("heat.csv", "time [s],T [degC]\n0,20\n0.5,220\n");
-    assert!(hot.contains("the temperature is 493.15 at 0.5 s, outside of the table of factors, which goes from 273.15 to 473.15"), "{hot}");
+    assert!(hot.contains("the temperature in K is 493.15 at 0.5 s, outside of the table of factors, which goes from 273.15 to 473.15"), "{hot}");
     let number = refused("friction.csv", "T [K],factor\n273.15,x\n");
     assert!(
         number.contains("friction.csv") && number.contains("`x` in line 2 is no finite number"),

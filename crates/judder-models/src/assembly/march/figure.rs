@@ -89,6 +89,16 @@ fn with_transient(dataset: &Dataset, mut panel: Panel) -> Panel {
     panel
 }
 
+/// The axis of so many points: of few each has its number, and no number stands between them.
+fn of_points(count: usize) -> Axis {
+    const FEW: usize = 8;
+    let axis = Axis::linear("Contact point").over(0.5, count as f64 + 0.5);
+    match count {
+        0..=FEW => Axis { names: (1..=count).map(|own| (own as f64, own.to_string())).collect(), ..axis },
+        _ => axis,
+    }
+}
+
 /// The states of the points of a contact from an instant on: time across, points in their order upwards.
 fn states(dataset: &Dataset, contact: &str, first: usize) -> Option<Panel> {
     let (times, all) = (reals(dataset, "state_time")?, codes(dataset, "state")?);
@@ -113,9 +123,19 @@ fn states(dataset: &Dataset, contact: &str, first: usize) -> Option<Panel> {
             .collect(),
         classes: drawn.iter().map(|(state, role)| Class::new(state.name(), *role)).collect(),
     };
-    let (across, up) = (
-        Axis::linear(format!("Time $t$ ({unit})")),
-        Axis::linear("Contact point").over(0.5, own.len() as f64 + 0.5),
-    );
-    Some(Panel::new(across, up, vec![Layer::Classes(map)]).with_legend(Legend::Below))
+    let across = Axis::linear(format!("Time $t$ ({unit})"));
+    Some(Panel::new(across, of_points(own.len()), vec![Layer::Classes(map)]).with_legend(Legend::Below))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::of_points;
+
+    #[test]
+    fn few_points_have_their_numbers() {
+        assert_eq!(of_points(1).names, [(1.0, "1".to_owned())]);
+        assert_eq!(of_points(3).names.len(), 3);
+        assert!(of_points(9).names.is_empty());
+        assert_eq!(of_points(1).range, Some((0.5, 1.5)));
+    }
 }

@@ -191,7 +191,7 @@ impl DrivenSettings {
             let places = [&*table.times, &*table.values];
             course
                 .friction
-                .push(at("temperature", TimeFactor::over("the temperature", &temperature, places))?);
+                .push(at("temperature", TimeFactor::over("the temperature in K", &temperature, places))?);
             at("friction_over_temperature", course.check())?;
         }
         Ok(course)

@@ -1,8 +1,9 @@
 //! The levels of a stored signal.
 
-use super::settings::{Amplitude, DrawnLevels, SpectrumPieces};
+use super::settings::SpectrumSettings;
 use crate::error::ModelError;
 use judder_numerics::signal::spectrogram::{self as levels, SpectrogramSettings};
+use judder_numerics::words::plain;
 use judder_store::{Dataset, Results, Variable};
 use judder_study::kept::StudyPlace;
 use judder_study::pictures::reals;
@@ -12,13 +13,9 @@ use serde_json::{Value, json};
 pub(crate) struct AskedLevels<'a> {
     /// The name of the analysis.
     pub(crate) name: &'a str,
-    /// The name of the march.
-    pub(crate) of: &'a str,
     /// The array of the signal, and what it is called.
     pub(crate) signal: [&'a str; 2],
-    pub(crate) pieces: SpectrumPieces,
-    pub(crate) reference: Amplitude,
-    pub(crate) drawn: DrawnLevels,
+    pub(crate) asked: &'a SpectrumSettings,
 }
 
 /// What is told of a spectrogram.
@@ -49,8 +46,8 @@ impl AskedLevels<'_> {
             let (analysis, by) = (analysis.to_owned(), self.name.to_owned());
             ModelError::NotDone { analysis, by }
         };
-        let place = place.ok_or_else(|| needs(self.of))?;
-        for other in [self.of].iter().chain(others) {
+        let place = place.ok_or_else(|| needs(&self.asked.of))?;
+        for other in [self.asked.of.as_str()].iter().chain(others) {
             let hash = place.all.iter().find(|(name, _)| name == other).map_or("", |(_, hash)| hash);
             if !place.study.is_done(other, hash)? {
                 return Err(needs(other));
@@ -61,23 +58,23 @@ impl AskedLevels<'_> {
 
     /// The levels of the signal that the march has stored.
     pub(crate) fn shown(&self, place: &StudyPlace<'_>) -> Result<ShownLevels, ModelError> {
-        let march = place.study.read_dataset(self.of)?;
+        let march = place.study.read_dataset(&self.asked.of)?;
         let [signal, called] = self.signal;
         let history = StoredHistory::new(&march, signal).ok_or_else(|| ModelError::NotRecorded {
-            march: self.of.to_owned(),
+            march: self.asked.of.clone(),
             signal: called.to_owned(),
         })?;
         let settings = SpectrogramSettings {
             start: history.times.first().copied().unwrap_or(0.0),
-            window: self.pieces.window.window(),
-            length: (self.pieces.length * history.sample_rate).round() as usize,
-            overlap: self.pieces.overlap,
-            reference: self.reference.0.number,
+            window: self.asked.pieces.window.window(),
+            length: (self.asked.pieces.length * history.sample_rate).round() as usize,
+            overlap: self.asked.pieces.overlap,
+            reference: self.asked.reference.0.number,
             ..SpectrogramSettings::new(history.sample_rate)
         };
         let found = levels::spectrogram(history.values, &settings)?;
         let unit = march.variable(signal).map_or("", |variable| variable.units.as_str());
-        let reference = format!("{} {unit}", self.reference.0.number);
+        let reference = format!("{} {unit}", plain(self.asked.reference.0.number));
         Ok(ShownLevels::new(&history, found, reference))
     }
 }
@@ -145,7 +142,7 @@ impl ShownLevels {
         let at = (0..self.levels.len()).fold(0, loudest);
         let (row, line) = (at / self.frequencies.len(), at % self.frequencies.len());
         ToldSpectrogram {
-            of: asked.of.to_owned(),
+            of: asked.asked.of.clone(),
             windows: self.times.len(),
             reference: self.reference.clone(),
             resolution_hz: self.frequencies.get(1).map(|second| second - self.frequencies[0]),
@@ -182,17 +179,17 @@ impl ShownLevels {
         dataset = dataset
             .with(coordinate("frequency", &self.frequencies, "Hz", "Frequency (Hz)").long_name("frequency"))?
             .with(level)?
-            .attribute("of", asked.of)?
+            .attribute("of", asked.asked.of.as_str())?
             .attribute("signal", signal)?
-            .attribute("window", asked.pieces.window.name())?
+            .attribute("window", asked.asked.pieces.window.name())?
             .attribute("reference", reference.clone())?;
         if let Some(locus) = locus {
             dataset = dataset.attribute("locus", locus)?;
         }
-        if let Some(range) = asked.drawn.range {
+        if let Some(range) = asked.asked.drawn.range {
             dataset = dataset.attribute("range_db", json!(range))?;
         }
-        match asked.drawn.waterfall {
+        match asked.asked.drawn.waterfall {
             Some(spectra) => Ok(dataset.attribute("waterfall", spectra)?),
             None => Ok(dataset),
         }

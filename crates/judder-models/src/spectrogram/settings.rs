@@ -15,6 +15,23 @@ use judder_study::model::Analysis;
 use serde_json::{Value as Json, json};
 use std::sync::Arc;
 
+/// A spectrogram of a march, of whatever model.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct SpectrumSettings {
+    /// The name of a march that stands above.
+    #[key(example = "\"…\", the name of a march that stands above")]
+    pub of: String,
+    /// How the signal is cut into pieces.
+    #[key(flatten)]
+    pub pieces: SpectrumPieces,
+    /// The amplitude of 0 dB, in a unit of the signal; that of ISO 1683 where left out: 1 µm/s², 1 nm/s, 1 pm, 1 µN.
+    #[key(filled)]
+    pub reference: Amplitude,
+    /// How levels are drawn.
+    #[key(flatten)]
+    pub drawn: DrawnLevels,
+}
+
 /// How a signal is cut into pieces.
 #[derive(Debug, Clone, Copy, PartialEq, Settings)]
 pub struct SpectrumPieces {
@@ -76,10 +93,21 @@ impl SpectrogramWindow {
     }
 }
 
+/// 0 dB of a quantity in its SI unit (ISO 1683); 1 of a quantity that has none there.
+pub(crate) fn decibel_reference(dimension: Dimension) -> f64 {
+    let known = [
+        (Dimension::ACCELERATION, 1e-6),
+        (Dimension::SPEED, 1e-9),
+        (Dimension::LENGTH, 1e-12),
+        (Dimension::FORCE, 1e-6),
+    ];
+    known.into_iter().find(|(of, _)| *of == dimension).map_or(1.0, |(_, reference)| reference)
+}
+
 impl Amplitude {
     /// Reads the amplitude of 0 dB in a unit of this dimension, which is that of the signal.
     pub(crate) fn admit(&mut self, dimension: Dimension, section: &Section<'_>) -> Result<(), Fault> {
-        self.0.dimension = dimension;
+        self.0 = Quantity { number: decibel_reference(dimension), dimension };
         if let Some(node) = section.get("reference") {
             let (key, number) = ("reference".to_owned(), read_si("reference", dimension, node)?);
             if number <= 0.0 {

@@ -206,7 +206,7 @@ fn a_spectrogram_shows_a_march() {
     assert!(report.complete, "{:?}", report.messages);
     let told = &report.summary.results["levels"];
     let number = |key: &str| told[key].as_f64().unwrap();
-    assert!(number("windows") >= 20.0 && told["reference"] == "1 m/s");
+    assert!(number("windows") >= 20.0 && told["reference"] == "1e-9 m/s");
     assert!(number("resolution_hz") < 2010.0 && number("peak_frequency_hz") <= 160e3);
     assert!(!told.contains_key("peak_position_m"));
     let forces = of("analysis.levels.signal=\"sole.normal_force\"").unwrap();

@@ -285,14 +285,14 @@ fn a_spectrogram_has_the_unit_of_its_signal() {
         ("signal = \"T.y\"\nreference = \"2 m/s^2\"", 2.0),
         ("signal = \"T.x.velocity\"\nreference = \"3 mm/s\"", 3e-3),
         ("signal = \"normal-force\"\nreference = \"1 mN\"", 1e-3),
-        ("range = [-60.0, 40]\noverlap = 0", 1.0),
+        ("range = [-60.0, 40]\noverlap = 0", 1e-6),
     ] {
         let case = sliding(&with_analyses(&format!("{march}{settings}\n")), &[]);
         let found: &SpectrogramAnalysis = case.analyses[1].settings().unwrap();
         assert_eq!(
-            (found.reference.0.number, found.pieces.window, found.pieces.length),
+            (found.levels.reference.0.number, found.levels.pieces.window, found.levels.pieces.length),
             (reference, SpectrogramWindow::Hann, 5e-3)
         );
-        assert_eq!(found.drawn.waterfall, None);
+        assert_eq!(found.levels.drawn.waterfall, None);
     }
 }

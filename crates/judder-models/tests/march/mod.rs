@@ -231,7 +231,7 @@ fn a_spectrogram_shows_a_march_and_follows_its_changes() {
     assert!(report.complete, "{:?}", report.messages);
     let told = &report.summary.results["levels"];
     assert!(told["windows"].as_u64().unwrap() > 10);
-    assert_eq!(told["reference"], "1 m/s^2");
+    assert_eq!(told["reference"], "1e-6 m/s^2");
     // a window of 2 ms has lines 500 Hz apart, but for the whole number of its samples
     assert!((told["resolution_hz"].as_f64().unwrap() - 500.0).abs() < 1.0);
     let study = folder.path().join("study");

@@ -3,11 +3,10 @@
 use super::blocks::OngoingMotion;
 use crate::assembly::AssemblySubject;
 use crate::error::ModelError;
+use crate::spectrogram::settings::decibel_reference;
+use judder_keys::dimension::Dimension;
 use judder_numerics::signal::octave::octave_bands;
 use judder_store::{Results, Variable};
-
-/// 0 dB of an acceleration, in m/s² (ISO 1683).
-const REFERENCE: f64 = 1e-6;
 
 /// The levels of an observed point along a direction after the transient, in octave bands.
 #[derive(Results)]
@@ -35,7 +34,8 @@ impl OngoingMotion<'_, '_> {
             // of a motion that leaves the numbers no level is known
             let settled = if settled.iter().all(|own| own.is_finite()) { settled } else { &[] };
             let bands = octave_bands(settled, rate, pass_band)?;
-            let level = |mean_square: f64| 10.0 * (mean_square / REFERENCE.powi(2)).log10();
+            let reference = decibel_reference(Dimension::ACCELERATION);
+            let level = |mean_square: f64| 10.0 * (mean_square / reference.powi(2)).log10();
             let levels = OctaveLevels {
                 band_hz: bands.iter().map(|band| band.centre).collect(),
                 level_db: bands

@@ -45,12 +45,12 @@ impl Analysis<AssemblyCase> for AssemblySpectrogram {
             let (what, name) = ("signal", signal.clone());
             return Ok(Err(Refusal::key("signal", Cause::UnknownName { what, name, known })));
         }
-        let march = of.case.analyses.iter().find(|own| own.name == self.of);
+        let march = of.case.analyses.iter().find(|own| own.name == self.levels.of);
         let duration = march.and_then(|own| own.settings::<AssemblyMarch>()).map(|march| march.duration);
-        let Some(duration) = duration.filter(|duration| self.pieces.length > *duration) else {
+        let Some(duration) = duration.filter(|duration| self.levels.pieces.length > *duration) else {
             return Ok(Ok(()));
         };
-        let (length, name) = (self.pieces.length, &self.of);
+        let (length, name) = (self.levels.pieces.length, &self.levels.of);
         let reason = format!(
             "a window is {length} s long, but the march `{name}` takes {duration} s: give a shorter `length`"
         );
@@ -64,14 +64,7 @@ impl Analysis<AssemblyCase> for AssemblySpectrogram {
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         let usual = signals(of).into_iter().next().unwrap_or_default();
         let signal = self.signal.as_deref().unwrap_or(&usual);
-        let levels = AskedLevels {
-            name: of.name,
-            of: &self.of,
-            signal: [signal, signal],
-            pieces: self.pieces,
-            reference: self.reference,
-            drawn: self.drawn,
-        };
+        let levels = AskedLevels { name: of.name, signal: [signal, signal], asked: &self.levels };
         let place = levels.place(task.own.place, &[])?;
         let shown = levels.shown(&place)?;
         let dataset = shown.dataset(&levels, None)?;
@@ -79,11 +72,11 @@ impl Analysis<AssemblyCase> for AssemblySpectrogram {
     }
 
     fn estimate(&self, _: &AssemblySubject<'_>) -> Result<String, ModelError> {
-        Ok(format!("levels of a signal of `{}`", self.of))
+        Ok(format!("levels of a signal of `{}`", self.levels.of))
     }
 
     fn takes_up(&self) -> Vec<&str> {
-        vec![&self.of]
+        vec![&self.levels.of]
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -3,7 +3,7 @@
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::march::settings::AssemblyMarch;
-use crate::spectrogram::settings::{Amplitude, DrawnLevels, NamedAbove, SpectrumPieces};
+use crate::spectrogram::settings::{NamedAbove, SpectrumSettings};
 use judder_keys::Settings;
 use judder_keys::dimension::Dimension;
 use judder_keys::document::Node;
@@ -16,21 +16,12 @@ use std::sync::Arc;
 /// A spectrogram of a signal.
 #[derive(Debug, Clone, PartialEq, Settings)]
 pub struct AssemblySpectrogram {
-    /// The name of a march that stands above.
-    #[key(example = "\"…\", the name of a march that stands above")]
-    pub of: String,
+    /// Of which march, and how.
+    #[key(flatten)]
+    pub levels: SpectrumSettings,
     /// Which of its arrays over time: `POINT.x`, an acceleration, `POINT.x.velocity`, `CONTACT.normal_force` or `CONTACT.friction_force`; the acceleration of the first observed point, else the normal force of the first contact, where left out.
     #[key(omitted)]
     pub signal: Option<String>,
-    /// How it is cut into pieces.
-    #[key(flatten)]
-    pub pieces: SpectrumPieces,
-    /// The amplitude of 0 dB, in a unit of the signal; 1 of its SI unit where left out.
-    #[key(filled)]
-    pub reference: Amplitude,
-    /// How levels are drawn.
-    #[key(flatten)]
-    pub drawn: DrawnLevels,
 }
 
 impl AssemblySpectrogram {
@@ -42,7 +33,7 @@ impl AssemblySpectrogram {
             None if case.watched.is_empty() => Dimension::FORCE,
             _ => Dimension::ACCELERATION,
         };
-        self.reference.admit(dimension, section)?;
+        self.levels.reference.admit(dimension, section)?;
         Ok(self)
     }
 }
@@ -54,11 +45,11 @@ pub(crate) fn check_references(
 ) -> Result<(), Fault> {
     for (index, (analysis, node)) in analyses.iter().zip(nodes).enumerate() {
         let Some(spectrogram) = analysis.settings::<AssemblySpectrogram>() else { continue };
-        let march = NamedAbove { what: "march", key: "of", name: &spectrogram.of };
+        let march = NamedAbove { what: "march", key: "of", name: &spectrogram.levels.of };
         let is_march =
             |other: &Planned<Arc<dyn Analysis<AssemblyCase>>>| other.settings::<AssemblyMarch>().is_some();
         march.check(&analyses[..index], is_march, node, || {
-            let reason = format!("no march stands above that could be `{}`", spectrogram.of);
+            let reason = format!("no march stands above that could be `{}`", spectrogram.levels.of);
             AssemblyProblem::Refused { reason }.into()
         })?;
     }

@@ -45,16 +45,16 @@ pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>>
 
 /// The march whose signal it shows.
 fn march<'a>(asked: &SpectrogramAnalysis, case: &'a SlidingCase) -> Option<&'a MarchAnalysis> {
-    case.analyses.iter().find(|own| own.name == asked.of)?.settings()
+    case.analyses.iter().find(|own| own.name == asked.levels.of)?.settings()
 }
 
 impl Analysis<SlidingCase> for SpectrogramAnalysis {
     fn fits(&self, of: &SlidingSubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         let duration = march(self, of.case).map(|march| of.system.along(march).duration());
-        let Some(duration) = duration.filter(|duration| self.pieces.length > *duration) else {
+        let Some(duration) = duration.filter(|duration| self.levels.pieces.length > *duration) else {
             return Ok(Ok(()));
         };
-        let (length, name) = (self.pieces.length, &self.of);
+        let (length, name) = (self.levels.pieces.length, &self.levels.of);
         let reason = format!("a window is {length} s long, but the march `{name}` takes {duration:.6} s");
         Ok(Err(Refusal::key("length", SlidingProblem::Unbuilt { reason, advice: SHORTER })))
     }
@@ -77,7 +77,7 @@ impl Analysis<SlidingCase> for SpectrogramAnalysis {
     }
 
     fn takes_up(&self) -> Vec<&str> {
-        [Some(self.of.as_str()), self.locus.as_deref()].into_iter().flatten().collect()
+        [Some(self.levels.of.as_str()), self.locus.as_deref()].into_iter().flatten().collect()
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

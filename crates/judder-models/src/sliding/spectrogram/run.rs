@@ -18,9 +18,8 @@ pub(crate) fn run(
     place: Option<StudyPlace<'_>>,
 ) -> Result<Outcome, ModelError> {
     let (signal, called) = (variable_name(*asked.signal, points), asked.signal.name(points));
-    let SpectrogramAnalysis { of, pieces, reference, drawn, locus, .. } = asked;
-    let (pieces, reference, drawn) = (*pieces, *reference, *drawn);
-    let levels = AskedLevels { name, of, signal: [&signal, &called], pieces, reference, drawn };
+    let SpectrogramAnalysis { levels, locus, .. } = asked;
+    let levels = AskedLevels { name, signal: [&signal, &called], asked: levels };
     let place = levels.place(place, &locus.iter().map(String::as_str).collect::<Vec<_>>())?;
     let shown = levels.shown(&place)?;
     let found = match locus {

@@ -5,7 +5,7 @@ use crate::sliding::case::observe::{ObservedPoint, Signal};
 use crate::sliding::case::problem::SlidingProblem;
 use crate::sliding::locus::settings::{Along, LocusAnalysis};
 use crate::sliding::march::settings::MarchAnalysis;
-use crate::spectrogram::settings::{Amplitude, DrawnLevels, NamedAbove, SpectrumPieces};
+use crate::spectrogram::settings::{NamedAbove, SpectrumSettings};
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::Named;
@@ -20,21 +20,12 @@ use std::sync::Arc;
 /// A spectrogram of a signal.
 #[derive(Debug, Clone, PartialEq, Settings)]
 pub struct SpectrogramAnalysis {
-    /// The name of a march that stands above.
-    #[key(example = "\"…\", the name of a march that stands above")]
-    pub of: String,
+    /// Of which march, and how.
+    #[key(flatten)]
+    pub levels: SpectrumSettings,
     /// Which of its signals, called as that of a march is; the first point's acceleration along y where left out.
     #[key(filled)]
     pub signal: Named<Signal>,
-    /// How it is cut into pieces.
-    #[key(flatten)]
-    pub pieces: SpectrumPieces,
-    /// The amplitude of 0 dB, in a unit of the signal; 1 of its SI unit where left out.
-    #[key(filled)]
-    pub reference: Amplitude,
-    /// How levels are drawn.
-    #[key(flatten)]
-    pub drawn: DrawnLevels,
     /// The name of a locus over positions that stands above, whose unstable zones are laid over.
     pub locus: Option<String>,
 }
@@ -43,7 +34,7 @@ impl SpectrogramAnalysis {
     /// Finds the signal, and reads the amplitude of 0 dB in its unit.
     pub(crate) fn admit(mut self, case: &SlidingCase, section: &Section<'_>) -> Result<Self, Fault> {
         self.signal = Signal::named(section, "signal", &case.points)?;
-        self.reference.admit(self.signal.dimension(), section)?;
+        self.levels.reference.admit(self.signal.dimension(), section)?;
         Ok(self)
     }
 }
@@ -61,7 +52,7 @@ pub(crate) fn check_references(
         let Some(spectrogram) = analysis.settings::<SpectrogramAnalysis>() else { continue };
         let above = &analyses[..index];
         let is_march = |other: &Above| other.settings::<MarchAnalysis>().is_some();
-        let march = NamedAbove { what: "march", key: "of", name: &spectrogram.of };
+        let march = NamedAbove { what: "march", key: "of", name: &spectrogram.levels.of };
         march.check(above, is_march, node, || nothing(&march))?;
         check_signal(above, spectrogram, points, node)?;
         if let Some(name) = &spectrogram.locus {
@@ -84,14 +75,16 @@ fn check_signal(
     points: &[ObservedPoint],
     node: &Node,
 ) -> Result<(), Fault> {
-    let march =
-        above.iter().find(|other| other.name == spectrogram.of).and_then(Above::settings::<MarchAnalysis>);
+    let march = above
+        .iter()
+        .find(|other| other.name == spectrogram.levels.of)
+        .and_then(Above::settings::<MarchAnalysis>);
     let kept = march.map(|march| march.kept(points.len()));
     if kept.is_none_or(|kept| kept.contains(&*spectrogram.signal)) {
         return Ok(());
     }
     let place = node.entry("signal").map_or(node.place, |value| value.place);
-    let (march, signal) = (spectrogram.of.clone(), spectrogram.signal.name.clone());
+    let (march, signal) = (spectrogram.levels.of.clone(), spectrogram.signal.name.clone());
     let quantity = spectrogram.signal.quantity();
     Err(SlidingProblem::NotKept { march, signal, quantity }.at(place))
 }

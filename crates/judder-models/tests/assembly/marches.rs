@@ -211,7 +211,7 @@ fn a_spectrogram_shows_a_march() {
     assert!(!told.contains_key("peak_position_m"));
     let forces = of("analysis.levels.signal=\"sole.normal_force\"").unwrap();
     assert_eq!(forces.skipped, ["implicit"]);
-    assert_eq!(forces.summary.results["levels"]["reference"], "1 N");
+    assert_eq!(forces.summary.results["levels"]["reference"], "1e-6 N");
     let unknown = of("analysis.levels.signal=\"edge.z\"").unwrap_err().to_string();
     assert!(unknown.contains("edge.z"), "{unknown}");
     let march = case("assembly/block-in-motion.toml", &[]);

@@ -27,6 +27,9 @@ pub struct HarmonicForce {
     pub amplitude: Vec<c64>,
 }
 
+/// What holds friction that nothing else does, of itself.
+const LEAST: f64 = 1e-9;
+
 /// The equations of periodic motions of an assembly.
 #[derive(Debug, Clone)]
 pub struct HarmonicBalance<'a> {
@@ -300,6 +303,12 @@ impl<'a> HarmonicBalance<'a> {
         (0..self.unknowns()).map(entry).collect()
     }
 
+    /// Whether an unknown is a mean of friction: of a point that sticks throughout the laws leave it open, and the least is taken.
+    fn is_mean_friction(&self, unknown: usize) -> bool {
+        let size = self.series.coefficients();
+        unknown.is_multiple_of(size) && !(unknown / size).is_multiple_of(self.contact.dimension)
+    }
+
     /// The equations with their derivatives.
     ///
     /// # Errors
@@ -309,7 +318,8 @@ impl<'a> HarmonicBalance<'a> {
         let signals = self.signals(unknown, &responses);
         let projected = self.projected(&self.series, &signals);
         let residual = self.residual_of(&signals, &projected);
-        let jacobian = self.jacobian(&responses, &projected);
+        let mut jacobian = self.jacobian(&responses, &projected);
+        (0..unknown.len()).filter(|k| self.is_mean_friction(*k)).for_each(|k| jacobian[(k, k)] += LEAST);
         let first = self.first(&responses);
         Ok(Balanced { residual, jacobian, signals, first })
     }
@@ -322,9 +332,12 @@ fn scales(bodies: &HarmonicBodies, dimension: usize, frequency: f64) -> Result<V
     const TANGENTIAL: f64 = 0.5;
     let receptance = bodies.receptance(c64::new(frequency, 0.0), 0.0)?;
     let size = |component: usize| receptance[(component, component)].norm();
-    let of = |point: usize| PointScales {
-        stiffness: NORMAL / size(point * dimension),
-        viscosity: TANGENTIAL / size(point * dimension + 1).max(f64::MIN_POSITIVE),
+    let of = |point: usize| {
+        let [normal, tangential] = [0, 1].map(|k| size(point * dimension + k));
+        let stiffness = NORMAL / normal;
+        // a point that cannot move along the contact is measured by its normal
+        let viscosity = if tangential > 0.0 { TANGENTIAL / tangential } else { stiffness / frequency };
+        PointScales { stiffness, viscosity }
     };
     Ok((0..bodies.components() / dimension).map(of).collect())
 }

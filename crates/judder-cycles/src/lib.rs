@@ -8,12 +8,14 @@
 //! - [`balance`]: the balance of harmonics on the contact points, with its derivatives.
 //! - [`path`]: solutions of equations with one unknown more, one after the other.
 //! - [`backbone`]: the periodic motions of a mode over their amplitude; those that need neither drive nor brake are limit cycles.
+//! - [`forced`]: periodic motions that a force drives, over its frequency.
 //! - [`cycle`]: what is told of a limit cycle.
 
 pub mod backbone;
 pub mod balance;
 pub mod cycle;
 mod error;
+pub mod forced;
 pub mod path;
 pub mod point_law;
 pub mod receptance;

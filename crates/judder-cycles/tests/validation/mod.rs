@@ -2,3 +2,4 @@
 
 mod belt;
 mod block;
+mod forced;

@@ -212,7 +212,7 @@ pub fn points(
                 PointMotion::Slip => 1,
                 PointMotion::Open => 2,
             };
-            told.shares[state] += 1.0 / instants;
+            told.shares[state] += 1.0;
             told.normal_force += projected.force[0] / instants;
             told.friction_force += projected.force[1] / instants;
             for k in 0..dimension {
@@ -226,6 +226,7 @@ pub fn points(
         }
     }
     for (point, told) in points.iter_mut().enumerate() {
+        told.shares = told.shares.map(|count| count / instants);
         let own = signals.motions.col_as_slice(point * dimension + 1);
         told.tangential_velocity_rms = (own[1..].iter().map(|a| a * a).sum::<f64>() / 2.0).sqrt();
     }

@@ -104,8 +104,11 @@ pub fn forced_response(
     let closing = ClosingEquation::fixed(unknowns, unknowns + 1, 1.0);
     let towards: Vec<f64> = closing.row.iter().map(|own| own * (to - from).signum()).collect();
     let first = corrected(&mut equations, &start, &closing, &towards, &settings.rule)?;
-    let mut found =
-        ForcedResponse { motions: vec![equations.motion(&first)], folds: Vec::new(), end: ResponseEnd::Points };
+    let mut found = ForcedResponse {
+        motions: vec![equations.motion(&first)],
+        folds: Vec::new(),
+        end: ResponseEnd::Points,
+    };
     let mut path = Path::from(first, settings.rule);
     while found.motions.len() < settings.points {
         let before = path.point().tangent[unknowns];

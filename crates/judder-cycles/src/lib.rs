@@ -9,6 +9,7 @@
 //! - [`path`]: solutions of equations with one unknown more, one after the other.
 //! - [`backbone`]: the periodic motions of a mode over their amplitude; those that need neither drive nor brake are limit cycles.
 //! - [`forced`]: periodic motions that a force drives, over its frequency.
+//! - [`stability`]: Floquet multipliers by steps of small motions about a periodic one.
 //! - [`cycle`]: what is told of a limit cycle.
 
 pub mod backbone;
@@ -20,5 +21,6 @@ pub mod path;
 pub mod point_law;
 pub mod receptance;
 pub mod series;
+pub mod stability;
 
 pub use error::CycleError;

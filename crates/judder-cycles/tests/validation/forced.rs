@@ -33,7 +33,8 @@ fn followed(balance: &HarmonicBalance<'_>, found: &ForcedResponse, row: &Row) ->
 /// Untouched points, all forces zero.
 fn untouched(case: &Assembly, gap: f64) -> SteadySliding {
     let mut steady = SteadySliding::untouched(case.size());
-    steady.points = vec![PointState { interface: 0, gap, normal_force: 0.0, friction_force: 0.0, is_closed: false }];
+    steady.points =
+        vec![PointState { interface: 0, gap, normal_force: 0.0, friction_force: 0.0, is_closed: false }];
     steady
 }
 
@@ -69,11 +70,8 @@ fn a_stop_bends_the_response_as_published() {
     assert_eq!(found.end, ResponseEnd::Range);
     let rms = |own: &[f64]| (own[0] * own[0] + 0.5 * own[1..].iter().map(|a| a * a).sum::<f64>()).sqrt();
     let all = followed(&balance, &found, &Row::of_freedom(0));
-    let (frequency, peak) = all
-        .iter()
-        .map(|(frequency, own)| (*frequency, rms(own)))
-        .max_by(|a, b| a.1.total_cmp(&b.1))
-        .unwrap();
+    let (frequency, peak) =
+        all.iter().map(|(frequency, own)| (*frequency, rms(own))).max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
     assert!((peak / 1.01297 - 1.0).abs() < 1e-4, "{peak}");
     assert!((frequency - 0.75375).abs() < 1e-4, "{frequency}");
 }
@@ -92,7 +90,8 @@ fn a_friction_damper_has_the_published_peak() {
         InterfaceLaw::Rigid(Friction::Constant(1.0)),
     );
     let steady = steady_sliding(&case, &Compliance::new(&case).unwrap()).unwrap();
-    let force = HarmonicForce { harmonic: 1, amplitude: vec![c64::new(0.5 * SLIPS, 0.0), c64::ZERO, c64::ZERO] };
+    let force =
+        HarmonicForce { harmonic: 1, amplitude: vec![c64::new(0.5 * SLIPS, 0.0), c64::ZERO, c64::ZERO] };
     let peaks = [9, 31].map(|harmonics| {
         let series = Series::new(harmonics, 1024);
         let forces = std::slice::from_ref(&force);

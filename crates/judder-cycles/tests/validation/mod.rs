@@ -3,3 +3,4 @@
 mod belt;
 mod block;
 mod forced;
+mod stability;

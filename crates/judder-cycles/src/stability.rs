@@ -1,0 +1,247 @@
+//! Floquet multipliers of a limit cycle.
+//!
+//! Small motions about the cycle are stepped once around it, M δẍ + C δẋ + K δx = Pᵀ δλ with δλ = ∂π/∂λ δλ + ∂π/∂y δy at every step, by the implicit scheme of the
+//! march: a point that sticks has no velocity at the end of a step, so that what differed when it was caught is gone, as it is in the motion itself. What the steps
+//! make of all displacements and velocities is the monodromy matrix; its eigenvalues are the multipliers. One of them is 1: the cycle a little earlier or later.
+//!
+//! What an impact of a rigid point does to small motions depends on the instant at which it touches, which the steps do not follow: such cycles are told as
+//! unknown.
+
+use crate::CycleError;
+use crate::backbone::PeriodicMotion;
+use crate::balance::HarmonicBalance;
+use crate::point_law::Projected;
+use crate::receptance::BodyStep;
+use crate::series::Series;
+use faer::{Mat, c64};
+use judder_dense::general::{real_eigenvalues, solve};
+use judder_dense::product::product;
+use judder_nonsmooth::contact_problem::PointMotion;
+use std::f64::consts::TAU;
+
+/// The multipliers of a cycle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FloquetMultipliers {
+    /// All but the one that belongs to the phase, the largest first.
+    pub values: Vec<c64>,
+    /// That of the phase, which should be 1.
+    pub phase: c64,
+    /// Steps of a period.
+    pub steps: usize,
+    /// By how much the largest differs between half as many steps and these, and that of the phase from 1.
+    pub error: f64,
+}
+
+/// Whether motions near a cycle are drawn to it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CycleStability {
+    /// All multipliers lie within the unit circle, by more than their error.
+    Stable,
+    /// One lies outside, by more than its error.
+    Unstable,
+    /// The largest lies on the unit circle, as far as it is known.
+    Undecided,
+    /// A rigid point opens and closes.
+    Impacts,
+    /// There are too many coordinates for a monodromy matrix.
+    TooLarge,
+}
+
+/// Coordinates up to which there is a monodromy matrix: its eigenvalues cost as the cube of twice as many.
+const MOST: usize = 400;
+/// Steps of a period at first, and at most.
+const STEPS: [usize; 2] = [256, 4096];
+/// A change from half as many steps that is small enough.
+const ENOUGH: f64 = 1e-3;
+
+impl FloquetMultipliers {
+    /// The largest modulus but that of the phase.
+    #[must_use]
+    pub fn largest(&self) -> f64 {
+        self.values.first().map_or(0.0, |own| own.norm())
+    }
+
+    /// What they say.
+    #[must_use]
+    pub fn verdict(&self) -> CycleStability {
+        match self.largest() - 1.0 {
+            beyond if beyond > self.error => CycleStability::Unstable,
+            beyond if beyond < -self.error => CycleStability::Stable,
+            _ => CycleStability::Undecided,
+        }
+    }
+}
+
+/// The multipliers of a cycle, with as many steps as they take to settle; what hinders them otherwise.
+///
+/// # Errors
+/// [`CycleError::Singular`].
+pub fn floquet_multipliers(
+    balance: &HarmonicBalance<'_>,
+    cycle: &PeriodicMotion,
+) -> Result<Result<FloquetMultipliers, CycleStability>, CycleError> {
+    if balance.bodies().coordinates() > MOST {
+        return Ok(Err(CycleStability::TooLarge));
+    }
+    if has_impacts(balance, cycle)? {
+        return Ok(Err(CycleStability::Impacts));
+    }
+    let [first, most] = STEPS;
+    let mut found = with_steps(balance, cycle, first)?;
+    loop {
+        let mut finer = with_steps(balance, cycle, 2 * found.steps)?;
+        let of_steps = (finer.largest() - found.largest()).abs().max((finer.phase - found.phase).norm());
+        // that of the phase tells what the harmonics leave out too
+        finer.error = of_steps.max((finer.phase - 1.0).norm());
+        found = finer;
+        if of_steps < ENOUGH || found.steps >= most {
+            return Ok(Ok(found));
+        }
+    }
+}
+
+/// Whether a rigid point that may open does so amid the cycle.
+fn has_impacts(balance: &HarmonicBalance<'_>, cycle: &PeriodicMotion) -> Result<bool, CycleError> {
+    let signals = balance.signals_at(&cycle.unknown, cycle.turning)?;
+    let projected = balance.projected(balance.series(), &signals);
+    let open = |point: usize| projected.iter().filter(|own| own[point].state == PointMotion::Open).count();
+    let contact = balance.contact();
+    Ok((0..contact.points.len())
+        .filter(|point| !contact.is_compliant(*point) && !contact.points[*point].stays_closed)
+        .any(|point| ![0, projected.len()].contains(&open(point))))
+}
+
+fn with_steps(
+    balance: &HarmonicBalance<'_>,
+    cycle: &PeriodicMotion,
+    steps: usize,
+) -> Result<FloquetMultipliers, CycleError> {
+    let matrix = monodromy(balance, cycle, steps)?;
+    let mut values = real_eigenvalues(&matrix).ok_or(CycleError::Singular)?;
+    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(a.im.total_cmp(&b.im)));
+    let nearest = (0..values.len()).min_by(|a, b| {
+        let off = |k: usize| (values[k] - 1.0).norm();
+        off(*a).total_cmp(&off(*b))
+    });
+    let phase = nearest.map_or(c64::ZERO, |k| values.remove(k));
+    Ok(FloquetMultipliers { values, phase, steps, error: f64::INFINITY })
+}
+
+/// What a period makes of displacements and velocities of the coordinates, in this order.
+fn monodromy(
+    balance: &HarmonicBalance<'_>,
+    cycle: &PeriodicMotion,
+    steps: usize,
+) -> Result<Mat<f64>, CycleError> {
+    let size = balance.bodies().coordinates();
+    let step = TAU / cycle.turning.frequency / steps as f64;
+    let bodies = balance.bodies().step(step)?;
+    // the laws amid the steps
+    let series = Series::new(balance.series().harmonics(), 2 * steps);
+    let signals = balance.signals_at(&cycle.unknown, cycle.turning)?;
+    let projected = balance.projected(&series, &signals);
+    // velocities are measured by the frequency, so that the matrix is of the order of one
+    let unit = |row: usize, column: usize| f64::from(u8::from(row == column));
+    let omega = cycle.turning.frequency;
+    let mut x = Mat::from_fn(size, 2 * size, unit);
+    let mut v = Mat::from_fn(size, 2 * size, |row, column| omega * unit(row + size, column));
+    let compliance = product(bodies.rows.as_ref(), bodies.pushes.as_ref());
+    for own in projected.iter().skip(1).step_by(2).take(steps) {
+        let at = PointsAt { balance, bodies: &bodies, compliance: &compliance, projected: own, step };
+        let next = at.advanced(&x, &v)?;
+        x = Mat::from_fn(size, 2 * size, |k, j| x[(k, j)] + 0.5 * step * (v[(k, j)] + next[(k, j)]));
+        v = next;
+    }
+    Ok(Mat::from_fn(2 * size, 2 * size, |row, column| match row < size {
+        true => x[(row, column)],
+        false => v[(row - size, column)] / omega,
+    }))
+}
+
+/// The points amid a step.
+struct PointsAt<'s, 'b, 'a> {
+    balance: &'b HarmonicBalance<'a>,
+    bodies: &'s BodyStep,
+    /// P A⁻¹ h Pᵀ.
+    compliance: &'s Mat<f64>,
+    projected: &'s [Projected],
+    step: f64,
+}
+
+impl PointsAt<'_, '_, '_> {
+    /// δv⁺.
+    fn advanced(&self, x: &Mat<f64>, v: &Mat<f64>) -> Result<Mat<f64>, CycleError> {
+        let free = self.bodies.free(x, v);
+        let rows = self.bodies.rows.as_ref();
+        let [place, before, after] = [x, v, &free].map(|own| product(rows, own.as_ref()));
+        // y of the step without contact forces, and what these add
+        let carried = self.carried(x, v, &free);
+        let moved = Mat::from_fn(place.nrows(), place.ncols(), |component, column| {
+            let [of_place, of_before, of_after] = self.shares(component);
+            let own = of_place * place[(component, column)]
+                + of_before * before[(component, column)]
+                + of_after * after[(component, column)];
+            own - carried.as_ref().map_or(0.0, |carried| carried[(component, column)])
+        });
+        let matrix =
+            self.law(|component, other| self.shares(component)[2] * self.compliance[(component, other)]);
+        let mut forces = Mat::from_fn(moved.nrows(), moved.ncols(), |component, column| {
+            self.by_motion(component, |other| moved[(other, column)])
+        });
+        solve(matrix, &mut forces).ok_or(CycleError::Singular)?;
+        Ok(free + product(self.bodies.pushes.as_ref(), forces.as_ref()))
+    }
+
+    fn dimension(&self) -> usize {
+        self.balance.contact().dimension
+    }
+
+    /// Shares of place, of velocities before and after the step in the y that the law takes: amid the step where it is smooth, at its end where it holds a point.
+    fn shares(&self, component: usize) -> [f64; 3] {
+        let (point, own) = (component / self.dimension(), component % self.dimension());
+        let state = self.projected[point].state;
+        let is_rigid = !self.balance.contact().is_compliant(point);
+        match (own, state) {
+            (0, PointMotion::Stick | PointMotion::Slip) if is_rigid => [1.0, 0.0, self.step],
+            (0, _) => [1.0, 0.25 * self.step, 0.25 * self.step],
+            (_, PointMotion::Stick) => [0.0, 0.0, 1.0],
+            _ => [0.0, 0.5, 0.5],
+        }
+    }
+
+    /// What the passing material brings amid the step, where there is any.
+    fn carried(&self, x: &Mat<f64>, v: &Mat<f64>, free: &Mat<f64>) -> Option<Mat<f64>> {
+        if self.bodies.convected.is_empty() {
+            return None;
+        }
+        let mut all = Mat::zeros(self.bodies.rows.nrows(), x.ncols());
+        for (component, row) in &self.bodies.convected {
+            for column in 0..x.ncols() {
+                let middle =
+                    |k: usize| x[(k, column)] + 0.25 * self.step * (v[(k, column)] + free[(k, column)]);
+                all[(*component, column)] = row.iter().enumerate().map(|(k, share)| share * middle(k)).sum();
+            }
+        }
+        Some(all)
+    }
+
+    /// Σ ∂π/∂y y of a component.
+    fn by_motion(&self, component: usize, motion: impl Fn(usize) -> f64) -> f64 {
+        let (dimension, own) = (self.dimension(), component % self.dimension());
+        let first = component - own;
+        let slopes = &self.projected[component / dimension].by_motion[own];
+        (0..dimension).map(|k| slopes[k] * motion(first + k)).sum()
+    }
+
+    /// 1 − ∂π/∂λ − ∂π/∂y (∂y/∂λ).
+    fn law(&self, moved: impl Fn(usize, usize) -> f64) -> Mat<f64> {
+        let dimension = self.dimension();
+        let size = self.compliance.nrows();
+        Mat::from_fn(size, size, |i, j| {
+            let (point, own) = (i / dimension, i % dimension);
+            let by_force =
+                if j / dimension == point { self.projected[point].by_force[own][j % dimension] } else { 0.0 };
+            f64::from(u8::from(i == j)) - by_force - self.by_motion(i, |k| moved(k, j))
+        })
+    }
+}

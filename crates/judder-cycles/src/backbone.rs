@@ -8,8 +8,9 @@
 mod mode;
 
 use crate::CycleError;
-use crate::balance::{HarmonicBalance, Turning};
+use crate::balance::{Balanced, HarmonicBalance, Turning};
 use crate::path::{ClosingEquation, Path, PathEquations, PathPoint, PathRule, corrected};
+use crate::phase::Phase;
 use faer::{Mat, c64};
 use judder_assembly::steady::SteadySliding;
 
@@ -73,96 +74,55 @@ pub struct Backbone {
     pub end: BackboneEnd,
 }
 
-/// The balance of harmonics with ω and one unknown more, and a phase.
-pub(crate) struct TurningEquations<'b, 'a> {
+/// The balance of harmonics with ω and σ, and a phase.
+struct TurningEquations<'b, 'a> {
     balance: &'b HarmonicBalance<'a>,
     /// In rad/s.
     frequency: f64,
     weights: Vec<f64>,
-    /// First harmonics of y beside which the phase is held: cosine and sine of each component, in N once multiplied with ε.
-    reference: Vec<f64>,
-    /// ε of each component.
-    scales: Vec<f64>,
+    phase: Phase,
 }
 
 impl<'b, 'a> TurningEquations<'b, 'a> {
-    pub(crate) fn new(balance: &'b HarmonicBalance<'a>, frequency: f64, reference: Vec<f64>) -> Self {
+    fn new(balance: &'b HarmonicBalance<'a>, frequency: f64, reference: Vec<f64>) -> Self {
         let unknowns = balance.unknowns();
         let mut weights = vec![1.0 / balance.components() as f64; unknowns + 2];
         weights[unknowns..].fill(1.0);
-        let dimension = balance.contact().dimension;
-        let of_component = |component: usize| {
-            let own = balance.scales()[component / dimension];
-            if component.is_multiple_of(dimension) { own.stiffness } else { own.viscosity }
-        };
-        let scales = (0..balance.components()).map(of_component).collect();
-        let mut equations = Self { balance, frequency, weights, reference, scales };
-        equations.normalise();
-        equations
+        Self { balance, frequency, weights, phase: Phase::new(balance, reference) }
     }
 
-    fn normalise(&mut self) {
-        let scaled = |k: usize| self.reference[k] * self.scales[k / 2];
-        let length = (0..self.reference.len()).map(|k| scaled(k) * scaled(k)).sum::<f64>().sqrt();
-        if length > 0.0 {
-            self.reference.iter_mut().for_each(|own| *own /= length);
-        }
-    }
-
-    pub(crate) fn turning(&self, at: &[f64]) -> Turning {
+    fn turning(&self, at: &[f64]) -> Turning {
         let unknowns = self.balance.unknowns();
         Turning { frequency: self.frequency * at[unknowns], growth: self.frequency * at[unknowns + 1] }
     }
 
-    /// Σ ε² (r_c y_s − r_s y_c), of the force scale, with the factors of y.
-    fn phase(&self) -> Vec<f64> {
-        let factor = |k: usize| {
-            let scale = self.scales[k / 2] * self.scales[k / 2] / self.balance.force_scale();
-            if k.is_multiple_of(2) { -scale * self.reference[k + 1] } else { scale * self.reference[k - 1] }
-        };
-        (0..self.reference.len()).map(factor).collect()
-    }
-
-    fn first(&self, signals: &Mat<f64>) -> Vec<f64> {
-        (0..self.reference.len()).map(|k| signals[(1 + k % 2, k / 2)]).collect()
-    }
-
     /// A motion at a solution.
-    pub(crate) fn motion(&self, point: &PathPoint) -> Result<PeriodicMotion, CycleError> {
+    fn motion(&self, point: &PathPoint) -> Result<PeriodicMotion, CycleError> {
         let turning = self.turning(&point.at);
         let unknown = point.at[..self.balance.unknowns()].to_vec();
         let signals = self.balance.signals_at(&unknown, turning)?;
-        let first = self.first(&signals.motions);
-        let square = |k: usize| (first[k] * self.scales[k / 2]) * (first[k] * self.scales[k / 2]);
-        let amplitude = (0..first.len()).map(square).sum::<f64>().sqrt();
+        let amplitude = self.phase.amplitude(&signals.motions);
         Ok(PeriodicMotion { unknown, turning, amplitude, residual: point.residual })
     }
 }
 
 impl PathEquations for TurningEquations<'_, '_> {
     fn residual(&mut self, at: &[f64]) -> Result<Vec<f64>, CycleError> {
-        let (unknown, turning) = (&at[..self.balance.unknowns()], self.turning(at));
-        let signals = self.balance.signals_at(unknown, turning)?;
+        let signals = self.balance.signals_at(&at[..self.balance.unknowns()], self.turning(at))?;
         let mut residual = self.balance.residual_of_signals(&signals);
-        let first = self.first(&signals.motions);
-        residual.push(self.phase().iter().zip(&first).map(|(factor, own)| factor * own).sum());
+        residual.push(self.phase.of(&signals.motions));
         Ok(residual)
     }
 
     fn linearised(&mut self, at: &[f64]) -> Result<(Vec<f64>, Mat<f64>), CycleError> {
         let unknowns = self.balance.unknowns();
-        let balanced = self.balance.balanced(&at[..unknowns], self.turning(at))?;
-        let mut residual = balanced.residual;
-        let phase = self.phase();
-        let first = self.first(&balanced.signals.motions);
-        residual.push(phase.iter().zip(&first).map(|(factor, own)| factor * own).sum());
-        let per_unit = |column: usize| if column >= unknowns { self.frequency } else { 1.0 };
+        let Balanced { mut residual, jacobian, signals, first } =
+            self.balance.balanced(&at[..unknowns], self.turning(at))?;
+        residual.push(self.phase.of(&signals.motions));
+        let phase = self.phase.slopes(&first);
         let derivative = Mat::from_fn(unknowns + 1, unknowns + 2, |i, j| {
-            let own = match i < unknowns {
-                true => balanced.jacobian[(i, j)],
-                false => phase.iter().enumerate().map(|(k, factor)| factor * balanced.first[(k, j)]).sum(),
-            };
-            per_unit(j) * own
+            let own = if i < unknowns { jacobian[(i, j)] } else { phase[j] };
+            if j >= unknowns { self.frequency * own } else { own }
         });
         Ok((residual, derivative))
     }
@@ -171,10 +131,14 @@ impl PathEquations for TurningEquations<'_, '_> {
         &self.weights
     }
 
+    fn is_sought(&mut self, at: &[f64]) -> Result<bool, CycleError> {
+        let signals = self.balance.signals_at(&at[..self.balance.unknowns()], self.turning(at))?;
+        Ok(self.phase.moves(&signals.motions))
+    }
+
     fn accept(&mut self, at: &[f64]) -> Result<(), CycleError> {
         let signals = self.balance.signals_at(&at[..self.balance.unknowns()], self.turning(at))?;
-        self.reference = self.first(&signals.motions);
-        self.normalise();
+        self.phase.follow(&signals.motions);
         Ok(())
     }
 }

@@ -17,6 +17,7 @@ use faer::{Mat, c64};
 use judder_assembly::assembly::Assembly;
 use judder_assembly::steady::SteadySliding;
 use judder_nonsmooth::contact::ContactPoints;
+use std::sync::Arc;
 
 /// A periodic force on the freedoms, Re f e^{ihτ}.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,7 +40,9 @@ pub struct HarmonicBalance<'a> {
     scales: Vec<PointScales>,
     /// In N: unknowns and residuals are shares of it.
     force: f64,
-    statics: StaticResponse,
+    /// f on the freedoms, and what it does.
+    load: Vec<f64>,
+    statics: Arc<StaticResponse>,
     /// On the coordinates, of each harmonic from one on.
     forcing: Vec<Option<Vec<c64>>>,
 }
@@ -102,7 +105,8 @@ impl<'a> HarmonicBalance<'a> {
         let force = if force > 0.0 { force } else { largest(&assembly.load) };
         let scales = scales(&bodies, contact.dimension, frequency)?;
         let stiffness: Vec<f64> = scales.iter().map(|own| own.stiffness).collect();
-        let statics = bodies.statics(&assembly.load, &stiffness)?;
+        let statics = Arc::new(bodies.statics(&assembly.load, &stiffness)?);
+        let load = assembly.load.clone();
         let mut loads = vec![None; series.harmonics()];
         for own in forcing {
             if let Some(load) = own.harmonic.checked_sub(1).and_then(|k| loads.get_mut(k)) {
@@ -113,7 +117,38 @@ impl<'a> HarmonicBalance<'a> {
                 *load = Some(re.into_iter().zip(im).map(|(re, im)| c64::new(re, im)).collect());
             }
         }
-        Ok(Self { contact, bodies, series, scales, force, statics, forcing: loads })
+        Ok(Self { contact, bodies, series, scales, force, load, statics, forcing: loads })
+    }
+
+    /// The same equations, with the same scales, of another assembly of as many points.
+    ///
+    /// # Errors
+    /// As [`HarmonicBalance::new`]; [`CycleError::OtherPoints`].
+    pub fn of<'o>(&self, assembly: &'o Assembly) -> Result<HarmonicBalance<'o>, CycleError> {
+        let contact = ContactPoints::new(assembly, &[])?;
+        let [found, expected] = [contact.rows.len(), self.components()];
+        if found != expected {
+            return Err(CycleError::OtherPoints { found, expected });
+        }
+        let known = self.bodies.are_of(assembly, &contact);
+        let bodies = if known { self.bodies.clone() } else { HarmonicBodies::new(assembly, &contact)? };
+        let statics = match known && self.load == assembly.load {
+            true => self.statics.clone(),
+            false => {
+                let stiffness: Vec<f64> = self.scales.iter().map(|own| own.stiffness).collect();
+                Arc::new(bodies.statics(&assembly.load, &stiffness)?)
+            }
+        };
+        Ok(HarmonicBalance {
+            load: assembly.load.clone(),
+            contact,
+            bodies,
+            series: self.series.clone(),
+            scales: self.scales.clone(),
+            force: self.force,
+            statics,
+            forcing: self.forcing.clone(),
+        })
     }
 
     /// The same bodies with other harmonics.

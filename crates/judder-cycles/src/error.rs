@@ -36,6 +36,24 @@ pub enum CycleError {
         /// The most.
         most: usize,
     },
+    /// There is no assembly at a value of a parameter.
+    #[error("at {value} there is no assembly: {reason}")]
+    NoAssembly {
+        /// The value.
+        value: f64,
+        /// Why.
+        reason: String,
+    },
+    /// Contact points come or go as a parameter changes.
+    #[error(
+        "the contact has {found} components in place of {expected}: its points come or go with the parameter"
+    )]
+    OtherPoints {
+        /// Components now.
+        found: usize,
+        /// Before.
+        expected: usize,
+    },
     /// There are no contact points.
     #[error("nothing touches")]
     NothingTouches,

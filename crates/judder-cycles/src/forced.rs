@@ -81,6 +81,10 @@ impl PathEquations for ForcedEquations<'_, '_> {
         &self.weights
     }
 
+    fn is_sought(&mut self, _: &[f64]) -> Result<bool, CycleError> {
+        Ok(true)
+    }
+
     fn accept(&mut self, _: &[f64]) -> Result<(), CycleError> {
         Ok(())
     }

@@ -7,17 +7,21 @@
 //! - [`point_law`]: the force of a contact point as the projection of its force and motion on what the contact allows, with its derivatives.
 //! - [`balance`]: the balance of harmonics on the contact points, with its derivatives.
 //! - [`path`]: solutions of equations with one unknown more, one after the other.
+//! - `phase`: where the period of a motion begins that nothing drives.
 //! - [`backbone`]: the periodic motions of a mode over their amplitude; those that need neither drive nor brake are limit cycles.
+//! - [`branch`]: limit cycles along a parameter.
 //! - [`forced`]: periodic motions that a force drives, over its frequency.
 //! - [`stability`]: Floquet multipliers by steps of small motions about a periodic one.
 //! - [`cycle`]: what is told of a limit cycle.
 
 pub mod backbone;
 pub mod balance;
+pub mod branch;
 pub mod cycle;
 mod error;
 pub mod forced;
 pub mod path;
+mod phase;
 pub mod point_law;
 pub mod receptance;
 pub mod series;

@@ -24,6 +24,12 @@ pub trait PathEquations {
     /// What each unknown counts in the length of a step.
     fn weights(&self) -> &[f64];
 
+    /// Whether a solution is of the kind that is sought, beside one that is.
+    ///
+    /// # Errors
+    /// Where the equations cannot be evaluated.
+    fn is_sought(&mut self, at: &[f64]) -> Result<bool, CycleError>;
+
     /// A solution is taken: what the equations refer to may follow it.
     ///
     /// # Errors
@@ -292,7 +298,7 @@ impl Path {
         let weights = equations.weights();
         let off = |k: usize| (found.at[k] - guess[k]) * (found.at[k] - guess[k]) * weights[k];
         let off = (0..guess.len()).map(off).sum::<f64>().sqrt();
-        if off > self.step {
+        if off > self.step || !equations.is_sought(&found.at)? {
             return Err(CycleError::NotConverged { iterations: found.iterations, residual: off });
         }
         Ok(found)

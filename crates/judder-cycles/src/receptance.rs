@@ -13,6 +13,8 @@ use judder_dense::general::{solve, solve_complex};
 use judder_dense::product::product;
 use judder_nonsmooth::bodies::FreeModes;
 use judder_nonsmooth::contact::ContactPoints;
+use judder_structure::assembly::Sparse;
+use std::sync::Arc;
 
 /// Freedoms of bodies whose damping joins their modes up to which they are taken: a harmonic of them costs a dense system.
 const MOST: usize = 1200;
@@ -20,13 +22,43 @@ const MOST: usize = 1200;
 /// Bodies as their contact points feel them.
 #[derive(Debug, Clone)]
 pub struct HarmonicBodies {
+    /// What they were made of: an assembly of the same needs them no second time.
+    made_of: MadeOf,
     /// Components of a point.
     dimension: usize,
-    kind: BodyMatrices,
+    kind: Arc<BodyMatrices>,
     /// P on the coordinates, components × coordinates.
     rows: Mat<f64>,
     /// c of the components that have one.
     convected: Vec<(usize, Vec<f64>)>,
+}
+
+/// What bodies under contact points follow from.
+#[derive(Debug, Clone)]
+struct MadeOf {
+    matrices: Vec<Arc<Sparse>>,
+    rows: Vec<Row>,
+    convected: Vec<(usize, Row)>,
+}
+
+impl MadeOf {
+    fn new(assembly: &Assembly, contact: &ContactPoints<'_>) -> Self {
+        let own = [&assembly.mass, &assembly.damping, &assembly.stiffness];
+        let matrices =
+            own.into_iter().chain(assembly.gyroscopic.iter().map(|own| &own.matrix)).map(Arc::clone);
+        Self { matrices: matrices.collect(), rows: contact.rows.clone(), convected: contact.convected() }
+    }
+
+    fn is(&self, other: &Self) -> bool {
+        let same = |(a, b): (&Arc<Sparse>, &Arc<Sparse>)| {
+            Arc::ptr_eq(a, b)
+                || (a.col_ptr() == b.col_ptr() && a.row_idx() == b.row_idx() && a.val() == b.val())
+        };
+        self.matrices.len() == other.matrices.len()
+            && self.matrices.iter().zip(&other.matrices).all(same)
+            && self.rows == other.rows
+            && self.convected == other.convected
+    }
 }
 
 #[derive(Debug, Clone)]
@@ -74,7 +106,9 @@ impl HarmonicBodies {
             Some(modes) => BodyMatrices::Modes(Box::new(modes)),
             None => BodyMatrices::Whole(Box::new(whole(assembly)?)),
         };
+        let kind = Arc::new(kind);
         let mut bodies = Self {
+            made_of: MadeOf::new(assembly, contact),
             dimension: contact.dimension,
             kind,
             rows: Mat::zeros(contact.rows.len(), assembly.size()),
@@ -93,6 +127,12 @@ impl HarmonicBodies {
         Ok(bodies)
     }
 
+    /// Whether the bodies of an assembly are these.
+    #[must_use]
+    pub fn are_of(&self, assembly: &Assembly, contact: &ContactPoints<'_>) -> bool {
+        self.made_of.is(&MadeOf::new(assembly, contact))
+    }
+
     /// Components of all points.
     #[must_use]
     pub fn components(&self) -> usize {
@@ -102,7 +142,7 @@ impl HarmonicBodies {
     /// A form on the freedoms as one on the coordinates.
     #[must_use]
     pub fn on_coordinates(&self, row: &Row) -> Vec<f64> {
-        match &self.kind {
+        match self.kind.as_ref() {
             BodyMatrices::Modes(modes) => {
                 let of = |mode: usize| {
                     row.entries().iter().map(|(k, share)| share * modes.shapes[(*k, mode)]).sum()
@@ -120,7 +160,7 @@ impl HarmonicBodies {
     /// Forces at the freedoms on the coordinates.
     #[must_use]
     pub fn forces(&self, on_freedoms: &[f64]) -> Vec<f64> {
-        match &self.kind {
+        match self.kind.as_ref() {
             BodyMatrices::Modes(modes) => {
                 let of = |mode: usize| {
                     on_freedoms.iter().enumerate().map(|(k, f)| f * modes.shapes[(k, mode)]).sum()
@@ -142,7 +182,7 @@ impl HarmonicBodies {
     /// [`CycleError::Singular`] at an undamped resonance.
     pub fn receptance(&self, s: c64, growth: f64) -> Result<Mat<c64>, CycleError> {
         let (size, coordinates) = (self.rows.nrows(), self.rows.ncols());
-        let [re, im] = match &self.kind {
+        let [re, im] = match self.kind.as_ref() {
             BodyMatrices::Modes(modes) => {
                 let weights: Vec<c64> = (0..coordinates).map(|k| yielding(modes, k, s, growth)).collect();
                 let part = |part: fn(&c64) -> f64| {
@@ -192,7 +232,7 @@ impl HarmonicBodies {
         };
         let acting: Vec<c64> = (0..coordinates).map(acting).collect();
         // x, −D⁻¹ (2 s M + C + 2 σ M) x and −D⁻¹ 2 s M x
-        let [x, by_s, by_growth] = match &self.kind {
+        let [x, by_s, by_growth] = match self.kind.as_ref() {
             BodyMatrices::Modes(modes) => {
                 let weights: Vec<c64> = (0..coordinates).map(|k| yielding(modes, k, s, growth)).collect();
                 let x: Vec<c64> = weights.iter().zip(&acting).map(|(weight, force)| weight * force).collect();
@@ -243,7 +283,7 @@ impl HarmonicBodies {
     /// [`CycleError::NotHeld`].
     pub fn statics(&self, load: &[f64], stiffness: &[f64]) -> Result<StaticResponse, CycleError> {
         let (size, coordinates) = (self.rows.nrows(), self.rows.ncols());
-        let mut matrix = match &self.kind {
+        let mut matrix = match self.kind.as_ref() {
             BodyMatrices::Modes(modes) => {
                 Mat::from_fn(coordinates, coordinates, |i, j| if i == j { modes.eigenvalues[i] } else { 0.0 })
             }
@@ -319,7 +359,7 @@ impl HarmonicBodies {
     pub(crate) fn step(&self, step: f64) -> Result<BodyStep, CycleError> {
         let (size, coordinates) = (self.rows.nrows(), self.rows.ncols());
         let mut pushes = Mat::from_fn(coordinates, size, |k, j| step * self.rows[(j, k)]);
-        let kind = match &self.kind {
+        let kind = match self.kind.as_ref() {
             BodyMatrices::Modes(modes) => {
                 let ahead =
                     |k: usize| 0.5 * step * modes.damping[k] + 0.25 * step * step * modes.eigenvalues[k];

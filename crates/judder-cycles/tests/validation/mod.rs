@@ -2,5 +2,6 @@
 
 mod belt;
 mod block;
+mod branch;
 mod forced;
 mod stability;

@@ -1,0 +1,79 @@
+//! Cycles along the friction coefficient.
+
+use crate::common::block::block_held;
+use crate::growing;
+use faer::c64;
+use judder_assembly::assembly::Assembly;
+use judder_assembly::compliance::Compliance;
+use judder_assembly::friction::Friction;
+use judder_assembly::interface::InterfaceLaw;
+use judder_assembly::linearised::{Linearised, LinearisedTerms};
+use judder_assembly::pressure::Pressure;
+use judder_assembly::steady::steady_sliding;
+use judder_cycles::CycleError;
+use judder_cycles::branch::{BranchSettings, CycleBranchEnd, cycle_branch};
+use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles};
+use judder_cycles::path::PathRule;
+use judder_structure::complex_modes::{ComplexModeSettings, Region, complex_modes};
+
+fn with_friction(coefficient: f64) -> Assembly {
+    let law = InterfaceLaw::Compliant(Pressure::Stiffness(1e11), Friction::Constant(coefficient));
+    block_held(law, 1.0, [100.0, 5e-8])
+}
+
+/// The eigenvalue of a block near an angular frequency in rad/s.
+fn eigenvalue(coefficient: f64, near: f64) -> c64 {
+    let case = with_friction(coefficient);
+    let steady = steady_sliding(&case, &Compliance::new(&case).unwrap()).unwrap();
+    let about = Linearised::new(&case, &steady, LinearisedTerms::default()).unwrap();
+    let region = Region { re: [-1e4, 1e4], im: [0.95 * near, 1.05 * near] };
+    let found = complex_modes(&about.problem, &region, &ComplexModeSettings::default()).unwrap();
+    let value = found.modes.iter().map(|mode| mode.eigenvalue.value).max_by(|a, b| a.re.total_cmp(&b.re));
+    value.map(|value| c64::new(value.re, value.im)).unwrap()
+}
+
+/// With less and less friction the cycle shrinks to steady sliding, where the eigenvalue ceases to grow; the frequency there is the eigenvalue's.
+#[test]
+fn a_cycle_shrinks_to_steady_sliding_where_the_eigenvalue_ceases_to_grow() {
+    let case = with_friction(0.3);
+    let (steady, values) = growing(&case, [1e3, 6e5]);
+    let settings = CycleSettings { harmonics: HarmonicCount::Fixed(9), ..CycleSettings::default() };
+    let found = limit_cycles(&case, &steady, values[0], &settings).unwrap();
+    let cycle = &found.cycles[0];
+    let settings = BranchSettings {
+        rule: PathRule { steps: [0.02, 0.2, 1e-6], ..PathRule::default() },
+        range: [0.0, 0.5],
+        unit: 0.3,
+        rises: false,
+        points: 100,
+    };
+    let at = |coefficient: f64| Ok(with_friction(coefficient));
+    let branch = cycle_branch(&at, &cycle.balance, (0.3, &cycle.motion), &settings).unwrap();
+    assert_eq!(branch.end, CycleBranchEnd::SteadySliding);
+    assert!(branch.folds.is_empty() && branch.cycles.len() > 5);
+    let last = branch.cycles.last().unwrap();
+    let value = eigenvalue(last.parameter, last.motion.turning.frequency);
+    assert!((value.im / last.motion.turning.frequency - 1.0).abs() < 1e-6, "{value} {last:?}");
+    assert!(value.re.abs() < 1e-6 * value.im, "{value}");
+    // the same equations at the first value
+    assert!((branch.cycles[0].motion.turning.frequency / cycle.frequency() - 1.0).abs() < 1e-9);
+}
+
+/// What an assembly cannot be built of ends the branch with its reason.
+#[test]
+fn a_branch_tells_where_no_assembly_is() {
+    let case = with_friction(0.3);
+    let (steady, values) = growing(&case, [1e3, 6e5]);
+    let settings = CycleSettings { harmonics: HarmonicCount::Fixed(3), ..CycleSettings::default() };
+    let found = limit_cycles(&case, &steady, values[0], &settings).unwrap();
+    let at = |value: f64| match value > 0.28 {
+        true => Ok(with_friction(value)),
+        false => Err(CycleError::NoAssembly { value, reason: "too little".to_owned() }),
+    };
+    let rule = PathRule { steps: [0.02, 0.2, 1e-4], ..PathRule::default() };
+    let settings = BranchSettings { rule, range: [0.0, 0.5], unit: 0.3, rises: false, points: 100 };
+    let cycle = &found.cycles[0];
+    let branch = cycle_branch(&at, &cycle.balance, (0.3, &cycle.motion), &settings).unwrap();
+    assert!(matches!(branch.end, CycleBranchEnd::Lost(CycleError::NoAssembly { .. })), "{:?}", branch.end);
+    assert!(branch.cycles.last().unwrap().parameter < 0.282);
+}

@@ -2,6 +2,7 @@
 
 mod acting;
 mod checkpoint;
+mod limit;
 mod located;
 mod step;
 #[cfg(test)]
@@ -44,6 +45,8 @@ pub struct NonsmoothSettings {
 pub struct NonsmoothMarch<'a> {
     settings: NonsmoothSettings,
     bodies: MovingBodies,
+    /// The largest angular frequency of the bodies in rad/s and damping rate in 1/s; of explicit steps.
+    fastest: [f64; 2],
     contact: ContactPoints<'a>,
     delassus: Delassus,
     smooth: SmoothContact,
@@ -196,6 +199,7 @@ impl<'a> NonsmoothMarch<'a> {
             steps: 0,
             works: Works::default(),
             record: ContactRecord::default(),
+            fastest: if settings.scheme.implicitness() > 0.0 { [0.0; 2] } else { bodies.fastest() },
             bodies,
             contact,
             delassus,
@@ -211,33 +215,6 @@ impl<'a> NonsmoothMarch<'a> {
         self.bodies.set_arch(arch);
         self.delassus.set_arch(arch);
         self.solution = ContactSolution::none(&self.delassus);
-    }
-
-    /// Whether an explicit step is short enough.
-    fn check_step(&self) -> Result<(), NonsmoothError> {
-        if self.settings.scheme.implicitness() > 0.0 {
-            return Ok(());
-        }
-        let step = self.settings.step;
-        let [omega, damping] = self.bodies.fastest();
-        // springs at the points stiffen the bodies by no more than the largest row sum of √k W √k
-        let stiffness = |point: usize| self.contact.largest_stiffness(point).sqrt();
-        let points = 0..self.contact.points.len();
-        let row = |point: usize| -> f64 {
-            let entry = |other: usize| {
-                let column = self.delassus.column(other * self.contact.dimension);
-                stiffness(other) * column[point * self.contact.dimension].abs()
-            };
-            stiffness(point) * points.clone().map(entry).sum::<f64>()
-        };
-        let added = points.clone().map(row).fold(0.0, f64::max);
-        let squared = omega * omega + added;
-        // h² ω² + 2 h d ≤ 4; so written it is right where either is zero
-        let limit = 4.0 / ((damping * damping + 4.0 * squared).sqrt() + damping);
-        if step > limit || limit.is_nan() {
-            return Err(NonsmoothError::StepOverLimit { step, limit });
-        }
-        Ok(())
     }
 
     /// What a step's impulses are measured by, in N: of the order of the contact forces of steady sliding; the largest load where nothing is said, or

@@ -15,13 +15,13 @@ impl NonsmoothMarch<'_> {
     /// One step.
     ///
     /// # Errors
-    /// [`NonsmoothError::NotFinite`], [`NonsmoothError::RunOff`]; the march is then where it was, and goes no farther.
+    /// [`NonsmoothError::NotFinite`], [`NonsmoothError::RunOff`], where points travel [`NonsmoothError::StepOverLimit`]; the march is then where it was, and goes no farther.
     pub fn advance(&mut self) -> Result<(), NonsmoothError> {
         let mut next = std::mem::take(&mut self.next);
         self.bodies.free(&self.z, &self.v, self.acting.forces(), &mut next);
-        if let Err(run_off) = self.locate(&next) {
+        if let Err(error) = self.locate(&next).and_then(|()| self.look_at_compliance()) {
             self.next = next;
-            return Err(run_off);
+            return Err(error);
         }
         self.set_off();
         match self.settings.scheme {

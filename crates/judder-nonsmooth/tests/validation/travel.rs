@@ -3,6 +3,9 @@
 use crate::common::{IMPLICIT, assembly, coulomb, diagonal, settings};
 use judder_assembly::assembly::Assembly;
 use judder_assembly::contact_point::ContactPoint;
+use judder_assembly::friction::Friction;
+use judder_assembly::interface::InterfaceLaw;
+use judder_assembly::pressure::Pressure;
 use judder_assembly::row::Row;
 use judder_nonsmooth::NonsmoothError;
 use judder_nonsmooth::course::{Course, TimeFactor};
@@ -350,6 +353,37 @@ fn modes_that_only_yield_carry_what_is_slow() {
     assert!((means[0][0] - means[1][0]).abs() < 2e-3 * means[0][0], "{means:?}");
     let too_long = NonsmoothMarch::travelling(&case, &[travelling], &[], settings(FILM, 2.5e-4));
     assert!(matches!(too_long, Err(NonsmoothError::StepOverLimit { .. })), "{too_long:?}");
+}
+
+/// Springs at the points allow an explicit step that is the shorter, the softer the track is under them: one that fits where the ride begins is told where it no longer does. The springs of
+/// the smoothed contact follow the place.
+#[test]
+fn steps_and_springs_are_those_of_the_place() {
+    let ride = Ride { interpolation: Interpolation::Hermite, ..CALM };
+    let (mut case, travelling) = as_assembly(&pair(ride), ride);
+    let ridden = |case: &Assembly, scheme: ContactScheme, step: f64, until: f64| {
+        let travelling = std::slice::from_ref(&travelling);
+        NonsmoothMarch::travelling(case, travelling, &[], settings(scheme, step)).map(|mut march| {
+            for _ in 0..(until / step) as u64 {
+                march.advance()?;
+            }
+            // how far it gives in, per force
+            Ok(-march.gap(0) / march.force(0)[0])
+        })
+    };
+    let giving = |until: f64| ridden(&case, ContactScheme::Smoothed, 2e-5, until).unwrap().unwrap();
+    let (early, late) = (giving(0.005), giving(0.1));
+    assert!(early > 0.0 && late > 1.04 * early, "{early} {late}");
+    case.interfaces[0].law =
+        InterfaceLaw::Compliant(Pressure::PointStiffness(1e7), Friction::Constant(FRICTION));
+    let Err(NonsmoothError::StepOverLimit { limit: first, .. }) = ridden(&case, FILM, 1.0, 0.0) else {
+        panic!("too long")
+    };
+    let Ok(Err(NonsmoothError::StepOverLimit { step, limit })) = ridden(&case, FILM, 0.999 * first, 0.1)
+    else {
+        panic!("it fits everywhere")
+    };
+    assert!(step == 0.999 * first && limit < step, "{step} {limit}");
 }
 
 /// A march that goes on from what was written of it travels as if it had never stopped, to the bit.

@@ -6,6 +6,7 @@
 //! - [`receptance`]: how the contact points yield to harmonic forces, whatever the size of the bodies.
 //! - [`point_law`]: the force of a contact point as the projection of its force and motion on what the contact allows, with its derivatives.
 //! - [`balance`]: the balance of harmonics on the contact points, with its derivatives.
+//! - `reduced`: linear systems some of whose unknowns stand alone in a row.
 //! - [`path`]: solutions of equations with one unknown more, one after the other.
 //! - `phase`: where the period of a motion begins that nothing drives.
 //! - [`backbone`]: the periodic motions of a mode over their amplitude; those that need neither drive nor brake are limit cycles.
@@ -24,6 +25,7 @@ pub mod path;
 mod phase;
 pub mod point_law;
 pub mod receptance;
+mod reduced;
 pub mod series;
 pub mod stability;
 

@@ -4,8 +4,8 @@
 //! step ends in.
 
 use crate::CycleError;
+use crate::reduced::solve;
 use faer::Mat;
-use judder_dense::general::solve;
 
 /// n equations of n + 1 unknowns, which are of the order of one.
 pub trait PathEquations {
@@ -134,7 +134,7 @@ pub fn corrected<E: PathEquations>(
             (true, _) => 1.0,
             (false, _) => 0.0,
         });
-        solve(matrix, &mut right).ok_or(CycleError::Singular)?;
+        solve(&matrix, &mut right).ok_or(CycleError::Singular)?;
         // the part of a step that leaves least: none need leave less where points change their states
         let mut best: Option<(Vec<f64>, f64, f64)> = None;
         for share in [1.0, 0.5, 0.25, 0.1] {
@@ -178,7 +178,7 @@ fn tangent_at<E: PathEquations>(
         false => derivative[(i, j)],
     });
     let mut right = Mat::from_fn(size, 1, |i, _| if i + 1 == size { 1.0 } else { 0.0 });
-    solve(matrix, &mut right).ok_or(CycleError::Singular)?;
+    solve(&matrix, &mut right).ok_or(CycleError::Singular)?;
     let direction: Vec<f64> = (0..size).map(|k| right[(k, 0)]).collect();
     Ok(unit(&direction, equations.weights(), towards))
 }

@@ -36,6 +36,13 @@ pub struct Projected {
     pub state: PointMotion,
 }
 
+impl Projected {
+    /// Whether nothing changes it: of a point that is open.
+    pub(crate) fn is_constant(&self) -> bool {
+        self.by_force.iter().chain(&self.by_motion).flatten().all(|own| *own == 0.0)
+    }
+}
+
 /// A force with its derivatives by λ and y.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sided {

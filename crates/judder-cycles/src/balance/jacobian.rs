@@ -41,8 +41,12 @@ impl HarmonicBalance<'_> {
         let unknowns = self.unknowns();
         let mut jacobian = Mat::zeros(unknowns, unknowns + 2);
         for point in 0..self.contact.points.len() {
-            let blocks = self.blocks(point, projected);
             let rows = point * dimension * size..(point + 1) * dimension * size;
+            if projected.iter().all(|own| own[point].is_constant()) {
+                rows.for_each(|row| jacobian[(row, row)] = 1.0);
+                continue;
+            }
+            let blocks = self.blocks(point, projected);
             for column in 0..unknowns + 2 {
                 let out = &mut jacobian.col_as_slice_mut(column)[rows.clone()];
                 match column.checked_sub(unknowns) {

@@ -15,16 +15,33 @@ const WIDTH: f64 = 0.01;
 
 /// 40 × 20 mm in 8 × 4 cells, nine nodes on the plane; its top is held along x and pressed.
 pub(crate) fn block(law: InterfaceLaw, speed: f64, damping: [f64; 2]) -> Assembly {
-    made(law, speed, damping, false)
+    made(law, speed, damping, false, [8, 4])
 }
 
 /// The same with its top held and pushed down by 20 µm.
 pub(crate) fn block_held(law: InterfaceLaw, speed: f64, damping: [f64; 2]) -> Assembly {
-    made(law, speed, damping, true)
+    made(law, speed, damping, true, [8, 4])
 }
 
-fn made(law: InterfaceLaw, speed: f64, damping: [f64; 2], is_held: bool) -> Assembly {
-    let grid = Grid { kind: ElementKind::Quad4, size: [0.04, 0.02, 0.0], cells: [8, 4, 0] };
+/// The same in other cells.
+#[allow(dead_code, reason = "benchmarks of other crates take it")]
+pub(crate) fn block_of_cells(
+    law: InterfaceLaw,
+    speed: f64,
+    damping: [f64; 2],
+    cells: [usize; 2],
+) -> Assembly {
+    made(law, speed, damping, true, cells)
+}
+
+fn made(
+    law: InterfaceLaw,
+    speed: f64,
+    damping: [f64; 2],
+    is_held: bool,
+    [along, up]: [usize; 2],
+) -> Assembly {
+    let grid = Grid { kind: ElementKind::Quad4, size: [0.04, 0.02, 0.0], cells: [along, up, 0] };
     let mesh = grid.mesh("block", |place| place).unwrap();
     let top = mesh.node_sets["y-max"].clone();
     let supports = Supports {
@@ -66,7 +83,7 @@ fn made(law: InterfaceLaw, speed: f64, damping: [f64; 2], is_held: bool) -> Asse
         1e-3,
     )
     .unwrap();
-    assert_eq!(found.points.len(), 9);
+    assert_eq!(found.points.len(), along + 1);
     let entries = |matrix: &judder_structure::assembly::Sparse, factor: f64| {
         judder_assembly::assembly::triplets(matrix)
             .map(move |mut entry| {

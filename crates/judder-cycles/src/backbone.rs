@@ -7,8 +7,8 @@
 
 mod mode;
 
-use crate::CycleError;
-use crate::balance::{Balanced, HarmonicBalance, Turning};
+use crate::CyclesError;
+use crate::balance::{Balanced, CycleRate, HarmonicBalance};
 use crate::path::{ClosingEquation, Path, PathEquations, PathPoint, PathRule, corrected};
 use crate::phase::Phase;
 use faer::{Mat, c64};
@@ -39,7 +39,7 @@ pub struct PeriodicMotion {
     /// Unknowns of the balance.
     pub unknown: Vec<f64>,
     /// ω in rad/s, and σ in 1/s.
-    pub turning: Turning,
+    pub turning: CycleRate,
     /// The root of Σ |ε y₁|² over all components, y₁ the first harmonic of their motions, in N.
     pub amplitude: f64,
     /// What is left of the equations, of the force scale.
@@ -58,7 +58,7 @@ pub enum BackboneEnd {
     /// They came back to small ones.
     Shrunk,
     /// No next motion was found.
-    Lost(CycleError),
+    Lost(CyclesError),
 }
 
 /// The periodic motions of a mode.
@@ -91,13 +91,13 @@ impl<'b, 'a> TurningEquations<'b, 'a> {
         Self { balance, frequency, weights, phase: Phase::new(balance, reference) }
     }
 
-    fn turning(&self, at: &[f64]) -> Turning {
+    fn turning(&self, at: &[f64]) -> CycleRate {
         let unknowns = self.balance.unknowns();
-        Turning { frequency: self.frequency * at[unknowns], growth: self.frequency * at[unknowns + 1] }
+        CycleRate { frequency: self.frequency * at[unknowns], growth: self.frequency * at[unknowns + 1] }
     }
 
     /// A motion at a solution.
-    fn motion(&self, point: &PathPoint) -> Result<PeriodicMotion, CycleError> {
+    fn motion(&self, point: &PathPoint) -> Result<PeriodicMotion, CyclesError> {
         let turning = self.turning(&point.at);
         let unknown = point.at[..self.balance.unknowns()].to_vec();
         let signals = self.balance.signals_at(&unknown, turning)?;
@@ -107,14 +107,14 @@ impl<'b, 'a> TurningEquations<'b, 'a> {
 }
 
 impl PathEquations for TurningEquations<'_, '_> {
-    fn residual(&mut self, at: &[f64]) -> Result<Vec<f64>, CycleError> {
+    fn residual(&mut self, at: &[f64]) -> Result<Vec<f64>, CyclesError> {
         let signals = self.balance.signals_at(&at[..self.balance.unknowns()], self.turning(at))?;
         let mut residual = self.balance.residual_of_signals(&signals);
         residual.push(self.phase.of(&signals.motions));
         Ok(residual)
     }
 
-    fn linearised(&mut self, at: &[f64]) -> Result<(Vec<f64>, Mat<f64>), CycleError> {
+    fn linearised(&mut self, at: &[f64]) -> Result<(Vec<f64>, Mat<f64>), CyclesError> {
         let unknowns = self.balance.unknowns();
         let Balanced { mut residual, jacobian, signals, first } =
             self.balance.balanced(&at[..unknowns], self.turning(at))?;
@@ -131,12 +131,12 @@ impl PathEquations for TurningEquations<'_, '_> {
         &self.weights
     }
 
-    fn is_sought(&mut self, at: &[f64]) -> Result<bool, CycleError> {
+    fn is_sought(&mut self, at: &[f64]) -> Result<bool, CyclesError> {
         let signals = self.balance.signals_at(&at[..self.balance.unknowns()], self.turning(at))?;
         Ok(self.phase.moves(&signals.motions))
     }
 
-    fn accept(&mut self, at: &[f64]) -> Result<(), CycleError> {
+    fn accept(&mut self, at: &[f64]) -> Result<(), CyclesError> {
         let signals = self.balance.signals_at(&at[..self.balance.unknowns()], self.turning(at))?;
         self.phase.follow(&signals.motions);
         Ok(())
@@ -152,7 +152,7 @@ pub fn backbone(
     steady: &SteadySliding,
     eigenvalue: c64,
     settings: &BackboneSettings,
-) -> Result<Backbone, CycleError> {
+) -> Result<Backbone, CyclesError> {
     let start = mode::smallest(balance, steady, eigenvalue)?;
     let mut equations = TurningEquations::new(balance, eigenvalue.im, start.reference.clone());
     let closing = ClosingEquation::across(&start.direction, equations.weights(), &start.at);
@@ -204,12 +204,12 @@ pub fn backbone(
 /// A limit cycle near another that is known with as many harmonics or fewer.
 ///
 /// # Errors
-/// [`CycleError::NotConverged`] and [`CycleError::Singular`].
+/// [`CyclesError::NotConverged`] and [`CyclesError::Singular`].
 pub fn refined(
     balance: &HarmonicBalance<'_>,
     near: &PeriodicMotion,
     rule: &PathRule,
-) -> Result<PeriodicMotion, CycleError> {
+) -> Result<PeriodicMotion, CyclesError> {
     let size = balance.series().coefficients();
     let known = near.unknown.len() / balance.components();
     let mut at = vec![0.0; balance.unknowns()];
@@ -224,7 +224,7 @@ pub fn refined(
     let closing = ClosingEquation::fixed(at.len() - 1, at.len(), 0.0);
     let found = corrected(&mut equations, &at, &closing, &closing.row, rule)?;
     let cycle = equations.motion(&found)?;
-    if cycle.amplitude < SHRUNK * near.amplitude { Err(CycleError::Shrunk) } else { Ok(cycle) }
+    if cycle.amplitude < SHRUNK * near.amplitude { Err(CyclesError::Shrunk) } else { Ok(cycle) }
 }
 
 /// A motion so much smaller than those near it is steady sliding, or on its way there.
@@ -237,7 +237,7 @@ fn located(
     equations: &mut TurningEquations<'_, '_>,
     [before, after]: [&PathPoint; 2],
     rule: &PathRule,
-) -> Result<(PeriodicMotion, bool), CycleError> {
+) -> Result<(PeriodicMotion, bool), CyclesError> {
     /// Steps, and the σ at which it is as good as zero.
     const STEPS: usize = 12;
     const SMALL: f64 = 1e-7;
@@ -262,7 +262,7 @@ fn located(
     let found = corrected(equations, &nearest.at, &closing, &nearest.tangent, rule)?;
     let cycle = equations.motion(&found)?;
     if cycle.amplitude < SHRUNK * small.min(large) {
-        return Err(CycleError::Shrunk);
+        return Err(CyclesError::Shrunk);
     }
     Ok((cycle, (large > small) == (after.at[last] < before.at[last])))
 }

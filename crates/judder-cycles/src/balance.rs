@@ -9,8 +9,8 @@
 
 mod jacobian;
 
-use crate::CycleError;
-use crate::point_law::{COMPONENTS, PointScales, Projected, projected};
+use crate::CyclesError;
+use crate::point_law::{COMPONENTS, PointScales, ProjectedForce, projected};
 use crate::receptance::{AtHarmonic, HarmonicBodies, StaticResponse};
 use crate::series::Series;
 use faer::{Mat, c64};
@@ -49,7 +49,7 @@ pub struct HarmonicBalance<'a> {
 
 /// What periodic motions turn and grow with.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turning {
+pub struct CycleRate {
     /// ω in rad/s.
     pub frequency: f64,
     /// σ in 1/s, which is taken off.
@@ -88,17 +88,17 @@ impl<'a> HarmonicBalance<'a> {
     /// Those of an assembly about steady sliding, whose motions turn about as fast as `frequency` in rad/s.
     ///
     /// # Errors
-    /// [`CycleError::NothingTouches`], [`CycleError::NotHeld`], [`CycleError::TooManyFreedoms`], and what the contact points say.
+    /// [`CyclesError::NothingTouches`], [`CyclesError::NotHeld`], [`CyclesError::TooManyFreedoms`], and what the contact points say.
     pub fn new(
         assembly: &'a Assembly,
         steady: &SteadySliding,
         frequency: f64,
         series: Series,
         forcing: &[HarmonicForce],
-    ) -> Result<Self, CycleError> {
+    ) -> Result<Self, CyclesError> {
         let contact = ContactPoints::new(assembly, &[])?;
         if contact.points.is_empty() {
-            return Err(CycleError::NothingTouches);
+            return Err(CyclesError::NothingTouches);
         }
         let bodies = HarmonicBodies::new(assembly, &contact)?;
         let force = steady.points.iter().fold(0.0_f64, |most, own| most.max(own.normal_force.abs()));
@@ -123,12 +123,12 @@ impl<'a> HarmonicBalance<'a> {
     /// The same equations, with the same scales, of another assembly of as many points.
     ///
     /// # Errors
-    /// As [`HarmonicBalance::new`]; [`CycleError::OtherPoints`].
-    pub fn of<'o>(&self, assembly: &'o Assembly) -> Result<HarmonicBalance<'o>, CycleError> {
+    /// As [`HarmonicBalance::new`]; [`CyclesError::OtherPoints`].
+    pub fn of<'o>(&self, assembly: &'o Assembly) -> Result<HarmonicBalance<'o>, CyclesError> {
         let contact = ContactPoints::new(assembly, &[])?;
         let [found, expected] = [contact.rows.len(), self.components()];
         if found != expected {
-            return Err(CycleError::OtherPoints { found, expected });
+            return Err(CyclesError::OtherPoints { found, expected });
         }
         let known = self.bodies.are_of(assembly, &contact);
         let bodies = if known { self.bodies.clone() } else { HarmonicBodies::new(assembly, &contact)? };
@@ -229,9 +229,9 @@ impl<'a> HarmonicBalance<'a> {
     fn responses(
         &self,
         unknown: &[f64],
-        at: Turning,
+        at: CycleRate,
         with_receptances: bool,
-    ) -> Result<Responses, CycleError> {
+    ) -> Result<Responses, CyclesError> {
         let (mut receptances, mut harmonics) = (Vec::new(), Vec::new());
         for harmonic in 1..=self.series.harmonics() {
             let s = c64::new(0.0, harmonic as f64 * at.frequency);
@@ -274,16 +274,20 @@ impl<'a> HarmonicBalance<'a> {
     /// Forces and motions at a guess, as coefficients.
     ///
     /// # Errors
-    /// [`CycleError::Singular`].
-    pub fn signals_at(&self, unknown: &[f64], at: Turning) -> Result<PointSignals, CycleError> {
+    /// [`CyclesError::Singular`].
+    pub fn signals_at(&self, unknown: &[f64], at: CycleRate) -> Result<PointSignals, CyclesError> {
         Ok(self.signals(unknown, &self.responses(unknown, at, false)?))
     }
 
     /// x of the coordinates of the bodies: the mean, and the complex amplitude of each harmonic.
     ///
     /// # Errors
-    /// [`CycleError::Singular`].
-    pub fn coordinates(&self, unknown: &[f64], at: Turning) -> Result<(Vec<f64>, Vec<Vec<c64>>), CycleError> {
+    /// [`CyclesError::Singular`].
+    pub fn coordinates(
+        &self,
+        unknown: &[f64],
+        at: CycleRate,
+    ) -> Result<(Vec<f64>, Vec<Vec<c64>>), CyclesError> {
         let responses = self.responses(unknown, at, false)?;
         let mean = self.statics.coordinates(&self.mean(unknown));
         Ok((mean, responses.harmonics.into_iter().map(|own| own.coordinates).collect()))
@@ -291,7 +295,7 @@ impl<'a> HarmonicBalance<'a> {
 
     /// π of all points at the instants of a series, row after row an instant, in order of the points.
     #[must_use]
-    pub fn projected(&self, series: &Series, signals: &PointSignals) -> Vec<Vec<Projected>> {
+    pub fn projected(&self, series: &Series, signals: &PointSignals) -> Vec<Vec<ProjectedForce>> {
         let [forces, motions] =
             [&signals.forces, &signals.motions].map(|coefficients| series.values(coefficients.as_ref()));
         let dimension = self.contact.dimension;
@@ -316,8 +320,8 @@ impl<'a> HarmonicBalance<'a> {
     /// The residual alone.
     ///
     /// # Errors
-    /// [`CycleError::Singular`].
-    pub fn residual(&self, unknown: &[f64], at: Turning) -> Result<Vec<f64>, CycleError> {
+    /// [`CyclesError::Singular`].
+    pub fn residual(&self, unknown: &[f64], at: CycleRate) -> Result<Vec<f64>, CyclesError> {
         Ok(self.residual_of_signals(&self.signals_at(unknown, at)?))
     }
 
@@ -327,7 +331,7 @@ impl<'a> HarmonicBalance<'a> {
         self.residual_of(signals, &self.projected(&self.series, signals))
     }
 
-    fn residual_of(&self, signals: &PointSignals, projected: &[Vec<Projected>]) -> Vec<f64> {
+    fn residual_of(&self, signals: &PointSignals, projected: &[Vec<ProjectedForce>]) -> Vec<f64> {
         let (size, dimension) = (self.series.coefficients(), self.contact.dimension);
         let allowed = Mat::from_fn(self.series.samples(), self.components(), |instant, component| {
             projected[instant][component / dimension].force[component % dimension]
@@ -347,8 +351,8 @@ impl<'a> HarmonicBalance<'a> {
     /// The equations with their derivatives.
     ///
     /// # Errors
-    /// [`CycleError::Singular`].
-    pub fn balanced(&self, unknown: &[f64], at: Turning) -> Result<Balanced, CycleError> {
+    /// [`CyclesError::Singular`].
+    pub fn balanced(&self, unknown: &[f64], at: CycleRate) -> Result<Balanced, CyclesError> {
         let responses = self.responses(unknown, at, true)?;
         let signals = self.signals(unknown, &responses);
         let projected = self.projected(&self.series, &signals);
@@ -361,7 +365,11 @@ impl<'a> HarmonicBalance<'a> {
 }
 
 /// ε of each point, from how it yields to a force that grows as fast as the motion turns: there nothing resonates.
-fn scales(bodies: &HarmonicBodies, dimension: usize, frequency: f64) -> Result<Vec<PointScales>, CycleError> {
+fn scales(
+    bodies: &HarmonicBodies,
+    dimension: usize,
+    frequency: f64,
+) -> Result<Vec<PointScales>, CyclesError> {
     /// The smaller they are, the closer are forces to their laws between the instants, and the harder to find.
     const NORMAL: f64 = 0.3;
     const TANGENTIAL: f64 = 0.5;

@@ -1,8 +1,8 @@
 //! Limit cycles along a parameter, through folds, to where they shrink to steady sliding.
 
-use crate::CycleError;
+use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
-use crate::balance::{Balanced, HarmonicBalance, Turning};
+use crate::balance::{Balanced, CycleRate, HarmonicBalance};
 use crate::path::{ClosingEquation, Path, PathEquations, PathPoint, PathRule, corrected};
 use crate::phase::Phase;
 use faer::Mat;
@@ -25,7 +25,7 @@ pub struct BranchSettings {
 
 /// A cycle on a branch.
 #[derive(Debug, Clone, PartialEq)]
-pub struct BranchCycle {
+pub struct CycleAtKey {
     /// The parameter.
     pub parameter: f64,
     /// The motion.
@@ -44,14 +44,14 @@ pub enum CycleBranchEnd {
     /// It shrank to steady sliding: a Hopf point.
     SteadySliding,
     /// No next cycle was found.
-    Lost(CycleError),
+    Lost(CyclesError),
 }
 
 /// Limit cycles along a parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AssemblyCycleBranch {
     /// In the order along the branch.
-    pub cycles: Vec<BranchCycle>,
+    pub cycles: Vec<CycleAtKey>,
     /// The cycle after which the parameter turns, and the parameter there.
     pub folds: Vec<(usize, f64)>,
     /// Why it ends.
@@ -68,17 +68,17 @@ struct KeyEquations<'f, 'a, F> {
     phase: Phase,
 }
 
-impl<F: Fn(f64) -> Result<Assembly, CycleError>> KeyEquations<'_, '_, F> {
+impl<F: Fn(f64) -> Result<Assembly, CyclesError>> KeyEquations<'_, '_, F> {
     fn parameter(&self, at: &[f64]) -> f64 {
         self.unit * at[at.len() - 1]
     }
 
-    fn turning(&self, at: &[f64]) -> Turning {
-        Turning { frequency: self.frequency * at[at.len() - 2], growth: 0.0 }
+    fn turning(&self, at: &[f64]) -> CycleRate {
+        CycleRate { frequency: self.frequency * at[at.len() - 2], growth: 0.0 }
     }
 
     /// What is left at a value of the parameter.
-    fn residual_at(&self, parameter: f64, at: &[f64]) -> Result<Vec<f64>, CycleError> {
+    fn residual_at(&self, parameter: f64, at: &[f64]) -> Result<Vec<f64>, CyclesError> {
         let assembly = (self.assembly_at)(parameter)?;
         let balance = self.scales.of(&assembly)?;
         let signals = balance.signals_at(&at[..balance.unknowns()], self.turning(at))?;
@@ -87,23 +87,23 @@ impl<F: Fn(f64) -> Result<Assembly, CycleError>> KeyEquations<'_, '_, F> {
         Ok(residual)
     }
 
-    fn cycle(&self, point: &PathPoint) -> Result<BranchCycle, CycleError> {
+    fn cycle(&self, point: &PathPoint) -> Result<CycleAtKey, CyclesError> {
         let parameter = self.parameter(&point.at);
         let assembly = (self.assembly_at)(parameter)?;
         let balance = self.scales.of(&assembly)?;
         let (unknown, turning) = (point.at[..balance.unknowns()].to_vec(), self.turning(&point.at));
         let amplitude = self.phase.amplitude(&balance.signals_at(&unknown, turning)?.motions);
         let motion = PeriodicMotion { unknown, turning, amplitude, residual: point.residual };
-        Ok(BranchCycle { parameter, motion, rises: point.tangent[point.tangent.len() - 1] > 0.0 })
+        Ok(CycleAtKey { parameter, motion, rises: point.tangent[point.tangent.len() - 1] > 0.0 })
     }
 }
 
-impl<F: Fn(f64) -> Result<Assembly, CycleError>> PathEquations for KeyEquations<'_, '_, F> {
-    fn residual(&mut self, at: &[f64]) -> Result<Vec<f64>, CycleError> {
+impl<F: Fn(f64) -> Result<Assembly, CyclesError>> PathEquations for KeyEquations<'_, '_, F> {
+    fn residual(&mut self, at: &[f64]) -> Result<Vec<f64>, CyclesError> {
         self.residual_at(self.parameter(at), at)
     }
 
-    fn linearised(&mut self, at: &[f64]) -> Result<(Vec<f64>, Mat<f64>), CycleError> {
+    fn linearised(&mut self, at: &[f64]) -> Result<(Vec<f64>, Mat<f64>), CyclesError> {
         /// Of the unit of the parameter.
         const DIFFERENCE: f64 = 1e-6;
         let assembly = (self.assembly_at)(self.parameter(at))?;
@@ -129,13 +129,13 @@ impl<F: Fn(f64) -> Result<Assembly, CycleError>> PathEquations for KeyEquations<
         &self.weights
     }
 
-    fn is_sought(&mut self, at: &[f64]) -> Result<bool, CycleError> {
+    fn is_sought(&mut self, at: &[f64]) -> Result<bool, CyclesError> {
         let assembly = (self.assembly_at)(self.parameter(at))?;
         let balance = self.scales.of(&assembly)?;
         Ok(self.phase.moves(&balance.signals_at(&at[..balance.unknowns()], self.turning(at))?.motions))
     }
 
-    fn accept(&mut self, at: &[f64]) -> Result<(), CycleError> {
+    fn accept(&mut self, at: &[f64]) -> Result<(), CyclesError> {
         let assembly = (self.assembly_at)(self.parameter(at))?;
         let balance = self.scales.of(&assembly)?;
         self.phase.follow(&balance.signals_at(&at[..balance.unknowns()], self.turning(at))?.motions);
@@ -147,12 +147,12 @@ impl<F: Fn(f64) -> Result<Assembly, CycleError>> PathEquations for KeyEquations<
 ///
 /// # Errors
 /// What the first cycle says; what is lost later ends the branch.
-pub fn cycle_branch<F: Fn(f64) -> Result<Assembly, CycleError>>(
+pub fn cycle_branch<F: Fn(f64) -> Result<Assembly, CyclesError>>(
     assembly_at: &F,
     balance: &HarmonicBalance<'_>,
     (parameter, cycle): (f64, &PeriodicMotion),
     settings: &BranchSettings,
-) -> Result<AssemblyCycleBranch, CycleError> {
+) -> Result<AssemblyCycleBranch, CyclesError> {
     /// Of the largest amplitude: what is smaller has shrunk to its Hopf point.
     const SHRUNK: f64 = 0.02;
     let unknowns = balance.unknowns();

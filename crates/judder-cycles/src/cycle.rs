@@ -1,6 +1,6 @@
 //! The limit cycle that a mode grows to.
 
-use crate::CycleError;
+use crate::CyclesError;
 use crate::backbone::{Backbone, BackboneSettings, PeriodicMotion, backbone, refined};
 use crate::balance::HarmonicBalance;
 use crate::series::Series;
@@ -44,7 +44,7 @@ impl Default for CycleSettings {
 
 /// A limit cycle.
 #[derive(Debug, Clone)]
-pub struct LimitCycle<'a> {
+pub struct AssemblyCycle<'a> {
     /// Its equations, with the harmonics that it has.
     pub balance: HarmonicBalance<'a>,
     /// Its unknowns.
@@ -56,7 +56,7 @@ pub struct LimitCycle<'a> {
     /// How well it is known.
     pub quality: CycleQuality,
     /// Why it has no more harmonics, where it should.
-    pub held_back: Option<CycleError>,
+    pub held_back: Option<CyclesError>,
 }
 
 /// What became of a mode.
@@ -65,7 +65,7 @@ pub struct CycleSearch<'a> {
     /// Its motions over their amplitude, with few harmonics.
     pub backbone: Backbone,
     /// Its cycles, in order of their amplitude along the backbone.
-    pub cycles: Vec<LimitCycle<'a>>,
+    pub cycles: Vec<AssemblyCycle<'a>>,
 }
 
 /// Harmonics with which the motions of a mode are followed.
@@ -80,7 +80,7 @@ pub fn limit_cycles<'a>(
     steady: &SteadySliding,
     eigenvalue: c64,
     settings: &CycleSettings,
-) -> Result<CycleSearch<'a>, CycleError> {
+) -> Result<CycleSearch<'a>, CyclesError> {
     let (asked, limit) = match settings.harmonics {
         HarmonicCount::Fixed(count) => (count, 0.0),
         HarmonicCount::Adaptive { left_out, most } => (most, left_out),
@@ -92,7 +92,8 @@ pub fn limit_cycles<'a>(
     for (motion, attracts) in &backbone.cycles {
         let (points, quality) = points(&balance, motion)?;
         let (balance, motion) = (balance.clone(), motion.clone());
-        let mut cycle = LimitCycle { balance, motion, attracts: *attracts, points, quality, held_back: None };
+        let mut cycle =
+            AssemblyCycle { balance, motion, attracts: *attracts, points, quality, held_back: None };
         while cycle.balance.series().harmonics() < asked && cycle.quality.left_out > limit {
             let now = cycle.balance.series().harmonics();
             let balance = cycle.balance.with_series(series((now + now.div_ceil(2)).min(asked)));
@@ -100,7 +101,7 @@ pub fn limit_cycles<'a>(
                 .and_then(|motion| self::points(&balance, &motion).map(|told| (motion, told)));
             match next {
                 Ok((motion, (points, quality))) => {
-                    cycle = LimitCycle { balance, motion, points, quality, ..cycle };
+                    cycle = AssemblyCycle { balance, motion, points, quality, ..cycle };
                 }
                 Err(error) => {
                     cycle.held_back = Some(error);
@@ -113,12 +114,12 @@ pub fn limit_cycles<'a>(
     Ok(CycleSearch { backbone, cycles })
 }
 
-impl LimitCycle<'_> {
+impl AssemblyCycle<'_> {
     /// What a form on the freedoms does: its mean and harmonics, as those of [`crate::series`].
     ///
     /// # Errors
-    /// [`CycleError::Singular`].
-    pub fn followed(&self, row: &Row) -> Result<Vec<f64>, CycleError> {
+    /// [`CyclesError::Singular`].
+    pub fn followed(&self, row: &Row) -> Result<Vec<f64>, CyclesError> {
         let (mean, harmonics) = self.balance.coordinates(&self.motion.unknown, self.motion.turning)?;
         let own = self.balance.bodies().on_coordinates(row);
         let mut coefficients = vec![own.iter().zip(&mean).map(|(a, b)| a * b).sum()];
@@ -138,8 +139,8 @@ impl LimitCycle<'_> {
     /// Forces, motions and states of the points at even instants of a period.
     ///
     /// # Errors
-    /// [`CycleError::Singular`].
-    pub fn over_a_period(&self, instants: usize) -> Result<PointsOverPeriod, CycleError> {
+    /// [`CyclesError::Singular`].
+    pub fn over_a_period(&self, instants: usize) -> Result<PointsOverPeriod, CyclesError> {
         let series = Series::new(self.balance.series().harmonics(), instants);
         let signals = self.balance.signals_at(&self.motion.unknown, self.motion.turning)?;
         let projected = self.balance.projected(&series, &signals);
@@ -191,11 +192,11 @@ const FINER: usize = 4;
 /// What points do over a periodic motion, from instants between those it was solved with.
 ///
 /// # Errors
-/// [`CycleError::Singular`].
+/// [`CyclesError::Singular`].
 pub fn points(
     balance: &HarmonicBalance<'_>,
     motion: &PeriodicMotion,
-) -> Result<(Vec<PointCycle>, CycleQuality), CycleError> {
+) -> Result<(Vec<PointCycle>, CycleQuality), CyclesError> {
     let series = Series::new(balance.series().harmonics(), FINER * balance.series().samples());
     let signals = balance.signals_at(&motion.unknown, motion.turning)?;
     let projected = balance.projected(&series, &signals);

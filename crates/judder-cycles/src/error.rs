@@ -4,7 +4,7 @@ use thiserror::Error;
 
 /// Why a limit cycle is not found.
 #[derive(Debug, Clone, PartialEq, Error)]
-pub enum CycleError {
+pub enum CyclesError {
     /// Newton's method ends elsewhere than in a solution.
     #[error(
         "the balance of harmonics was not solved: after {iterations} steps of Newton's method {residual:.1e} of the contact forces is left"

@@ -1,8 +1,8 @@
 //! Periodic motions that a periodic force drives, over its frequency.
 
-use crate::CycleError;
+use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
-use crate::balance::{HarmonicBalance, Turning};
+use crate::balance::{CycleRate, HarmonicBalance};
 use crate::path::{ClosingEquation, Path, PathEquations, PathPoint, PathRule, corrected};
 use faer::Mat;
 
@@ -25,7 +25,7 @@ pub enum ResponseEnd {
     /// It has as many motions as were asked for.
     Points,
     /// No next motion was found.
-    Lost(CycleError),
+    Lost(CyclesError),
 }
 
 /// A response over frequency, through its folds.
@@ -47,8 +47,8 @@ struct ForcedEquations<'b, 'a> {
 }
 
 impl ForcedEquations<'_, '_> {
-    fn turning(&self, at: &[f64]) -> Turning {
-        Turning { frequency: self.frequency * at[self.balance.unknowns()], growth: 0.0 }
+    fn turning(&self, at: &[f64]) -> CycleRate {
+        CycleRate { frequency: self.frequency * at[self.balance.unknowns()], growth: 0.0 }
     }
 
     fn motion(&self, point: &PathPoint) -> PeriodicMotion {
@@ -63,11 +63,11 @@ impl ForcedEquations<'_, '_> {
 }
 
 impl PathEquations for ForcedEquations<'_, '_> {
-    fn residual(&mut self, at: &[f64]) -> Result<Vec<f64>, CycleError> {
+    fn residual(&mut self, at: &[f64]) -> Result<Vec<f64>, CyclesError> {
         self.balance.residual(&at[..self.balance.unknowns()], self.turning(at))
     }
 
-    fn linearised(&mut self, at: &[f64]) -> Result<(Vec<f64>, Mat<f64>), CycleError> {
+    fn linearised(&mut self, at: &[f64]) -> Result<(Vec<f64>, Mat<f64>), CyclesError> {
         let unknowns = self.balance.unknowns();
         let balanced = self.balance.balanced(&at[..unknowns], self.turning(at))?;
         let derivative = Mat::from_fn(unknowns, unknowns + 1, |i, j| match j == unknowns {
@@ -81,11 +81,11 @@ impl PathEquations for ForcedEquations<'_, '_> {
         &self.weights
     }
 
-    fn is_sought(&mut self, _: &[f64]) -> Result<bool, CycleError> {
+    fn is_sought(&mut self, _: &[f64]) -> Result<bool, CyclesError> {
         Ok(true)
     }
 
-    fn accept(&mut self, _: &[f64]) -> Result<(), CycleError> {
+    fn accept(&mut self, _: &[f64]) -> Result<(), CyclesError> {
         Ok(())
     }
 }
@@ -98,7 +98,7 @@ pub fn forced_response(
     balance: &HarmonicBalance<'_>,
     guess: &[f64],
     settings: &ResponseSettings,
-) -> Result<ForcedResponse, CycleError> {
+) -> Result<ForcedResponse, CyclesError> {
     let [from, to] = settings.between;
     let unknowns = balance.unknowns();
     let mut weights = vec![1.0 / balance.components() as f64; unknowns];

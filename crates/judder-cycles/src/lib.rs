@@ -29,4 +29,4 @@ mod reduced;
 pub mod series;
 pub mod stability;
 
-pub use error::CycleError;
+pub use error::CyclesError;

@@ -3,7 +3,7 @@
 //! Pseudo-arclength continuation (H. B. Keller, 1977): a step along the tangent, then Newton's method on the equations and the plane that the
 //! step ends in.
 
-use crate::CycleError;
+use crate::CyclesError;
 use crate::reduced::solve;
 use faer::Mat;
 
@@ -13,13 +13,13 @@ pub trait PathEquations {
     ///
     /// # Errors
     /// Where the equations cannot be evaluated.
-    fn residual(&mut self, at: &[f64]) -> Result<Vec<f64>, CycleError>;
+    fn residual(&mut self, at: &[f64]) -> Result<Vec<f64>, CyclesError>;
 
     /// What is left, and its derivative by the unknowns: n × n + 1.
     ///
     /// # Errors
     /// Where the equations cannot be evaluated.
-    fn linearised(&mut self, at: &[f64]) -> Result<(Vec<f64>, Mat<f64>), CycleError>;
+    fn linearised(&mut self, at: &[f64]) -> Result<(Vec<f64>, Mat<f64>), CyclesError>;
 
     /// What each unknown counts in the length of a step.
     fn weights(&self) -> &[f64];
@@ -28,13 +28,13 @@ pub trait PathEquations {
     ///
     /// # Errors
     /// Where the equations cannot be evaluated.
-    fn is_sought(&mut self, at: &[f64]) -> Result<bool, CycleError>;
+    fn is_sought(&mut self, at: &[f64]) -> Result<bool, CyclesError>;
 
     /// A solution is taken: what the equations refer to may follow it.
     ///
     /// # Errors
     /// Where the equations cannot be evaluated.
-    fn accept(&mut self, at: &[f64]) -> Result<(), CycleError>;
+    fn accept(&mut self, at: &[f64]) -> Result<(), CyclesError>;
 }
 
 /// A solution, with the direction in which the path goes on.
@@ -105,18 +105,18 @@ fn largest(values: &[f64]) -> f64 {
 /// The solution near a guess on which the closing equation holds; the tangent points as `towards` does.
 ///
 /// # Errors
-/// [`CycleError::NotConverged`], [`CycleError::Singular`], and what the equations say.
+/// [`CyclesError::NotConverged`], [`CyclesError::Singular`], and what the equations say.
 pub fn corrected<E: PathEquations>(
     equations: &mut E,
     guess: &[f64],
     closing: &ClosingEquation,
     towards: &[f64],
     rule: &PathRule,
-) -> Result<PathPoint, CycleError> {
+) -> Result<PathPoint, CyclesError> {
     let size = guess.len();
     let mut at = guess.to_vec();
     let closed = |at: &[f64]| dot(&closing.row, at) - closing.value;
-    let left = |equations: &mut E, at: &[f64]| -> Result<[f64; 2], CycleError> {
+    let left = |equations: &mut E, at: &[f64]| -> Result<[f64; 2], CyclesError> {
         let mut residual = equations.residual(at)?;
         residual.push(closed(at));
         Ok([largest(&residual), dot(&residual, &residual).sqrt()])
@@ -134,7 +134,7 @@ pub fn corrected<E: PathEquations>(
             (true, _) => 1.0,
             (false, _) => 0.0,
         });
-        solve(&matrix, &mut right).ok_or(CycleError::Singular)?;
+        solve(&matrix, &mut right).ok_or(CyclesError::Singular)?;
         // the part of a step that leaves least: none need leave less where points change their states
         let mut best: Option<(Vec<f64>, f64, f64)> = None;
         for share in [1.0, 0.5, 0.25, 0.1] {
@@ -147,14 +147,14 @@ pub fn corrected<E: PathEquations>(
                 break;
             }
         }
-        (at, most, norm) = best.ok_or(CycleError::Singular)?;
+        (at, most, norm) = best.ok_or(CyclesError::Singular)?;
         if most <= rule.tolerance {
             let direction: Vec<f64> = (0..size).map(|k| right[(k, 1)]).collect();
             let tangent = unit(&direction, equations.weights(), towards);
             return Ok(PathPoint { at, tangent, residual: most, iterations: iteration });
         }
     }
-    Err(CycleError::NotConverged { iterations: rule.iterations, residual: most })
+    Err(CyclesError::NotConverged { iterations: rule.iterations, residual: most })
 }
 
 /// A direction of length one in the weights that points as another does.
@@ -170,7 +170,7 @@ fn tangent_at<E: PathEquations>(
     equations: &mut E,
     at: &[f64],
     towards: &[f64],
-) -> Result<Vec<f64>, CycleError> {
+) -> Result<Vec<f64>, CyclesError> {
     let size = at.len();
     let (_, derivative) = equations.linearised(at)?;
     let matrix = Mat::from_fn(size, size, |i, j| match i + 1 == size {
@@ -178,7 +178,7 @@ fn tangent_at<E: PathEquations>(
         false => derivative[(i, j)],
     });
     let mut right = Mat::from_fn(size, 1, |i, _| if i + 1 == size { 1.0 } else { 0.0 });
-    solve(&matrix, &mut right).ok_or(CycleError::Singular)?;
+    solve(&matrix, &mut right).ok_or(CyclesError::Singular)?;
     let direction: Vec<f64> = (0..size).map(|k| right[(k, 0)]).collect();
     Ok(unit(&direction, equations.weights(), towards))
 }
@@ -211,7 +211,7 @@ impl Path {
     ///
     /// # Errors
     /// The last reason where none is found with the shortest step.
-    pub fn go_on<E: PathEquations>(&mut self, equations: &mut E) -> Result<&PathPoint, CycleError> {
+    pub fn go_on<E: PathEquations>(&mut self, equations: &mut E) -> Result<&PathPoint, CyclesError> {
         let [_, longest, shortest] = self.rule.steps;
         let mut rounded = false;
         loop {
@@ -245,7 +245,7 @@ impl Path {
         &mut self,
         equations: &mut E,
         next: PathPoint,
-    ) -> Result<&PathPoint, CycleError> {
+    ) -> Result<&PathPoint, CyclesError> {
         equations.accept(&next.at)?;
         self.point = next;
         Ok(&self.point)
@@ -255,7 +255,7 @@ impl Path {
     fn round_the_kink<E: PathEquations>(
         &self,
         equations: &mut E,
-    ) -> Result<Option<(PathPoint, f64)>, CycleError> {
+    ) -> Result<Option<(PathPoint, f64)>, CyclesError> {
         let PathPoint { at, tangent, .. } = &self.point;
         for ahead in [4.0, 40.0] {
             let beyond: Vec<f64> =
@@ -289,7 +289,7 @@ impl Path {
         along < 0.0 && (length * length - along * along).max(0.0).sqrt() < NARROW * length
     }
 
-    fn tried<E: PathEquations>(&self, equations: &mut E) -> Result<PathPoint, CycleError> {
+    fn tried<E: PathEquations>(&self, equations: &mut E) -> Result<PathPoint, CyclesError> {
         let PathPoint { at, tangent, .. } = &self.point;
         let guess: Vec<f64> = at.iter().zip(tangent).map(|(own, t)| own + self.step * t).collect();
         let closing = ClosingEquation::across(tangent, equations.weights(), &guess);
@@ -299,7 +299,7 @@ impl Path {
         let off = |k: usize| (found.at[k] - guess[k]) * (found.at[k] - guess[k]) * weights[k];
         let off = (0..guess.len()).map(off).sum::<f64>().sqrt();
         if off > self.step || !equations.is_sought(&found.at)? {
-            return Err(CycleError::NotConverged { iterations: found.iterations, residual: off });
+            return Err(CyclesError::NotConverged { iterations: found.iterations, residual: off });
         }
         Ok(found)
     }

@@ -25,7 +25,7 @@ pub struct PointScales {
 
 /// π of a point at an instant, with its derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Projected {
+pub struct ProjectedForce {
     /// π in N.
     pub force: [f64; COMPONENTS],
     /// ∂π/∂λ, row after row.
@@ -36,7 +36,7 @@ pub struct Projected {
     pub state: PointMotion,
 }
 
-impl Projected {
+impl ProjectedForce {
     /// Whether nothing changes it: of a point that is open.
     pub(crate) fn is_constant(&self) -> bool {
         self.by_force.iter().chain(&self.by_motion).flatten().all(|own| *own == 0.0)
@@ -58,11 +58,11 @@ pub fn projected(
     scales: PointScales,
     force: [f64; COMPONENTS],
     motion: [f64; COMPONENTS],
-) -> Projected {
+) -> ProjectedForce {
     let speed = motion[1].hypot(motion[2]);
     let direction = if speed > 0.0 { [motion[1] / speed, motion[2] / speed] } else { [0.0; 2] };
     let (normal, bound) = normal_and_bound(point, scales, [force, motion], speed, direction);
-    let mut out = Projected::default();
+    let mut out = ProjectedForce::default();
     set(&mut out, 0, normal);
     out.state = PointMotion::Open;
     if normal.value > 0.0 {
@@ -71,7 +71,7 @@ pub fn projected(
     out
 }
 
-fn set(out: &mut Projected, component: usize, own: Sided) {
+fn set(out: &mut ProjectedForce, component: usize, own: Sided) {
     out.force[component] = own.value;
     out.by_force[component] = own.by_force;
     out.by_motion[component] = own.by_motion;
@@ -127,7 +127,7 @@ fn normal_and_bound(
 
 /// π_T of a point that presses.
 fn friction(
-    out: &mut Projected,
+    out: &mut ProjectedForce,
     scales: PointScales,
     [force, motion]: [[f64; COMPONENTS]; 2],
     bound: Sided,

@@ -5,7 +5,7 @@
 //! Γ = R D⁻¹ Pᵀ on the contact points. σ in 1/s is a growth that is taken off all motions alike: the extended periodic motions of M. Krack,
 //! *Nonlinear modal analysis of nonconservative systems*, Comput. Struct. 154 (2015).
 
-use crate::CycleError;
+use crate::CyclesError;
 use faer::{Mat, c64};
 use judder_assembly::assembly::{Assembly, sum};
 use judder_assembly::row::Row;
@@ -26,7 +26,7 @@ pub struct HarmonicBodies {
     made_of: MadeOf,
     /// Components of a point.
     dimension: usize,
-    kind: Arc<BodyMatrices>,
+    kind: Arc<HarmonicMatrices>,
     /// P on the coordinates, components × coordinates.
     rows: Mat<f64>,
     /// c of the components that have one.
@@ -62,7 +62,7 @@ impl MadeOf {
 }
 
 #[derive(Debug, Clone)]
-enum BodyMatrices {
+enum HarmonicMatrices {
     /// z̈ + d ż + λ z = f of each mode.
     Modes(Box<FreeModes>),
     /// M, C and K of all freedoms.
@@ -100,11 +100,11 @@ impl HarmonicBodies {
     /// The bodies of an assembly under its contact points.
     ///
     /// # Errors
-    /// [`CycleError::TooManyFreedoms`], and what the assembly's matrices say.
-    pub fn new(assembly: &Assembly, contact: &ContactPoints<'_>) -> Result<Self, CycleError> {
+    /// [`CyclesError::TooManyFreedoms`], and what the assembly's matrices say.
+    pub fn new(assembly: &Assembly, contact: &ContactPoints<'_>) -> Result<Self, CyclesError> {
         let kind = match FreeModes::new(assembly) {
-            Some(modes) => BodyMatrices::Modes(Box::new(modes)),
-            None => BodyMatrices::Whole(Box::new(whole(assembly)?)),
+            Some(modes) => HarmonicMatrices::Modes(Box::new(modes)),
+            None => HarmonicMatrices::Whole(Box::new(whole(assembly)?)),
         };
         let kind = Arc::new(kind);
         let mut bodies = Self {
@@ -143,13 +143,13 @@ impl HarmonicBodies {
     #[must_use]
     pub fn on_coordinates(&self, row: &Row) -> Vec<f64> {
         match self.kind.as_ref() {
-            BodyMatrices::Modes(modes) => {
+            HarmonicMatrices::Modes(modes) => {
                 let of = |mode: usize| {
                     row.entries().iter().map(|(k, share)| share * modes.shapes[(*k, mode)]).sum()
                 };
                 (0..modes.eigenvalues.len()).map(of).collect()
             }
-            BodyMatrices::Whole(matrices) => {
+            HarmonicMatrices::Whole(matrices) => {
                 let mut own = vec![0.0; matrices[0].nrows()];
                 row.add_to(1.0, &mut own);
                 own
@@ -161,13 +161,13 @@ impl HarmonicBodies {
     #[must_use]
     pub fn forces(&self, on_freedoms: &[f64]) -> Vec<f64> {
         match self.kind.as_ref() {
-            BodyMatrices::Modes(modes) => {
+            HarmonicMatrices::Modes(modes) => {
                 let of = |mode: usize| {
                     on_freedoms.iter().enumerate().map(|(k, f)| f * modes.shapes[(k, mode)]).sum()
                 };
                 (0..modes.eigenvalues.len()).map(of).collect()
             }
-            BodyMatrices::Whole(_) => on_freedoms.to_vec(),
+            HarmonicMatrices::Whole(_) => on_freedoms.to_vec(),
         }
     }
 
@@ -179,21 +179,21 @@ impl HarmonicBodies {
     /// Γ(s) with the growth σ taken off.
     ///
     /// # Errors
-    /// [`CycleError::Singular`] at an undamped resonance.
-    pub fn receptance(&self, s: c64, growth: f64) -> Result<Mat<c64>, CycleError> {
+    /// [`CyclesError::Singular`] at an undamped resonance.
+    pub fn receptance(&self, s: c64, growth: f64) -> Result<Mat<c64>, CyclesError> {
         let (size, coordinates) = (self.rows.nrows(), self.rows.ncols());
         let [re, im] = match self.kind.as_ref() {
-            BodyMatrices::Modes(modes) => {
+            HarmonicMatrices::Modes(modes) => {
                 let weights: Vec<c64> = (0..coordinates).map(|k| yielding(modes, k, s, growth)).collect();
                 let part = |part: fn(&c64) -> f64| {
                     Mat::from_fn(coordinates, size, |k, j| part(&weights[k]) * self.rows[(j, k)])
                 };
                 [part(|weight| weight.re), part(|weight| weight.im)]
             }
-            BodyMatrices::Whole(matrices) => {
+            HarmonicMatrices::Whole(matrices) => {
                 let mut right = Mat::from_fn(coordinates, size, |k, j| c64::new(self.rows[(j, k)], 0.0));
                 solve_complex(dynamic_stiffness(matrices, s, growth), &mut right)
-                    .ok_or(CycleError::Singular)?;
+                    .ok_or(CyclesError::Singular)?;
                 [
                     Mat::from_fn(coordinates, size, |k, j| right[(k, j)].re),
                     Mat::from_fn(coordinates, size, |k, j| right[(k, j)].im),
@@ -211,20 +211,20 @@ impl HarmonicBodies {
                 out[(*component, column)] -= c64::new(of(&re), of(&im));
             }
         }
-        if out.is_all_finite() { Ok(out) } else { Err(CycleError::Singular) }
+        if out.is_all_finite() { Ok(out) } else { Err(CyclesError::Singular) }
     }
 
     /// The bodies under forces λ at the points and `load` on the coordinates, at s with the growth σ taken off.
     ///
     /// # Errors
-    /// [`CycleError::Singular`] at an undamped resonance.
+    /// [`CyclesError::Singular`] at an undamped resonance.
     pub fn at(
         &self,
         s: c64,
         growth: f64,
         forces: &[c64],
         load: Option<&[c64]>,
-    ) -> Result<AtHarmonic, CycleError> {
+    ) -> Result<AtHarmonic, CyclesError> {
         let coordinates = self.rows.ncols();
         let acting = |k: usize| {
             let own: c64 = forces.iter().enumerate().map(|(j, force)| force * self.rows[(j, k)]).sum();
@@ -233,7 +233,7 @@ impl HarmonicBodies {
         let acting: Vec<c64> = (0..coordinates).map(acting).collect();
         // x, −D⁻¹ (2 s M + C + 2 σ M) x and −D⁻¹ 2 s M x
         let [x, by_s, by_growth] = match self.kind.as_ref() {
-            BodyMatrices::Modes(modes) => {
+            HarmonicMatrices::Modes(modes) => {
                 let weights: Vec<c64> = (0..coordinates).map(|k| yielding(modes, k, s, growth)).collect();
                 let x: Vec<c64> = weights.iter().zip(&acting).map(|(weight, force)| weight * force).collect();
                 let slope = |k: usize| -weights[k] * (2.0 * s + (modes.damping[k] + 2.0 * growth)) * x[k];
@@ -241,7 +241,7 @@ impl HarmonicBodies {
                 let by_growth = (0..coordinates).map(|k| -weights[k] * 2.0 * s * x[k]).collect();
                 [x, by_s, by_growth]
             }
-            BodyMatrices::Whole(matrices) => solved_with_slopes(matrices, s, growth, &acting)?,
+            HarmonicMatrices::Whole(matrices) => solved_with_slopes(matrices, s, growth, &acting)?,
         };
         let mut motion_by_s = self.seen(s, &by_s);
         // R itself follows s
@@ -257,7 +257,7 @@ impl HarmonicBodies {
             coordinates: x,
         };
         let finite = at.motion.iter().chain(&at.by_s).all(|own| own.re.is_finite() && own.im.is_finite());
-        if finite { Ok(at) } else { Err(CycleError::Singular) }
+        if finite { Ok(at) } else { Err(CyclesError::Singular) }
     }
 
     fn displaced(&self, component: usize, x: &[c64]) -> c64 {
@@ -280,14 +280,14 @@ impl HarmonicBodies {
     /// Steady forces on the bodies, with ε of each point, and the load on the freedoms.
     ///
     /// # Errors
-    /// [`CycleError::NotHeld`].
-    pub fn statics(&self, load: &[f64], stiffness: &[f64]) -> Result<StaticResponse, CycleError> {
+    /// [`CyclesError::NotHeld`].
+    pub fn statics(&self, load: &[f64], stiffness: &[f64]) -> Result<StaticResponse, CyclesError> {
         let (size, coordinates) = (self.rows.nrows(), self.rows.ncols());
         let mut matrix = match self.kind.as_ref() {
-            BodyMatrices::Modes(modes) => {
+            HarmonicMatrices::Modes(modes) => {
                 Mat::from_fn(coordinates, coordinates, |i, j| if i == j { modes.eigenvalues[i] } else { 0.0 })
             }
-            BodyMatrices::Whole(matrices) => matrices[2].clone(),
+            HarmonicMatrices::Whole(matrices) => matrices[2].clone(),
         };
         let normals = stiffness.len();
         let held =
@@ -299,7 +299,7 @@ impl HarmonicBodies {
             0 => forces[k],
             _ => self.rows[(column - 1, k)],
         });
-        solve(matrix, &mut right).ok_or(CycleError::NotHeld)?;
+        solve(matrix, &mut right).ok_or(CyclesError::NotHeld)?;
         let seen = |column: usize| {
             let x: Vec<c64> = (0..coordinates).map(|k| c64::new(right[(k, column)], 0.0)).collect();
             self.seen(c64::ZERO, &x).into_iter().map(|own| own.re).collect::<Vec<f64>>()
@@ -356,11 +356,11 @@ impl HarmonicBodies {
     }
 
     /// A step of so many seconds.
-    pub(crate) fn step(&self, step: f64) -> Result<BodyStep, CycleError> {
+    pub(crate) fn step(&self, step: f64) -> Result<BodyStep, CyclesError> {
         let (size, coordinates) = (self.rows.nrows(), self.rows.ncols());
         let mut pushes = Mat::from_fn(coordinates, size, |k, j| step * self.rows[(j, k)]);
         let kind = match self.kind.as_ref() {
-            BodyMatrices::Modes(modes) => {
+            HarmonicMatrices::Modes(modes) => {
                 let ahead =
                     |k: usize| 0.5 * step * modes.damping[k] + 0.25 * step * step * modes.eigenvalues[k];
                 for column in 0..size {
@@ -371,7 +371,7 @@ impl HarmonicBodies {
                 };
                 StepMatrices::Modes((0..coordinates).map(factors).collect())
             }
-            BodyMatrices::Whole(matrices) => {
+            HarmonicMatrices::Whole(matrices) => {
                 let [mass, damping, stiffness] = matrices.as_ref();
                 let ahead = |i: usize, j: usize| {
                     0.5 * step * damping[(i, j)] + 0.25 * step * step * stiffness[(i, j)]
@@ -384,7 +384,7 @@ impl HarmonicBodies {
                         _ => pushes[(i, j - 2 * coordinates)],
                     }
                 });
-                solve(matrix, &mut right).ok_or(CycleError::Singular)?;
+                solve(matrix, &mut right).ok_or(CyclesError::Singular)?;
                 pushes = right.subcols(2 * coordinates, size).to_owned();
                 let part = |which: usize| right.subcols(which * coordinates, coordinates).to_owned();
                 StepMatrices::Whole([part(0), part(1)])
@@ -412,10 +412,10 @@ fn yielding(modes: &FreeModes, mode: usize, s: c64, growth: f64) -> c64 {
 }
 
 /// M, C with gyroscopic forces, and K.
-fn whole(assembly: &Assembly) -> Result<[Mat<f64>; 3], CycleError> {
+fn whole(assembly: &Assembly) -> Result<[Mat<f64>; 3], CyclesError> {
     let freedoms = assembly.size();
     if freedoms > MOST {
-        return Err(CycleError::TooManyFreedoms { freedoms, most: MOST });
+        return Err(CyclesError::TooManyFreedoms { freedoms, most: MOST });
     }
     let damping = sum(&assembly.damping, assembly.gyroscopic.iter().map(|own| own.matrix.as_ref()))?;
     Ok([assembly.mass.to_dense(), damping.to_dense(), assembly.stiffness.to_dense()])
@@ -434,14 +434,14 @@ fn solved_with_slopes(
     s: c64,
     growth: f64,
     acting: &[c64],
-) -> Result<[Vec<c64>; 3], CycleError> {
+) -> Result<[Vec<c64>; 3], CyclesError> {
     let size = acting.len();
     let [mass, damping, _] = matrices;
     let solved = |right: Vec<Vec<c64>>| {
         let mut columns = Mat::from_fn(size, right.len(), |k, j| right[j][k]);
-        solve_complex(dynamic_stiffness(matrices, s, growth), &mut columns).ok_or(CycleError::Singular)?;
+        solve_complex(dynamic_stiffness(matrices, s, growth), &mut columns).ok_or(CyclesError::Singular)?;
         let column = |j: usize| (0..size).map(|k| columns[(k, j)]).collect::<Vec<c64>>();
-        Ok::<_, CycleError>((0..right.len()).map(column).collect::<Vec<_>>())
+        Ok::<_, CyclesError>((0..right.len()).map(column).collect::<Vec<_>>())
     };
     let times = |matrix: &Mat<f64>, x: &[c64]| -> Vec<c64> {
         (0..size).map(|i| (0..size).map(|j| x[j] * matrix[(i, j)]).sum()).collect()

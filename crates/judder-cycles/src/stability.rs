@@ -7,10 +7,10 @@
 //! What an impact of a rigid point does to small motions depends on the instant at which it touches, which the steps do not follow: such cycles are told as
 //! unknown.
 
-use crate::CycleError;
+use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
 use crate::balance::HarmonicBalance;
-use crate::point_law::Projected;
+use crate::point_law::ProjectedForce;
 use crate::receptance::BodyStep;
 use crate::series::Series;
 use faer::{Mat, c64};
@@ -75,11 +75,11 @@ impl FloquetMultipliers {
 /// The multipliers of a cycle, with as many steps as they take to settle; what hinders them otherwise.
 ///
 /// # Errors
-/// [`CycleError::Singular`].
+/// [`CyclesError::Singular`].
 pub fn floquet_multipliers(
     balance: &HarmonicBalance<'_>,
     cycle: &PeriodicMotion,
-) -> Result<Result<FloquetMultipliers, CycleStability>, CycleError> {
+) -> Result<Result<FloquetMultipliers, CycleStability>, CyclesError> {
     if balance.bodies().coordinates() > MOST {
         return Ok(Err(CycleStability::TooLarge));
     }
@@ -101,7 +101,7 @@ pub fn floquet_multipliers(
 }
 
 /// Whether a rigid point that may open does so amid the cycle.
-fn has_impacts(balance: &HarmonicBalance<'_>, cycle: &PeriodicMotion) -> Result<bool, CycleError> {
+fn has_impacts(balance: &HarmonicBalance<'_>, cycle: &PeriodicMotion) -> Result<bool, CyclesError> {
     let signals = balance.signals_at(&cycle.unknown, cycle.turning)?;
     let projected = balance.projected(balance.series(), &signals);
     let open = |point: usize| projected.iter().filter(|own| own[point].state == PointMotion::Open).count();
@@ -115,9 +115,9 @@ fn with_steps(
     balance: &HarmonicBalance<'_>,
     cycle: &PeriodicMotion,
     steps: usize,
-) -> Result<FloquetMultipliers, CycleError> {
+) -> Result<FloquetMultipliers, CyclesError> {
     let matrix = monodromy(balance, cycle, steps)?;
-    let mut values = real_eigenvalues(&matrix).ok_or(CycleError::Singular)?;
+    let mut values = real_eigenvalues(&matrix).ok_or(CyclesError::Singular)?;
     values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(a.im.total_cmp(&b.im)));
     let nearest = (0..values.len()).min_by(|a, b| {
         let off = |k: usize| (values[k] - 1.0).norm();
@@ -132,7 +132,7 @@ fn monodromy(
     balance: &HarmonicBalance<'_>,
     cycle: &PeriodicMotion,
     steps: usize,
-) -> Result<Mat<f64>, CycleError> {
+) -> Result<Mat<f64>, CyclesError> {
     let size = balance.bodies().coordinates();
     let step = TAU / cycle.turning.frequency / steps as f64;
     let bodies = balance.bodies().step(step)?;
@@ -164,13 +164,13 @@ struct PointsAt<'s, 'b, 'a> {
     bodies: &'s BodyStep,
     /// P A⁻¹ h Pᵀ.
     compliance: &'s Mat<f64>,
-    projected: &'s [Projected],
+    projected: &'s [ProjectedForce],
     step: f64,
 }
 
 impl PointsAt<'_, '_, '_> {
     /// δv⁺.
-    fn advanced(&self, x: &Mat<f64>, v: &Mat<f64>) -> Result<Mat<f64>, CycleError> {
+    fn advanced(&self, x: &Mat<f64>, v: &Mat<f64>) -> Result<Mat<f64>, CyclesError> {
         let free = self.bodies.free(x, v);
         let rows = self.bodies.rows.as_ref();
         let [place, before, after] = [x, v, &free].map(|own| product(rows, own.as_ref()));
@@ -188,7 +188,7 @@ impl PointsAt<'_, '_, '_> {
         let mut forces = Mat::from_fn(moved.nrows(), moved.ncols(), |component, column| {
             self.by_motion(component, |other| moved[(other, column)])
         });
-        solve(matrix, &mut forces).ok_or(CycleError::Singular)?;
+        solve(matrix, &mut forces).ok_or(CyclesError::Singular)?;
         Ok(free + product(self.bodies.pushes.as_ref(), forces.as_ref()))
     }
 

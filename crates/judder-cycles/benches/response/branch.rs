@@ -8,7 +8,7 @@ use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::pressure::Pressure;
 use judder_assembly::steady::steady_sliding;
-use judder_cycles::CycleError;
+use judder_cycles::CyclesError;
 use judder_cycles::branch::{BranchSettings, cycle_branch};
 use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles};
 use judder_cycles::path::PathRule;
@@ -43,7 +43,7 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
     let at = |friction: f64| {
         let mut other = case.clone();
         other.interfaces[0].law = law(friction);
-        Ok::<_, CycleError>(other)
+        Ok::<_, CyclesError>(other)
     };
     let branch = cycle_branch(&at, &cycle.balance, (FRICTION, &cycle.motion), &settings)?;
     let told = json!({

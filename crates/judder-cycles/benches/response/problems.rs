@@ -9,7 +9,7 @@ use judder_assembly::interface::{Interface, InterfaceLaw};
 use judder_assembly::pressure::Pressure;
 use judder_assembly::row::Row;
 use judder_assembly::steady::{PointState, SteadySliding};
-use judder_cycles::CycleError;
+use judder_cycles::CyclesError;
 use judder_cycles::balance::{HarmonicBalance, HarmonicForce};
 use judder_cycles::forced::{ForcedResponse, ResponseSettings};
 use judder_cycles::path::PathRule;
@@ -31,7 +31,7 @@ pub(crate) struct Problem {
 }
 
 impl Problem {
-    pub(crate) fn balance(&self) -> Result<HarmonicBalance<'_>, CycleError> {
+    pub(crate) fn balance(&self) -> Result<HarmonicBalance<'_>, CyclesError> {
         let [from, to] = self.settings.between;
         let forces = std::slice::from_ref(&self.force);
         HarmonicBalance::new(&self.assembly, &self.steady, 0.5 * (from + to), self.series.clone(), forces)
@@ -42,7 +42,7 @@ impl Problem {
         &self,
         balance: &HarmonicBalance<'_>,
         found: &ForcedResponse,
-    ) -> Result<[f64; 2], CycleError> {
+    ) -> Result<[f64; 2], CyclesError> {
         let row = balance.bodies().on_coordinates(&Row::of_freedom(self.observed));
         let mut peak = [0.0, 0.0];
         for motion in &found.motions {

@@ -1,8 +1,8 @@
 //! The smallest periodic motion of a mode.
 
-use crate::CycleError;
-use crate::balance::{HarmonicBalance, Turning};
-use crate::point_law::{COMPONENTS, Projected, projected};
+use crate::CyclesError;
+use crate::balance::{CycleRate, HarmonicBalance};
+use crate::point_law::{COMPONENTS, ProjectedForce, projected};
 use faer::{Mat, c64};
 use judder_assembly::steady::SteadySliding;
 use judder_dense::general::solve_complex;
@@ -28,7 +28,7 @@ pub(super) fn smallest(
     balance: &HarmonicBalance<'_>,
     steady: &SteadySliding,
     eigenvalue: c64,
-) -> Result<ModeStart, CycleError> {
+) -> Result<ModeStart, CyclesError> {
     let size = balance.series().coefficients();
     let about = about(balance, steady)?;
     let receptance = balance.bodies().receptance(eigenvalue, 0.0)?;
@@ -53,8 +53,8 @@ pub(super) fn smallest(
 }
 
 /// What the points do in steady sliding.
-fn about(balance: &HarmonicBalance<'_>, steady: &SteadySliding) -> Result<Vec<Projected>, CycleError> {
-    let signals = balance.signals_at(&balance.steady(steady), Turning { frequency: 1.0, growth: 0.0 })?;
+fn about(balance: &HarmonicBalance<'_>, steady: &SteadySliding) -> Result<Vec<ProjectedForce>, CyclesError> {
+    let signals = balance.signals_at(&balance.steady(steady), CycleRate { frequency: 1.0, growth: 0.0 })?;
     let dimension = balance.contact().dimension;
     let of = |values: &Mat<f64>, point: usize| {
         let mut own = [0.0; COMPONENTS];
@@ -73,9 +73,9 @@ fn about(balance: &HarmonicBalance<'_>, steady: &SteadySliding) -> Result<Vec<Pr
 
 fn null_vector(
     balance: &HarmonicBalance<'_>,
-    about: &[Projected],
+    about: &[ProjectedForce],
     receptance: &Mat<c64>,
-) -> Result<Vec<c64>, CycleError> {
+) -> Result<Vec<c64>, CyclesError> {
     let (dimension, size) = (balance.contact().dimension, balance.components());
     let entry = |i: usize, j: usize| {
         let (point, own) = (&about[i / dimension], i % dimension);
@@ -89,7 +89,7 @@ fn null_vector(
     let matrix = Mat::from_fn(size, size, entry);
     let mut vector = Mat::from_fn(size, 1, |k, _| c64::new(1.0, 0.3 * (k as f64).sin()));
     for _ in 0..3 {
-        solve_complex(matrix.clone(), &mut vector).ok_or(CycleError::Singular)?;
+        solve_complex(matrix.clone(), &mut vector).ok_or(CyclesError::Singular)?;
         let length = vector.col(0).norm_l2();
         (0..size).for_each(|k| vector[(k, 0)] /= length);
     }

@@ -4,7 +4,7 @@
 //! receptances that join the points harmonic by harmonic.
 
 use super::{HarmonicBalance, Responses};
-use crate::point_law::Projected;
+use crate::point_law::ProjectedForce;
 use faer::{Mat, c64};
 
 /// T of the derivatives of a point: `dimension` × `dimension` blocks of coefficients.
@@ -36,14 +36,14 @@ impl PointBlocks {
 }
 
 impl HarmonicBalance<'_> {
-    pub(super) fn jacobian(&self, responses: &Responses, projected: &[Vec<Projected>]) -> Mat<f64> {
+    pub(super) fn jacobian(&self, responses: &Responses, projected: &[Vec<ProjectedForce>]) -> Mat<f64> {
         let (size, dimension) = (self.series.coefficients(), self.contact.dimension);
         let unknowns = self.unknowns();
         let mut jacobian = Mat::zeros(unknowns, unknowns + 2);
         for point in 0..self.contact.points.len() {
             let rows = point * dimension * size..(point + 1) * dimension * size;
             if projected.iter().all(|own| own[point].is_constant()) {
-                rows.for_each(|row| jacobian[(row, row)] = 1.0);
+                self.add_open(point, &mut jacobian);
                 continue;
             }
             let blocks = self.blocks(point, projected);
@@ -58,7 +58,18 @@ impl HarmonicBalance<'_> {
         jacobian
     }
 
-    fn blocks(&self, point: usize, projected: &[Vec<Projected>]) -> PointBlocks {
+    /// The rows of a point that is open all along: it has no force, whose mean is λ₀ = s₀ − ε c x₀.
+    fn add_open(&self, point: usize, jacobian: &mut Mat<f64>) {
+        let (size, dimension) = (self.series.coefficients(), self.contact.dimension);
+        let first = point * dimension;
+        (first * size..(first + dimension) * size).for_each(|row| jacobian[(row, row)] = 1.0);
+        for component in 0..self.components() {
+            let moved = self.statics.receptance[(first, component)];
+            jacobian[(first * size, component * size)] -= self.scales[point].stiffness * moved;
+        }
+    }
+
+    fn blocks(&self, point: usize, projected: &[Vec<ProjectedForce>]) -> PointBlocks {
         let (size, dimension) = (self.series.coefficients(), self.contact.dimension);
         let rows = dimension * size;
         let entry = |instant: usize, which: usize| {

@@ -9,7 +9,7 @@ use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::pressure::Pressure;
 use judder_assembly::row::Row;
 use judder_assembly::steady::steady_sliding;
-use judder_cycles::balance::{HarmonicBalance, Turning};
+use judder_cycles::balance::{CycleRate, HarmonicBalance};
 use judder_cycles::series::Series;
 use judder_numerics::counter::uniform;
 use std::sync::Arc;
@@ -20,7 +20,10 @@ fn two_masses(law: InterfaceLaw, turns: bool) -> Assembly {
         |i: usize, j: usize| if i == j { 5.0 + i as f64 } else { -0.5 / (1.0 + i.abs_diff(j) as f64) };
     let stiffness: Vec<Vec<f64>> = (0..6).map(|i| (0..6).map(|j| spring(i, j)).collect()).collect();
     let damping = diagonal(&[0.1, 0.2, 0.1, 0.15, 0.1, 0.3]);
-    let mut points = vec![point_on_plane(&[0, 1, 2], 1.0, 0.0), point_on_plane(&[3, 4, 5], 1.0, 0.05)];
+    // the third is open all along
+    let gaps = [(&[0, 1, 2], 0.0), (&[3, 4, 5], 0.05), (&[0, 4, 5], 9.0)];
+    let mut points: Vec<_> =
+        gaps.iter().map(|(freedoms, gap)| point_on_plane(*freedoms, 1.0, *gap)).collect();
     points[1].convected = Some([Row::new(vec![(3, 0.3), (4, 0.1)]), Row::default(), Row::default()]);
     let mut case = assembly(
         [diagonal(&[1.0; 6]), damping, dense(&stiffness)],
@@ -51,7 +54,7 @@ fn derivatives_of_the_balance_are_those_of_its_differences() {
         let balance = HarmonicBalance::new(&case, &steady, 2.0, Series::new(3, 40), &[]).unwrap();
         let mut at = balance.steady(&steady);
         at.iter_mut().enumerate().for_each(|(k, own)| *own += 0.8 * (uniform(7, k as u64) - 0.5));
-        let turning = Turning { frequency: 1.9, growth: 0.05 };
+        let turning = CycleRate { frequency: 1.9, growth: 0.05 };
         let signals = balance.signals_at(&at, turning).unwrap();
         let projected = balance.projected(balance.series(), &signals);
         states.extend(projected.iter().flatten().map(|own| own.state as usize));
@@ -74,7 +77,7 @@ fn derivatives_of_the_balance_are_those_of_its_differences() {
                 let found = balanced.jacobian[(row, column)];
                 assert!((difference - found).abs() < 1e-6, "{law:?} {row} {column}: {difference} {found}");
             }
-            for row in 0..12 {
+            for row in 0..18 {
                 let of = |motions: &faer::Mat<f64>| motions[(1 + row % 2, row / 2)];
                 let difference = (of(&first_more) - of(&first_less)) / (2.0 * DIFFERENCE);
                 assert!((difference - balanced.first[(row, column)]).abs() < 1e-6, "{row} {column}");

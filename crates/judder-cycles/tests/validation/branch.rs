@@ -10,7 +10,7 @@ use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::pressure::Pressure;
 use judder_assembly::steady::steady_sliding;
-use judder_cycles::CycleError;
+use judder_cycles::CyclesError;
 use judder_cycles::branch::{BranchSettings, CycleBranchEnd, cycle_branch};
 use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles};
 use judder_cycles::path::PathRule;
@@ -68,12 +68,12 @@ fn a_branch_tells_where_no_assembly_is() {
     let found = limit_cycles(&case, &steady, values[0], &settings).unwrap();
     let at = |value: f64| match value > 0.28 {
         true => Ok(with_friction(value)),
-        false => Err(CycleError::NoAssembly { value, reason: "too little".to_owned() }),
+        false => Err(CyclesError::NoAssembly { value, reason: "too little".to_owned() }),
     };
     let rule = PathRule { steps: [0.02, 0.2, 1e-4], ..PathRule::default() };
     let settings = BranchSettings { rule, range: [0.0, 0.5], unit: 0.3, rises: false, points: 100 };
     let cycle = &found.cycles[0];
     let branch = cycle_branch(&at, &cycle.balance, (0.3, &cycle.motion), &settings).unwrap();
-    assert!(matches!(branch.end, CycleBranchEnd::Lost(CycleError::NoAssembly { .. })), "{:?}", branch.end);
+    assert!(matches!(branch.end, CycleBranchEnd::Lost(CyclesError::NoAssembly { .. })), "{:?}", branch.end);
     assert!(branch.cycles.last().unwrap().parameter < 0.282);
 }

@@ -8,7 +8,7 @@
 mod mode;
 
 use crate::CyclesError;
-use crate::balance::{Balanced, CycleRate, HarmonicBalance};
+use crate::balance::{Balanced, CycleRate, HarmonicBalance, LastEvaluated};
 use crate::path::{ClosingEquation, Path, PathEquations, PathPoint, PathRule, corrected};
 use crate::phase::Phase;
 use faer::{Mat, c64};
@@ -81,6 +81,7 @@ struct TurningEquations<'b, 'a> {
     frequency: f64,
     weights: Vec<f64>,
     phase: Phase,
+    last: LastEvaluated,
 }
 
 impl<'b, 'a> TurningEquations<'b, 'a> {
@@ -88,7 +89,13 @@ impl<'b, 'a> TurningEquations<'b, 'a> {
         let unknowns = balance.unknowns();
         let mut weights = vec![1.0 / balance.components() as f64; unknowns + 2];
         weights[unknowns..].fill(1.0);
-        Self { balance, frequency, weights, phase: Phase::new(balance, reference) }
+        Self {
+            balance,
+            frequency,
+            weights,
+            phase: Phase::new(balance, reference),
+            last: LastEvaluated::default(),
+        }
     }
 
     fn turning(&self, at: &[f64]) -> CycleRate {
@@ -108,16 +115,21 @@ impl<'b, 'a> TurningEquations<'b, 'a> {
 
 impl PathEquations for TurningEquations<'_, '_> {
     fn residual(&mut self, at: &[f64]) -> Result<Vec<f64>, CyclesError> {
-        let signals = self.balance.signals_at(&at[..self.balance.unknowns()], self.turning(at))?;
-        let mut residual = self.balance.residual_of_signals(&signals);
-        residual.push(self.phase.of(&signals.motions));
+        let evaluated = self.balance.evaluated(&at[..self.balance.unknowns()], self.turning(at))?;
+        let mut residual = evaluated.residual.clone();
+        residual.push(self.phase.of(&evaluated.signals.motions));
+        self.last.keep(at, evaluated);
         Ok(residual)
     }
 
     fn linearised(&mut self, at: &[f64]) -> Result<(Vec<f64>, Mat<f64>), CyclesError> {
         let unknowns = self.balance.unknowns();
+        let evaluated = match self.last.take(at) {
+            Some(evaluated) => evaluated,
+            None => self.balance.evaluated(&at[..unknowns], self.turning(at))?,
+        };
         let Balanced { mut residual, jacobian, signals, first } =
-            self.balance.balanced(&at[..unknowns], self.turning(at))?;
+            self.balance.linearised(evaluated, self.turning(at))?;
         residual.push(self.phase.of(&signals.motions));
         let phase = self.phase.slopes(&first);
         let derivative = Mat::from_fn(unknowns + 1, unknowns + 2, |i, j| {

@@ -28,7 +28,7 @@ pub struct HarmonicForce {
     pub amplitude: Vec<c64>,
 }
 
-/// What holds friction that nothing else does, of itself.
+/// What keeps Newton's method from moving friction that nothing determines.
 const LEAST: f64 = 1e-9;
 
 /// The equations of periodic motions of an assembly.
@@ -56,6 +56,13 @@ pub struct CycleRate {
     pub growth: f64,
 }
 
+impl CycleRate {
+    /// s of a harmonic.
+    fn of(self, harmonic: usize) -> c64 {
+        c64::new(0.0, harmonic as f64 * self.frequency)
+    }
+}
+
 /// Forces and motions of the points: a column a component, of coefficients or of instants.
 #[derive(Debug, Clone)]
 pub struct PointSignals {
@@ -78,10 +85,16 @@ pub struct Balanced {
     pub first: Mat<f64>,
 }
 
-/// What harmonics of the bodies are at a guess.
-struct Responses {
-    receptances: Vec<Mat<c64>>,
+/// What the bodies and the points do at a guess.
+#[derive(Debug, Clone)]
+pub(crate) struct Evaluated {
+    /// Of each harmonic.
     harmonics: Vec<AtHarmonic>,
+    /// Coefficients.
+    pub(crate) signals: PointSignals,
+    projected: Vec<ProjectedForce>,
+    /// Λ − F_H[π] as shares of the force scale, component after component.
+    pub(crate) residual: Vec<f64>,
 }
 
 impl<'a> HarmonicBalance<'a> {
@@ -226,26 +239,17 @@ impl<'a> HarmonicBalance<'a> {
         unknown.chunks_exact(self.series.coefficients()).map(|own| self.force * own[0]).collect()
     }
 
-    fn responses(
-        &self,
-        unknown: &[f64],
-        at: CycleRate,
-        with_receptances: bool,
-    ) -> Result<Responses, CyclesError> {
-        let (mut receptances, mut harmonics) = (Vec::new(), Vec::new());
-        for harmonic in 1..=self.series.harmonics() {
-            let s = c64::new(0.0, harmonic as f64 * at.frequency);
-            if with_receptances {
-                receptances.push(self.bodies.receptance(s, at.growth)?);
-            }
+    fn responses(&self, unknown: &[f64], at: CycleRate) -> Result<Vec<AtHarmonic>, CyclesError> {
+        let of = |harmonic: usize| {
             let load = self.forcing[harmonic - 1].as_deref();
-            harmonics.push(self.bodies.at(s, at.growth, &self.harmonic(unknown, harmonic), load)?);
-        }
-        Ok(Responses { receptances, harmonics })
+            let forces = self.harmonic(unknown, harmonic);
+            self.bodies.at(at.of(harmonic), at.growth, &forces, load)
+        };
+        (1..=self.series.harmonics()).map(of).collect()
     }
 
     /// Coefficients of forces and motions.
-    fn signals(&self, unknown: &[f64], responses: &Responses) -> PointSignals {
+    fn signals(&self, unknown: &[f64], harmonics: &[AtHarmonic]) -> PointSignals {
         let (size, dimension) = (self.series.coefficients(), self.contact.dimension);
         let components = self.components();
         let mut forces = Mat::from_fn(size, components, |k, c| self.force * unknown[c * size + k]);
@@ -263,7 +267,7 @@ impl<'a> HarmonicBalance<'a> {
                 1 => moved - self.contact.speed(point),
                 _ => moved,
             };
-            for (k, own) in responses.harmonics.iter().enumerate() {
+            for (k, own) in harmonics.iter().enumerate() {
                 motions[(2 * k + 1, component)] = own.motion[component].re;
                 motions[(2 * k + 2, component)] = -own.motion[component].im;
             }
@@ -276,7 +280,7 @@ impl<'a> HarmonicBalance<'a> {
     /// # Errors
     /// [`CyclesError::Singular`].
     pub fn signals_at(&self, unknown: &[f64], at: CycleRate) -> Result<PointSignals, CyclesError> {
-        Ok(self.signals(unknown, &self.responses(unknown, at, false)?))
+        Ok(self.signals(unknown, &self.responses(unknown, at)?))
     }
 
     /// x of the coordinates of the bodies: the mean, and the complex amplitude of each harmonic.
@@ -288,53 +292,56 @@ impl<'a> HarmonicBalance<'a> {
         unknown: &[f64],
         at: CycleRate,
     ) -> Result<(Vec<f64>, Vec<Vec<c64>>), CyclesError> {
-        let responses = self.responses(unknown, at, false)?;
+        let harmonics = self.responses(unknown, at)?;
         let mean = self.statics.coordinates(&self.mean(unknown));
-        Ok((mean, responses.harmonics.into_iter().map(|own| own.coordinates).collect()))
+        Ok((mean, harmonics.into_iter().map(|own| own.coordinates).collect()))
     }
 
-    /// π of all points at the instants of a series, row after row an instant, in order of the points.
+    /// π of all points at the instants of a series, instant after instant, in order of the points.
     #[must_use]
-    pub fn projected(&self, series: &Series, signals: &PointSignals) -> Vec<Vec<ProjectedForce>> {
+    pub fn projected(&self, series: &Series, signals: &PointSignals) -> Vec<ProjectedForce> {
         let [forces, motions] =
             [&signals.forces, &signals.motions].map(|coefficients| series.values(coefficients.as_ref()));
-        let dimension = self.contact.dimension;
+        let (dimension, points) = (self.contact.dimension, self.contact.points.len());
         let of = |values: &Mat<f64>, instant: usize, point: usize| {
             let mut own = [0.0; COMPONENTS];
-            own.iter_mut()
-                .take(dimension)
-                .enumerate()
-                .for_each(|(k, own)| *own = values[(instant, point * dimension + k)]);
+            for (k, own) in own.iter_mut().take(dimension).enumerate() {
+                *own = values[(instant, point * dimension + k)];
+            }
             own
         };
-        let at = |instant: usize, point: usize| {
-            let (force, motion) = (of(&forces, instant, point), of(&motions, instant, point));
-            projected(&self.contact.points[point], self.scales[point], force, motion)
-        };
-        let points = 0..self.contact.points.len();
-        (0..series.samples())
-            .map(|instant| points.clone().map(|point| at(instant, point)).collect())
-            .collect()
+        let mut all = vec![ProjectedForce::default(); series.samples() * points];
+        for point in 0..points {
+            for instant in 0..series.samples() {
+                let (force, motion) = (of(&forces, instant, point), of(&motions, instant, point));
+                all[instant * points + point] =
+                    projected(&self.contact.points[point], self.scales[point], force, motion);
+            }
+        }
+        all
     }
 
-    /// The residual alone.
+    /// What is left of the equations at a guess, as shares of the force scale, component after component.
     ///
     /// # Errors
     /// [`CyclesError::Singular`].
     pub fn residual(&self, unknown: &[f64], at: CycleRate) -> Result<Vec<f64>, CyclesError> {
-        Ok(self.residual_of_signals(&self.signals_at(unknown, at)?))
+        Ok(self.evaluated(unknown, at)?.residual)
     }
 
-    /// The residual with these forces and motions.
-    #[must_use]
-    pub fn residual_of_signals(&self, signals: &PointSignals) -> Vec<f64> {
-        self.residual_of(signals, &self.projected(&self.series, signals))
+    pub(crate) fn evaluated(&self, unknown: &[f64], at: CycleRate) -> Result<Evaluated, CyclesError> {
+        let harmonics = self.responses(unknown, at)?;
+        let signals = self.signals(unknown, &harmonics);
+        let projected = self.projected(&self.series, &signals);
+        let residual = self.residual_of(&signals, &projected);
+        Ok(Evaluated { harmonics, signals, projected, residual })
     }
 
-    fn residual_of(&self, signals: &PointSignals, projected: &[Vec<ProjectedForce>]) -> Vec<f64> {
+    fn residual_of(&self, signals: &PointSignals, projected: &[ProjectedForce]) -> Vec<f64> {
         let (size, dimension) = (self.series.coefficients(), self.contact.dimension);
+        let points = self.contact.points.len();
         let allowed = Mat::from_fn(self.series.samples(), self.components(), |instant, component| {
-            projected[instant][component / dimension].force[component % dimension]
+            projected[instant * points + component / dimension].force[component % dimension]
         });
         let allowed = self.series.of_values(allowed.as_ref());
         let entry =
@@ -342,7 +349,7 @@ impl<'a> HarmonicBalance<'a> {
         (0..self.unknowns()).map(entry).collect()
     }
 
-    /// Whether an unknown is a mean of friction: of a point that sticks throughout the laws leave it open, and the least is taken.
+    /// Whether an unknown is a mean of friction: of a point that sticks throughout the laws leave it open.
     fn is_mean_friction(&self, unknown: usize) -> bool {
         let size = self.series.coefficients();
         unknown.is_multiple_of(size) && !(unknown / size).is_multiple_of(self.contact.dimension)
@@ -353,14 +360,39 @@ impl<'a> HarmonicBalance<'a> {
     /// # Errors
     /// [`CyclesError::Singular`].
     pub fn balanced(&self, unknown: &[f64], at: CycleRate) -> Result<Balanced, CyclesError> {
-        let responses = self.responses(unknown, at, true)?;
-        let signals = self.signals(unknown, &responses);
-        let projected = self.projected(&self.series, &signals);
-        let residual = self.residual_of(&signals, &projected);
+        self.linearised(self.evaluated(unknown, at)?, at)
+    }
+
+    pub(crate) fn linearised(&self, evaluated: Evaluated, at: CycleRate) -> Result<Balanced, CyclesError> {
+        let Evaluated { harmonics, signals, projected, residual } = evaluated;
+        let receptance = |harmonic: usize| self.bodies.receptance(at.of(harmonic), at.growth);
+        let receptances = (1..=self.series.harmonics()).map(receptance).collect::<Result<Vec<_>, _>>()?;
+        let responses = Responses { receptances, harmonics };
         let mut jacobian = self.jacobian(&responses, &projected);
-        (0..unknown.len()).filter(|k| self.is_mean_friction(*k)).for_each(|k| jacobian[(k, k)] += LEAST);
+        (0..self.unknowns()).filter(|k| self.is_mean_friction(*k)).for_each(|k| jacobian[(k, k)] += LEAST);
         let first = self.first(&responses);
         Ok(Balanced { residual, jacobian, signals, first })
+    }
+}
+
+/// The bodies at all harmonics, Γ of each and what they do.
+struct Responses {
+    receptances: Vec<Mat<c64>>,
+    harmonics: Vec<AtHarmonic>,
+}
+
+/// What was evaluated last, which a linearisation at the same place starts from.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct LastEvaluated(Option<(Vec<f64>, Evaluated)>);
+
+impl LastEvaluated {
+    pub(crate) fn keep(&mut self, at: &[f64], evaluated: Evaluated) {
+        self.0 = Some((at.to_vec(), evaluated));
+    }
+
+    /// What is kept, where it is of this place.
+    pub(crate) fn take(&mut self, at: &[f64]) -> Option<Evaluated> {
+        self.0.take().filter(|(place, _)| place == at).map(|(_, evaluated)| evaluated)
     }
 }
 

@@ -81,9 +81,9 @@ impl<F: Fn(f64) -> Result<Assembly, CyclesError>> KeyEquations<'_, '_, F> {
     fn residual_at(&self, parameter: f64, at: &[f64]) -> Result<Vec<f64>, CyclesError> {
         let assembly = (self.assembly_at)(parameter)?;
         let balance = self.scales.of(&assembly)?;
-        let signals = balance.signals_at(&at[..balance.unknowns()], self.turning(at))?;
-        let mut residual = balance.residual_of_signals(&signals);
-        residual.push(self.phase.of(&signals.motions));
+        let evaluated = balance.evaluated(&at[..balance.unknowns()], self.turning(at))?;
+        let mut residual = evaluated.residual;
+        residual.push(self.phase.of(&evaluated.signals.motions));
         Ok(residual)
     }
 

@@ -144,11 +144,12 @@ impl AssemblyCycle<'_> {
         let series = Series::new(self.balance.series().harmonics(), instants);
         let signals = self.balance.signals_at(&self.motion.unknown, self.motion.turning)?;
         let projected = self.balance.projected(&series, &signals);
-        let dimension = self.balance.contact().dimension;
+        let (dimension, points) = (self.balance.contact().dimension, self.balance.contact().points.len());
         let forces = Mat::from_fn(series.samples(), self.balance.components(), |instant, component| {
-            projected[instant][component / dimension].force[component % dimension]
+            projected[instant * points + component / dimension].force[component % dimension]
         });
-        let states = projected.iter().map(|own| own.iter().map(|own| own.state).collect()).collect();
+        let states = projected.chunks_exact(points).map(|own| own.iter().map(|own| own.state).collect());
+        let states = states.collect();
         Ok(PointsOverPeriod { forces, motions: series.values(signals.motions.as_ref()), states })
     }
 }
@@ -205,7 +206,7 @@ pub fn points(
     let instants = series.samples() as f64;
     let mut points = vec![PointCycle::default(); balance.contact().points.len()];
     let (mut between, mut missing, mut swing) = (0.0_f64, 0.0, 0.0);
-    for (instant, own) in projected.iter().enumerate() {
+    for (instant, own) in projected.chunks_exact(points.len()).enumerate() {
         for (point, projected) in own.iter().enumerate() {
             let told = &mut points[point];
             let state = match projected.state {

@@ -2,7 +2,7 @@
 
 use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
-use crate::balance::{CycleRate, HarmonicBalance};
+use crate::balance::{CycleRate, HarmonicBalance, LastEvaluated};
 use crate::path::{ClosingEquation, Path, PathEquations, PathPoint, PathRule, corrected};
 use faer::Mat;
 
@@ -44,6 +44,7 @@ struct ForcedEquations<'b, 'a> {
     balance: &'b HarmonicBalance<'a>,
     frequency: f64,
     weights: Vec<f64>,
+    last: LastEvaluated,
 }
 
 impl ForcedEquations<'_, '_> {
@@ -64,12 +65,19 @@ impl ForcedEquations<'_, '_> {
 
 impl PathEquations for ForcedEquations<'_, '_> {
     fn residual(&mut self, at: &[f64]) -> Result<Vec<f64>, CyclesError> {
-        self.balance.residual(&at[..self.balance.unknowns()], self.turning(at))
+        let evaluated = self.balance.evaluated(&at[..self.balance.unknowns()], self.turning(at))?;
+        let residual = evaluated.residual.clone();
+        self.last.keep(at, evaluated);
+        Ok(residual)
     }
 
     fn linearised(&mut self, at: &[f64]) -> Result<(Vec<f64>, Mat<f64>), CyclesError> {
         let unknowns = self.balance.unknowns();
-        let balanced = self.balance.balanced(&at[..unknowns], self.turning(at))?;
+        let evaluated = match self.last.take(at) {
+            Some(evaluated) => evaluated,
+            None => self.balance.evaluated(&at[..unknowns], self.turning(at))?,
+        };
+        let balanced = self.balance.linearised(evaluated, self.turning(at))?;
         let derivative = Mat::from_fn(unknowns, unknowns + 1, |i, j| match j == unknowns {
             true => self.frequency * balanced.jacobian[(i, j)],
             false => balanced.jacobian[(i, j)],
@@ -103,7 +111,7 @@ pub fn forced_response(
     let unknowns = balance.unknowns();
     let mut weights = vec![1.0 / balance.components() as f64; unknowns];
     weights.push(1.0);
-    let mut equations = ForcedEquations { balance, frequency: from, weights };
+    let mut equations = ForcedEquations { balance, frequency: from, weights, last: LastEvaluated::default() };
     let start: Vec<f64> = guess.iter().copied().chain([1.0]).collect();
     let closing = ClosingEquation::fixed(unknowns, unknowns + 1, 1.0);
     let towards: Vec<f64> = closing.row.iter().map(|own| own * (to - from).signum()).collect();

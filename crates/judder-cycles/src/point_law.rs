@@ -9,7 +9,7 @@
 //! This is what the dynamic Lagrangians of S. Nacivet, C. Pierre, F. Thouverez, L. Jézéquel, J. Sound Vib. 265 (2003) come to, with forces as unknowns.
 
 use judder_assembly::interface::{FramedPoint, InterfaceLaw};
-use judder_nonsmooth::contact_problem::PointMotion;
+use judder_nonsmooth::contact_problem::{PointMotion, length};
 
 /// Components of a point: along the normal, along the slip, across it.
 pub(crate) const COMPONENTS: usize = 3;
@@ -59,13 +59,18 @@ pub fn projected(
     force: [f64; COMPONENTS],
     motion: [f64; COMPONENTS],
 ) -> ProjectedForce {
-    let speed = motion[1].hypot(motion[2]);
+    let speed = length([motion[1], motion[2]]);
     let direction = if speed > 0.0 { [motion[1] / speed, motion[2] / speed] } else { [0.0; 2] };
     let (normal, bound) = normal_and_bound(point, scales, [force, motion], speed, direction);
     let mut out = ProjectedForce::default();
     set(&mut out, 0, normal);
     out.state = PointMotion::Open;
     if normal.value > 0.0 {
+        // without friction there is nothing to project on
+        if bound.value == 0.0 && bound.by_motion == [0.0; COMPONENTS] {
+            out.state = PointMotion::Slip;
+            return out;
+        }
         out.state = friction(&mut out, scales, [force, motion], bound);
     }
     out
@@ -133,7 +138,7 @@ fn friction(
     bound: Sided,
 ) -> PointMotion {
     let tried = [1, 2].map(|k| force[k] - scales.viscosity * motion[k]);
-    let size = tried[0].hypot(tried[1]);
+    let size = length(tried);
     if size <= bound.value {
         for k in [1, 2] {
             out.force[k] = tried[k - 1];

@@ -104,11 +104,13 @@ pub fn floquet_multipliers(
 fn has_impacts(balance: &HarmonicBalance<'_>, cycle: &PeriodicMotion) -> Result<bool, CyclesError> {
     let signals = balance.signals_at(&cycle.unknown, cycle.turning)?;
     let projected = balance.projected(balance.series(), &signals);
-    let open = |point: usize| projected.iter().filter(|own| own[point].state == PointMotion::Open).count();
     let contact = balance.contact();
-    Ok((0..contact.points.len())
+    let points = contact.points.len();
+    let of_point = |point: usize| projected.iter().skip(point).step_by(points);
+    let open = |point: usize| of_point(point).filter(|own| own.state == PointMotion::Open).count();
+    Ok((0..points)
         .filter(|point| !contact.is_compliant(*point) && !contact.points[*point].stays_closed)
-        .any(|point| ![0, projected.len()].contains(&open(point))))
+        .any(|point| ![0, projected.len() / points].contains(&open(point))))
 }
 
 fn with_steps(
@@ -146,7 +148,7 @@ fn monodromy(
     let mut x = Mat::from_fn(size, 2 * size, unit);
     let mut v = Mat::from_fn(size, 2 * size, |row, column| omega * unit(row + size, column));
     let compliance = product(bodies.rows.as_ref(), bodies.pushes.as_ref());
-    for own in projected.iter().skip(1).step_by(2).take(steps) {
+    for own in projected.chunks_exact(balance.contact().points.len()).skip(1).step_by(2).take(steps) {
         let at = PointsAt { balance, bodies: &bodies, compliance: &compliance, projected: own, step };
         let next = at.advanced(&x, &v)?;
         x = Mat::from_fn(size, 2 * size, |k, j| x[(k, j)] + 0.5 * step * (v[(k, j)] + next[(k, j)]));

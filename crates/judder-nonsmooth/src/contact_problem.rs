@@ -244,7 +244,8 @@ fn block(entries: &[f64], dimension: usize, point: usize) -> PointDelassus {
 
 /// |a|: exact for a vector along an axis, as in the plane all are.
 #[inline]
-pub(crate) fn length([a, b]: [f64; 2]) -> f64 {
+#[must_use]
+pub fn length([a, b]: [f64; 2]) -> f64 {
     if b == 0.0 { a.abs() } else { (a * a + b * b).sqrt() }
 }
 

@@ -36,13 +36,13 @@ impl PointBlocks {
 }
 
 impl HarmonicBalance<'_> {
-    pub(super) fn jacobian(&self, responses: &Responses, projected: &[Vec<ProjectedForce>]) -> Mat<f64> {
+    pub(super) fn jacobian(&self, responses: &Responses, projected: &[ProjectedForce]) -> Mat<f64> {
         let (size, dimension) = (self.series.coefficients(), self.contact.dimension);
-        let unknowns = self.unknowns();
+        let (unknowns, points) = (self.unknowns(), self.contact.points.len());
         let mut jacobian = Mat::zeros(unknowns, unknowns + 2);
         for point in 0..self.contact.points.len() {
             let rows = point * dimension * size..(point + 1) * dimension * size;
-            if projected.iter().all(|own| own[point].is_constant()) {
+            if projected.iter().skip(point).step_by(points).all(ProjectedForce::is_constant) {
                 self.add_open(point, &mut jacobian);
                 continue;
             }
@@ -69,27 +69,31 @@ impl HarmonicBalance<'_> {
         }
     }
 
-    fn blocks(&self, point: usize, projected: &[Vec<ProjectedForce>]) -> PointBlocks {
+    fn blocks(&self, point: usize, projected: &[ProjectedForce]) -> PointBlocks {
         let (size, dimension) = (self.series.coefficients(), self.contact.dimension);
         let rows = dimension * size;
-        let entry = |instant: usize, which: usize| {
-            let own = &projected[instant][point];
+        let of_point = || projected.iter().skip(point).step_by(self.contact.points.len());
+        let slope = |own: &ProjectedForce, which: usize| {
             let (by_motion, place) = (which / (dimension * dimension), which % (dimension * dimension));
             let table = if by_motion == 0 { &own.by_force } else { &own.by_motion };
             table[place % dimension][place / dimension]
         };
-        let factors = Mat::from_fn(self.series.samples(), 2 * dimension * dimension, entry);
+        // most of them are zero throughout
+        let present: Vec<usize> = (0..2 * dimension * dimension)
+            .filter(|which| of_point().any(|own| slope(own, *which) != 0.0))
+            .collect();
+        let mut factors = Mat::zeros(self.series.samples(), present.len());
+        for (column, which) in present.iter().enumerate() {
+            let values = factors.col_as_slice_mut(column);
+            values.iter_mut().zip(of_point()).for_each(|(value, own)| *value = slope(own, *which));
+        }
         let factors = self.series.of_factors(factors.as_ref());
         let mut own = [vec![0.0; rows * rows], vec![0.0; rows * rows]];
         let mut block = vec![0.0; size * size];
-        for which in 0..2 * dimension * dimension {
+        for (k, which) in present.into_iter().enumerate() {
             let (table, place) = (which / (dimension * dimension), which % (dimension * dimension));
             let (row, column) = (place % dimension, place / dimension);
-            let factor = factors.col_as_slice(which);
-            if factor.iter().all(|own| *own == 0.0) {
-                continue;
-            }
-            self.series.multiplication(factor, &mut block);
+            self.series.multiplication(factors.col_as_slice(k), &mut block);
             for (k, from) in block.chunks_exact(size).enumerate() {
                 let first = (column * size + k) * rows + row * size;
                 own[table][first..first + size].iter_mut().zip(from).for_each(|(out, from)| *out = -from);

@@ -57,7 +57,7 @@ fn derivatives_of_the_balance_are_those_of_its_differences() {
         let turning = CycleRate { frequency: 1.9, growth: 0.05 };
         let signals = balance.signals_at(&at, turning).unwrap();
         let projected = balance.projected(balance.series(), &signals);
-        states.extend(projected.iter().flatten().map(|own| own.state as usize));
+        states.extend(projected.iter().map(|own| own.state as usize));
         let balanced = balance.balanced(&at, turning).unwrap();
         let moved = |column: usize, by: f64| {
             let (mut at, mut turning) = (at.clone(), turning);
@@ -67,7 +67,7 @@ fn derivatives_of_the_balance_are_those_of_its_differences() {
                 Some(_) => turning.growth += by,
             }
             let signals = balance.signals_at(&at, turning).unwrap();
-            (balance.residual_of_signals(&signals), signals.motions)
+            (balance.residual(&at, turning).unwrap(), signals.motions)
         };
         for column in 0..at.len() + 2 {
             let ((more, first_more), (less, first_less)) =

@@ -612,3 +612,18 @@ class Assembly(Model):
         progress: Progress | None = None,
     ) -> Result:
         """A signal of a march over time and frequency."""
+    def limit_cycle(
+        self,
+        *,
+        frequency: str | None = None,
+        modes: int | None = None,
+        method: Literal["harmonic-balance"] | None = None,
+        harmonics: int | None = None,
+        left_out: float | None = None,
+        samples: int | None = None,
+        largest_amplitude: float | None = None,
+        stability: bool | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Result:
+        """The periodic motion through stick, slip and lift-off that a mode grows to, without a march."""

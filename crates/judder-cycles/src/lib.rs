@@ -14,6 +14,7 @@
 //! - [`forced`]: periodic motions that a force drives, over its frequency.
 //! - [`stability`]: Floquet multipliers by steps of small motions about a periodic one.
 //! - [`cycle`]: what is told of a limit cycle.
+//! - [`power`]: where its energy comes from and goes to.
 
 pub mod backbone;
 pub mod balance;
@@ -24,6 +25,7 @@ pub mod forced;
 pub mod path;
 mod phase;
 pub mod point_law;
+pub mod power;
 pub mod receptance;
 mod reduced;
 pub mod series;

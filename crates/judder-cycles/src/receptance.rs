@@ -260,7 +260,31 @@ impl HarmonicBodies {
         if finite { Ok(at) } else { Err(CyclesError::Singular) }
     }
 
-    fn displaced(&self, component: usize, x: &[c64]) -> c64 {
+    /// What damping and stiffness that is not symmetric give on average, in W, over a harmonic with x of the coordinates and their velocities.
+    pub(crate) fn power(&self, x: &[c64], velocity: &[c64]) -> [f64; 2] {
+        match self.kind.as_ref() {
+            HarmonicMatrices::Modes(modes) => {
+                let taken =
+                    velocity.iter().zip(&modes.damping).map(|(own, damping)| damping * own.norm_sqr());
+                [-0.5 * taken.sum::<f64>(), 0.0]
+            }
+            HarmonicMatrices::Whole(matrices) => {
+                let [_, damping, stiffness] = &**matrices;
+                let mut power = [0.0; 2];
+                for (i, own) in velocity.iter().enumerate() {
+                    for (j, (other, beside)) in velocity.iter().zip(x).enumerate() {
+                        power[0] -= 0.5 * damping[(i, j)] * (own.conj() * other).re;
+                        let skew = 0.5 * (stiffness[(i, j)] - stiffness[(j, i)]);
+                        power[1] -= 0.5 * skew * (own.conj() * beside).re;
+                    }
+                }
+                power
+            }
+        }
+    }
+
+    /// P x of a component.
+    pub(crate) fn displaced(&self, component: usize, x: &[c64]) -> c64 {
         x.iter().enumerate().map(|(k, own)| own * self.rows[(component, k)]).sum()
     }
 

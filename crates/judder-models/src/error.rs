@@ -118,6 +118,9 @@ pub enum ModelError {
     /// There is no cycle.
     #[error("no limit cycle: {0}")]
     Cycle(CycleError),
+    /// An assembly has no cycle that could be computed.
+    #[error("no limit cycle: {0}")]
+    AssemblyCycle(judder_cycles::CyclesError),
     /// No other engine stays on the cycle.
     #[error(
         "the cycle of period {period:.4} is unstable, with a Floquet multiplier of magnitude {multiplier:.3}: the other engines would leave it"
@@ -206,6 +209,16 @@ impl From<NonsmoothError> for ModelError {
     }
 }
 
+impl From<judder_cycles::CyclesError> for ModelError {
+    fn from(error: judder_cycles::CyclesError) -> Self {
+        match error {
+            judder_cycles::CyclesError::Assembly(error) => Self::Assembly(error),
+            judder_cycles::CyclesError::Nonsmooth(error) => error.into(),
+            _ => Self::AssemblyCycle(error),
+        }
+    }
+}
+
 impl From<CycleError> for ModelError {
     fn from(error: CycleError) -> Self {
         match error {
@@ -251,6 +264,12 @@ impl ModelFault for ModelError {
                     | AssemblyError::Structure(_)
             ),
             Self::Nonsmooth(error) => !matches!(error, NonsmoothError::NotFinite { .. }),
+            Self::AssemblyCycle(error) => matches!(
+                error,
+                judder_cycles::CyclesError::NotHeld
+                    | judder_cycles::CyclesError::TooManyFreedoms { .. }
+                    | judder_cycles::CyclesError::NothingTouches
+            ),
             // a window that was chosen, not given
             Self::Transient(error) => !matches!(error, TransientError::WindowTooSmall { .. }),
             Self::Structure(error) => !matches!(

@@ -70,6 +70,9 @@ fn the_cycle_of_a_mode_is_what_the_march_settles_to() {
         // what sticks is told by instants at which the velocity is small, not zero
         assert!((own.shares[0] - of_march.stick_share).abs() < 0.04, "{own:?} {of_march:?}");
     }
+    // forces at instants, damping by harmonics
+    let power = cycle.power(1000).unwrap();
+    assert!(power.friction > 0.0 && power.damping < 0.0 && power.imbalance() < 1e-4, "{power:?}");
 }
 
 /// The march does not come to this cycle, and its multipliers say why: a pair of them lies outside the unit circle.

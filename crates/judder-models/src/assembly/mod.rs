@@ -4,7 +4,8 @@
 //! - `check`: what `judder check` shows.
 //! - `interface_error`: what interface modes cost.
 //! - `swept`: steady sliding and small motions about it at any values of keys.
-//! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`, `spectrogram`.
+//! - `meant_mode`: which mode about steady sliding an analysis means.
+//! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`, `spectrogram`, `limit_cycle`.
 
 pub(crate) mod build;
 pub mod case;
@@ -13,7 +14,9 @@ pub mod eigen;
 pub mod eigen_sweep;
 pub mod growth;
 mod interface_error;
+pub mod limit_cycle;
 pub mod march;
+mod meant_mode;
 pub mod spectrogram;
 pub mod stability_map;
 pub mod steady_sliding;
@@ -49,6 +52,7 @@ pub(crate) static KINDS: Kinds<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCa
     growth::KIND,
     march::KIND,
     spectrogram::KIND,
+    limit_cycle::KIND,
 ]);
 
 /// What the forces of a converged solution may be off, over all forces.
@@ -181,6 +185,7 @@ pub(crate) const MODEL: ModelKind = ModelKind {
         },
         KindTables { kind: eigen::KIND.name, report: eigen::tables::report, terminal: |_| None },
         KindTables { kind: march::KIND.name, report: march::tables::report, terminal: |_| None },
+        KindTables { kind: limit_cycle::KIND.name, report: limit_cycle::tables::report, terminal: |_| None },
         KindTables {
             kind: eigen_sweep::KIND.name,
             report: crate::structure::eigen_sweep::tables::report,

@@ -57,6 +57,12 @@ pub(crate) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
         panels.extend(shown.history(name));
     }
     panels.push(shown.portrait()?);
+    panels.push(multipliers(dataset)?);
+    Some(panels)
+}
+
+/// The Floquet multipliers of a cycle, beside the unit circle.
+pub(crate) fn multipliers(dataset: &Dataset) -> Option<Panel> {
     let multipliers = complexes(dataset, "floquet_multipliers")?;
     let circle: Vec<f64> = (0..=180).map(|k| TAU * f64::from(k) / 180.0).collect();
     let layers = vec![
@@ -74,12 +80,11 @@ pub(crate) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
         ),
     ];
     let half = multipliers.iter().fold(1.1, |half: f64, m| half.max(1.1 * m.norm()));
-    panels.push(Panel::new(
+    Some(Panel::new(
         Axis::linear("Real part (−)").over(-half * FRAME, half * FRAME),
         Axis::linear("Imaginary part (−)").over(-half, half),
         layers,
-    ));
-    Some(panels)
+    ))
 }
 
 /// The axis over values that have markers at both ends.

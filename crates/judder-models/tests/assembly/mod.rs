@@ -1,5 +1,6 @@
 //! Assemblies end to end.
 
+mod cycles;
 mod deformed;
 mod driven;
 mod interface_modes;

@@ -113,6 +113,39 @@ fn what_only_a_run_can_see() {
 }
 
 #[test]
+fn cycles_that_cannot_be() {
+    let cycle = |lines: &str| with_analysis(&format!("kind = \"limit-cycle\"\n{lines}"));
+    refused(
+        &cycle("harmonics = 3\nleft_out = 0.02"),
+        "`left_out` has no meaning with `harmonics`",
+        "0.02",
+        "leave `left_out` out",
+    );
+    refused(
+        &cycle("frequency = \"20 kHz\"\nmodes = 3"),
+        "`modes` has no meaning with `frequency`",
+        "3",
+        "leave `modes` out",
+    );
+    refused(
+        &cycle("method = \"shooting\""),
+        "unknown method `shooting`",
+        "shooting",
+        "known: harmonic-balance",
+    );
+    let (message, place) = unassembled(&cycle("harmonics = 500"));
+    assert!(
+        message.contains("500 harmonics of 42 components of contact forces are 42042 unknowns"),
+        "{message}"
+    );
+    assert_eq!(place, "500");
+    let text = sole();
+    let bodies = text.split("[[analysis]]").next().expect("it has bodies");
+    let (message, _) = unassembled(&format!("{bodies}[[analysis]]\nkind = \"limit-cycle\"\n"));
+    assert!(message.contains("travel along their track: no motion repeats itself there"), "{message}");
+}
+
+#[test]
 fn observed_points_that_are_not_there() {
     let observed = |points: &str| {
         march("duration = \"1 ms\"").replacen(

@@ -2,10 +2,9 @@
 
 use super::AssemblyGrowth;
 use crate::assembly::AssemblySubject;
-use crate::assembly::eigen::band;
+use crate::assembly::meant_mode::near_frequency;
 use crate::error::ModelError;
-use crate::measured_growth::{FAR, MeantMode, SOUGHT, checks, far_off, near};
-use crate::structure::eigen::run::found;
+use crate::measured_growth::{checks, far_off};
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_nonsmooth::growth::growth;
 use judder_store::{Results, Variable};
@@ -41,20 +40,9 @@ pub(super) fn run(
 ) -> Result<Outcome, ModelError> {
     let steady = of.steady_to_march()?;
     let about = Linearised::new(&of.built.assembly, &steady, LinearisedTerms::default())?;
-    let region = band((1.0 - FAR) * asked.frequency, SOUGHT * asked.frequency);
-    let modes = found(&about.problem, &region)?.modes;
-    let values: Vec<Complex64> = modes.iter().map(|mode| mode.eigenvalue.value).collect();
-    let mode = match near(&values, asked.frequency) {
-        Some(MeantMode::Found(place)) => &modes[place],
-        Some(MeantMode::TooFar(_)) | None => {
-            let [asked, from, to] = [asked.frequency, region.im[0], region.im[1]].map(|omega| omega / TAU);
-            return Err(ModelError::Unsupported(format!(
-                "there is no mode near {asked:.1} Hz, none between {from:.1} and {to:.1} Hz"
-            )));
-        }
-    };
+    let mode = near_frequency(&about, asked.frequency)?;
     progress.go_on()?;
-    let told = growth(&of.built.assembly, &steady, &about, mode, asked.method.march(asked.step))?;
+    let told = growth(&of.built.assembly, &steady, &about, &mode, asked.method.march(asked.step))?;
     progress.advance();
     let [measured, predicted] = [told.measured, told.predicted];
     let results = ToldMarchGrowth {

@@ -82,7 +82,10 @@ fn observed(name: &str) -> [Variable; 2] {
 }
 
 /// The contact points, their contacts and places.
-fn contact_points(dataset: Dataset, of: &AssemblySubject<'_>) -> Result<Dataset, ModelError> {
+pub(in crate::assembly) fn contact_points(
+    dataset: Dataset,
+    of: &AssemblySubject<'_>,
+) -> Result<Dataset, ModelError> {
     let interfaces = &of.built.assembly.interfaces;
     let all: Vec<(&str, &ContactPoint)> =
         interfaces.iter().flat_map(|own| own.points.iter().map(|point| (own.name.as_str(), point))).collect();

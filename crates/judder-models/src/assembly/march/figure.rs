@@ -101,20 +101,32 @@ fn of_points(count: usize) -> Axis {
 
 /// The states of the points of a contact from an instant on: time across, points in their order upwards.
 fn states(dataset: &Dataset, contact: &str, first: usize) -> Option<Panel> {
-    let (times, all) = (reals(dataset, "state_time")?, codes(dataset, "state")?);
-    let names = words(dataset, "contact")?;
+    let times = reals(dataset, "state_time")?;
+    let (unit, factor) = if *times.last()? < 1.0 { ("ms", 1e3) } else { ("s", 1.0) };
+    let columns: Vec<f64> = times.iter().map(|time| factor * time).collect();
+    states_over(dataset, contact, &columns, first, Axis::linear(format!("Time $t$ ({unit})")))
+}
+
+/// The same over these columns, one a row of the states.
+pub(in crate::assembly) fn states_over(
+    dataset: &Dataset,
+    contact: &str,
+    columns: &[f64],
+    first: usize,
+    across: Axis,
+) -> Option<Panel> {
+    let (names, all) = (words(dataset, "contact")?, codes(dataset, "state")?);
     let own: Vec<usize> = (0..names.len()).filter(|point| names[*point] == contact).collect();
     let shown: Vec<usize> =
-        (first..times.len()).step_by((times.len() - first).div_ceil(COLUMNS).max(1)).collect();
+        (first..columns.len()).step_by((columns.len() - first).div_ceil(COLUMNS).max(1)).collect();
     let code = |instant: usize, point: usize| all[instant * names.len() + point];
     let is_there = |state: ContactState| {
         shown.iter().any(|instant| own.iter().any(|point| code(*instant, *point) == state.number()))
     };
     let drawn: Vec<(ContactState, Role)> = STATES.into_iter().filter(|(state, _)| is_there(*state)).collect();
     let place = |number: u8| drawn.iter().position(|(state, _)| state.number() == number).unwrap_or(0) as u8;
-    let (unit, factor) = if *times.last()? < 1.0 { ("ms", 1e3) } else { ("s", 1.0) };
     let map = ClassMap {
-        x: shown.iter().map(|instant| factor * times[*instant]).collect(),
+        x: shown.iter().map(|instant| columns[*instant]).collect(),
         y: (1..=own.len()).map(|number| number as f64).collect(),
         codes: own
             .iter()
@@ -123,7 +135,6 @@ fn states(dataset: &Dataset, contact: &str, first: usize) -> Option<Panel> {
             .collect(),
         classes: drawn.iter().map(|(state, role)| Class::new(state.name(), *role)).collect(),
     };
-    let across = Axis::linear(format!("Time $t$ ({unit})"));
     Some(Panel::new(across, of_points(own.len()), vec![Layer::Classes(map)]).with_legend(Legend::Below))
 }
 

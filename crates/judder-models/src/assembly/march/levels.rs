@@ -8,6 +8,11 @@ use judder_keys::dimension::Dimension;
 use judder_numerics::signal::octave::octave_bands;
 use judder_store::{Results, Variable};
 
+/// The level of an acceleration by its mean square in m²/s⁴, in dB re 1 µm/s².
+pub(in crate::assembly) fn level(mean_square: f64) -> f64 {
+    10.0 * (mean_square / decibel_reference(Dimension::ACCELERATION).powi(2)).log10()
+}
+
 /// The levels of an observed point along a direction after the transient, in octave bands.
 #[derive(Results)]
 pub(super) struct OctaveLevels {
@@ -34,8 +39,6 @@ impl OngoingMotion<'_, '_> {
             // of a motion that leaves the numbers no level is known
             let settled = if settled.iter().all(|own| own.is_finite()) { settled } else { &[] };
             let bands = octave_bands(settled, rate, pass_band)?;
-            let reference = decibel_reference(Dimension::ACCELERATION);
-            let level = |mean_square: f64| 10.0 * (mean_square / reference.powi(2)).log10();
             let levels = OctaveLevels {
                 band_hz: bands.iter().map(|band| band.centre).collect(),
                 level_db: bands

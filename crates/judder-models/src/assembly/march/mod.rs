@@ -1,6 +1,6 @@
 //! `march`: the motion through stick, slip and lift-off at every contact point.
 
-mod arrays;
+pub(super) mod arrays;
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod beams;
@@ -8,9 +8,9 @@ mod blocks;
 mod content;
 pub mod driven;
 pub mod field;
-mod figure;
-mod levels;
-mod recorded;
+pub(super) mod figure;
+pub(super) mod levels;
+pub(super) mod recorded;
 mod run;
 pub mod settings;
 mod size;

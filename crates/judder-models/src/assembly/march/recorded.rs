@@ -257,13 +257,18 @@ fn sample_time(output: u64, factor: u64, delay: u64, step: f64) -> Option<f64> {
     Some((input + 1) as f64 * step)
 }
 
-/// What a point does, by the names that every model has.
+/// What a point of a march does.
 fn state(march: &NonsmoothMarch<'_>, point: usize) -> ContactState {
-    match march.motion(point) {
+    named_state(march.motion(point), march.force(point)[1])
+}
+
+/// What a point does with this friction along the slip, by the names that every model has.
+pub(in crate::assembly) fn named_state(motion: PointMotion, friction: f64) -> ContactState {
+    match motion {
         PointMotion::Open => ContactState::LiftOff,
         PointMotion::Stick => ContactState::Stick,
         // friction drags the slider with the track while it lags behind it
-        PointMotion::Slip if march.force(point)[1] >= 0.0 => ContactState::SlipBehind,
+        PointMotion::Slip if friction >= 0.0 => ContactState::SlipBehind,
         PointMotion::Slip => ContactState::SlipAhead,
     }
 }

@@ -9,7 +9,7 @@ use judder_numerics::signal::resample::resampled;
 use judder_store::Results;
 
 /// Samples a second of what is heard.
-const AUDIO_RATE: u32 = 48_000;
+pub(crate) const AUDIO_RATE: u32 = 48_000;
 
 /// A file for the ear.
 pub(crate) struct SoundFile {

@@ -226,6 +226,44 @@ pub(super) fn assembly_march(seed: u64) -> Vec<Planted> {
     alone(dataset(variables, &[("transient_s", json!(3.0))]), runs)
 }
 
+/// Motions of a mode one of which has no growth rate, and a period with two points of a contact: the second swings most, its portrait is closed.
+pub(super) fn assembly_cycle(seed: u64) -> Vec<Planted> {
+    let mut random = Random(seed);
+    let (amplitude, growth) = (steps(9), random.gappy(9, -0.5));
+    let phase: Vec<f64> = steps(20).iter().map(|step| (step - 1.0) / 20.0).collect();
+    let mut runs = vec![run(&amplitude, &growth)];
+    let mut variables = vec![
+        along("amplitude", "motion", amplitude),
+        along("growth_rate", "motion", growth),
+        Variable::coordinate("phase", phase.clone()),
+    ];
+    let forces = ["sole.normal_force", "sole.friction_force"].map(|name| (name, "N"));
+    for (base, (name, unit)) in forces.into_iter().chain([("edge.x", "m/s^2")]).enumerate() {
+        let values = random.gappy(20, base as f64);
+        runs.push(run(&phase, &values));
+        variables.push(along(name, "phase", values).units(unit));
+    }
+    variables.push(along("contact", "contact_point", vec!["sole".to_owned(); 2]));
+    let states = (0..40).map(|k| (k % 4) as u8).collect::<Vec<u8>>();
+    variables.push(over("state", &["phase", "contact_point"], &[20, 2], states));
+    let [displacement, velocity] = [1e-6, 1.0].map(|unit| {
+        let of_points = (0..40).map(|k| unit * (if k % 2 == 0 { 0.1 } else { 2.0 }) * random.next());
+        of_points.collect::<Vec<f64>>()
+    });
+    let second = |all: &[f64]| all.iter().skip(1).step_by(2).copied().collect::<Vec<f64>>();
+    let mut portrait =
+        run(&second(&displacement).iter().map(|own| 1e6 * own).collect::<Vec<_>>(), &second(&velocity));
+    portrait.push(portrait[0]);
+    runs.push(portrait);
+    for (name, values) in [("slip_displacement", displacement), ("slip_velocity", velocity)] {
+        variables.push(over(name, &["phase", "contact_point"], &[20, 2], values));
+    }
+    let multipliers = [Complex64::ONE, Complex64::new(0.3, 0.8), Complex64::new(0.3, -0.8)];
+    variables.push(along("floquet_multipliers", "multiplier", multipliers.to_vec()));
+    let dataset = dataset(variables, &[("cycle_amplitude", json!(3.0))]);
+    vec![Planted { dataset, runs, shapes: &["unit circle"] }]
+}
+
 /// Two spectra one behind the other, with levels so low that nothing is hidden; frames about two zones.
 pub(super) fn spectrogram(seed: u64) -> Vec<Planted> {
     spectra(seed, Some(vec![1.0, 2.0]))

@@ -1,0 +1,67 @@
+//! `limit-cycle`: the periodic motion that an unstable mode grows to.
+//!
+//! - [`settings`]: the keys. `search`: the cycles of a mode, and in words why there is none. `stability`: whether motions nearby are drawn to one.
+//! - `run`, `told`, `arrays`: what is computed, told and stored. `figure`, `tables`: how it is shown.
+
+mod arrays;
+mod figure;
+mod run;
+pub(super) mod search;
+pub mod settings;
+pub(super) mod stability;
+pub(super) mod tables;
+pub(super) mod told;
+
+use super::AssemblySubject;
+use crate::assembly::case::AssemblyCase;
+use crate::error::ModelError;
+use judder_keys::declared::Settings;
+use judder_store::Declared;
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::outcome::Outcome;
+use judder_study::text::short;
+use serde_json::{Map, Value as Json};
+use settings::{LOWEST, ModeCycle};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// The kind.
+pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> = Kind {
+    name: "limit-cycle",
+    doc: "the periodic motion through stick, slip and lift-off that a mode grows to, without a march",
+    declared: ModeCycle::declarations,
+    read: |_, section| Ok(Arc::new(ModeCycle::read_table(section)?)),
+    picture: Some(Picture {
+        draw: figure::limit_cycle,
+        caption: "How fast the periodic motions of the mode would grow, over their amplitude: where that passes through zero is the limit cycle. Over one period of it forces of each contact, \
+        what each contact point does, in the order of its points, and accelerations of the observed points; the portrait of the contact point that moves most. The cycle is stable where all Floquet multipliers but the one at 1 lie within the unit circle.",
+    }),
+};
+
+impl Analysis<AssemblyCase> for ModeCycle {
+    fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+        self.solver.fits(of)
+    }
+
+    fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run(of, self, task.progress)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        told::summary_keys()
+    }
+
+    fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {
+        let points: usize = of.built.nodes.iter().map(Vec::len).sum();
+        let mode = match self.frequency {
+            Some(frequency) => format!("the mode near {} Hz", short(frequency / TAU)),
+            None => format!("the fastest growing of the lowest {} modes", self.modes.unwrap_or(LOWEST)),
+        };
+        Ok(format!("the limit cycle of {mode} with {points} contact points"))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

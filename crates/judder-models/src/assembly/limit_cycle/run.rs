@@ -1,0 +1,147 @@
+//! The mode that is meant, its cycle, what is to be said of it.
+
+use super::arrays::{INSTANTS, dataset};
+use super::search::{CycleOfMode, differentiated, held_back};
+use super::settings::{LOWEST, ModeCycle, components};
+use super::stability::KnownStability;
+use super::told::{ToldCycleMode, ToldModeCycle, scalars};
+use crate::assembly::AssemblySubject;
+use crate::assembly::meant_mode::{fastest, near_frequency};
+use crate::error::ModelError;
+use crate::measured_growth::far_off;
+use crate::sliding::march::sound::{AUDIO_RATE, SoundFile, sound_of};
+use judder_assembly::linearised::{Linearised, LinearisedTerms};
+use judder_assembly::steady::SteadySliding;
+use judder_cycles::cycle::AssemblyCycle;
+use judder_cycles::path::PathRule;
+use judder_cycles::power::CyclePower;
+use judder_structure::complex_modes::{ComplexMode, Verdict};
+use judder_study::Progress;
+use judder_study::outcome::{CheckRecord, Outcome};
+use std::f64::consts::TAU;
+
+/// What the balance of energy may be off, over what contacts and bodies exchange.
+const BALANCE: f64 = 2e-4;
+/// How long a cycle is heard, in s, and up to which share of the rate of the samples.
+const HEARD: (f64, f64) = (1.0, 0.45);
+
+pub(super) fn run(
+    of: &AssemblySubject<'_>,
+    asked: &ModeCycle,
+    progress: &dyn Progress,
+) -> Result<Outcome, ModelError> {
+    let steady = of.steady_to_march()?;
+    let mut warnings = of.doubts(&steady);
+    let mode = mode(of, asked, &steady, &mut warnings)?;
+    if mode.eigenvalue.verdict() == Verdict::Marginal {
+        warnings.push(
+            "the mode neither grows nor decays within its error: as long as the contact does not change its state all motions of it are periodic, and what is told is one of them".to_owned(),
+        );
+    }
+    let eigenvalue = mode.eigenvalue.value;
+    progress.go_on()?;
+    let sought = CycleOfMode::new(of, &steady, eigenvalue, &asked.solver.settings(components(of)?))?;
+    let mut outcome = Outcome::default();
+    let mode = ToldCycleMode::new(asked, &sought);
+    let cycle = match sought.cycle() {
+        None => {
+            outcome.dataset = dataset(of, &sought, None)?;
+            outcome.missing = usize::from(!sought.is_quiet());
+            warnings.extend(sought.reason().map(|reason| format!("no limit cycle: {reason}")));
+            None
+        }
+        Some(cycle) => {
+            let stability = KnownStability::of(cycle, asked.solver.stability)?;
+            outcome.dataset = dataset(of, &sought, stability.multipliers())?;
+            warnings.extend(words_of(&sought, cycle).into_iter().chain(stability.doubt()));
+            let power = cycle.power(INSTANTS)?;
+            outcome.checks = checks(cycle, &power);
+            let sounds = sounds(of, cycle)?;
+            let (heard, files): (Vec<_>, Vec<_>) =
+                sounds.into_iter().map(|own| (own.told, (own.name, own.bytes))).unzip();
+            outcome.files = files;
+            Some(ToldModeCycle::new(of, &sought, cycle, (&power, &stability), heard)?)
+        }
+    };
+    outcome.scalars = scalars(&mode, cycle.as_ref());
+    outcome.warnings = warnings;
+    Ok(outcome)
+}
+
+/// The mode that is meant.
+fn mode(
+    of: &AssemblySubject<'_>,
+    asked: &ModeCycle,
+    steady: &SteadySliding,
+    warnings: &mut Vec<String>,
+) -> Result<ComplexMode, ModelError> {
+    let about = Linearised::new(&of.built.assembly, steady, LinearisedTerms::default())?;
+    if let Some(frequency) = asked.frequency {
+        let mode = near_frequency(&about, frequency)?;
+        warnings.extend(far_off(mode.eigenvalue.value.im, frequency));
+        return Ok(mode);
+    }
+    let (mode, highest) = fastest(&about, asked.modes.unwrap_or(LOWEST))?;
+    if mode.eigenvalue.verdict() == Verdict::Stable {
+        warnings.push(format!(
+            "no mode up to {:.1} Hz grows: meant is the one that decays most slowly, and a cycle of it is the knock that suffices",
+            highest / TAU,
+        ));
+    }
+    Ok(mode)
+}
+
+/// What is to be said of a cycle.
+fn words_of(sought: &CycleOfMode<'_>, cycle: &AssemblyCycle<'_>) -> Vec<String> {
+    let mut words: Vec<String> = held_back(cycle).into_iter().collect();
+    if !cycle.attracts {
+        let knock = "motions of its shape leave it on both sides: smaller ones decay, larger ones grow";
+        let turned = "motions of its shape leave it although small ones grow: they grow to another motion";
+        words.push(if sought.eigenvalue.re > 0.0 { turned } else { knock }.to_owned());
+    }
+    words
+}
+
+/// The equations, and the energy over a period.
+fn checks(cycle: &AssemblyCycle<'_>, power: &CyclePower) -> Vec<CheckRecord> {
+    let (harmonics, points) = (cycle.balance.series().harmonics(), cycle.points.len());
+    vec![
+        CheckRecord::new(
+            "harmonics of the contact forces are those that the contact laws make of the motion",
+            format!("largest residual over the largest normal force, {harmonics} harmonics, {points} points"),
+            cycle.motion.residual.into(),
+            PathRule::default().tolerance,
+        ),
+        CheckRecord::new(
+            "over a period friction gives the bodies what damping takes",
+            format!(
+                "contact laws at {INSTANTS} instants against the damping of the bodies, over what they exchange to and fro, {:.3e} W",
+                power.exchanged,
+            ),
+            power.imbalance().into(),
+            BALANCE,
+        ),
+    ]
+}
+
+/// The accelerations of the observed points as sound; none of which no harmonic can be heard.
+fn sounds(of: &AssemblySubject<'_>, cycle: &AssemblyCycle<'_>) -> Result<Vec<SoundFile>, ModelError> {
+    let rate = f64::from(AUDIO_RATE);
+    let audible = (TAU * HEARD.1 * rate / cycle.frequency()).floor() as usize;
+    if audible == 0 {
+        return Ok(Vec::new());
+    }
+    let of_row = |own: &crate::assembly::build::WatchedRow| {
+        let acceleration = differentiated(cycle, &cycle.followed(&own.row)?, 2);
+        let at = |sample: usize| {
+            let tau = cycle.frequency() * sample as f64 / rate;
+            let harmonics = acceleration.chunks_exact(2).take(audible).zip(1..);
+            harmonics
+                .map(|(own, h)| own[0] * (f64::from(h) * tau).cos() + own[1] * (f64::from(h) * tau).sin())
+                .sum()
+        };
+        let values: Vec<f64> = (0..(HEARD.0 * rate) as usize).map(at).collect();
+        sound_of(of.name, &own.name, "m/s^2", values, rate)
+    };
+    of.built.watched.iter().map(of_row).collect()
+}

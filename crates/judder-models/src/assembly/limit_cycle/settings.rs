@@ -1,0 +1,162 @@
+//! `limit-cycle`: which mode, and how its cycle is computed.
+
+use crate::assembly::AssemblySubject;
+use crate::assembly::case::problem::AssemblyProblem;
+use crate::error::ModelError;
+use judder_cycles::backbone::BackboneSettings;
+use judder_cycles::cycle::{CycleSettings, HarmonicCount};
+use judder_keys::cause::Cause;
+use judder_keys::declared::{Number, Whole};
+use judder_keys::dimension::Dimension;
+use judder_keys::error::Fault;
+use judder_keys::memory::Memory;
+use judder_keys::numeric_key::Range;
+use judder_keys::section::Section;
+use judder_keys::{Choice, Settings};
+use judder_nonsmooth::contact::ContactPoints;
+use judder_study::model::Refusal;
+
+/// The limit cycle of a mode.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = ModeCycle::check)]
+pub struct ModeCycle {
+    /// Frequency near which the mode lies; where left out, the fastest growing of the lowest modes is meant.
+    #[key(rule = Number::positive(Dimension::ANGULAR_FREQUENCY), symbol = "ω", omitted)]
+    pub frequency: Option<f64>,
+    /// Where no frequency is given: how many of the lowest modes there are to choose from.
+    #[key(rule = MODES, usual = LOWEST, omitted)]
+    pub modes: Option<usize>,
+    /// How it is computed.
+    #[key(flatten)]
+    pub solver: CycleSolver,
+}
+
+const MODES: Whole = Whole { from: 1, to: 2000 };
+/// Modes to choose from where the case does not say.
+pub(super) const LOWEST: usize = 20;
+
+/// The word of a method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
+#[choice(what = "method")]
+pub enum CycleMethod {
+    /// Forces of the contact points as harmonics, stick, slip and lift-off at instants of a period.
+    HarmonicBalance,
+}
+
+/// How limit cycles are computed.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = CycleSolver::check)]
+pub struct CycleSolver {
+    /// How cycles are computed.
+    #[key(default = CycleMethod::HarmonicBalance)]
+    pub method: CycleMethod,
+    /// How many harmonics there are; where left out, as many as `left_out` asks for.
+    #[key(rule = HARMONICS, symbol = "H", omitted)]
+    pub harmonics: Option<usize>,
+    /// The share of the swing of the contact forces that harmonics may leave out, where their number is not given; no more than 40 are taken.
+    #[key(rule = LEFT_OUT, usual = SHARE, omitted)]
+    pub left_out: Option<f64>,
+    /// Instants of a period a harmonic at which points stick, slide or lift off.
+    #[key(rule = SAMPLES, default = 16)]
+    pub samples: usize,
+    /// How far motions of the mode are followed: amplitude over that at which the contact first changes its state.
+    #[key(rule = Number::positive(Dimension::NUMBER), default = 1000.0)]
+    pub largest_amplitude: f64,
+    /// Whether Floquet multipliers say if motions nearby are drawn to the cycle.
+    #[key(default = true)]
+    pub stability: bool,
+}
+
+const HARMONICS: Whole = Whole { from: 1, to: 500 };
+const SAMPLES: Whole = Whole { from: 4, to: 1024 };
+const LEFT_OUT: Number =
+    Number { dimension: Dimension::NUMBER, range: Range::Interval { above: 0.0, up_to: 0.5 } };
+/// What may be left out where the case does not say, and the most harmonics then.
+const SHARE: f64 = 0.01;
+const MOST: usize = 40;
+/// Dense matrices of all unknowns that a step of Newton's method holds.
+const MATRICES: usize = 5;
+/// What they may take.
+const LIMIT: Memory = Memory::DEFAULT;
+
+impl ModeCycle {
+    fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        meaningless(section, "modes", self.frequency.is_some(), "frequency")
+    }
+}
+
+impl CycleSolver {
+    fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        meaningless(section, "left_out", self.harmonics.is_some(), "harmonics")
+    }
+
+    /// How cycles of an assembly with so many components of contact points are sought.
+    pub(in crate::assembly) fn settings(&self, components: usize) -> CycleSettings {
+        let harmonics = match self.harmonics {
+            Some(count) => HarmonicCount::Fixed(count),
+            None => HarmonicCount::Adaptive {
+                left_out: self.left_out.unwrap_or(SHARE),
+                most: MOST.min(largest_count(components)),
+            },
+        };
+        let backbone = BackboneSettings { largest: self.largest_amplitude, ..BackboneSettings::default() };
+        CycleSettings { harmonics, samples: self.samples, backbone }
+    }
+
+    /// Refuses what has no cycle, and harmonics whose equations would not fit into memory.
+    pub(in crate::assembly) fn fits(
+        &self,
+        of: &AssemblySubject<'_>,
+    ) -> Result<Result<(), Refusal>, ModelError> {
+        if of.case.contacts.is_empty() {
+            return Ok(Err(Refusal::key("", AssemblyProblem::NothingTouches)));
+        }
+        let refused = |key, reason| Ok(Err(Refusal::key(key, AssemblyProblem::Refused { reason })));
+        if let Some(travelling) = of.built.travelling.first() {
+            let name = &of.built.assembly.interfaces[travelling.interface].name;
+            let reason = format!(
+                "the points of the contact `{name}` travel along their track: no motion repeats itself there"
+            );
+            return refused("", reason);
+        }
+        let components = components(of)?;
+        let most = largest_count(components);
+        match self.harmonics {
+            Some(count) if count > most => {
+                let unknowns = components * (2 * count + 1);
+                let taken = Memory { bytes: (8 * MATRICES * unknowns * unknowns) as u64 };
+                let reason = format!(
+                    "{count} harmonics of {components} components of contact forces are {unknowns} unknowns, whose matrices take {taken}, more than {LIMIT}: give up to {most}"
+                );
+                refused("harmonics", reason)
+            }
+            _ => Ok(Ok(())),
+        }
+    }
+}
+
+/// Refuses a key that another makes meaningless.
+fn meaningless(
+    section: &Section<'_>,
+    key: &'static str,
+    is_meaningless: bool,
+    beside: &str,
+) -> Result<(), Fault> {
+    match section.get(key) {
+        Some(node) if is_meaningless => {
+            Err(Cause::Meaningless { key, with: format!("`{beside}`") }.at(node.place))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The most harmonics of so many components whose equations fit into memory.
+fn largest_count(components: usize) -> usize {
+    let unknowns = (LIMIT.bytes as f64 / (8 * MATRICES) as f64).sqrt();
+    ((unknowns / components.max(1) as f64 - 1.0) / 2.0).floor().max(1.0) as usize
+}
+
+/// Components of all contact points: two each in the plane, three in space.
+pub(in crate::assembly) fn components(of: &AssemblySubject<'_>) -> Result<usize, ModelError> {
+    Ok(ContactPoints::new(&of.built.assembly, &[])?.rows.len())
+}

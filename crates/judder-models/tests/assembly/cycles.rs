@@ -1,0 +1,123 @@
+//! Limit cycles of assemblies: against marches, stored over a period, and told where there is none.
+
+use crate::{case, number, run_into};
+use judder_store::{StudyFolder, VariableValues};
+use judder_study::case::file::CaseFile;
+use judder_study::run::RunReport;
+use serde_json::Value;
+
+const BLOCK: &str = "assembly/cycle-of-a-block.toml";
+
+fn alone(file: &CaseFile, name: &str) -> RunReport {
+    run_into(tempfile::tempdir().unwrap().path(), file, &[name])
+}
+
+fn numbers(list: &Value) -> Vec<f64> {
+    list.as_array().unwrap().iter().map(number).collect()
+}
+
+fn array(dataset: &judder_store::Dataset, name: &str) -> Vec<f64> {
+    match &dataset.variable(name).unwrap_or_else(|| panic!("no {name}")).data {
+        VariableValues::F64(values) => values.clone(),
+        _ => panic!("{name}"),
+    }
+}
+
+/// The march knows nothing of periods.
+#[test]
+fn the_cycle_of_a_block_is_what_its_march_settles_to() {
+    let report = run_into(tempfile::tempdir().unwrap().path(), &case(BLOCK, &[]), &["cycle", "motion"]);
+    assert!(report.complete, "{:?}", report.messages);
+    let [cycle, motion] = ["cycle", "motion"].map(|name| &report.summary.results[name]);
+    let close = |key: &str, within: f64| {
+        let [own, other] = [cycle, motion].map(|told| number(&told[key]));
+        assert!((own / other - 1.0).abs() < within, "{key}: {own} {other}");
+    };
+    close("frequency_hz", 1e-4);
+    close("normal_force_mean", 1e-3);
+    close("friction_force_mean", 2e-3);
+    for (key, within) in [("friction", 5e-3), ("damping", 2e-3), ("drive", 2e-3)] {
+        let [own, other] = [cycle, motion].map(|told| number(&told["power"][key]));
+        assert!((own / other - 1.0).abs() < within, "{key}: {own} {other}");
+    }
+    for (key, within) in [("tangential_velocity_rms", 3e-3), ("normal_force_mean", 3e-3)] {
+        let [own, other] = [cycle, motion].map(|told| numbers(&told["contacts"]["sole"][key]));
+        assert!(own.len() == 9 && own.iter().zip(&other).all(|(a, b)| (a / b - 1.0).abs() < within), "{key}");
+    }
+    assert_eq!(
+        cycle["tangential_velocity_rms"]["sole"],
+        cycle["contacts"]["sole"]["tangential_velocity_rms"]
+    );
+    assert!(cycle["converged"] == true && cycle["attracts"] == true && cycle["stable"] == true);
+    assert!(number(&cycle["left_out"]) <= 0.01 && number(&cycle["energy_balance"]) < 1e-4);
+}
+
+/// Arrays of one period say what the summary says.
+#[test]
+fn a_period_is_stored_as_it_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small/assembly-cycle.toml");
+    let file = judder_models::read(path, &[]).unwrap();
+    let report = run_into(folder.path(), &file, &["cycle"]);
+    let told = &report.summary.results["cycle"];
+    let dataset = StudyFolder::open(folder.path()).unwrap().read_dataset("cycle").unwrap();
+    let mean_square = |values: &[f64]| values.iter().map(|own| own * own).sum::<f64>() / values.len() as f64;
+    let [displacement, velocity, acceleration] =
+        [".displacement", ".velocity", ""].map(|what| array(&dataset, &format!("edge.x{what}")));
+    let rms = mean_square(&acceleration).sqrt();
+    assert!((rms / number(&told["levels"]["edge.x"]["acceleration_rms"]) - 1.0).abs() < 1e-9);
+    // 1 µm/s² is 0 dB
+    let level = 20.0 * (rms / 1e-6).log10();
+    assert!((level - number(&told["levels"]["edge.x"]["level_db"])).abs() < 1e-9);
+    let step = 1.0 / (number(&told["frequency_hz"]) * velocity.len() as f64);
+    let differs = |values: &[f64], rates: &[f64]| {
+        let next = |k: usize| (k + 2) % values.len();
+        let off = (0..values.len())
+            .map(|k| (values[next(k)] - values[k]) / (2.0 * step) - rates[(k + 1) % rates.len()]);
+        (off.map(|own| own * own).sum::<f64>() / values.len() as f64 / mean_square(rates)).sqrt()
+    };
+    assert!(differs(&displacement, &velocity) < 5e-3 && differs(&velocity, &acceleration) < 5e-3);
+    assert!(differs(&array(&dataset, "edge.y.velocity"), &array(&dataset, "edge.y")) < 5e-3);
+    // N of the contact is that of its points together, and on average what is told
+    let [contact, points] = ["sole.normal_force", "point_normal_force"].map(|name| array(&dataset, name));
+    for (sum, own) in contact.iter().zip(points.chunks_exact(5)) {
+        assert!((sum - own.iter().sum::<f64>()).abs() < 1e-9 * sum.abs().max(1.0));
+    }
+    let mean = contact.iter().sum::<f64>() / contact.len() as f64;
+    assert!((mean / number(&told["normal_force_mean"]) - 1.0).abs() < 1e-3);
+    // one multiplier is that of the phase
+    let off = |own: &Value| (number(&own[0]) - 1.0).hypot(number(&own[1]));
+    let multipliers = told["floquet_multipliers"].as_array().unwrap();
+    let nearest = multipliers.iter().map(off).fold(1.0, f64::min);
+    assert!(multipliers.len() == 10 && nearest <= 1.0001 * number(&told["floquet_error"]), "{multipliers:?}");
+    assert!(told["stability"] == "stable" && told["stable"] == true);
+    // heard as it is
+    assert!(folder.path().join("cycle-edge.y.wav").exists() && told["sound"].as_array().unwrap().len() == 2);
+    // small motions swing as the mode does, but for the growth that is taken off
+    let (frequency, growth) = (array(&dataset, "frequency"), array(&dataset, "growth_rate"));
+    assert!(array(&dataset, "amplitude").len() == frequency.len());
+    assert!((frequency[0] / number(&told["mode_frequency_hz"]) - 1.0).abs() < 1e-3);
+    assert!((growth[0] / number(&told["mode_growth_rate"]) - 1.0).abs() < 1e-3);
+}
+
+/// A mode that decays, one that is not followed far enough, one that is not there.
+#[test]
+fn no_cycle_is_told_with_the_reason() {
+    let decays = alone(&case(BLOCK, &["analysis.cycle.frequency=\"27.7 kHz\""]), "cycle");
+    let told = &decays.summary.results["cycle"];
+    assert!(told["converged"] == false && number(&told["mode_growth_rate"]) < 0.0, "{told:?}");
+    assert!(told["frequency_hz"].is_null() && told["contacts"].is_null());
+    assert!(
+        told["reason"].as_str().unwrap().starts_with("motions of the mode decay at every amplitude"),
+        "{told:?}"
+    );
+
+    let near = alone(&case(BLOCK, &["analysis.cycle.largest_amplitude=1.2"]), "cycle");
+    let told = &near.summary.results["cycle"];
+    assert_eq!(
+        told["reason"],
+        "motions of the mode grow at every amplitude up to 1.200 times that at which the contact first changes its state"
+    );
+    assert!(!near.complete && told["converged"] == false);
+    assert!(near.messages.iter().any(|own| own.contains("no limit cycle: motions of the mode grow")));
+}

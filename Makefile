@@ -74,6 +74,7 @@ bench: .venv/installed ## time the stability decision, the sliding contact, a li
 	$(PYTHON) benches/compare_eigen.py $(JUDDER_DISC_BRAKE)
 	$(PYTHON) benches/compare_assemblies.py
 	$(PYTHON) benches/compare_march.py
+	$(PYTHON) benches/compare_response.py
 	$(CARGO) bench $(LOCKED) -p judder-structure --bench reduction
 	$(CARGO) bench $(LOCKED) -p judder-sliding
 

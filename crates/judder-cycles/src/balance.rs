@@ -10,7 +10,7 @@
 mod jacobian;
 
 use crate::CyclesError;
-use crate::point_law::{COMPONENTS, PointScales, ProjectedForce, projected};
+use crate::point_law::{COMPONENTS, PointScales, ProjectedForce, project};
 use crate::receptance::{AtHarmonic, HarmonicBodies, StaticResponse};
 use crate::series::Series;
 use faer::{Mat, c64};
@@ -314,8 +314,8 @@ impl<'a> HarmonicBalance<'a> {
         for point in 0..points {
             for instant in 0..series.samples() {
                 let (force, motion) = (of(&forces, instant, point), of(&motions, instant, point));
-                all[instant * points + point] =
-                    projected(&self.contact.points[point], self.scales[point], force, motion);
+                let out = &mut all[instant * points + point];
+                project(&self.contact.points[point], self.scales[point], [force, motion], out);
             }
         }
         all

@@ -39,7 +39,8 @@ pub struct ProjectedForce {
 impl ProjectedForce {
     /// Whether nothing changes it: of a point that is open.
     pub(crate) fn is_constant(&self) -> bool {
-        self.by_force.iter().chain(&self.by_motion).flatten().all(|own| *own == 0.0)
+        self.state == PointMotion::Open
+            && self.by_force.iter().chain(&self.by_motion).flatten().all(|own| *own == 0.0)
     }
 }
 
@@ -59,21 +60,38 @@ pub fn projected(
     force: [f64; COMPONENTS],
     motion: [f64; COMPONENTS],
 ) -> ProjectedForce {
+    let mut out = ProjectedForce::default();
+    project(point, scales, [force, motion], &mut out);
+    out
+}
+
+/// The same into a place that has no force yet.
+pub(crate) fn project(
+    point: &FramedPoint<'_>,
+    scales: PointScales,
+    [force, motion]: [[f64; COMPONENTS]; 2],
+    out: &mut ProjectedForce,
+) {
+    // what is open has neither forces nor slopes
+    let opens = match point.law {
+        InterfaceLaw::Rigid(_) => force[0] - scales.stiffness * motion[0] <= 0.0,
+        InterfaceLaw::Compliant(..) => motion[0] >= 0.0,
+        InterfaceLaw::Asperity(_) => false,
+    };
+    if opens && !point.stays_closed {
+        return;
+    }
     let speed = length([motion[1], motion[2]]);
     let direction = if speed > 0.0 { [motion[1] / speed, motion[2] / speed] } else { [0.0; 2] };
     let (normal, bound) = normal_and_bound(point, scales, [force, motion], speed, direction);
-    let mut out = ProjectedForce::default();
-    set(&mut out, 0, normal);
-    out.state = PointMotion::Open;
-    if normal.value > 0.0 {
-        // without friction there is nothing to project on
-        if bound.value == 0.0 && bound.by_motion == [0.0; COMPONENTS] {
-            out.state = PointMotion::Slip;
-            return out;
-        }
-        out.state = friction(&mut out, scales, [force, motion], bound);
-    }
-    out
+    set(out, 0, normal);
+    // without friction there is nothing to project on
+    let slides_freely = bound.value == 0.0 && bound.by_motion == [0.0; COMPONENTS];
+    out.state = match normal.value > 0.0 {
+        true if slides_freely => PointMotion::Slip,
+        true => friction(out, scales, [force, motion], bound),
+        false => PointMotion::Open,
+    };
 }
 
 fn set(out: &mut ProjectedForce, component: usize, own: Sided) {

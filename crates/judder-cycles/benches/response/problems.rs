@@ -122,7 +122,7 @@ pub(crate) fn stop() -> Result<Problem, Box<dyn Error>> {
         observed: 0,
         fundamental: false,
         settings: ResponseSettings {
-            rule: PathRule { steps: [0.05, 0.3, 1e-6], tolerance: 1e-8, ..PathRule::default() },
+            rule: PathRule { steps: [0.05, 0.2, 1e-6], tolerance: 1e-8, ..PathRule::default() },
             between: [0.8, 0.5806],
             points: 5000,
         },

@@ -79,9 +79,11 @@ impl HarmonicBalance<'_> {
             table[place % dimension][place / dimension]
         };
         // most of them are zero throughout
-        let present: Vec<usize> = (0..2 * dimension * dimension)
-            .filter(|which| of_point().any(|own| slope(own, *which) != 0.0))
-            .collect();
+        let mut is_present = vec![false; 2 * dimension * dimension];
+        for own in of_point().filter(|own| !own.is_constant()) {
+            is_present.iter_mut().enumerate().for_each(|(which, is)| *is |= slope(own, which) != 0.0);
+        }
+        let present: Vec<usize> = (0..is_present.len()).filter(|which| is_present[*which]).collect();
         let mut factors = Mat::zeros(self.series.samples(), present.len());
         for (column, which) in present.iter().enumerate() {
             let values = factors.col_as_slice_mut(column);

@@ -15,6 +15,16 @@ pub enum CyclesError {
         /// The largest residual, of the force by which it is measured.
         residual: f64,
     },
+    /// A march does not come back to where it began.
+    #[error(
+        "shooting ends without a cycle: after {iterations} steps of Newton's method a period misses {missed:.1e} of its swing"
+    )]
+    NotReturned {
+        /// Steps taken.
+        iterations: usize,
+        /// What the period misses, of the swing of the state.
+        missed: f64,
+    },
     /// What was found is steady sliding.
     #[error("the balance of harmonics leads back to steady sliding, which solves it too")]
     Shrunk,

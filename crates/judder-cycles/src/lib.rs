@@ -13,6 +13,7 @@
 //! - [`branch`]: limit cycles along a parameter.
 //! - [`forced`]: periodic motions that a force drives, over its frequency.
 //! - [`stability`]: Floquet multipliers by steps of small motions about a periodic one.
+//! - [`shooting`]: cycles by a march that comes back.
 //! - [`cycle`]: what is told of a limit cycle.
 //! - [`power`]: where its energy comes from and goes to.
 
@@ -29,6 +30,7 @@ pub mod power;
 pub mod receptance;
 mod reduced;
 pub mod series;
+pub mod shooting;
 pub mod stability;
 
 pub use error::CyclesError;

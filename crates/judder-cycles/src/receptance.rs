@@ -171,6 +171,34 @@ impl HarmonicBodies {
         }
     }
 
+    /// Displacements of the freedoms.
+    #[must_use]
+    pub fn freedoms(&self, coordinates: &[f64]) -> Vec<f64> {
+        match self.kind.as_ref() {
+            HarmonicMatrices::Modes(modes) => {
+                let of = |k: usize| {
+                    coordinates.iter().enumerate().map(|(mode, z)| z * modes.shapes[(k, mode)]).sum()
+                };
+                (0..modes.shapes.nrows()).map(of).collect()
+            }
+            HarmonicMatrices::Whole(_) => coordinates.to_vec(),
+        }
+    }
+
+    /// The coordinates of displacements of the freedoms.
+    #[must_use]
+    pub fn to_coordinates(&self, freedoms: &[f64]) -> Vec<f64> {
+        match self.kind.as_ref() {
+            HarmonicMatrices::Modes(modes) => {
+                let of = |mode: usize| {
+                    freedoms.iter().enumerate().map(|(k, q)| q * modes.weighted[(k, mode)]).sum()
+                };
+                (0..modes.eigenvalues.len()).map(of).collect()
+            }
+            HarmonicMatrices::Whole(_) => freedoms.to_vec(),
+        }
+    }
+
     /// How often a component is differentiated: slip velocities once.
     fn is_velocity(&self, component: usize) -> bool {
         !component.is_multiple_of(self.dimension)

@@ -130,7 +130,7 @@ fn with_steps(
 }
 
 /// What a period makes of displacements and velocities of the coordinates, in this order.
-fn monodromy(
+pub(crate) fn monodromy(
     balance: &HarmonicBalance<'_>,
     cycle: &PeriodicMotion,
     steps: usize,

@@ -4,4 +4,5 @@ mod belt;
 mod block;
 mod branch;
 mod forced;
+mod shooting;
 mod stability;

@@ -1,0 +1,166 @@
+//! Limit cycles by shooting: the second opinion.
+//!
+//! The implicit march of `judder-nonsmooth`, with stick, slip and lift-off solved for at every step and no harmonics, goes once around from a state; sought is the state that
+//! comes back, φ(x, T) = x, and its period T. Newton's method takes the derivative by x from the monodromy matrix of a cycle that is near, by harmonics, and that by T from
+//! a difference. What comes out has the error of the steps, of first order where points stick.
+
+use crate::CyclesError;
+use crate::backbone::PeriodicMotion;
+use crate::balance::HarmonicBalance;
+use crate::stability::monodromy;
+use faer::{Mat, c64};
+use judder_assembly::assembly::Assembly;
+use judder_dense::general::solve;
+use judder_nonsmooth::gauss_seidel::ContactAccuracy;
+use judder_nonsmooth::march::{NonsmoothMarch, NonsmoothSettings};
+use judder_nonsmooth::scheme::ContactScheme;
+use judder_nonsmooth::statistics::Statistics;
+use std::f64::consts::TAU;
+
+/// How a cycle is shot at.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShootingSettings {
+    /// Steps of a period.
+    pub steps: usize,
+    /// The most steps of Newton's method.
+    pub iterations: usize,
+    /// What a period may miss, of the swing of the state.
+    pub tolerance: f64,
+}
+
+impl Default for ShootingSettings {
+    fn default() -> Self {
+        Self { steps: 2048, iterations: 20, tolerance: 1e-7 }
+    }
+}
+
+/// A cycle that was shot.
+#[derive(Debug, Clone)]
+pub struct ShotCycle {
+    /// ω in rad/s.
+    pub frequency: f64,
+    /// Displacements and velocities of the freedoms where it begins.
+    pub state: [Vec<f64>; 2],
+    /// What its points do over a period.
+    pub statistics: Statistics,
+    /// What a period misses, of the swing of the state.
+    pub residual: f64,
+    /// Steps of Newton's method.
+    pub iterations: usize,
+}
+
+/// A march once around.
+struct Around<'a> {
+    assembly: &'a Assembly,
+    steps: usize,
+    /// A force in N by which residuals of the contact are measured.
+    force: f64,
+}
+
+impl Around<'_> {
+    /// The state a period later, and what the points did.
+    fn from(&self, [q, v]: &[Vec<f64>; 2], period: f64) -> Result<([Vec<f64>; 2], Statistics), CyclesError> {
+        let settings = NonsmoothSettings {
+            scheme: ContactScheme::MoreauJean { restitution: 0.0, implicitness: 0.5 },
+            step: period / self.steps as f64,
+            accuracy: ContactAccuracy::default(),
+            cut_off: None,
+        };
+        let mut march = NonsmoothMarch::new(self.assembly, &[], settings)?;
+        march.set_force_scale(self.force);
+        march.start(q, v);
+        let mut told = Statistics::new(march.contact().points.len());
+        for _ in 0..self.steps {
+            march.advance()?;
+            told.take(&march);
+        }
+        Ok((march.state(), told))
+    }
+}
+
+/// The cycle near one that harmonics have found.
+///
+/// # Errors
+/// [`CyclesError::NotReturned`], [`CyclesError::Singular`], and what the march says.
+pub fn shoot(
+    assembly: &Assembly,
+    balance: &HarmonicBalance<'_>,
+    near: &PeriodicMotion,
+    settings: &ShootingSettings,
+) -> Result<ShotCycle, CyclesError> {
+    /// A difference of the period, of itself.
+    const DIFFERENCE: f64 = 1e-5;
+    let bodies = balance.bodies();
+    let size = bodies.coordinates();
+    let omega = near.turning.frequency;
+    let around = Around { assembly, steps: settings.steps, force: balance.force_scale() };
+    let freedoms = |x: &[f64]| {
+        let velocities: Vec<f64> = x[size..].iter().map(|own| omega * own).collect();
+        [bodies.freedoms(&x[..size]), bodies.freedoms(&velocities)]
+    };
+    let coordinates = |[q, v]: &[Vec<f64>; 2]| -> Vec<f64> {
+        let velocities = bodies.to_coordinates(v).into_iter().map(|own| own / omega);
+        bodies.to_coordinates(q).into_iter().chain(velocities).collect()
+    };
+    let (mut x, direction, swing) = start(balance, near)?;
+    let mut period = TAU / omega;
+    let matrix = monodromy(balance, near, settings.steps)?;
+    let mut left = f64::INFINITY;
+    for iteration in 0..=settings.iterations {
+        let (end, statistics) = around.from(&freedoms(&x), period)?;
+        let end = coordinates(&end);
+        let missed: Vec<f64> = end.iter().zip(&x).map(|(a, b)| a - b).collect();
+        left = length(&missed) / swing;
+        if left <= settings.tolerance {
+            return Ok(ShotCycle {
+                frequency: TAU / period,
+                state: freedoms(&x),
+                statistics,
+                residual: left,
+                iterations: iteration,
+            });
+        }
+        let later = coordinates(&around.from(&freedoms(&x), (1.0 + DIFFERENCE) * period)?.0);
+        let by_period = |k: usize| (later[k] - end[k]) / DIFFERENCE;
+        // the last row keeps the phase
+        let bordered =
+            Mat::from_fn(2 * size + 1, 2 * size + 1, |i, j| match (i == 2 * size, j == 2 * size) {
+                (false, false) => matrix[(i, j)] - f64::from(u8::from(i == j)),
+                (false, true) => by_period(i),
+                (true, false) => direction[j],
+                (true, true) => 0.0,
+            });
+        let mut right = Mat::from_fn(2 * size + 1, 1, |i, _| if i < 2 * size { -missed[i] } else { 0.0 });
+        solve(bordered, &mut right).ok_or(CyclesError::Singular)?;
+        x.iter_mut().enumerate().for_each(|(k, own)| *own += right[(k, 0)]);
+        period *= 1.0 + right[(2 * size, 0)];
+        if !(period.is_finite() && period > 0.0) {
+            break;
+        }
+    }
+    Err(CyclesError::NotReturned { iterations: settings.iterations, missed: left })
+}
+
+/// The state where a cycle begins, its direction there, of length one, and how far it swings; velocities are measured by ω.
+fn start(
+    balance: &HarmonicBalance<'_>,
+    near: &PeriodicMotion,
+) -> Result<(Vec<f64>, Vec<f64>, f64), CyclesError> {
+    let (mean, harmonics) = balance.coordinates(&near.unknown, near.turning)?;
+    let size = mean.len();
+    let turned = |h: usize| c64::new(0.0, (h + 1) as f64);
+    let sum = |k: usize, times: i32| -> f64 {
+        harmonics.iter().enumerate().map(|(h, own)| (turned(h).powi(times) * own[k]).re).sum()
+    };
+    let place: Vec<f64> =
+        (0..size).map(|k| mean[k] + sum(k, 0)).chain((0..size).map(|k| sum(k, 1))).collect();
+    let mut direction: Vec<f64> = (0..size).map(|k| sum(k, 1)).chain((0..size).map(|k| sum(k, 2))).collect();
+    let swing = harmonics.iter().flatten().map(c64::norm_sqr).sum::<f64>().sqrt();
+    let size = length(&direction);
+    direction.iter_mut().for_each(|own| *own /= size);
+    Ok((place, direction, swing))
+}
+
+fn length(values: &[f64]) -> f64 {
+    values.iter().map(|own| own * own).sum::<f64>().sqrt()
+}

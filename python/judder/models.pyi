@@ -627,3 +627,17 @@ class Assembly(Model):
         progress: Progress | None = None,
     ) -> Result:
         """The periodic motion through stick, slip and lift-off that a mode grows to, without a march."""
+    def squeal(
+        self,
+        *,
+        band: Sequence[str],
+        method: Literal["harmonic-balance"] | None = None,
+        harmonics: int | None = None,
+        left_out: float | None = None,
+        samples: int | None = None,
+        largest_amplitude: float | None = None,
+        stability: bool | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Result:
+        """The limit cycle of every mode of a band that grows, ranked by loudness and by growth rate."""

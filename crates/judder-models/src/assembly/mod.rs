@@ -5,7 +5,7 @@
 //! - `interface_error`: what interface modes cost.
 //! - `swept`: steady sliding and small motions about it at any values of keys.
 //! - `meant_mode`: which mode about steady sliding an analysis means.
-//! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`, `spectrogram`, `limit_cycle`.
+//! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`, `spectrogram`, `limit_cycle`, `squeal`.
 
 pub(crate) mod build;
 pub mod case;
@@ -18,6 +18,7 @@ pub mod limit_cycle;
 pub mod march;
 mod meant_mode;
 pub mod spectrogram;
+pub mod squeal;
 pub mod stability_map;
 pub mod steady_sliding;
 mod swept;
@@ -53,6 +54,7 @@ pub(crate) static KINDS: Kinds<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCa
     march::KIND,
     spectrogram::KIND,
     limit_cycle::KIND,
+    squeal::KIND,
 ]);
 
 /// What the forces of a converged solution may be off, over all forces.
@@ -185,6 +187,7 @@ pub(crate) const MODEL: ModelKind = ModelKind {
         },
         KindTables { kind: eigen::KIND.name, report: eigen::tables::report, terminal: |_| None },
         KindTables { kind: march::KIND.name, report: march::tables::report, terminal: |_| None },
+        KindTables { kind: squeal::KIND.name, report: squeal::tables::report, terminal: |_| None },
         KindTables { kind: limit_cycle::KIND.name, report: limit_cycle::tables::report, terminal: |_| None },
         KindTables {
             kind: eigen_sweep::KIND.name,

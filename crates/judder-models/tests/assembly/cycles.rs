@@ -121,3 +121,39 @@ fn no_cycle_is_told_with_the_reason() {
     assert!(!near.complete && told["converged"] == false);
     assert!(near.messages.iter().any(|own| own.contains("no limit cycle: motions of the mode grow")));
 }
+
+/// Ranks are of levels and of growth rates, the mode that grows fastest has the cycle that `limit-cycle` finds, and a study is the same on one thread.
+#[test]
+fn modes_are_ranked_by_their_cycles() {
+    let block = |set: &[&str]| {
+        let text =
+            std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/").to_owned() + BLOCK);
+        let more = "\n[[analysis]]\nname = \"squeal\"\nkind = \"squeal\"\nband = [\"1 kHz\", \"60 kHz\"]\n";
+        let set: Vec<String> = set.iter().map(|own| (*own).to_owned()).collect();
+        judder_models::parse("case.toml", &(text.unwrap() + more), &set).unwrap()
+    };
+    let friction = "contact.sole.friction_coefficient=0.4";
+    let report = run_into(tempfile::tempdir().unwrap().path(), &block(&[friction]), &["cycle", "squeal"]);
+    let [cycle, squeal] = ["cycle", "squeal"].map(|name| &report.summary.results[name]);
+    assert!(squeal["unstable"] == 2 && squeal["found"] == 2 && squeal["complete"] == true);
+    let modes = squeal["modes"].as_array().unwrap();
+    let fastest = modes.iter().find(|mode| mode["rank_by_growth"] == 1).unwrap();
+    let same = |a: &Value, b: &Value| (number(a) / number(b) - 1.0).abs() < 1e-9;
+    assert!(same(&fastest["frequency_hz"], &cycle["frequency_hz"]));
+    assert!(same(&fastest["levels"]["edge.y"], &cycle["levels"]["edge.y"]["level_db"]));
+    let place = |mode: &Value| mode["rank_by_level"].as_u64().unwrap();
+    let louder = |own: &&Value| number(&own["level_db"]);
+    let loudest = modes.iter().max_by(|a, b| louder(a).total_cmp(&louder(b))).unwrap();
+    assert!(place(loudest) == 1 && loudest["level_db"] == squeal["level_db"]);
+    let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let again =
+        alone.install(|| run_into(tempfile::tempdir().unwrap().path(), &block(&[friction]), &["squeal"]));
+    assert_eq!(&again.summary.results["squeal"], squeal);
+    // no mode grows without friction: an answer
+    let quiet = run_into(
+        tempfile::tempdir().unwrap().path(),
+        &block(&["contact.sole.friction_coefficient=0.05"]),
+        &["squeal"],
+    );
+    assert!(quiet.complete && quiet.summary.results["squeal"]["unstable"] == 0, "{:?}", quiet.messages);
+}

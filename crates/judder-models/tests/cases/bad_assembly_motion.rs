@@ -139,6 +139,8 @@ fn cycles_that_cannot_be() {
         "{message}"
     );
     assert_eq!(place, "500");
+    let (message, _) = unassembled(&with_analysis("kind = \"squeal\"\nband = [\"1 kHz\", \"20 kHz\"]"));
+    assert!(message.contains("modes are ranked by the level of observed points"), "{message}");
     let text = sole();
     let bodies = text.split("[[analysis]]").next().expect("it has bodies");
     let (message, _) = unassembled(&format!("{bodies}[[analysis]]\nkind = \"limit-cycle\"\n"));

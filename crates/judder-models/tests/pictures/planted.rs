@@ -15,8 +15,8 @@ use oscillator::{critical, equivalent_damping, spectrum, stability_map};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use structure::{
-    assembly_cycle, assembly_map, assembly_march, eigen, eigen_sweep, growth, locus, march, mode_growth,
-    modes, receptance, reduction, spectrogram, steady_sliding, timed_spectrogram,
+    assembly_cycle, assembly_map, assembly_march, assembly_squeal, eigen, eigen_sweep, growth, locus, march,
+    mode_growth, modes, receptance, reduction, spectrogram, steady_sliding, timed_spectrogram,
 };
 
 pub(super) type Point = (f64, f64);
@@ -31,7 +31,7 @@ pub(super) struct Planted {
 
 type Plant = fn(u64) -> Vec<Planted>;
 
-pub(super) const PLANTED: [(&str, &str, Plant); 39] = [
+pub(super) const PLANTED: [(&str, &str, Plant); 40] = [
     ("oscillator", "equivalent-damping", equivalent_damping),
     ("oscillator", "spectrum", spectrum),
     ("oscillator", "critical-shear-strength", critical),
@@ -71,6 +71,7 @@ pub(super) const PLANTED: [(&str, &str, Plant); 39] = [
     ("assembly", "march", assembly_march),
     ("assembly", "spectrogram", timed_spectrogram),
     ("assembly", "limit-cycle", assembly_cycle),
+    ("assembly", "squeal", assembly_squeal),
 ];
 
 const NAN: f64 = f64::NAN;

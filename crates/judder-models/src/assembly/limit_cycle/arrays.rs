@@ -1,7 +1,6 @@
 //! What is stored of a cycle: the motions of the mode over their amplitude, one period of the cycle.
 
-use super::search::CycleOfMode;
-use super::search::differentiated;
+use super::search::{CycleOfMode, differentiated};
 use crate::assembly::AssemblySubject;
 use crate::assembly::march::arrays::contact_points;
 use crate::assembly::march::recorded::named_state;

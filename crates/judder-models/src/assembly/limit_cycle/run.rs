@@ -1,7 +1,7 @@
 //! The mode that is meant, its cycle, what is to be said of it.
 
 use super::arrays::{INSTANTS, dataset};
-use super::search::{CycleOfMode, differentiated, held_back};
+use super::search::{CycleOfMode, differentiated};
 use super::settings::{LOWEST, ModeCycle, components};
 use super::stability::KnownStability;
 use super::told::{ToldCycleMode, ToldModeCycle, scalars};
@@ -93,7 +93,7 @@ fn mode(
 
 /// What is to be said of a cycle.
 fn words_of(sought: &CycleOfMode<'_>, cycle: &AssemblyCycle<'_>) -> Vec<String> {
-    let mut words: Vec<String> = held_back(cycle).into_iter().collect();
+    let mut words: Vec<String> = sought.held_back().into_iter().collect();
     if !cycle.attracts {
         let knock = "motions of its shape leave it on both sides: smaller ones decay, larger ones grow";
         let turned = "motions of its shape leave it although small ones grow: they grow to another motion";

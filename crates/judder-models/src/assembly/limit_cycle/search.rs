@@ -6,7 +6,7 @@ use judder_assembly::row::Row;
 use judder_assembly::steady::SteadySliding;
 use judder_cycles::CyclesError;
 use judder_cycles::backbone::BackboneEnd;
-use judder_cycles::cycle::{AssemblyCycle, CycleSearch, CycleSettings, limit_cycles};
+use judder_cycles::cycle::{AssemblyCycle, CycleSearch, CycleSettings, HarmonicCount, limit_cycles};
 use num_complex::Complex64;
 
 /// What became of a mode.
@@ -15,8 +15,8 @@ pub(in crate::assembly) struct CycleOfMode<'a> {
     pub(in crate::assembly) eigenvalue: Complex64,
     /// Its motions and cycles, or why not even a small motion was found.
     found: Result<CycleSearch<'a>, CyclesError>,
-    /// How far they were to be followed, of the amplitude at which the contact first changes its state.
-    largest: f64,
+    /// How they were sought.
+    settings: CycleSettings,
 }
 
 impl<'a> CycleOfMode<'a> {
@@ -33,7 +33,7 @@ impl<'a> CycleOfMode<'a> {
             }
             other => Ok(other?),
         };
-        Ok(Self { eigenvalue, found, largest: settings.backbone.largest })
+        Ok(Self { eigenvalue, found, settings: *settings })
     }
 
     /// The cycle.
@@ -54,6 +54,23 @@ impl<'a> CycleOfMode<'a> {
     pub(in crate::assembly) fn amplitude(&self) -> Option<f64> {
         let backbone = &self.found.as_ref().ok()?.backbone;
         backbone.cycles.first().map(|(own, _)| own.amplitude / backbone.first_change)
+    }
+
+    /// Why the cycle has fewer harmonics than it should.
+    pub(in crate::assembly) fn held_back(&self) -> Option<String> {
+        let (cycle, count) = (self.cycle()?, self.settings.harmonics);
+        let why = match (&cycle.held_back, count) {
+            (Some(error), _) => format!("with more it was not found ({error})"),
+            (None, HarmonicCount::Adaptive { left_out, most }) if cycle.quality.left_out > left_out => {
+                format!("{most} are the most that are taken where `harmonics` is not given")
+            }
+            _ => return None,
+        };
+        Some(format!(
+            "the cycle has {} harmonics, which leave {:.2} % of the swing of the contact forces out: {why}",
+            cycle.balance.series().harmonics(),
+            100.0 * cycle.quality.left_out,
+        ))
     }
 
     /// Whether the mode was followed as far as was asked, and its motions decay at all amplitudes: no cycle is the answer.
@@ -79,7 +96,7 @@ impl<'a> CycleOfMode<'a> {
         Some(match &backbone.end {
             BackboneEnd::Found | BackboneEnd::Largest => format!(
                 "motions of the mode {all} up to {:.3} times that at which the contact first changes its state",
-                self.largest,
+                self.settings.backbone.largest,
             ),
             BackboneEnd::Points => format!(
                 "motions of the mode {all} of {} that were followed, up to {reached:.3} times that at which the contact first changes its state",
@@ -93,16 +110,6 @@ impl<'a> CycleOfMode<'a> {
             ),
         })
     }
-}
-
-/// Why a cycle has fewer harmonics than it should.
-pub(in crate::assembly) fn held_back(cycle: &AssemblyCycle<'_>) -> Option<String> {
-    let error = cycle.held_back.as_ref()?;
-    Some(format!(
-        "the cycle has {} harmonics, which leave {:.2} % of the swing of the contact forces out: with more it was not found ({error})",
-        cycle.balance.series().harmonics(),
-        100.0 * cycle.quality.left_out,
-    ))
 }
 
 /// The harmonics of a signal from the first on, differentiated so many times, once or twice.

@@ -1,6 +1,6 @@
 //! What is told of a cycle.
 
-use super::search::{CycleOfMode, acceleration_mean_square, held_back};
+use super::search::{CycleOfMode, acceleration_mean_square};
 use super::settings::ModeCycle;
 use super::stability::KnownStability;
 use crate::assembly::AssemblySubject;
@@ -188,7 +188,7 @@ impl ToldModeCycle {
             residual: cycle.motion.residual,
             left_out: cycle.quality.left_out,
             between_samples: cycle.quality.between_samples,
-            held_back: held_back(cycle),
+            held_back: sought.held_back(),
             tangential_velocity_rms: rms.collect(),
             normal_force_mean: sum(|own| own.normal_force),
             friction_force_mean: sum(|own| own.friction_force),

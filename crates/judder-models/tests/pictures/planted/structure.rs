@@ -264,6 +264,22 @@ pub(super) fn assembly_cycle(seed: u64) -> Vec<Planted> {
     vec![Planted { dataset, runs, shapes: &["unit circle"] }]
 }
 
+/// Modes of which some have no cycle: points alone.
+pub(super) fn assembly_squeal(seed: u64) -> Vec<Planted> {
+    let mut random = Random(seed);
+    let frequency = random.gappy(8, 1.0);
+    let codes = frequency.iter().map(|own| if own.is_nan() { 3 } else { (random.next() * 3.0) as u8 });
+    let codes: Vec<u8> = codes.collect();
+    let variables = vec![
+        along("mode_frequency", "mode", steps(8)),
+        along("growth_rate", "mode", random.gappy(8, 1.0)),
+        along("frequency", "mode", frequency),
+        along("level", "mode", random.gappy(8, 100.0)),
+        along("stability", "mode", codes),
+    ];
+    alone(dataset(variables, &[]), Vec::new())
+}
+
 /// Two spectra one behind the other, with levels so low that nothing is hidden; frames about two zones.
 pub(super) fn spectrogram(seed: u64) -> Vec<Planted> {
     spectra(seed, Some(vec![1.0, 2.0]))

@@ -1,0 +1,39 @@
+//! Modes that grow: how loud their cycles are, beside how fast they grow.
+
+use super::run::STABILITIES;
+use judder_report::{Axis, Layer, Legend, Panel, Role};
+use judder_store::Dataset;
+use judder_study::pictures::{codes, reals};
+
+/// Room beside the outermost frequencies, over the span, and over a frequency that is alone.
+const BESIDE: [f64; 2] = [0.08, 0.05];
+
+/// Levels over the frequency of the cycles, growth rates over the frequency of the modes.
+pub(super) fn squeal(dataset: &Dataset) -> Option<Vec<Panel>> {
+    let [of_modes, growth, of_cycles, level] =
+        ["mode_frequency", "growth_rate", "frequency", "level"].map(|name| reals(dataset, name));
+    let codes = codes(dataset, "stability")?;
+    let across = across(of_modes?, of_cycles?);
+    let panel = |up: Axis, place: [&[f64]; 2]| {
+        let layers = STABILITIES.iter().enumerate().filter_map(|(k, (code, words))| {
+            let own: Vec<usize> = (0..codes.len()).filter(|mode| codes[*mode] == *code).collect();
+            let [x, y] = place.map(|values| own.iter().map(|mode| values[*mode]).collect::<Vec<f64>>());
+            let is_shown = x.iter().chain(&y).any(|value| value.is_finite());
+            is_shown.then(|| Layer::points(*words, x, y, Role::Series(k)))
+        });
+        Panel::new(across.clone(), up, layers.collect()).with_legend(Legend::Below)
+    };
+    let levels = panel(Axis::linear("Level of the cycle (dB re 1 µm/s^{2})"), [of_cycles?, level?]);
+    let growths = panel(Axis::linear("Growth rate of the mode (1/s)"), [of_modes?, growth?]);
+    Some(vec![levels.with_title("how loud"), growths.with_title("how fast they grow")])
+}
+
+/// One axis of frequencies for both.
+fn across(of_modes: &[f64], of_cycles: &[f64]) -> Axis {
+    let all = of_modes.iter().chain(of_cycles).copied().filter(|own| own.is_finite());
+    let (low, high) =
+        all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), own| (low.min(own), high.max(own)));
+    let room = (BESIDE[0] * (high - low)).max(BESIDE[1] * high.abs());
+    let axis = Axis::linear("Frequency (Hz)");
+    if room > 0.0 && room.is_finite() { axis.over(low - room, high + room) } else { axis }
+}

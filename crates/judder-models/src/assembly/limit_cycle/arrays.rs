@@ -1,5 +1,6 @@
 //! What is stored of a cycle: the motions of the mode over their amplitude, one period of the cycle.
 
+use super::checks::INSTANTS;
 use super::search::{CycleOfMode, differentiated};
 use crate::assembly::AssemblySubject;
 use crate::assembly::march::arrays::contact_points;
@@ -12,9 +13,6 @@ use judder_numerics::contact_state::ContactState;
 use judder_store::{Dataset, Variable};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
-
-/// Instants of a period that are stored, at least.
-pub(super) const INSTANTS: usize = 400;
 
 /// The motions of the mode, and where there is a cycle one period of it.
 pub(super) fn dataset(

@@ -1,9 +1,10 @@
 //! `limit-cycle`: the periodic motion that an unstable mode grows to.
 //!
 //! - [`settings`]: the keys. `search`: the cycles of a mode, and in words why there is none. `stability`: whether motions nearby are drawn to one.
-//! - `run`, `told`, `arrays`: what is computed, told and stored. `figure`, `tables`: how it is shown.
+//! - `run`, `told`, `arrays`: what is computed, told and stored. `checks`: what is checked. `figure`, `tables`: how it is shown.
 
 mod arrays;
+pub(super) mod checks;
 mod figure;
 mod run;
 pub(super) mod search;

@@ -1,6 +1,7 @@
 //! The mode that is meant, its cycle, what is to be said of it.
 
-use super::arrays::{INSTANTS, dataset};
+use super::arrays::dataset;
+use super::checks::{INSTANTS, checks};
 use super::search::{CycleOfMode, differentiated};
 use super::settings::{LOWEST, ModeCycle, components};
 use super::stability::KnownStability;
@@ -13,15 +14,11 @@ use crate::sliding::march::sound::{AUDIO_RATE, SoundFile, sound_of};
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::SteadySliding;
 use judder_cycles::cycle::AssemblyCycle;
-use judder_cycles::path::PathRule;
-use judder_cycles::power::CyclePower;
 use judder_structure::complex_modes::{ComplexMode, Verdict};
 use judder_study::Progress;
-use judder_study::outcome::{CheckRecord, Outcome};
+use judder_study::outcome::Outcome;
 use std::f64::consts::TAU;
 
-/// What the balance of energy may be off, over what contacts and bodies exchange.
-const BALANCE: f64 = 2e-4;
 /// How long a cycle is heard, in s, and up to which share of the rate of the samples.
 const HEARD: (f64, f64) = (1.0, 0.45);
 
@@ -55,7 +52,9 @@ pub(super) fn run(
             outcome.dataset = dataset(of, &sought, stability.multipliers())?;
             warnings.extend(words_of(&sought, cycle).into_iter().chain(stability.doubt()));
             let power = cycle.power(INSTANTS)?;
-            outcome.checks = checks(cycle, &power);
+            let (harmonics, points) = (cycle.balance.series().harmonics(), cycle.points.len());
+            let which = format!("{harmonics} harmonics, {points} points");
+            outcome.checks = checks(&which, cycle.motion.residual.into(), power.imbalance().into());
             let sounds = sounds(of, cycle)?;
             let (heard, files): (Vec<_>, Vec<_>) =
                 sounds.into_iter().map(|own| (own.told, (own.name, own.bytes))).unzip();
@@ -100,28 +99,6 @@ fn words_of(sought: &CycleOfMode<'_>, cycle: &AssemblyCycle<'_>) -> Vec<String> 
         words.push(if sought.eigenvalue.re > 0.0 { turned } else { knock }.to_owned());
     }
     words
-}
-
-/// The equations, and the energy over a period.
-fn checks(cycle: &AssemblyCycle<'_>, power: &CyclePower) -> Vec<CheckRecord> {
-    let (harmonics, points) = (cycle.balance.series().harmonics(), cycle.points.len());
-    vec![
-        CheckRecord::new(
-            "harmonics of the contact forces are those that the contact laws make of the motion",
-            format!("largest residual over the largest normal force, {harmonics} harmonics, {points} points"),
-            cycle.motion.residual.into(),
-            PathRule::default().tolerance,
-        ),
-        CheckRecord::new(
-            "over a period friction gives the bodies what damping takes",
-            format!(
-                "contact laws at {INSTANTS} instants against the damping of the bodies, over what they exchange to and fro, {:.3e} W",
-                power.exchanged,
-            ),
-            power.imbalance().into(),
-            BALANCE,
-        ),
-    ]
 }
 
 /// The accelerations of the observed points as sound; none of which no harmonic can be heard.

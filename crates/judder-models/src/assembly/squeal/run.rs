@@ -4,6 +4,7 @@ use super::AssemblySqueal;
 use crate::assembly::AssemblySubject;
 use crate::assembly::build::WatchedRow;
 use crate::assembly::eigen::band;
+use crate::assembly::limit_cycle::checks::{INSTANTS, checks};
 use crate::assembly::limit_cycle::search::{CycleOfMode, acceleration_mean_square};
 use crate::assembly::limit_cycle::settings::components;
 use crate::assembly::limit_cycle::stability::KnownStability;
@@ -120,6 +121,8 @@ struct CycleInBand {
     harmonics: usize,
     left_out: f64,
     held_back: Option<String>,
+    residual: f64,
+    imbalance: f64,
 }
 
 /// A mode with what became of it: its cycle, or why there is none.
@@ -157,9 +160,18 @@ pub(super) fn run(
         warnings.push(format!("mode at {:.1} Hz: {}", mode.mode_frequency, mode.reason));
     }
     let missing = told.unstable - told.found + usize::from(!told.complete);
+    let cycles = || modes.iter().filter_map(|(_, cycle)| cycle.as_ref().ok());
+    let checks = match told.found {
+        0 => Vec::new(),
+        found => checks(
+            &format!("{found} cycles"),
+            cycles().map(|own| own.residual).collect(),
+            cycles().map(|own| own.imbalance).collect(),
+        ),
+    };
     let outcome = Outcome::of(&told)?;
     let dataset = outcome.dataset.clone().with(stabilities(&told.modes))?;
-    Ok(Outcome { dataset, warnings, missing, ..outcome })
+    Ok(Outcome { dataset, checks, warnings, missing, ..outcome })
 }
 
 /// Codes of what is known of the stability of cycles, in the order in which they are drawn.
@@ -202,6 +214,8 @@ impl CycleInBand {
             harmonics: cycle.balance.series().harmonics(),
             left_out: cycle.quality.left_out,
             held_back: sought.held_back(),
+            residual: cycle.motion.residual,
+            imbalance: cycle.power(INSTANTS)?.imbalance(),
         })
     }
 

@@ -28,17 +28,17 @@ fn cycle(results: &Map<String, Value>) -> Option<PageTable> {
         ("shift, over that", "frequency_shift"),
         ("growth rate of the mode (1/s)", "mode_growth_rate"),
         ("motions of this shape are drawn to it", "attracts"),
-        ("all motions nearby are", "stable"),
-        ("what the Floquet multipliers say", "stability"),
+        ("motions nearby, by the Floquet multipliers", "stability"),
         ("harmonics", "harmonics"),
         ("left out of the swing of the forces", "left_out"),
         ("largest difference from a contact law, over the largest normal force", "between_samples"),
     ];
     let of = |key: &str| results.get(key).unwrap_or(&Value::Null);
     let row = |(name, key): (&str, &str)| {
-        let told = match of(key).as_bool() {
-            Some(is_so) => if is_so { "yes" } else { "no" }.to_owned(),
-            None => known(of(key)),
+        let told = match of(key) {
+            Value::Bool(is_so) => if *is_so { "yes" } else { "no" }.to_owned(),
+            Value::String(words) => words.clone(),
+            number => known(number),
         };
         vec![name.to_owned(), told]
     };

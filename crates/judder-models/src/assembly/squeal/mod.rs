@@ -41,8 +41,8 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
     read: |_, section| Ok(Arc::new(AssemblySqueal::read_table(section)?)),
     picture: Some(Picture {
         draw: figure::squeal,
-        caption: "How loud the limit cycle of each mode that grows is at the observed point that is loudest, and how fast the mode grows about steady sliding: the one says little \
-        about the other. Modes of which no cycle was found have a growth rate alone.",
+        caption: "How loud the limit cycle of each mode that grows is at the observed point that is loudest, and how fast the mode grows about steady sliding. No motion comes to an unstable \
+        cycle. Modes of which no cycle was found have a growth rate alone.",
     }),
 };
 

@@ -27,7 +27,11 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
         "left out",
     ];
     let row = |mode: &&Value| {
-        let told = |key: &str| if mode[key].is_null() { String::new() } else { short(&mode[key]) };
+        let told = |key: &str| match &mode[key] {
+            Value::Null => String::new(),
+            Value::String(words) => words.clone(),
+            number => short(number),
+        };
         let numbers =
             ["rank_by_level", "rank_by_growth", "mode_frequency_hz", "mode_growth_rate", "frequency_hz"];
         let rest = ["stick_share", "slip_share", "open_share", "stability", "left_out"];

@@ -641,3 +641,17 @@ class Assembly(Model):
         progress: Progress | None = None,
     ) -> Result:
         """The limit cycle of every mode of a band that grows, ranked by loudness and by growth rate."""
+    def bifurcation(
+        self,
+        *,
+        sweep: Mapping[str, Any],
+        frequency: str | None = None,
+        modes: int | None = None,
+        harmonics: int | None = None,
+        samples: int | None = None,
+        cycles: int | None = None,
+        stability: bool | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Result:
+        """Limit cycles of a mode along any key, stable or not, through folds to where they shrink to steady sliding."""

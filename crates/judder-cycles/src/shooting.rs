@@ -50,14 +50,14 @@ pub struct ShotCycle {
 }
 
 /// A march once around.
-struct Around<'a> {
+struct OncePeriod<'a> {
     assembly: &'a Assembly,
     steps: usize,
     /// A force in N by which residuals of the contact are measured.
     force: f64,
 }
 
-impl Around<'_> {
+impl OncePeriod<'_> {
     /// The state a period later, and what the points did.
     fn from(&self, [q, v]: &[Vec<f64>; 2], period: f64) -> Result<([Vec<f64>; 2], Statistics), CyclesError> {
         let settings = NonsmoothSettings {
@@ -93,7 +93,7 @@ pub fn shoot(
     let bodies = balance.bodies();
     let size = bodies.coordinates();
     let omega = near.turning.frequency;
-    let around = Around { assembly, steps: settings.steps, force: balance.force_scale() };
+    let around = OncePeriod { assembly, steps: settings.steps, force: balance.force_scale() };
     let freedoms = |x: &[f64]| {
         let velocities: Vec<f64> = x[size..].iter().map(|own| omega * own).collect();
         [bodies.freedoms(&x[..size]), bodies.freedoms(&velocities)]

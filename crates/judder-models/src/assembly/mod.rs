@@ -5,8 +5,9 @@
 //! - `interface_error`: what interface modes cost.
 //! - `swept`: steady sliding and small motions about it at any values of keys.
 //! - `meant_mode`: which mode about steady sliding an analysis means.
-//! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`, `spectrogram`, `limit_cycle`, `squeal`.
+//! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`, `spectrogram`, `limit_cycle`, `squeal`, `bifurcation`.
 
+pub mod bifurcation;
 pub(crate) mod build;
 pub mod case;
 mod check;
@@ -55,6 +56,7 @@ pub(crate) static KINDS: Kinds<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCa
     spectrogram::KIND,
     limit_cycle::KIND,
     squeal::KIND,
+    bifurcation::KIND,
 ]);
 
 /// What the forces of a converged solution may be off, over all forces.

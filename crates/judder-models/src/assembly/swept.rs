@@ -7,6 +7,7 @@ use super::eigen::{BAND, band};
 use crate::error::ModelError;
 use crate::key_sweep::{KeySweep, KeySweepProblem, SweptSections};
 use faer::{Mat, MatRef};
+use judder_assembly::assembly::Assembly;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
@@ -133,6 +134,11 @@ impl<'a> SweptAssembly<'a> {
         let built = self.own().swept(&case, self.keys.iter().map(|key| key.path.as_str()))?;
         built.find_laws(&Silent)?;
         Ok(built)
+    }
+
+    /// The assembly at values of the keys.
+    pub(super) fn assembly(&self, values: &[f64]) -> Result<Assembly, ModelError> {
+        Ok(self.built(values)?.assembly)
     }
 
     /// Steady sliding at values of the keys.

@@ -157,3 +157,53 @@ fn modes_are_ranked_by_their_cycles() {
     );
     assert!(quiet.complete && quiet.summary.results["squeal"]["unstable"] == 0, "{:?}", quiet.messages);
 }
+
+/// With less friction the cycle shrinks to steady sliding, where an eigenvalue begins to grow; with more it goes on to the end of the range.
+#[test]
+fn cycles_along_a_key_shrink_to_steady_sliding_at_the_onset() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small/assembly-cycle.toml");
+    let file = judder_models::read(path, &[]).unwrap();
+    let report = run_into(folder.path(), &file, &["less-friction"]);
+    assert!(report.complete, "{:?}", report.messages);
+    let told = &report.summary.results["less-friction"];
+    let [value, frequency, rms] = ["value", "frequency_hz", "rms"].map(|key| numbers(&told[key]));
+    assert_eq!(told["ends"].as_array().unwrap().len(), 2);
+    assert!(
+        told["ends"][0] == "shrinks to steady sliding" && told["ends"][1] == "leaves the range",
+        "{told:?}"
+    );
+    let hopf = number(&told["hopf_points"][0]);
+    assert!(value[0] == hopf && value.windows(2).all(|pair| pair[1] >= pair[0] - 1e-9), "{value:?}");
+    assert!(rms[0] < 0.05 * rms[rms.len() - 1], "{rms:?}");
+    assert!(told["stable"].as_array().unwrap().iter().all(Value::is_null));
+    // nothing failed: the eigenvalue there is that of what shrinks
+    assert!(report.messages.is_empty(), "{:?}", report.messages);
+    // the cycle at the friction of the case is that of `limit-cycle`
+    let cycle = run_into(tempfile::tempdir().unwrap().path(), &file, &["cycle"]);
+    let own = number(&cycle.summary.results["cycle"]["frequency_hz"]);
+    let beside = value.iter().position(|own| *own > 0.4).unwrap();
+    let share = (0.4 - value[beside - 1]) / (value[beside] - value[beside - 1]);
+    let between = frequency[beside - 1] + share * (frequency[beside] - frequency[beside - 1]);
+    assert!((between / own - 1.0).abs() < 2e-3, "{between} {own}");
+}
+
+/// Where the mode grows nowhere there is nothing to begin with.
+#[test]
+fn a_key_along_which_nothing_grows_says_so() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small/assembly-cycle.toml");
+    let sets = ["analysis.less-friction.sweep.to=0.001", "analysis.less-friction.sweep.from=0.0005"];
+    let file = judder_models::read(path, &sets.map(ToOwned::to_owned)).unwrap();
+    let report = run_into(tempfile::tempdir().unwrap().path(), &file, &["less-friction"]);
+    assert!(!report.complete && numbers(&report.summary.results["less-friction"]["value"]).is_empty());
+    assert!(
+        report.messages.iter().any(|own| own.contains("no limit cycle was found to begin with")),
+        "{:?}",
+        report.messages
+    );
+    assert!(
+        report.messages.iter().any(|own| own.contains("the mode does not grow")),
+        "{:?}",
+        report.messages
+    );
+}

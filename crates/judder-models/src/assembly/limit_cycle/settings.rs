@@ -31,9 +31,9 @@ pub struct ModeCycle {
     pub solver: CycleSolver,
 }
 
-const MODES: Whole = Whole { from: 1, to: 2000 };
+pub(in crate::assembly) const MODES: Whole = Whole { from: 1, to: 2000 };
 /// Modes to choose from where the case does not say.
-pub(super) const LOWEST: usize = 20;
+pub(in crate::assembly) const LOWEST: usize = 20;
 
 /// The word of a method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]

@@ -280,6 +280,26 @@ pub(super) fn assembly_squeal(seed: u64) -> Vec<Planted> {
     alone(dataset(variables, &[]), Vec::new())
 }
 
+/// A branch of cycles that is unstable, stable, and unknown.
+pub(super) fn cycle_branch(seed: u64) -> Vec<Planted> {
+    let mut random = Random(seed);
+    let value = steps(9);
+    let stable: [u8; 9] = [0, 0, 0, 1, 1, 1, 2, 2, 2];
+    let mut runs = Vec::new();
+    let mut variables =
+        vec![along("value", "cycle", value.clone()), along("stable", "cycle", stable.to_vec())];
+    for name in ["rms", "frequency"] {
+        let up: Vec<f64> = (0..9).map(|k| 1.0 + k as f64 + 0.5 * random.next()).collect();
+        // a stretch between unlike cycles is drawn as the one after it
+        for own in [0..3, 2..6, 5..9] {
+            runs.push(run(&value[own.clone()], &up[own]));
+        }
+        variables.push(along(name, "cycle", up));
+    }
+    let dataset = dataset(variables, &[]);
+    vec![Planted { dataset, runs, shapes: &[] }]
+}
+
 /// Two spectra one behind the other, with levels so low that nothing is hidden; frames about two zones.
 pub(super) fn spectrogram(seed: u64) -> Vec<Planted> {
     spectra(seed, Some(vec![1.0, 2.0]))

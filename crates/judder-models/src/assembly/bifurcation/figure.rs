@@ -1,0 +1,37 @@
+//! Limit cycles along a key: stable solid, unstable dashed.
+
+use judder_report::palette::Style;
+use judder_report::runs::through;
+use judder_report::{Layer, Legend, Panel, Role};
+use judder_store::Dataset;
+use judder_study::pictures::{axis, codes, reals};
+
+/// How a cycle is drawn, by the code of its stability.
+const KINDS: [(u8, &str); 3] =
+    [(1, "stable cycles"), (0, "unstable cycles"), (2, "cycles of unknown stability")];
+
+/// The amplitudes and the frequencies of the cycles over the key.
+pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
+    ["rms", "frequency"].into_iter().map(|name| over_key(dataset, name)).collect()
+}
+
+fn over_key(dataset: &Dataset, name: &str) -> Option<Panel> {
+    let (value, up) = (reals(dataset, "value")?, reals(dataset, name)?);
+    let stable = codes(dataset, "stable")?;
+    let of = |code: u8| {
+        // a stretch between unlike cycles is drawn as the one after it
+        let (x, y) = through(value, up, |k| stable[k + 1] == code);
+        let style = match code {
+            1 => Role::FullBoundary.solid(),
+            0 => Role::FullBoundary.dashed(),
+            _ => Role::Reference.solid(),
+        };
+        (x, y, Style { width: 1.0, ..style })
+    };
+    let layers = KINDS.iter().filter_map(|(code, label)| {
+        let (x, y, style) = of(*code);
+        (!x.is_empty()).then(|| Layer::line(*label, x, y, style))
+    });
+    let (across, upwards) = (axis(dataset.variable("value")?), axis(dataset.variable(name)?));
+    Some(Panel::new(across, upwards, layers.collect()).with_legend(Legend::Below))
+}

@@ -1,0 +1,109 @@
+//! `bifurcation`: limit cycles of a mode along any key, through folds, to where they shrink to steady sliding.
+//!
+//! - `run`: the first cycle, the branch through it both ways. `told`: what is told and stored of it. `figure`: how it is shown.
+
+mod figure;
+mod run;
+mod told;
+
+use super::AssemblySubject;
+use super::limit_cycle::settings::{LOWEST, MODES};
+use super::swept::SWEPT;
+use crate::assembly::case::AssemblyCase;
+use crate::assembly::case::problem::AssemblyProblem;
+use crate::error::ModelError;
+use crate::key_sweep::KeySweep;
+use judder_keys::Settings;
+use judder_keys::declared::{Number, Settings, Whole};
+use judder_keys::dimension::Dimension;
+use judder_store::{Declared, Results};
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::outcome::Outcome;
+use serde_json::{Map, Value as Json};
+use std::sync::Arc;
+use told::ToldCycleBranch;
+
+/// Limit cycles along a key.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct CycleDiagram {
+    /// Any number of `structure`, `contact`, `spring`, `load` or `parameters` over a range; the more values it has, the shorter the steps along the branch.
+    #[key(rule = SWEPT, example = "…, `{ key, from, to, points, scale }`, or `{ key, values }`")]
+    pub sweep: KeySweep,
+    /// Frequency near which the mode lies; where left out, the fastest growing of the lowest modes is meant.
+    #[key(rule = Number::positive(Dimension::ANGULAR_FREQUENCY), symbol = "ω", omitted)]
+    pub frequency: Option<f64>,
+    /// Where no frequency is given: how many of the lowest modes there are to choose from.
+    #[key(rule = MODES, usual = LOWEST, omitted)]
+    pub modes: Option<usize>,
+    /// How many harmonics the cycles have.
+    #[key(rule = HARMONICS, symbol = "H", default = 9)]
+    pub harmonics: usize,
+    /// Instants of a period a harmonic at which points stick, slide or lift off.
+    #[key(rule = SAMPLES, default = 16)]
+    pub samples: usize,
+    /// The most cycles each way from the first.
+    #[key(rule = CYCLES, default = 300)]
+    pub cycles: usize,
+    /// Whether Floquet multipliers say of each cycle if motions nearby are drawn to it.
+    #[key(default = true)]
+    pub stability: bool,
+}
+
+const HARMONICS: Whole = Whole { from: 1, to: 500 };
+const SAMPLES: Whole = Whole { from: 4, to: 1024 };
+const CYCLES: Whole = Whole { from: 2, to: 10_000 };
+
+/// The kind.
+pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> = Kind {
+    name: "bifurcation",
+    doc: "limit cycles of a mode along any key, stable or not, through folds to where they shrink to steady sliding",
+    declared: CycleDiagram::declarations,
+    read: |case, section| {
+        let own = CycleDiagram::read_table(section)?;
+        if let (Some(case), Some(node)) = (case, section.get("sweep")) {
+            own.sweep.admit(node, |value| case.at(&[(&own.sweep, value)]))?;
+        }
+        Ok(Arc::new(own))
+    },
+    picture: Some(Picture {
+        draw: figure::bifurcation,
+        caption: "Limit cycles along the key, by the root mean square of the velocities of the contact points along the slip, and their frequencies: stable ones solid, unstable ones dashed, as their Floquet multipliers say. \
+        Where a branch shrinks to nothing steady sliding becomes unstable; where it folds, the cycle that motions are drawn to ends.",
+    }),
+};
+
+impl Analysis<AssemblyCase> for CycleDiagram {
+    fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+        if of.case.contacts.is_empty() {
+            return Ok(Err(Refusal::key("", AssemblyProblem::NothingTouches)));
+        }
+        match of.built.travelling.first() {
+            None => Ok(Ok(())),
+            Some(travelling) => {
+                let name = &of.built.assembly.interfaces[travelling.interface].name;
+                let reason = format!(
+                    "the points of the contact `{name}` travel along their track: no motion repeats itself there"
+                );
+                Ok(Err(Refusal::key("", AssemblyProblem::Refused { reason })))
+            }
+        }
+    }
+
+    fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run(of, self, task.progress)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldCycleBranch::declared()
+    }
+
+    fn estimate(&self, _: &AssemblySubject<'_>) -> Result<String, ModelError> {
+        let path = &self.sweep.path;
+        Ok(format!("limit cycles along {path} with {} harmonics", self.harmonics))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

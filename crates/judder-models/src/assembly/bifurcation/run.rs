@@ -1,0 +1,259 @@
+//! The first cycle along a key, and the branch through it.
+
+use super::CycleDiagram;
+use super::told::{KnownCycle, ToldCycleBranch, dataset};
+use crate::assembly::AssemblySubject;
+use crate::assembly::limit_cycle::settings::LOWEST;
+use crate::assembly::meant_mode::{fastest, near_frequency};
+use crate::assembly::swept::{SlidingState, SweptAssembly};
+use crate::error::ModelError;
+use judder_assembly::assembly::Assembly;
+use judder_cycles::CyclesError;
+use judder_cycles::backbone::{BackboneSettings, PeriodicMotion};
+use judder_cycles::balance::HarmonicBalance;
+use judder_cycles::branch::{AssemblyCycleBranch, BranchSettings, CycleAtKey, CycleBranchEnd, cycle_branch};
+use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles, points};
+use judder_cycles::path::PathRule;
+use judder_cycles::stability::{CycleStability, floquet_multipliers};
+use judder_study::Progress;
+use judder_study::outcome::{CheckRecord, Outcome};
+use num_complex::Complex64;
+
+/// Values at which a first cycle is sought.
+const TRIED: usize = 5;
+/// What the eigenvalue may grow, of its modulus, where a branch shrinks to steady sliding.
+const NEUTRAL: f64 = 1e-4;
+
+pub(super) fn run(
+    of: &AssemblySubject<'_>,
+    asked: &CycleDiagram,
+    progress: &dyn Progress,
+) -> Result<Outcome, ModelError> {
+    let family = SweptAssembly::new(of, vec![&asked.sweep], true);
+    let mut reasons = Vec::new();
+    for value in tried(&asked.sweep.values) {
+        progress.go_on()?;
+        let told = |reason: String| format!("{} = {}: {reason}", asked.sweep.path, asked.sweep.text(value));
+        let state = match family.state(&[value]) {
+            Ok(state) => state,
+            Err(error) => {
+                reasons.push(told(error.to_string()));
+                continue;
+            }
+        };
+        match first(asked, &family, &state, value)? {
+            Ok(found) => return branches(asked, &family, &found, progress),
+            Err(reason) => reasons.push(told(reason)),
+        }
+    }
+    reasons.insert(0, "no limit cycle was found to begin with".to_owned());
+    let told = ToldCycleBranch::none(asked);
+    let Outcome { scalars, .. } = Outcome::of(&told)?;
+    Ok(Outcome {
+        scalars,
+        dataset: dataset(asked, &[])?,
+        warnings: reasons,
+        missing: 1,
+        ..Outcome::default()
+    })
+}
+
+/// The last value, the first, and some between, from the last on.
+fn tried(values: &[f64]) -> Vec<f64> {
+    let last = values.len() - 1;
+    let mut places: Vec<usize> = (0..TRIED).map(|k| last - k * last / (TRIED - 1)).collect();
+    places.dedup();
+    places.into_iter().map(|place| values[place]).collect()
+}
+
+/// Where the branch begins.
+struct FirstCycle {
+    value: f64,
+    assembly: Assembly,
+    motion: PeriodicMotion,
+    steady: judder_assembly::steady::SteadySliding,
+    harmonics: HarmonicCount,
+    eigenvalue: Complex64,
+}
+
+fn mode_of(
+    asked: &CycleDiagram,
+    family: &SweptAssembly<'_>,
+    state: &SlidingState,
+) -> Result<Complex64, ModelError> {
+    let about = family.about(state)?;
+    let mode = match asked.frequency {
+        Some(frequency) => near_frequency(&about, frequency)?,
+        None => fastest(&about, asked.modes.unwrap_or(LOWEST))?.0,
+    };
+    Ok(mode.eigenvalue.value)
+}
+
+/// The cycle of the mode at a value; in words why there is none.
+fn first(
+    asked: &CycleDiagram,
+    family: &SweptAssembly<'_>,
+    state: &SlidingState,
+    value: f64,
+) -> Result<Result<FirstCycle, String>, ModelError> {
+    let eigenvalue = match mode_of(asked, family, state) {
+        Ok(eigenvalue) => eigenvalue,
+        Err(ModelError::Unsupported(reason)) => return Ok(Err(reason)),
+        Err(error) => return Err(error),
+    };
+    if eigenvalue.re <= 0.0 {
+        return Ok(Err("the mode does not grow".to_owned()));
+    }
+    let assembly = family.assembly(&[value])?;
+    let harmonics = HarmonicCount::Fixed(asked.harmonics);
+    let settings = CycleSettings { harmonics, samples: asked.samples, backbone: BackboneSettings::default() };
+    let search = match limit_cycles(&assembly, &state.steady, eigenvalue, &settings) {
+        Ok(search) => search,
+        Err(error @ (CyclesError::NotConverged { .. } | CyclesError::Shrunk | CyclesError::Singular)) => {
+            return Ok(Err(error.to_string()));
+        }
+        Err(error) => return Err(error.into()),
+    };
+    let motion = match search.cycles.first() {
+        None => return Ok(Err("the mode grows, but no cycle of it was found".to_owned())),
+        Some(cycle) => match &cycle.held_back {
+            Some(error) => return Ok(Err(format!("its cycle was not found with all harmonics: {error}"))),
+            None => cycle.motion.clone(),
+        },
+    };
+    drop(search);
+    let steady = state.steady.clone();
+    Ok(Ok(FirstCycle { value, assembly, motion, steady, harmonics, eigenvalue }))
+}
+
+/// The branch both ways, in the order along it.
+fn branches(
+    asked: &CycleDiagram,
+    family: &SweptAssembly<'_>,
+    found: &FirstCycle,
+    progress: &dyn Progress,
+) -> Result<Outcome, ModelError> {
+    let HarmonicCount::Fixed(harmonics) = found.harmonics else { return Ok(Outcome::default()) };
+    let series = judder_cycles::series::Series::new(harmonics, asked.samples * harmonics);
+    let balance = HarmonicBalance::new(&found.assembly, &found.steady, found.eigenvalue.im, series, &[])?;
+    let at = |value: f64| {
+        let built = family.assembly(&[value]);
+        built.map_err(|error| CyclesError::NoAssembly { value, reason: error.to_string() })
+    };
+    let [from, to] = range(&asked.sweep.values);
+    let longest = 1.0 / asked.sweep.values.len().max(10) as f64;
+    let mut ways = Vec::new();
+    for rises in [false, true] {
+        progress.go_on()?;
+        let rule = PathRule { steps: [0.2 * longest, longest, 1e-7], tolerance: 1e-8, ..PathRule::default() };
+        let settings =
+            BranchSettings { rule, range: [from, to], unit: to - from, rises, points: asked.cycles };
+        ways.push(cycle_branch(&at, &balance, (found.value, &found.motion), &settings)?);
+    }
+    let [down, up]: [AssemblyCycleBranch; 2] = [ways.swap_remove(0), ways.swap_remove(0)];
+    let cycles = down.cycles.iter().rev().chain(up.cycles.iter().skip(1));
+    let mut known = Vec::new();
+    for cycle in cycles.filter(|own| (from..=to).contains(&own.parameter)) {
+        progress.go_on()?;
+        known.push(told_of(asked, &balance, &at, cycle)?);
+    }
+    let hopf: Vec<&CycleAtKey> = [&down, &up].into_iter().filter_map(shrunk).collect();
+    let told = ToldCycleBranch::new(asked, &known, [&down, &up], &hopf);
+    let Outcome { scalars, .. } = Outcome::of(&told)?;
+    let lost = |own: &&AssemblyCycleBranch| matches!(own.end, CycleBranchEnd::Lost(_));
+    let missing = [&down, &up].into_iter().filter(lost).count();
+    let mut warnings = ToldCycleBranch::words([&down, &up]);
+    let unknown = known.iter().filter(|own| asked.stability && own.is_stable.is_none()).count();
+    if unknown > 0 {
+        warnings.push(format!(
+            "whether motions nearby are drawn to it is not known of {unknown} of {} cycles",
+            known.len()
+        ));
+    }
+    Ok(Outcome {
+        scalars,
+        dataset: dataset(asked, &known)?,
+        checks: checks(asked, family, &known, &hopf)?,
+        warnings,
+        missing,
+        ..Outcome::default()
+    })
+}
+
+fn range(values: &[f64]) -> [f64; 2] {
+    let fold = |of: fn(f64, f64) -> f64, from: f64| values.iter().copied().fold(from, of);
+    [fold(f64::min, f64::INFINITY), fold(f64::max, f64::NEG_INFINITY)]
+}
+
+/// The last cycle before a branch shrinks to steady sliding.
+fn shrunk(branch: &AssemblyCycleBranch) -> Option<&CycleAtKey> {
+    branch.cycles.last().filter(|_| branch.end == CycleBranchEnd::SteadySliding)
+}
+
+fn told_of(
+    asked: &CycleDiagram,
+    balance: &HarmonicBalance<'_>,
+    at: &impl Fn(f64) -> Result<Assembly, CyclesError>,
+    cycle: &CycleAtKey,
+) -> Result<KnownCycle, ModelError> {
+    let assembly = at(cycle.parameter)?;
+    let balance = balance.of(&assembly)?;
+    let (points, quality) = points(&balance, &cycle.motion)?;
+    let stability = match asked.stability {
+        true => match floquet_multipliers(&balance, &cycle.motion)? {
+            Ok(found) => match found.verdict() {
+                CycleStability::Stable => Some(true),
+                CycleStability::Unstable => Some(false),
+                _ => None,
+            },
+            Err(_) => None,
+        },
+        false => None,
+    };
+    let count = points.len() as f64;
+    let mean = |of: &dyn Fn(usize) -> f64| (0..points.len()).map(of).sum::<f64>() / count;
+    let rms = |k: usize| points[k].tangential_velocity_rms * points[k].tangential_velocity_rms;
+    Ok(KnownCycle {
+        value: cycle.parameter,
+        frequency: cycle.motion.turning.frequency,
+        rms: mean(&rms).sqrt(),
+        stick: mean(&|k| points[k].shares[0]),
+        open: mean(&|k| points[k].shares[2]),
+        left_out: quality.left_out,
+        residual: cycle.motion.residual,
+        is_stable: stability,
+    })
+}
+
+/// The equations of each cycle, and the eigenvalue where the branch shrinks to steady sliding.
+fn checks(
+    asked: &CycleDiagram,
+    family: &SweptAssembly<'_>,
+    known: &[KnownCycle],
+    hopf: &[&CycleAtKey],
+) -> Result<Vec<CheckRecord>, ModelError> {
+    let largest = known.iter().map(|own| own.residual).fold(0.0, f64::max);
+    let mut checks = vec![CheckRecord::new(
+        "harmonics of the contact forces are those that the contact laws make of the motions",
+        format!("largest residual over the largest normal force, {} cycles", known.len()),
+        largest.into(),
+        1e-8,
+    )];
+    for cycle in hopf {
+        let state = family.state(&[cycle.parameter])?;
+        let about = family.about(&state)?;
+        let value = near_frequency(&about, cycle.motion.turning.frequency)?.eigenvalue.value;
+        let off = value.re.abs().max((value.im - cycle.motion.turning.frequency).abs()) / value.norm();
+        checks.push(CheckRecord::new(
+            "the branch shrinks to steady sliding where an eigenvalue begins to grow",
+            format!(
+                "eigenvalue at {} = {} against i times the frequency of the last cycle, over its modulus",
+                asked.sweep.path,
+                asked.sweep.text(cycle.parameter),
+            ),
+            off.into(),
+            NEUTRAL,
+        ));
+    }
+    Ok(checks)
+}

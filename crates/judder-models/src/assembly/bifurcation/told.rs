@@ -1,0 +1,167 @@
+//! What is told and stored of limit cycles along a key.
+
+use super::CycleDiagram;
+use crate::error::ModelError;
+use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey, CycleBranchEnd};
+use judder_store::{Dataset, Results, Variable};
+use judder_study::labels::{SweptQuantity, any_key};
+use std::f64::consts::TAU;
+
+/// A cycle as it is told.
+pub(super) struct KnownCycle {
+    pub(super) value: f64,
+    /// In rad/s.
+    pub(super) frequency: f64,
+    /// In m/s.
+    pub(super) rms: f64,
+    pub(super) stick: f64,
+    pub(super) open: f64,
+    pub(super) left_out: f64,
+    pub(super) residual: f64,
+    pub(super) is_stable: Option<bool>,
+}
+
+/// What is told of a branch.
+#[derive(Results)]
+pub(super) struct ToldCycleBranch {
+    /// the swept key
+    key: String,
+    /// its unit
+    unit: String,
+    /// its value at each cycle, in the order along the branch
+    value: Vec<f64>,
+    /// the frequency of each cycle, in Hz
+    frequency_hz: Vec<f64>,
+    /// the root mean square over all contact points of the velocity along the slip about its mean, in m/s
+    rms: Vec<f64>,
+    /// the share of the period in which points stick, on average over them
+    stick_share: Vec<f64>,
+    /// in which they are open
+    open_share: Vec<f64>,
+    /// whether motions nearby are drawn to it, where that is known
+    stable: Vec<Option<bool>>,
+    /// values at which the branch turns
+    folds: Vec<f64>,
+    /// values at which it shrinks to steady sliding
+    hopf_points: Vec<f64>,
+    /// how it ends on either side, in words
+    ends: Vec<String>,
+    /// harmonics of the cycles
+    harmonics: usize,
+    /// the largest share of the swing of the contact forces that harmonics leave out
+    left_out: Option<f64>,
+}
+
+fn end(branch: &AssemblyCycleBranch) -> String {
+    match &branch.end {
+        CycleBranchEnd::Range => "leaves the range".to_owned(),
+        CycleBranchEnd::Points => "goes on: as many cycles as were asked for".to_owned(),
+        CycleBranchEnd::SteadySliding => "shrinks to steady sliding".to_owned(),
+        CycleBranchEnd::Lost(error) => format!("lost: {error}"),
+    }
+}
+
+fn quantity(asked: &CycleDiagram) -> SweptQuantity {
+    SweptQuantity { name: "value".to_owned(), ..any_key(&asked.sweep.path, asked.sweep.dimension) }
+}
+
+impl ToldCycleBranch {
+    /// No branch.
+    pub(super) fn none(asked: &CycleDiagram) -> Self {
+        Self {
+            key: asked.sweep.path.clone(),
+            unit: quantity(asked).unit,
+            value: Vec::new(),
+            frequency_hz: Vec::new(),
+            rms: Vec::new(),
+            stick_share: Vec::new(),
+            open_share: Vec::new(),
+            stable: Vec::new(),
+            folds: Vec::new(),
+            hopf_points: Vec::new(),
+            ends: Vec::new(),
+            harmonics: asked.harmonics,
+            left_out: None,
+        }
+    }
+
+    pub(super) fn new(
+        asked: &CycleDiagram,
+        known: &[KnownCycle],
+        ways: [&AssemblyCycleBranch; 2],
+        hopf: &[&CycleAtKey],
+    ) -> Self {
+        let all = |of: fn(&KnownCycle) -> f64| known.iter().map(of).collect::<Vec<f64>>();
+        Self {
+            value: all(|own| own.value),
+            frequency_hz: all(|own| own.frequency / TAU),
+            rms: all(|own| own.rms),
+            stick_share: all(|own| own.stick),
+            open_share: all(|own| own.open),
+            stable: known.iter().map(|own| own.is_stable).collect(),
+            folds: ways.iter().flat_map(|way| way.folds.iter().map(|(_, value)| *value)).collect(),
+            hopf_points: hopf.iter().map(|own| own.parameter).collect(),
+            ends: ways.map(end).to_vec(),
+            left_out: all(|own| own.left_out).into_iter().reduce(f64::max),
+            ..Self::none(asked)
+        }
+    }
+
+    /// What is to be said of branches that were lost, or go on.
+    pub(super) fn words(ways: [&AssemblyCycleBranch; 2]) -> Vec<String> {
+        let told =
+            |way: &&AssemblyCycleBranch| matches!(way.end, CycleBranchEnd::Lost(_) | CycleBranchEnd::Points);
+        let sides = ["where the key falls from the first cycle", "where it rises"];
+        let words = ways.iter().zip(sides).filter(|(way, _)| told(way));
+        words.map(|(way, side)| format!("{side}, the branch of cycles {}", end(way))).collect()
+    }
+}
+
+/// Every array.
+pub(super) fn dataset(asked: &CycleDiagram, known: &[KnownCycle]) -> Result<Dataset, ModelError> {
+    let quantity = quantity(asked);
+    let along = |name: &str, values: Vec<f64>| Variable::new(name, &["cycle"], &[values.len()], values);
+    let all = |of: fn(&KnownCycle) -> f64| known.iter().map(of).collect::<Vec<f64>>();
+    // 0 unstable, 1 stable, 2 unknown
+    let stable: Vec<u8> = known.iter().map(|own| own.is_stable.map_or(2, u8::from)).collect();
+    Ok(Dataset::new()
+        .with(
+            along("value", all(|own| own.value))
+                .units(&quantity.unit)
+                .long_name(&asked.sweep.path)
+                .attribute("label", quantity.label.as_str()),
+        )?
+        .with(
+            along("rms", all(|own| own.rms))
+                .units("m/s")
+                .long_name(
+                    "root mean square over all contact points of the velocity along the slip about its mean",
+                )
+                .attribute("label", "Velocity along the slip, rms (m/s)"),
+        )?
+        .with(
+            along("frequency", all(|own| own.frequency / TAU))
+                .units("Hz")
+                .long_name("frequency of the cycle")
+                .attribute("label", "Frequency (Hz)"),
+        )?
+        .with(
+            along("stick_share", all(|own| own.stick))
+                .units("1")
+                .long_name("share of the period in which points stick, on average over them"),
+        )?
+        .with(
+            along("open_share", all(|own| own.open))
+                .units("1")
+                .long_name("share of the period in which points are open, on average over them"),
+        )?
+        .with(
+            along("left_out", all(|own| own.left_out))
+                .units("1")
+                .long_name("share of the swing of the contact forces that harmonics leave out"),
+        )?
+        .with(
+            Variable::new("stable", &["cycle"], &[stable.len()], stable)
+                .long_name("whether motions nearby are drawn to the cycle: 0 no, 1 yes, 2 unknown"),
+        )?)
+}

@@ -1,7 +1,8 @@
 //! Structures that touch: matrices on the freedoms of all, loads, interfaces.
 
 use crate::AssemblyError;
-use crate::interface::{FramedPoint, Interface};
+use crate::friction::Friction;
+use crate::interface::{FramedPoint, Interface, InterfaceLaw};
 use crate::row::Row;
 use faer::sparse::Triplet;
 use faer::sparse::ops::add;
@@ -42,6 +43,30 @@ impl Assembly {
     #[must_use]
     pub fn size(&self) -> usize {
         self.load.len()
+    }
+
+    /// Refuses friction on tracks at rest, which has no direction.
+    ///
+    /// # Errors
+    /// [`AssemblyError::AtRest`].
+    pub fn check_sliding(&self) -> Result<(), AssemblyError> {
+        match self.interfaces.iter().find(|own| own.rests_with_friction()) {
+            Some(own) => Err(AssemblyError::AtRest { interface: own.name.clone() }),
+            None => Ok(()),
+        }
+    }
+
+    /// The same without friction on tracks at rest, of all states that it may hold the one in which it holds nothing; `None` where none rests so.
+    #[must_use]
+    pub fn without_friction_at_rest(&self) -> Option<Self> {
+        self.check_sliding().err()?;
+        let mut smooth = self.clone();
+        for own in smooth.interfaces.iter_mut().filter(|own| own.rests_with_friction()) {
+            if let InterfaceLaw::Rigid(friction) | InterfaceLaw::Compliant(_, friction) = &mut own.law {
+                *friction = Friction::Constant(0.0);
+            }
+        }
+        Some(smooth)
     }
 
     /// The contact points of all interfaces in their order, in their frames.

@@ -13,6 +13,8 @@ pub struct ContactPoint {
     pub normal: Vector,
     /// V, the velocity of the track beside the slider at this place, in m/s.
     pub velocity: Vector,
+    /// Of a track at rest, whose V is zero: the direction along which it would move, of any length.
+    pub rest_direction: Option<Vector>,
     /// a, the tributary area in m².
     pub area: f64,
     /// g₀, the gap of the undeformed bodies in m.
@@ -42,11 +44,11 @@ pub struct Foot {
 pub struct ContactFrame {
     /// c = n·(u_slider − Σ w u): what the gap gains, the compatibility row.
     pub normal: Row,
-    /// t·(u_slider − Σ w u) with t = P V/|P V|: the direction in which friction drags the slider in steady sliding.
+    /// t·(u_slider − Σ w u) with t = P V/|P V|: the direction in which friction drags the slider in steady sliding; of a track at rest, in which it would.
     pub slip: Row,
     /// (n × t)·(u_slider − Σ w u), across the slip; empty in the plane.
     pub across: Row,
-    /// |P V|, the slip speed of steady sliding in m/s.
+    /// |P V|, the slip speed of steady sliding in m/s; zero of a track at rest.
     pub speed: f64,
     /// t,
     pub(crate) tangent: Vector,
@@ -58,7 +60,18 @@ impl ContactPoint {
     /// P V, the slip velocity of steady sliding: V without its part along the normal.
     #[must_use]
     pub fn slip_velocity(&self) -> Vector {
-        along(self.velocity, -dot(self.velocity, self.normal), self.normal)
+        self.tangential(self.velocity)
+    }
+
+    /// P of a vector: without its part along the normal.
+    fn tangential(&self, vector: Vector) -> Vector {
+        along(vector, -dot(vector, self.normal), self.normal)
+    }
+
+    /// Whether its track is at rest.
+    #[must_use]
+    pub fn is_at_rest(&self) -> bool {
+        self.rest_direction.is_some() && length(self.velocity) == 0.0
     }
 
     /// |P V|, the slip speed of steady sliding in m/s.
@@ -70,12 +83,13 @@ impl ContactPoint {
     /// Its forms along the normal, along the slip and across it.
     ///
     /// # Errors
-    /// [`AssemblyError::NoSlip`] where the track does not move along the contact.
+    /// [`AssemblyError::NoSlip`] where the track neither moves along the contact nor has a direction along it in which it rests.
     pub fn frame(&self, interface: &str) -> Result<ContactFrame, AssemblyError> {
-        let slip = self.slip_velocity();
-        // what is left of a velocity along the normal is rounding
-        let is_moving = length(slip) > 1e-9 * length(self.velocity);
-        let tangent = unit(slip).filter(|_| is_moving).ok_or_else(|| AssemblyError::NoSlip {
+        let way = self.rest_direction.filter(|_| self.is_at_rest()).unwrap_or(self.velocity);
+        let slip = self.tangential(way);
+        // what is left of a vector along the normal is rounding
+        let is_along = length(slip) > 1e-9 * length(way);
+        let tangent = unit(slip).filter(|_| is_along).ok_or_else(|| AssemblyError::NoSlip {
             interface: interface.to_owned(),
             place: self.place,
             velocity: self.velocity,
@@ -86,7 +100,7 @@ impl ContactPoint {
             normal: self.form(self.normal),
             slip: self.form(tangent),
             across: self.form(across),
-            speed: length(slip),
+            speed: self.slip_speed(),
             tangent,
             convected: [tangent, across].map(|direction| match &self.convected {
                 Some(convected) => Row::sum(direction.into_iter().zip(convected)),
@@ -117,7 +131,8 @@ impl Foot {
         let Some(reciprocal) = self.reciprocal() else { return Vec::new() };
         let force = along(normal.map(|part| n * part), t, tangent);
         let places: Vec<Row> = reciprocal.iter().map(|own| point.form(*own)).collect();
-        let lean = dot(point.velocity, normal) / frame.speed;
+        // at rest there is no velocity that could lean
+        let lean = if frame.speed > 0.0 { dot(point.velocity, normal) / frame.speed } else { 0.0 };
         let mut terms = Vec::new();
         for (k, own) in reciprocal.iter().enumerate() {
             let of_nodes = Row::sum(normal.into_iter().zip(&self.slopes[k]));

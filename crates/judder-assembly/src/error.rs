@@ -45,7 +45,7 @@ pub enum AssemblyError {
     /// The track does not move along the contact.
     #[error(
         "interface `{interface}` does not slide at {}: the track's velocity of {} m/s has no part along the contact, whose normal is {}; \
-         give `sliding` a velocity other than zero along the contact, or an axis that the contact is not on",
+         give `sliding` a velocity or, at rest, a direction along the contact, or a speed about an axis that the contact is not on",
         triple(.place), triple(.velocity), triple(.normal)
     )]
     NoSlip {
@@ -57,6 +57,14 @@ pub enum AssemblyError {
         velocity: [f64; 3],
         /// n.
         normal: [f64; 3],
+    },
+    /// Friction on a track that does not move.
+    #[error(
+        "the track of `{interface}` is at rest: friction there may be anything that it can hold, so that nothing slides steadily"
+    )]
+    AtRest {
+        /// The interface.
+        interface: String,
     },
     /// A surface of elements with nodes between their corners.
     #[error(

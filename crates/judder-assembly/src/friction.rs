@@ -53,6 +53,16 @@ pub struct FrictionAt {
 }
 
 impl Friction {
+    /// Whether there is none, at no speed.
+    #[must_use]
+    pub fn is_none(&self) -> bool {
+        match self {
+            Self::Constant(value) => *value == 0.0,
+            Self::Falling(FallingFriction { at_rest, at_speed, .. }) => [*at_rest, *at_speed] == [0.0; 2],
+            Self::Table(table) => table.coefficient.iter().all(|own| *own == 0.0),
+        }
+    }
+
     /// Whether its numbers make a friction coefficient.
     ///
     /// # Errors

@@ -131,6 +131,16 @@ impl FramedPoint<'_> {
 }
 
 impl Interface {
+    /// Whether its track is at rest and holds by friction what lies on it.
+    #[must_use]
+    pub fn rests_with_friction(&self) -> bool {
+        let has_friction = match &self.law {
+            InterfaceLaw::Rigid(friction) | InterfaceLaw::Compliant(_, friction) => !friction.is_none(),
+            InterfaceLaw::Asperity(_) => true,
+        };
+        has_friction && self.points.iter().any(ContactPoint::is_at_rest)
+    }
+
     /// Its points in their frames; `number` is its place in the assembly.
     ///
     /// # Errors

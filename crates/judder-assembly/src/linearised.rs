@@ -117,12 +117,13 @@ impl Linearised {
     ///
     /// # Errors
     /// [`AssemblyError::Length`] where `steady` is of other points, [`AssemblyError::HeldPoint`], [`AssemblyError::RedundantPoint`] for a
-    /// closed rigid point that cannot be, and what [`Assembly::framed`] and [`Quadratic::new`] say.
+    /// closed rigid point that cannot be, [`AssemblyError::AtRest`], and what [`Assembly::framed`] and [`Quadratic::new`] say.
     pub fn new(
         assembly: &Assembly,
         steady: &SteadySliding,
         terms: LinearisedTerms,
     ) -> Result<Self, AssemblyError> {
+        assembly.check_sliding()?;
         let all = assembly.framed()?;
         check_length("the points of steady sliding", steady.points.len(), all.len())?;
         let closed: Vec<ClosedPoint<'_>> = all
@@ -248,7 +249,8 @@ impl<'a> ClosedPoint<'a> {
         let (normal, slip, across) = (&frame.normal, &frame.slip, &frame.across);
         let PointForces { normal: n, friction: t } = self.forces;
         let [carried, carried_across] = &frame.convected;
-        let turns = t.value / frame.speed;
+        // at rest nothing drags
+        let turns = if t.value == 0.0 { 0.0 } else { t.value / frame.speed };
         let one = |factor: f64, column: &Row, row: &Row| outer(factor, column, row).collect();
         match term {
             ContactTerm::NormalStiffness => one(n.by_closure, normal, normal),

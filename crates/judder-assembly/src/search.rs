@@ -56,6 +56,8 @@ pub enum Sliding {
         /// A place of the axis, in m.
         centre: [f64; 3],
     },
+    /// Not at all; it would along this direction, of any length.
+    Rest([f64; 3]),
 }
 
 impl Sliding {
@@ -65,7 +67,12 @@ impl Sliding {
         match self {
             Self::Translation(velocity) => *velocity,
             Self::Rotation { angular_velocity, centre } => cross(*angular_velocity, minus(place, *centre)),
+            Self::Rest(_) => [0.0; 3],
         }
+    }
+
+    fn rest_direction(self) -> Option<[f64; 3]> {
+        if let Self::Rest(direction) = self { Some(direction) } else { None }
     }
 }
 
@@ -134,6 +141,7 @@ pub fn contact_points(
             place,
             normal: partner.normal,
             velocity: sliding.at(place),
+            rest_direction: sliding.rest_direction(),
             area: slider.width * areas.get(node).copied().unwrap_or(0.0),
             gap: partner.gap + dot(partner.normal, minus((slider.displaced)(*node), partner.displaced)),
             relative,

@@ -65,6 +65,21 @@ impl SteadySliding {
             friction_limit: FrictionLimit::None,
         }
     }
+
+    /// The bodies of an assembly as they are meshed, at rest, with contact points that carry nothing: what no load moves.
+    #[must_use]
+    pub fn as_meshed(assembly: &Assembly) -> Self {
+        let points = assembly.interfaces.iter().enumerate().flat_map(|(interface, own)| {
+            own.points.iter().map(move |point| PointState {
+                interface,
+                gap: point.gap,
+                normal_force: 0.0,
+                friction_force: 0.0,
+                is_closed: false,
+            })
+        });
+        Self { points: points.collect(), ..Self::untouched(assembly.size()) }
+    }
 }
 
 /// Forces and gaps of steady sliding, on the compliance of the assembly's points.
@@ -73,9 +88,10 @@ impl SteadySliding {
 ///
 /// # Errors
 /// [`AssemblyError::NoSteadySliding`] where that ends before friction is as large as it is; of contact without friction already
-/// [`AssemblyError::NothingCloses`], [`AssemblyError::Undetermined`], [`AssemblyError::NoConvergence`]; [`AssemblyError::Length`] for
-/// a compliance of another assembly.
+/// [`AssemblyError::NothingCloses`], [`AssemblyError::Undetermined`], [`AssemblyError::NoConvergence`]; [`AssemblyError::AtRest`] of friction
+/// on a track at rest; [`AssemblyError::Length`] for a compliance of another assembly.
 pub fn steady_sliding(assembly: &Assembly, compliance: &Compliance) -> Result<SteadySliding, AssemblyError> {
+    assembly.check_sliding()?;
     let points = assembly.framed()?;
     check_length("the points of a compliance", compliance.of_load.len(), points.len())?;
     let solver = Solver { assembly, compliance, points: &points, friction: 1.0 };

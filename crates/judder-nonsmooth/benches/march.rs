@@ -129,6 +129,7 @@ fn slider(size: Size) -> Result<Assembly, Box<dyn Error>> {
             place: [place[0], 0.0, place[1]],
             normal: [0.0, 1.0, 0.0],
             velocity: [SPEED, 0.0, 0.0],
+            rest_direction: None,
             area: 1.0,
             gap: GAP,
             relative: [row(1), row(0), if dimension == 3 { row(2) } else { Row::default() }],

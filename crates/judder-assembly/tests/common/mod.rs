@@ -32,6 +32,7 @@ pub(crate) fn point_on_plane(freedoms: [Option<usize>; 3], velocity: [f64; 3]) -
         place: [0.0; 3],
         normal: [0.0, 1.0, 0.0],
         velocity,
+        rest_direction: None,
         area: 1.0,
         gap: 0.0,
         relative: freedoms.map(row),

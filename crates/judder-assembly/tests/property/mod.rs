@@ -49,6 +49,7 @@ fn assembly(numbers: &[f64], friction: f64, share: f64) -> Assembly {
             place: [node as f64, 0.0, 0.0],
             normal: [0.0, 1.0, 0.0],
             velocity: [1.0, 0.0, 0.0],
+            rest_direction: None,
             area: 1.0,
             gap: 0.0,
             relative: [along(0), along(1), row(Vec::new())],

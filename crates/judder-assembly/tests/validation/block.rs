@@ -24,11 +24,11 @@ const WIDTH: f64 = 0.01;
 
 /// A block of 40 × 20 mm whose top is held along x and pressed by 1 kN; nothing but the plane holds it along y.
 fn block(law: InterfaceLaw, speed: f64) -> Assembly {
-    shaped(law, speed, |place| place)
+    shaped(law, Sliding::Translation([speed, 0.0, 0.0]), |place| place)
 }
 
-/// The same in another shape.
-fn shaped(law: InterfaceLaw, speed: f64, place: impl Fn([f64; 3]) -> [f64; 3]) -> Assembly {
+/// The same in another shape, on a plane that moves so.
+fn shaped(law: InterfaceLaw, sliding: Sliding, place: impl Fn([f64; 3]) -> [f64; 3]) -> Assembly {
     let grid = Grid { kind: ElementKind::Quad4, size: [0.04, 0.02, 0.0], cells: [12, 6, 0] };
     let mesh = grid.mesh("rubber", place).unwrap();
     let top = mesh.node_sets["y-max"].clone();
@@ -52,14 +52,9 @@ fn shaped(law: InterfaceLaw, speed: f64, place: impl Fn([f64; 3]) -> [f64; 3]) -
         displaced: &|_| [0.0; 3],
         kept: KeptOfFaces::default(),
     };
-    let found = contact_points(
-        &slider,
-        &mesh.node_sets["y-min"],
-        &Track::Plane([0.0, 1.0, 0.0]),
-        Sliding::Translation([speed, 0.0, 0.0]),
-        1e-3,
-    )
-    .unwrap();
+    let found =
+        contact_points(&slider, &mesh.node_sets["y-min"], &Track::Plane([0.0, 1.0, 0.0]), sliding, 1e-3)
+            .unwrap();
     assert_eq!((found.points.len(), found.without_partner.len()), (13, 0));
     let area: f64 = found.points.iter().map(|point| point.area).sum();
     assert!((area - 0.04 * WIDTH).abs() < 1e-15);
@@ -138,14 +133,14 @@ fn mirrored_geometry_mirrors_the_forces() {
         let steady = solved(assembly).unwrap();
         steady.points.iter().map(|point| [point.normal_force, point.friction_force]).collect::<Vec<_>>()
     };
-    let own = forces(&shaped(law(), 1.0, leaning));
-    let mut image = forces(&shaped(law(), -1.0, mirrored));
+    let own = forces(&shaped(law(), Sliding::Translation([1.0, 0.0, 0.0]), leaning));
+    let mut image = forces(&shaped(law(), Sliding::Translation([-1.0, 0.0, 0.0]), mirrored));
     image.reverse();
     for (a, b) in own.iter().zip(&image) {
         assert!((a[0] - b[0]).abs() < 1e-8 && (a[1] - b[1]).abs() < 1e-8, "{a:?} {b:?}");
     }
     // sliding the same way it has other forces
-    let mut other = forces(&shaped(law(), 1.0, mirrored));
+    let mut other = forces(&shaped(law(), Sliding::Translation([1.0, 0.0, 0.0]), mirrored));
     other.reverse();
     assert!(own.iter().zip(&other).any(|(a, b)| (a[0] - b[0]).abs() > 1.0));
 }
@@ -211,4 +206,39 @@ fn what_nothing_holds_and_what_pulls_off_are_told() {
     assert!(interface == "sole" && normal == [0.0, 1.0, 0.0] && opened > 0.0 && !is_held);
     let standing = block(InterfaceLaw::Rigid(Friction::Constant(0.2)), 0.0);
     assert!(matches!(solved(&standing), Err(AssemblyError::NoSlip { .. })));
+}
+
+/// Of the states that friction may hold on a track at rest it picks none by itself.
+#[test]
+fn a_track_at_rest_holds_nothing_until_it_is_asked_without_friction() {
+    let resting = |friction: f64| {
+        let law = InterfaceLaw::Rigid(Friction::Constant(friction));
+        shaped(law, Sliding::Rest([3.0, 1.0, 0.0]), |place| place)
+    };
+    let rough = resting(0.3);
+    let refused = |error| matches!(error, Err(AssemblyError::AtRest { interface }) if interface == "sole");
+    assert!(refused(solved(&rough).map(drop)));
+    let smooth = rough.without_friction_at_rest().unwrap();
+    let steady = solved(&smooth).unwrap();
+    assert!(refused(Linearised::new(&rough, &steady, LinearisedTerms::default()).map(drop)));
+    assert!(steady.points.iter().all(|point| point.friction_force == 0.0));
+    assert!((steady.points.iter().map(|point| point.normal_force).sum::<f64>() - 1e3).abs() < 1e-6);
+    // without friction it does not matter whether the track moves
+    let sliding = solved(&block(InterfaceLaw::Rigid(Friction::Constant(0.0)), 1.0)).unwrap();
+    let resting = resting(0.0);
+    assert!(resting.without_friction_at_rest().is_none());
+    assert_eq!(solved(&resting).unwrap().points, sliding.points);
+    let values = [(&resting, &steady), (&smooth, &steady)].map(|(assembly, steady)| {
+        let about = Linearised::new(assembly, steady, LinearisedTerms::default()).unwrap();
+        let region = Region { re: [-1e3, 1e3], im: [1.0, 3e5] };
+        let found = complex_modes(&about.problem, &region, &ComplexModeSettings::default()).unwrap();
+        found.modes.iter().map(|mode| mode.eigenvalue.value).collect::<Vec<_>>()
+    });
+    assert!(!values[0].is_empty() && values[0] == values[1]);
+    // slip is reckoned along the contact
+    let frame = resting.interfaces[0].points[0].frame("sole").unwrap();
+    assert!(frame.speed == 0.0 && frame.slip.entries().len() == 1);
+    let upright =
+        shaped(InterfaceLaw::Rigid(Friction::Constant(0.2)), Sliding::Rest([0.0, 1.0, 0.0]), |place| place);
+    assert!(matches!(solved(&upright), Err(AssemblyError::NoSlip { .. })));
 }

@@ -81,6 +81,7 @@ fn point(lifts: Row, along: Row, speed: f64, gap: f64) -> ContactPoint {
         place: [0.0; 3],
         normal: [0.0, 1.0, 0.0],
         velocity: [speed, 0.0, 0.0],
+        rest_direction: None,
         area: 1.0,
         gap,
         relative: [along, lifts, Row::default()],

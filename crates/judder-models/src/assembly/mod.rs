@@ -24,10 +24,12 @@ pub mod stability_map;
 pub mod steady_sliding;
 mod swept;
 
+use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::case::{AssemblyCase, AssemblySections};
 use crate::error::ModelError;
 use crate::material::with_used;
 use build::BuiltAssembly;
+use judder_assembly::assembly::Assembly;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::steady::{
@@ -38,7 +40,7 @@ use judder_keys::file_reference::FileReference;
 use judder_nonsmooth::course::Course;
 use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::text::CaseText;
-use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Task, wanted};
+use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Refusal, Task, wanted};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{KindTables, ModelKind, Template};
 use judder_study::resolve::Resolved;
@@ -89,9 +91,42 @@ impl AssemblySubject<'_> {
         slide(&self.built.assembly, compliance).map_err(|error| self.built.told(error))
     }
 
-    /// Steady sliding from which a march can begin: a rigid point that is held closed and pulls has friction there that it has in no motion.
+    /// Steady sliding from which a march can begin: a rigid point that is held closed and pulls has friction there that it has in no motion. On tracks at rest the
+    /// bodies lie as they do without friction there, and as they are meshed where no load moves them.
     fn steady_to_march(&self) -> Result<SteadySliding, ModelError> {
-        self.admitted(self.steady_or_untouched()?)
+        let assembly = &self.built.assembly;
+        let Some(smooth) = assembly.without_friction_at_rest() else {
+            return self.admitted(self.steady_or_untouched()?);
+        };
+        match assembly.load.iter().all(|force| *force == 0.0) {
+            true => Ok(SteadySliding::as_meshed(assembly)),
+            false => self.admitted(self.slid(&smooth)?),
+        }
+    }
+
+    /// Steady sliding of these bodies under other loads or friction.
+    fn slid(&self, assembly: &Assembly) -> Result<SteadySliding, ModelError> {
+        let told = |error| self.built.told(error);
+        slide(assembly, &Compliance::new(assembly).map_err(told)?).map_err(told)
+    }
+
+    /// Refuses an analysis of steady sliding where a track rests with friction.
+    fn slides(&self) -> Result<(), Refusal> {
+        let interfaces = &self.built.assembly.interfaces;
+        match interfaces.iter().find(|own| own.rests_with_friction()) {
+            Some(own) => {
+                Err(Refusal::key("", AssemblyProblem::AtRest { contact: own.name.clone() }))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses an analysis of contact where nothing touches.
+    fn touches(&self) -> Result<(), Refusal> {
+        match self.case.contacts.is_empty() {
+            true => Err(Refusal::key("", AssemblyProblem::NothingTouches)),
+            false => Ok(()),
+        }
     }
 
     /// The same with what a course starts with.
@@ -101,8 +136,8 @@ impl AssemblySubject<'_> {
         if first.interfaces.is_empty() || first.load.iter().all(|force| *force == 0.0) {
             return Ok(SteadySliding::untouched(first.size()));
         }
-        let compliance = Compliance::new(&first).map_err(|error| self.built.told(error))?;
-        self.admitted(slide(&first, &compliance).map_err(|error| self.built.told(error))?)
+        let smooth = first.without_friction_at_rest();
+        self.admitted(self.slid(smooth.as_ref().unwrap_or(&first))?)
     }
 
     /// Refuses steady sliding from which no march can begin.

@@ -55,6 +55,30 @@ fn a_mass_with_dry_friction_on_a_shaking_base_swings_as_den_hartog_says() {
     }
 }
 
+/// On a floor at rest nothing is drawn on at the start, and the mass comes to the same swing; a force that friction can hold moves it not at all.
+#[test]
+fn a_floor_at_rest_holds_what_it_can() {
+    let rest = "contact.floor.sliding.velocity=\"0 m/s\"";
+    let force = |size: f64| {
+        format!(
+            "analysis.sine.forces=[{{ structure = \"block\", set = \"mass\", direction = \"x\", force = {{ amplitude = \"{size} N\", frequency = \"15 rad/s\" }} }}]"
+        )
+    };
+    let largest = |options: &[&str]| {
+        let (_, dataset) = marched(&case("assembly/shaken-base.toml", options), "sine");
+        array(&dataset, "mass.x.velocity").iter().fold(0.0_f64, |most, own| most.max(own.abs()))
+    };
+    let still = "analysis.sine.base=[{ direction = \"x\", acceleration = { amplitude = \"0 m/s^2\", frequency = \"15 rad/s\" } }]";
+    let short = ["analysis.sine.duration=\"4 s\"", "analysis.sine.transient=\"0 s\"", rest, still];
+    let [held, moved] = [1.9, 2.5].map(|size| largest(&[&short[..], &[&force(size)]].concat()));
+    assert!(held < 1e-9 && moved > 1e-3, "{held} {moved}");
+    let [at_rest, stopped] = [&[rest][..], &[]].map(|options| {
+        let (told, _) = marched(&case("assembly/shaken-base.toml", options), "sine");
+        number(&told["contacts"]["floor"]["tangential_velocity_rms"][0])
+    });
+    assert!((at_rest / stopped - 1.0).abs() < 1e-3, "{at_rest} {stopped}");
+}
+
 /// A mass on a spring and a damper whose base shakes: seen from what does not, its acceleration is that of the base times
 /// √((1 + (2 ζ r)²)/((1 − r²)² + (2 ζ r)²)) with r = Ω/ω, beside the base r²/√((1 − r²)² + (2 ζ r)²).
 #[test]

@@ -304,3 +304,15 @@ fn steady_sliding_on_the_belt_is_an_assembly() {
         assert!((im - (1.0 - damping * damping).sqrt()).abs() < 1e-10, "{im}");
     }
 }
+
+/// A spring of 100 N/m takes 1 N of 3 N until a plane 10 mm below, at rest and smooth, takes the others.
+#[test]
+fn a_plane_lies_its_gap_off_the_slider() {
+    let text = "model = \"assembly\"\n\n[[structure]]\nname = \"block\"\n\n[structure.matrices]\nmass = [[1]]\nstiffness = [[100]]\nfreedoms = [[\"mass\", \"y\"]]\n\n\
+         [[contact]]\nname = \"floor\"\nslider = { structure = \"block\", set = \"mass\" }\ntrack = { plane = { normal = [0, 1], gap = \"10 mm\" } }\n\
+         sliding = { velocity = \"0 m/s\", direction = [1, 0] }\nfriction_coefficient = 0\n\n[[load]]\nstructure = \"block\"\nset = \"mass\"\ndirection = \"y\"\nforce = \"-3 N\"\n\n\
+         [[analysis]]\nname = \"steady\"\nkind = \"steady-sliding\"\n";
+    let steady = results(&parse("case.toml", text, &[]).unwrap());
+    let floor = &steady["steady"]["contacts"]["floor"];
+    assert!((number(&floor["normal_force"]) - 2.0).abs() < 1e-12, "{floor}");
+}

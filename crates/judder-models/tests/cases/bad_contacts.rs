@@ -9,7 +9,14 @@ use miette::Diagnostic;
 #[test]
 fn bodies_that_cannot_touch() {
     let cases = [
-        (spoilt(BLOCK, "\"1 m/s\"", "\"0 m/s\""), "interface `sole` does not slide at (0, 0, 0)"),
+        (
+            spoilt(BLOCK, "\"1 m/s\"", "\"0 m/s\""),
+            "the track of `sole` is at rest: friction there may be anything that it can hold, so that nothing slides steadily",
+        ),
+        (
+            spoilt(&spoilt(BLOCK, "\"1 m/s\"", "\"0 m/s\""), "direction = [1, 0]", "direction = [0, 1]"),
+            "interface `sole` does not slide at (0, 0, 0)",
+        ),
         (
             spoilt(BLOCK, "direction = [1, 0]", "direction = [0, 1]"),
             "interface `sole` does not slide at (0, 0, 0)",
@@ -98,10 +105,10 @@ fn sets_apart_say_how_far_and_where_they_lie() {
 
 #[test]
 fn a_contact_that_does_not_slide_says_what_would() {
-    let (message, _) = unassembled(&spoilt(BLOCK, "\"1 m/s\"", "\"0 m/s\""));
+    let (message, _) = unassembled(&spoilt(BLOCK, "direction = [1, 0]", "direction = [0, 1]"));
     assert!(
         message.ends_with(
-            "give `sliding` a velocity other than zero along the contact, or an axis that the contact is not on"
+            "give `sliding` a velocity or, at rest, a direction along the contact, or a speed about an axis that the contact is not on"
         ),
         "{message}"
     );

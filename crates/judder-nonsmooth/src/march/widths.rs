@@ -32,6 +32,7 @@ fn slider(dimension: usize) -> Assembly {
             place: [0.0; 3],
             normal: [0.0, 1.0, 0.0],
             velocity: [0.02, 0.0, 0.0],
+            rest_direction: None,
             area: 1.0,
             gap: 0.0,
             relative: [row(0), row(1), if dimension == 3 { row(2) } else { Row::default() }],

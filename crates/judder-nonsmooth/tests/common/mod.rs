@@ -42,6 +42,7 @@ pub(crate) fn point_on_plane(freedoms: &[usize], speed: f64, gap: f64) -> Contac
         place: [0.0; 3],
         normal: [0.0, 1.0, 0.0],
         velocity: [speed, 0.0, 0.0],
+        rest_direction: None,
         area: 1.0,
         gap,
         relative: [0, 1, 2].map(row),

@@ -6,7 +6,8 @@ use super::turning::sliding_warning;
 use super::{BuiltBody, Unassembled};
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::contact::{
-    ContactForceSettings, ContactInterface, NormalLaw, SurfaceOf, TrackMotion, TrackOf, TrackSettings,
+    ContactForceSettings, ContactInterface, NormalLaw, PlaneSettings, SurfaceOf, TrackMotion, TrackOf,
+    TrackSettings,
 };
 use crate::assembly::case::joint::SpringEnd;
 use crate::assembly::case::problem::{AssemblyProblem, PlacedSet};
@@ -292,9 +293,12 @@ fn found(
         (TrackSettings::Plane(plane), _) => (Track::Plane(in_space(&plane.normal)), 0.0),
         (TrackSettings::Surface(_), None) => (Track::Plane([0.0; 3]), 0.0),
     };
-    let motion = sliding(&contact.sliding);
-    let found = contact_points(&slider.touching(), &sides.slider.points, &track, motion, reach)
+    let motion = sliding(contact);
+    let mut found = contact_points(&slider.touching(), &sides.slider.points, &track, motion, reach)
         .map_err(|error| Unassembled::because(path("slider"), &error))?;
+    if let TrackSettings::Plane(PlaneSettings { gap: Some(gap), .. }) = &contact.track {
+        found.points.iter_mut().for_each(|point| point.gap += gap);
+    }
     match (&contact.track, found.points.is_empty()) {
         (TrackSettings::Surface(track), true) => {
             let of = |side: &Side| places(&bodies[side.structure], &side.points);
@@ -326,8 +330,13 @@ pub(super) fn directed(size: f64, direction: &[f64]) -> [f64; 3] {
     in_space(direction).map(|part| size * part / length)
 }
 
-fn sliding(own: &TrackMotion) -> Sliding {
-    match own {
+/// How the track of a contact moves. One that rests needs neither a law of its own speed nor a way to go.
+fn sliding(contact: &ContactInterface) -> Sliding {
+    let may_rest = contact.travel.is_none() && matches!(contact.forces, ContactForceSettings::Coulomb { .. });
+    match &contact.sliding {
+        TrackMotion::Translation(own) if own.velocity == 0.0 && may_rest => {
+            Sliding::Rest(directed(1.0, &own.direction))
+        }
         TrackMotion::Translation(own) => Sliding::Translation(directed(own.velocity, &own.direction)),
         TrackMotion::Rotation(own) => Sliding::Rotation {
             angular_velocity: directed(own.speed, &own.axis),

@@ -86,7 +86,7 @@ pub struct SurfaceOf {
 /// What a slider slides on.
 #[derive(Debug, Clone, PartialEq, Settings)]
 pub enum TrackSettings {
-    /// A rigid plane through the foremost node of the slider.
+    /// A rigid plane through the foremost node of the slider, or off it.
     Plane(PlaneSettings),
     /// A surface of another structure.
     #[key(flatten)]
@@ -110,6 +110,9 @@ pub struct PlaneSettings {
     /// The normal out of the plane, towards the slider, of any length.
     #[key(rule = VECTOR, symbol = "n", example = "[0, 1]")]
     pub normal: Vec<f64>,
+    /// How far it lies off that node, as a stop does; below zero it presses on what is meshed.
+    #[key(rule = Number::any(Dimension::LENGTH), symbol = "g_0", usual = 0.0, omitted)]
+    pub gap: Option<f64>,
 }
 
 /// How the track moves beside the slider.
@@ -126,10 +129,10 @@ pub enum TrackMotion {
 /// A track that moves with one velocity.
 #[derive(Debug, Clone, PartialEq, Settings)]
 pub struct Translation {
-    /// The speed of the track beside the slider.
+    /// The speed of the track beside the slider; nothing of a track at rest, on which bodies are driven.
     #[key(rule = Number::any(Dimension::SPEED), symbol = "V")]
     pub velocity: f64,
-    /// The direction in which it moves, of any length.
+    /// The direction in which it moves, of any length; of a track at rest along which slip is reckoned.
     #[key(rule = VECTOR, example = "[1, 0]")]
     pub direction: Vec<f64>,
 }

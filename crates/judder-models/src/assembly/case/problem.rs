@@ -140,6 +140,14 @@ pub enum AssemblyProblem {
     /// Steady sliding of bodies that touch nowhere.
     #[error("nothing touches: the case has no `[[contact]]`, so nothing slides")]
     NothingTouches,
+    /// Steady sliding on a track that does not move.
+    #[error(
+        "the track of `{contact}` is at rest: friction there may be anything that it can hold, so that nothing slides steadily"
+    )]
+    AtRest {
+        /// The contact.
+        contact: String,
+    },
     /// A sphere without a substrate.
     #[error("`{key}` is a sphere on the substrate of the case, but the case has no `[substrate]`")]
     NoSubstrate {
@@ -225,6 +233,7 @@ impl Problem for AssemblyProblem {
             Self::TiedToItself { .. } => "the same structure",
             Self::DisplacedTie { .. } | Self::RedundantTie { .. } => "this tie",
             Self::NothingTouches => "of this case",
+            Self::AtRest { .. } => "of steady sliding",
             Self::NoSubstrate { .. } => "a sphere without a substrate",
             Self::NoSphere => "a substrate without a sphere",
             Self::SeveralPoints { .. } => "more than one node",
@@ -270,6 +279,9 @@ impl Problem for AssemblyProblem {
             Self::RedundantTie { .. } => "leave nodes that are held twice out of one of the sets",
             Self::NothingTouches => {
                 "give a table [[contact]], or ask for `eigen`, the complex modes of the bodies as they are"
+            }
+            Self::AtRest { .. } => {
+                "give its `sliding` a velocity; or ask for `march` or `frequency-response`, motions that need no sliding"
             }
             Self::NoSubstrate { .. } => {
                 "give the case its substrate: [substrate] with rubbery_modulus, glassy_modulus, retardation_time, as in an oscillator case"

@@ -16,7 +16,7 @@ use judder_keys::dimension::Dimension;
 use judder_store::{Declared, Results};
 use judder_structure::quadratic::Region;
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::short;
 use run::AssemblyModes;
@@ -71,6 +71,10 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 };
 
 impl Analysis<AssemblyCase> for AssemblyEigen {
+    fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+        Ok(of.slides())
+    }
+
     fn run(&self, of: &AssemblySubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of, self)
     }

@@ -71,8 +71,7 @@ impl AssemblyGrowth {
 
 impl Analysis<AssemblyCase> for AssemblyGrowth {
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
-        let touches = !of.case.contacts.is_empty();
-        Ok(if touches { Ok(()) } else { Err(Refusal::key("", AssemblyProblem::NothingTouches)) })
+        Ok(of.touches().and_then(|()| of.slides()))
     }
 
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

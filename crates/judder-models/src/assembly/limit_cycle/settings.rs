@@ -108,8 +108,8 @@ impl CycleSolver {
         &self,
         of: &AssemblySubject<'_>,
     ) -> Result<Result<(), Refusal>, ModelError> {
-        if of.case.contacts.is_empty() {
-            return Ok(Err(Refusal::key("", AssemblyProblem::NothingTouches)));
+        if let Err(refusal) = of.touches().and_then(|()| of.slides()) {
+            return Ok(Err(refusal));
         }
         let refused = |key, reason| Ok(Err(Refusal::key(key, AssemblyProblem::Refused { reason })));
         if let Some(travelling) = of.built.travelling.first() {

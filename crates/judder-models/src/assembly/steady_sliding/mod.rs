@@ -9,7 +9,6 @@ mod uniqueness;
 
 use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
-use crate::assembly::case::problem::AssemblyProblem;
 use crate::error::ModelError;
 use judder_keys::Settings;
 use judder_keys::declared::Settings;
@@ -40,8 +39,7 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 
 impl Analysis<AssemblyCase> for SteadySlidingAnalysis {
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
-        let touches = !of.case.contacts.is_empty();
-        Ok(if touches { Ok(()) } else { Err(Refusal::key("", AssemblyProblem::NothingTouches)) })
+        Ok(of.touches().and_then(|()| of.slides()))
     }
 
     fn run(&self, of: &AssemblySubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {

@@ -655,3 +655,17 @@ class Assembly(Model):
         progress: Progress | None = None,
     ) -> Result:
         """Limit cycles of a mode along any key, stable or not, through folds to where they shrink to steady sliding."""
+    def frequency_response(
+        self,
+        *,
+        frequency: Sequence[str],
+        forces: Sequence[Mapping[str, Any]] | None = None,
+        base: Sequence[Mapping[str, Any]] | None = None,
+        harmonics: int | None = None,
+        samples: int | None = None,
+        points: int | None = None,
+        longest_step: str | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Result:
+        """Periodic motions through stick, slip and lift-off under forces that swing, over their frequency and through its folds."""

@@ -115,7 +115,9 @@ impl<'a> HarmonicBalance<'a> {
         }
         let bodies = HarmonicBodies::new(assembly, &contact)?;
         let force = steady.points.iter().fold(0.0_f64, |most, own| most.max(own.normal_force.abs()));
-        let force = if force > 0.0 { force } else { largest(&assembly.load) };
+        let driving = forcing.iter().flat_map(|own| own.amplitude.iter().map(|own| own.norm()));
+        let force = [force, largest(&assembly.load), driving.fold(0.0, f64::max), 1.0];
+        let force = force.into_iter().find(|own| *own > 0.0).unwrap_or(1.0);
         let scales = scales(&bodies, contact.dimension, frequency)?;
         let stiffness: Vec<f64> = scales.iter().map(|own| own.stiffness).collect();
         let statics = Arc::new(bodies.statics(&assembly.load, &stiffness)?);
@@ -188,6 +190,11 @@ impl<'a> HarmonicBalance<'a> {
     #[must_use]
     pub fn bodies(&self) -> &HarmonicBodies {
         &self.bodies
+    }
+
+    /// What drives on the coordinates, of a harmonic from one on.
+    pub(crate) fn forcing(&self, harmonic: usize) -> Option<&[c64]> {
+        self.forcing.get(harmonic.checked_sub(1)?)?.as_deref()
     }
 
     /// The force in N by which unknowns are measured.
@@ -418,6 +425,5 @@ fn scales(
 }
 
 fn largest(values: &[f64]) -> f64 {
-    let most = values.iter().fold(0.0_f64, |most, own| most.max(own.abs()));
-    if most > 0.0 { most } else { 1.0 }
+    values.iter().fold(0.0, |most, own| most.max(own.abs()))
 }

@@ -141,16 +141,7 @@ impl AssemblyCycle<'_> {
     /// # Errors
     /// [`CyclesError::Singular`].
     pub fn over_a_period(&self, instants: usize) -> Result<PointsOverPeriod, CyclesError> {
-        let series = Series::new(self.balance.series().harmonics(), instants);
-        let signals = self.balance.signals_at(&self.motion.unknown, self.motion.turning)?;
-        let projected = self.balance.projected(&series, &signals);
-        let (dimension, points) = (self.balance.contact().dimension, self.balance.contact().points.len());
-        let forces = Mat::from_fn(series.samples(), self.balance.components(), |instant, component| {
-            projected[instant * points + component / dimension].force[component % dimension]
-        });
-        let states = projected.chunks_exact(points).map(|own| own.iter().map(|own| own.state).collect());
-        let states = states.collect();
-        Ok(PointsOverPeriod { forces, motions: series.values(signals.motions.as_ref()), states })
+        PointsOverPeriod::of(&self.balance, &self.motion, instants)
     }
 }
 
@@ -163,6 +154,29 @@ pub struct PointsOverPeriod {
     pub motions: Mat<f64>,
     /// What each point does.
     pub states: Vec<Vec<PointMotion>>,
+}
+
+impl PointsOverPeriod {
+    /// Those of a periodic motion at so many even instants.
+    ///
+    /// # Errors
+    /// [`CyclesError::Singular`].
+    pub fn of(
+        balance: &HarmonicBalance<'_>,
+        motion: &PeriodicMotion,
+        instants: usize,
+    ) -> Result<Self, CyclesError> {
+        let series = Series::new(balance.series().harmonics(), instants);
+        let signals = balance.signals_at(&motion.unknown, motion.turning)?;
+        let projected = balance.projected(&series, &signals);
+        let (dimension, points) = (balance.contact().dimension, balance.contact().points.len());
+        let forces = Mat::from_fn(series.samples(), balance.components(), |instant, component| {
+            projected[instant * points + component / dimension].force[component % dimension]
+        });
+        let states = projected.chunks_exact(points).map(|own| own.iter().map(|own| own.state).collect());
+        let states = states.collect();
+        Ok(Self { forces, motions: series.values(signals.motions.as_ref()), states })
+    }
 }
 
 /// A point over a cycle.

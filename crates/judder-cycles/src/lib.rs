@@ -15,7 +15,7 @@
 //! - [`stability`]: Floquet multipliers by steps of small motions about a periodic one.
 //! - [`shooting`]: cycles by a march that comes back.
 //! - [`cycle`]: what is told of a limit cycle.
-//! - [`power`]: where its energy comes from and goes to.
+//! - [`power`]: where the energy of a periodic motion comes from and goes to.
 
 pub mod backbone;
 pub mod balance;

@@ -121,6 +121,9 @@ pub enum ModelError {
     /// An assembly has no cycle that could be computed.
     #[error("no limit cycle: {0}")]
     AssemblyCycle(judder_cycles::CyclesError),
+    /// An assembly has no response to what swings.
+    #[error("no response: {0}")]
+    Response(Box<judder_cycles::CyclesError>),
     /// No other engine stays on the cycle.
     #[error(
         "the cycle of period {period:.4} is unstable, with a Floquet multiplier of magnitude {multiplier:.3}: the other engines would leave it"
@@ -219,6 +222,16 @@ impl From<judder_cycles::CyclesError> for ModelError {
     }
 }
 
+/// Whether no periodic motion of a case is computed because of what it says.
+fn is_of_the_case(error: &judder_cycles::CyclesError) -> bool {
+    matches!(
+        error,
+        judder_cycles::CyclesError::NotHeld
+            | judder_cycles::CyclesError::TooManyFreedoms { .. }
+            | judder_cycles::CyclesError::NothingTouches
+    )
+}
+
 impl From<CycleError> for ModelError {
     fn from(error: CycleError) -> Self {
         match error {
@@ -264,12 +277,8 @@ impl ModelFault for ModelError {
                     | AssemblyError::Structure(_)
             ),
             Self::Nonsmooth(error) => !matches!(error, NonsmoothError::NotFinite { .. }),
-            Self::AssemblyCycle(error) => matches!(
-                error,
-                judder_cycles::CyclesError::NotHeld
-                    | judder_cycles::CyclesError::TooManyFreedoms { .. }
-                    | judder_cycles::CyclesError::NothingTouches
-            ),
+            Self::AssemblyCycle(error) => is_of_the_case(error),
+            Self::Response(error) => is_of_the_case(error),
             // a window that was chosen, not given
             Self::Transient(error) => !matches!(error, TransientError::WindowTooSmall { .. }),
             Self::Structure(error) => !matches!(

@@ -11,7 +11,7 @@ use judder_assembly::row::Row;
 use judder_assembly::steady::{PointState, SteadySliding};
 use judder_cycles::CyclesError;
 use judder_cycles::balance::{HarmonicBalance, HarmonicForce};
-use judder_cycles::forced::{ForcedResponse, ResponseSettings};
+use judder_cycles::forced::{ForcedResponse, Pace, ResponseSettings};
 use judder_cycles::path::PathRule;
 use judder_cycles::series::Series;
 use judder_structure::assembly::Sparse;
@@ -126,6 +126,7 @@ pub(crate) fn stop() -> Result<Problem, Box<dyn Error>> {
             rule: PathRule { steps: [0.05, 0.2, 1e-6], tolerance: 1e-8, ..PathRule::default() },
             between: [0.8, 0.5806],
             points: 5000,
+            pace: Pace::Fixed(1.0),
         },
     })
 }
@@ -139,7 +140,10 @@ pub(crate) fn damper() -> Result<Problem, Box<dyn Error>> {
         sparse(3, |i, j| if i + j == 0 { 7700.0 } else { 0.0 })?,
         sparse(3, |i, j| stiffness[i][j])?,
     ];
-    let contact = point(Row::of_freedom(2), Row::of_freedom(1), 1e-18, 0.0);
+    let contact = ContactPoint {
+        rest_direction: Some([1.0, 0.0, 0.0]),
+        ..point(Row::of_freedom(2), Row::of_freedom(1), 0.0, 0.0)
+    };
     let law = InterfaceLaw::Rigid(Friction::Constant(1.0));
     let state =
         PointState { interface: 0, gap: 0.0, normal_force: SLIPS, friction_force: 0.0, is_closed: true };
@@ -154,6 +158,7 @@ pub(crate) fn damper() -> Result<Problem, Box<dyn Error>> {
             rule: PathRule { steps: [0.01, 0.01, 1e-7], tolerance: 1e-8, ..PathRule::default() },
             between: [143.0, 271.0],
             points: 5000,
+            pace: Pace::Fixed(SLIPS),
         },
     })
 }
@@ -220,6 +225,7 @@ pub(crate) fn beam() -> Result<Problem, Box<dyn Error>> {
             rule: PathRule { steps: [0.02, 0.1, 1e-7], tolerance: 1e-8, ..PathRule::default() },
             between: [0.85 * FIRST[0], 1.3 * FIRST[0]],
             points: 5000,
+            pace: Pace::Fixed(1.0),
         },
     })
 }

@@ -11,7 +11,7 @@ use judder_assembly::pressure::Pressure;
 use judder_assembly::row::Row;
 use judder_assembly::steady::{PointState, SteadySliding, steady_sliding};
 use judder_cycles::balance::{HarmonicBalance, HarmonicForce};
-use judder_cycles::forced::{ForcedResponse, ResponseEnd, ResponseSettings, forced_response};
+use judder_cycles::forced::{ForcedResponse, Pace, ResponseEnd, ResponseSettings, forced_response};
 use judder_cycles::path::PathRule;
 use judder_cycles::series::Series;
 
@@ -62,11 +62,12 @@ fn a_stop_bends_the_response_as_published() {
     let series = Series::new(21, 4096);
     let balance = HarmonicBalance::new(&case, &steady, 0.75, series, &[force]).unwrap();
     let settings = ResponseSettings {
-        rule: PathRule { steps: [0.01, 0.02, 1e-7], ..PathRule::default() },
+        rule: PathRule { steps: [0.01, 0.05, 1e-8], ..PathRule::default() },
         between: [0.8, 0.5],
         points: 3000,
+        pace: Pace::Largest(2e-3),
     };
-    let found = forced_response(&balance, &balance.steady(&steady), &settings).unwrap();
+    let found = forced_response(&balance, &balance.steady(&steady), &settings, &mut |_| true).unwrap();
     assert_eq!(found.end, ResponseEnd::Range);
     let rms = |own: &[f64]| (own[0] * own[0] + 0.5 * own[1..].iter().map(|a| a * a).sum::<f64>()).sqrt();
     let all = followed(&balance, &found, &Row::of_freedom(0));
@@ -74,6 +75,11 @@ fn a_stop_bends_the_response_as_published() {
         all.iter().map(|(frequency, own)| (*frequency, rms(own))).max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
     assert!((peak / 1.01297 - 1.0).abs() < 1e-4, "{peak}");
     assert!((frequency - 0.75375).abs() < 1e-4, "{frequency}");
+    // without the stop the first mass comes to it at 0.65344 rad/s, where the response turns, and turns again beyond the peak
+    let folds: Vec<f64> = found.folds.iter().map(|(_, own)| *own).collect();
+    let [lower, upper] = folds[..] else { panic!("{folds:?}") };
+    assert!((lower - 0.65344).abs() < 1e-3 && (upper - 0.75562).abs() < 1e-4, "{folds:?}");
+    assert!((found.motions.last().unwrap().turning.frequency - 0.5).abs() < 1e-12);
 }
 
 /// A mass on a spring, with a damper that slides: m 944.6, c 7700, k = k_d = 2.4e7, slip force 246.048, driven by half of it (ANSYS, Mechanical APDL Verification
@@ -86,10 +92,11 @@ fn a_friction_damper_has_the_published_peak() {
     let case = assembly(
         [diagonal(&[944.6, 0.0, 0.0]), diagonal(&[7700.0, 0.0, 0.0]), dense(&stiffness)],
         vec![0.0, 0.0, -SLIPS],
-        vec![point_on_plane(&[1, 2], 1e-18, 0.0)],
+        vec![ContactPoint { rest_direction: Some([1.0, 0.0, 0.0]), ..point_on_plane(&[1, 2], 0.0, 0.0) }],
         InterfaceLaw::Rigid(Friction::Constant(1.0)),
     );
-    let steady = steady_sliding(&case, &Compliance::new(&case).unwrap()).unwrap();
+    let smooth = case.without_friction_at_rest().unwrap();
+    let steady = steady_sliding(&smooth, &Compliance::new(&smooth).unwrap()).unwrap();
     let force =
         HarmonicForce { harmonic: 1, amplitude: vec![c64::new(0.5 * SLIPS, 0.0), c64::ZERO, c64::ZERO] };
     let peaks = [9, 31].map(|harmonics| {
@@ -100,8 +107,10 @@ fn a_friction_damper_has_the_published_peak() {
             rule: PathRule { steps: [0.01, 0.01, 1e-7], ..PathRule::default() },
             between: [100.0, 300.0],
             points: 2000,
+            pace: Pace::Fixed(SLIPS),
         };
-        let found = forced_response(&balance, &vec![0.0; balance.unknowns()], &settings).unwrap();
+        let found =
+            forced_response(&balance, &vec![0.0; balance.unknowns()], &settings, &mut |_| true).unwrap();
         assert_eq!(found.end, ResponseEnd::Range);
         let amplitudes = followed(&balance, &found, &Row::of_freedom(0));
         let amplitudes = amplitudes.iter().map(|(frequency, own)| (*frequency, own[1].hypot(own[2])));

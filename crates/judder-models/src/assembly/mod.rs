@@ -5,7 +5,7 @@
 //! - `interface_error`: what interface modes cost.
 //! - `swept`: steady sliding and small motions about it at any values of keys.
 //! - `meant_mode`: which mode about steady sliding an analysis means.
-//! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`, `spectrogram`, `limit_cycle`, `squeal`, `bifurcation`.
+//! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`, `spectrogram`, `limit_cycle`, `squeal`, `bifurcation`, `frequency_response`.
 
 pub mod bifurcation;
 pub(crate) mod build;
@@ -13,6 +13,7 @@ pub mod case;
 mod check;
 pub mod eigen;
 pub mod eigen_sweep;
+pub mod frequency_response;
 pub mod growth;
 mod interface_error;
 pub mod limit_cycle;
@@ -59,6 +60,7 @@ pub(crate) static KINDS: Kinds<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCa
     limit_cycle::KIND,
     squeal::KIND,
     bifurcation::KIND,
+    frequency_response::KIND,
 ]);
 
 /// What the forces of a converged solution may be off, over all forces.
@@ -114,9 +116,7 @@ impl AssemblySubject<'_> {
     fn slides(&self) -> Result<(), Refusal> {
         let interfaces = &self.built.assembly.interfaces;
         match interfaces.iter().find(|own| own.rests_with_friction()) {
-            Some(own) => {
-                Err(Refusal::key("", AssemblyProblem::AtRest { contact: own.name.clone() }))
-            }
+            Some(own) => Err(Refusal::key("", AssemblyProblem::AtRest { contact: own.name.clone() })),
             None => Ok(()),
         }
     }
@@ -225,6 +225,11 @@ pub(crate) const MODEL: ModelKind = ModelKind {
         KindTables { kind: eigen::KIND.name, report: eigen::tables::report, terminal: |_| None },
         KindTables { kind: march::KIND.name, report: march::tables::report, terminal: |_| None },
         KindTables { kind: squeal::KIND.name, report: squeal::tables::report, terminal: |_| None },
+        KindTables {
+            kind: frequency_response::KIND.name,
+            report: frequency_response::tables::report,
+            terminal: |_| None,
+        },
         KindTables { kind: limit_cycle::KIND.name, report: limit_cycle::tables::report, terminal: |_| None },
         KindTables {
             kind: eigen_sweep::KIND.name,

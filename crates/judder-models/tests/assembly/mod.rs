@@ -10,6 +10,7 @@ mod meshes;
 mod minimal;
 mod onsets;
 mod printed;
+mod responses;
 mod sphere;
 mod turning;
 

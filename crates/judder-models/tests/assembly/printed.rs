@@ -1,6 +1,7 @@
 //! The table of printed numbers in the book is what the cases give.
 
 use super::minimal::{damping_ratio, fastest, fastest_growth, results};
+use super::responses::{damper, stop};
 use super::turning::{critical_speed, ring};
 use crate::{case, number, run_into};
 use std::f64::consts::TAU;
@@ -55,6 +56,8 @@ fn of_minimal_models() -> String {
     let strut = results(&case("assembly/sprag-slip.toml", &[]));
     let digs = number(&strut["steady"]["contacts"]["surface"]["normal_force"]) / 10.0;
     let locks = number(&strut["steady"]["friction_limit"]) * 0.4;
+    let ([rms, beneath_the_fold], _) = stop();
+    let [amplitude, resonance] = damper();
     let row = |case, source, what, printed, found| {
         Printed { case, source, what, printed, found, is_of_meshes: false }.row()
     };
@@ -69,6 +72,10 @@ fn of_minimal_models() -> String {
         row("mode-coupling", hoffmann, "its frequency (Hz)", "0.2250790790", frequency),
         row("sprag-slip", "Spurr 1961, closed form", "normal force over load", "3.2554236981", digs),
         row("sprag-slip", "Spurr 1961, closed form", "friction at which it locks", "0.5773502692", locks),
+        row("stop", "NLvib, example 3", "root mean square (m)", "1.01297", rms),
+        row("stop", "NLvib, example 3", "its frequency (rad/s)", "0.75375", beneath_the_fold),
+        row("friction-damper", "ANSYS VM320", "amplitude (m)", "1.50e-5", amplitude),
+        row("friction-damper", "ANSYS VM320", "its frequency (rad/s)", "209", resonance),
     ]
     .concat()
 }

@@ -147,6 +147,50 @@ fn cycles_that_cannot_be() {
     assert!(message.contains("travel along their track: no motion repeats itself there"), "{message}");
 }
 
+/// A force on the block that swings.
+const SWINGS: &str =
+    "forces = [{ structure = \"block\", set = \"x-min\", direction = \"x\", amplitude = \"1 N\" }]";
+
+#[test]
+fn responses_that_cannot_be() {
+    let response = |lines: &str| with_analysis(&format!("kind = \"frequency-response\"\n{lines}"));
+    let swings = |lines: &str| response(&format!("{SWINGS}\n{lines}"));
+    refused(
+        &response("frequency = [\"1 kHz\", \"2 kHz\"]"),
+        "nothing swings: a response needs `forces` with an amplitude, or the acceleration of a `base`",
+        "[[analysis]]",
+        "",
+    );
+    refused(
+        &swings("frequency = [\"1 kHz\", \"1000 Hz\"]"),
+        "the first and the last frequency are the same: a response goes from one to another",
+        "[\"1 kHz\", \"1000 Hz\"]",
+        "",
+    );
+    let still = "base = [{ direction = \"y\", amplitude = \"0 m/s^2\" }]";
+    refused(
+        &response(&format!("frequency = [\"1 kHz\", \"2 kHz\"]\n{still}")),
+        "nothing swings: no amplitude is other than zero",
+        "[{ direction = \"y\", amplitude = \"0 m/s^2\" }]",
+        "",
+    );
+    let (message, _) = unassembled(&swings("frequency = [\"1 kHz\", \"2 kHz\"]"));
+    assert!(message.contains("nothing is observed"), "{message}");
+    let observed = "\n[observe]\npoints = [{ name = \"edge\", structure = \"block\", set = \"x-min\" }]\n";
+    let (message, place) =
+        unassembled(&(swings("frequency = [\"1 kHz\", \"2 kHz\"]\nharmonics = 500") + observed));
+    assert!(
+        message.contains("500 harmonics of 42 components of contact forces are 42042 unknowns"),
+        "{message}"
+    );
+    assert_eq!(place, "500");
+    let held = SWINGS.replace("x-min", "y-max");
+    let (message, place) =
+        unassembled(&(response(&format!("{held}\nfrequency = [\"1 kHz\", \"2 kHz\"]")) + observed));
+    assert!(message.contains("no node of") && message.contains("is free along x"), "{message}");
+    assert_eq!(place, "\"x\"");
+}
+
 #[test]
 fn observed_points_that_are_not_there() {
     let observed = |points: &str| {

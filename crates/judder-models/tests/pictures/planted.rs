@@ -15,8 +15,9 @@ use oscillator::{critical, equivalent_damping, spectrum, stability_map};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use structure::{
-    assembly_cycle, assembly_map, assembly_march, assembly_squeal, cycle_branch, eigen, eigen_sweep, growth,
-    locus, march, mode_growth, modes, receptance, reduction, spectrogram, steady_sliding, timed_spectrogram,
+    assembly_cycle, assembly_map, assembly_march, assembly_response, assembly_squeal, cycle_branch, eigen,
+    eigen_sweep, growth, locus, march, mode_growth, modes, receptance, reduction, spectrogram,
+    steady_sliding, timed_spectrogram,
 };
 
 pub(super) type Point = (f64, f64);
@@ -31,7 +32,7 @@ pub(super) struct Planted {
 
 type Plant = fn(u64) -> Vec<Planted>;
 
-pub(super) const PLANTED: [(&str, &str, Plant); 41] = [
+pub(super) const PLANTED: [(&str, &str, Plant); 42] = [
     ("oscillator", "equivalent-damping", equivalent_damping),
     ("oscillator", "spectrum", spectrum),
     ("oscillator", "critical-shear-strength", critical),
@@ -73,6 +74,7 @@ pub(super) const PLANTED: [(&str, &str, Plant); 41] = [
     ("assembly", "limit-cycle", assembly_cycle),
     ("assembly", "squeal", assembly_squeal),
     ("assembly", "bifurcation", cycle_branch),
+    ("assembly", "frequency-response", assembly_response),
 ];
 
 const NAN: f64 = f64::NAN;

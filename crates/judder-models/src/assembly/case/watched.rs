@@ -12,7 +12,7 @@ use judder_keys::section::{Section, list};
 /// Points whose motion is kept.
 #[derive(Debug, Clone, Settings)]
 pub(crate) struct WatchedPoints {
-    /// Points whose motion a march keeps, as accelerations and velocities along x, y and z, and leaves as sound.
+    /// Points whose motion a march keeps, as accelerations and velocities along x, y and z, and leaves as sound; of which a frequency-response has the displacements.
     #[key(example = "[{ name = \"edge\", structure = \"…\", set = \"x-min\" }]")]
     pub(crate) points: NamedList<WatchedPoint>,
 }

@@ -300,6 +300,24 @@ pub(super) fn cycle_branch(seed: u64) -> Vec<Planted> {
     vec![Planted { dataset, runs, shapes: &[] }]
 }
 
+/// Two observed coordinates along a branch that turns twice, one measure of which is none now and then.
+pub(super) fn assembly_response(seed: u64) -> Vec<Planted> {
+    let mut random = Random(seed);
+    let frequency: Vec<f64> = (0..20).map(|k: i32| f64::from(k - 3 * (k - 8).clamp(0, 4))).collect();
+    let (mut runs, mut variables) = (Vec::new(), vec![along("frequency", "motion", frequency.clone())]);
+    variables.push(along("fold_motion", "fold", vec![8_i64, 12]));
+    for (base, measure) in ["amplitude", "rms", "rms_about_mean", "largest"].into_iter().enumerate() {
+        for (k, name) in ["tip.x", "tip.y"].into_iter().enumerate() {
+            let values = random.gappy(20, (2 * base + k) as f64);
+            if measure != "rms_about_mean" {
+                runs.push(run(&frequency, &values));
+            }
+            variables.push(along(&format!("{name}.{measure}"), "motion", values).units("m"));
+        }
+    }
+    alone(dataset(variables, &[]), runs)
+}
+
 /// Two spectra one behind the other, with levels so low that nothing is hidden; frames about two zones.
 pub(super) fn spectrogram(seed: u64) -> Vec<Planted> {
     spectra(seed, Some(vec![1.0, 2.0]))

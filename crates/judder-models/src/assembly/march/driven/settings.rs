@@ -258,12 +258,16 @@ fn find(
 }
 
 /// The nodes of a list.
-fn items<'a>(section: &Section<'a>, key: &str) -> Result<&'a [Node], Fault> {
+pub(in crate::assembly) fn items<'a>(section: &Section<'a>, key: &str) -> Result<&'a [Node], Fault> {
     section.get(key).map_or(Ok(&[]), |node| list(&section.path(key), node))
 }
 
 /// One of them as a section.
-fn item<'a>(section: &Section<'_>, key: &str, node: &'a Node) -> Result<Section<'a>, Fault> {
+pub(in crate::assembly) fn item<'a>(
+    section: &Section<'_>,
+    key: &str,
+    node: &'a Node,
+) -> Result<Section<'a>, Fault> {
     let path = section.path(key);
     Section::of_table(node, &path, &format!("an entry of `{path}`"))
 }

@@ -1,0 +1,62 @@
+//! What is stored of a response: observed coordinates motion by motion, in their order along the branch.
+
+use super::followed::{FollowedCoordinate, MEASURES};
+use crate::error::ModelError;
+use judder_cycles::forced::ForcedResponse;
+use judder_store::{Dataset, Table, Variable};
+use std::f64::consts::TAU;
+
+/// The arrays.
+pub(super) fn dataset(
+    found: &ForcedResponse,
+    coordinates: &[FollowedCoordinate],
+) -> Result<Dataset, ModelError> {
+    let along = |name: &str, unit: &str, values: Vec<f64>| {
+        Variable::new(name, &["motion"], &[values.len()], values).units(unit)
+    };
+    let frequency = along("frequency", "Hz", frequencies(found))
+        .long_name("frequency of each motion, in the order along the branch")
+        .attribute("label", "Frequency (Hz)");
+    let residual = along("residual", "1", found.motions.iter().map(|own| own.residual).collect())
+        .long_name("largest residual of the balance of harmonics, over the force scale");
+    let folds = |name: &str| {
+        Variable::new(name, &["fold"], &[found.folds.len()], {
+            found.folds.iter().map(|(_, own)| own / TAU).collect::<Vec<f64>>()
+        })
+    };
+    let turns: Vec<i64> = found.folds.iter().map(|(motion, _)| *motion as i64).collect();
+    let mut dataset = Dataset::new()
+        .with(frequency)?
+        .with(residual)?
+        .with(folds("fold_frequency").units("Hz").long_name("where the frequency turns"))?
+        .with(
+            Variable::new("fold_motion", &["fold"], &[turns.len()], turns)
+                .long_name("the motion nearest to that, counted from 0"),
+        )?;
+    for own in coordinates {
+        for (k, (measure, words, label)) in MEASURES.into_iter().enumerate() {
+            let values = own.measures.iter().map(|measures| measures[k]).collect();
+            let variable = along(&format!("{}.{measure}", own.name), "m", values)
+                .long_name(&format!("{words}, of the displacement {}", own.name))
+                .attribute("label", label);
+            dataset = dataset.with(variable)?;
+        }
+    }
+    Ok(dataset)
+}
+
+/// The same as a table, a row a motion.
+pub(super) fn table(found: &ForcedResponse, coordinates: &[FollowedCoordinate]) -> Result<Table, ModelError> {
+    let mut table = Table::new().column("frequency", "Hz", frequencies(found))?;
+    for own in coordinates {
+        for (k, (measure, ..)) in MEASURES.into_iter().enumerate() {
+            let values: Vec<f64> = own.measures.iter().map(|measures| measures[k]).collect();
+            table = table.column(&format!("{}.{measure}", own.name), "m", values)?;
+        }
+    }
+    Ok(table)
+}
+
+fn frequencies(found: &ForcedResponse) -> Vec<f64> {
+    found.motions.iter().map(|own| own.turning.frequency / TAU).collect()
+}

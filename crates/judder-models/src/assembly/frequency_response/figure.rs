@@ -1,0 +1,47 @@
+//! A response: the observed points over the frequency.
+
+use super::followed::MEASURES;
+use judder_report::{Layer, Legend, Panel, Role};
+use judder_store::{Dataset, VariableValues};
+use judder_study::pictures::{axis, reals};
+
+/// A panel for each measure that is drawn, with all observed coordinates; where the frequency turns is marked.
+pub(super) fn frequency_response(dataset: &Dataset) -> Option<Vec<Panel>> {
+    ["amplitude", "rms", "largest"].into_iter().map(|measure| panel(dataset, measure)).collect()
+}
+
+fn panel(dataset: &Dataset, measure: &str) -> Option<Panel> {
+    let ending = format!(".{measure}");
+    let (_, words, _) = MEASURES.into_iter().find(|(name, ..)| *name == measure)?;
+    let across = reals(dataset, "frequency")?;
+    let own = || dataset.variables().iter().filter(|own| own.name.ends_with(&ending));
+    let (mut layers, mut folds) = (Vec::new(), [Vec::new(), Vec::new()]);
+    for (k, variable) in own().enumerate() {
+        let values = reals(dataset, &variable.name)?;
+        let name = variable.name.trim_end_matches(&ending);
+        layers.push(Layer::line(name, across.to_vec(), values.to_vec(), Role::Series(k).solid()));
+        for (all, marked) in [across, values].into_iter().zip(&mut folds) {
+            marked.extend(turns(dataset).iter().filter_map(|at| all.get(*at)));
+        }
+    }
+    let [x, y] = folds;
+    if !x.is_empty() {
+        layers.push(Layer::points("fold", x, y, Role::Reference));
+    }
+    let up = axis(own().next()?);
+    Some(
+        Panel::new(axis(dataset.variable("frequency")?), up, layers)
+            .with_legend(Legend::Below)
+            .with_title(words),
+    )
+}
+
+/// The motions nearest to where the frequency turns.
+fn turns(dataset: &Dataset) -> Vec<usize> {
+    match dataset.variable("fold_motion").map(|own| &own.data) {
+        Some(VariableValues::I64(motions)) => {
+            motions.iter().filter_map(|own| usize::try_from(*own).ok()).collect()
+        }
+        _ => Vec::new(),
+    }
+}

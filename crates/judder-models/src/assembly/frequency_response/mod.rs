@@ -1,0 +1,64 @@
+//! `frequency-response`: periodic motions under forces that swing, over their frequency and through its folds.
+//!
+//! - [`settings`]: the keys. `run`: the response, and what is to be said of it. `followed`: an observed coordinate along it.
+//! - `told`, `arrays`: what is told and stored. `figure`, `tables`: how it is shown.
+
+mod arrays;
+mod figure;
+mod followed;
+mod run;
+pub mod settings;
+pub(super) mod tables;
+mod told;
+
+use super::AssemblySubject;
+use crate::assembly::case::AssemblyCase;
+use crate::error::ModelError;
+use judder_keys::declared::Settings;
+use judder_store::{Declared, Results};
+use judder_study::case::analysis::{Kind, Picture};
+use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::outcome::Outcome;
+use judder_study::text::short;
+use serde_json::{Map, Value as Json};
+use settings::FrequencyResponse;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+use told::ToldResponse;
+
+/// The kind.
+pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> = Kind {
+    name: "frequency-response",
+    doc: "periodic motions through stick, slip and lift-off under forces that swing, over their frequency and through its folds",
+    declared: FrequencyResponse::declarations,
+    read: |case, section| Ok(Arc::new(FrequencyResponse::of(case.as_ref(), section)?)),
+    picture: Some(Picture {
+        draw: figure::frequency_response,
+        caption: "Observed points under forces that swing, over the frequency: the amplitude of the first harmonic, the root mean square with the mean, the largest value. The \
+        line joins periodic motions in their order along the branch, back and forth between its folds; whether a motion is stable is not computed.",
+    }),
+};
+
+impl Analysis<AssemblyCase> for FrequencyResponse {
+    fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+        self.admitted(of)
+    }
+
+    fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        run::run(of, self, task.progress)
+    }
+
+    fn summary_keys(&self) -> Vec<Declared> {
+        ToldResponse::declared()
+    }
+
+    fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {
+        let points: usize = of.built.nodes.iter().map(Vec::len).sum();
+        let [from, to] = self.frequency.map(|own| short(own / TAU));
+        Ok(format!("motions from {from} to {to} Hz, {} harmonics of {points} contact points", self.harmonics))
+    }
+
+    fn write(&self, json: &mut Map<String, Json>) {
+        self.write_table(json);
+    }
+}

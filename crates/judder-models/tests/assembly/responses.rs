@@ -1,0 +1,130 @@
+//! Responses of assemblies to what swings, against published numbers and closed forms.
+
+use crate::{case, number, run_into};
+use judder_models::parse;
+use judder_store::{Dataset, StudyFolder, VariableValues};
+use judder_study::case::file::CaseFile;
+use serde_json::{Map, Value};
+use std::f64::consts::{PI, TAU};
+
+/// What is told of the response of a case, and its arrays.
+fn responded(file: &CaseFile) -> (Map<String, Value>, Dataset) {
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), file, &["response"]);
+    assert!(report.complete, "{:?}", report.messages);
+    let dataset = StudyFolder::open(folder.path()).unwrap().read_dataset("response").unwrap();
+    (report.summary.results["response"].clone(), dataset)
+}
+
+fn array<'a>(dataset: &'a Dataset, name: &str) -> &'a [f64] {
+    match &dataset.variable(name).unwrap_or_else(|| panic!("no {name}")).data {
+        VariableValues::F64(values) => values,
+        _ => panic!("{name}"),
+    }
+}
+
+/// The root mean square of NLvib's example 3 where it is largest, in m, and its frequency in rad/s; the frequencies of its folds in rad/s.
+pub(super) fn stop() -> ([f64; 2], Vec<f64>) {
+    let (told, _) = responded(&case("assembly/stop.toml", &[]));
+    let first = &told["peaks"]["first.y"];
+    let folds = told["folds"].as_array().unwrap().iter().map(|own| TAU * number(&own["frequency_hz"]));
+    ([number(&first["rms"]), TAU * number(&first["rms_frequency_hz"])], folds.collect())
+}
+
+/// The amplitude of VM320 where it is largest, in m, and its frequency in rad/s.
+pub(super) fn damper() -> [f64; 2] {
+    let (told, _) = responded(&case("assembly/friction-damper.toml", &[]));
+    let mass = &told["peaks"]["mass.x"];
+    [number(&mass["amplitude"]), TAU * number(&mass["frequency_hz"])]
+}
+
+/// NLvib's code with 16384 samples: 1.01297 at 0.75375 rad/s, beneath the upper fold at 0.75562 rad/s. The lower fold is where the mass without the stop comes to it.
+#[test]
+fn a_stop_bends_the_response_as_published() {
+    let ([rms, frequency], folds) = stop();
+    assert!((rms / 1.01297 - 1.0).abs() < 1e-4, "{rms}");
+    assert!((frequency / 0.75375 - 1.0).abs() < 1e-4, "{frequency}");
+    // q₁ of (K − Ω² M + i Ω C) q = (0, 0.1)
+    let swings = |omega: f64| {
+        let (k, c) = (1.0 - omega * omega, 0.03 * omega);
+        // (k + i c) (1 + k + 2 i c) − (1 + i c)²
+        let re = k * (1.0 + k) - 2.0 * c * c - (1.0 - c * c);
+        let im = 2.0 * k * c + c * (1.0 + k) - 2.0 * c;
+        0.1 * 1.0_f64.hypot(c) / re.hypot(im)
+    };
+    let [lower, upper] = folds[..] else { panic!("{folds:?}") };
+    assert!((swings(lower) - 1.0).abs() < 1e-3, "{lower} {}", swings(lower));
+    assert!((upper / 0.75562 - 1.0).abs() < 1e-4, "{upper}");
+}
+
+/// ANSYS VM320: 1.50e-5 m at 209 rad/s, by one harmonic.
+#[test]
+fn a_friction_damper_has_the_published_peak() {
+    let [amplitude, frequency] = damper();
+    assert!((amplitude / 1.50e-5 - 1.0).abs() < 1e-2, "{amplitude}");
+    assert!((frequency / 209.0 - 1.0).abs() < 1e-2, "{frequency}");
+}
+
+/// The mass with dry friction whose base shakes, with this analysis in the place of its marches.
+fn shaken(analysis: &str) -> CaseFile {
+    let text = include_str!("../../../../cases/assembly/shaken-base.toml");
+    let bodies = text.split("[[analysis]]").next().unwrap();
+    let bodies = bodies.replace("velocity = \"1 m/s\"", "velocity = \"0 m/s\"");
+    let text =
+        format!("{bodies}[[analysis]]\nname = \"response\"\nkind = \"frequency-response\"\n{analysis}\n");
+    parse("case.toml", &text, &[]).unwrap()
+}
+
+/// J. P. Den Hartog 1931: the amplitude of a mass with dry friction that never sticks. Friction jumps, and many harmonics come near it.
+#[test]
+fn a_mass_with_dry_friction_on_a_shaking_base_swings_as_den_hartog_says() {
+    let ratio: f64 = 15.0 / 20.0;
+    let turn = (PI / ratio).sin() / (ratio * (1.0 + (PI / ratio).cos()));
+    let exact = 3.0 / 400.0 * ((1.0 - ratio * ratio).powi(-2) - (turn / 3.0).powi(2)).sqrt();
+    let [few, many] = [21, 81].map(|harmonics| {
+        let (told, dataset) = responded(&shaken(&format!(
+            "frequency = [\"15 rad/s\", \"15.1 rad/s\"]\nharmonics = {harmonics}\nlongest_step = \"0.1 rad/s\"\nbase = [{{ direction = \"x\", amplitude = \"3 m/s^2\" }}]"
+        )));
+        assert_eq!(told["peaks"]["mass.x"]["at_end"], true);
+        assert!((array(&dataset, "frequency").last().unwrap() - 15.1 / TAU).abs() < 1e-9);
+        (array(&dataset, "mass.x.largest")[0] / exact - 1.0).abs()
+    });
+    assert!(many < 2e-3 && many < 0.5 * few, "{few} {many}");
+}
+
+/// A force that friction holds moves nothing, and forces whose phases take each other away neither.
+#[test]
+fn what_is_held_does_not_move() {
+    let force = |amplitude: &str, phase: &str| {
+        format!(
+            "{{ structure = \"block\", set = \"mass\", direction = \"x\", amplitude = \"{amplitude}\", phase = \"{phase}\" }}"
+        )
+    };
+    let largest = |forces: &[String]| {
+        let forces = forces.join(", ");
+        let (_, dataset) = responded(&shaken(&format!(
+            "frequency = [\"15 rad/s\", \"10 rad/s\"]\nharmonics = 5\nlongest_step = \"1 rad/s\"\nforces = [{forces}]"
+        )));
+        array(&dataset, "mass.x.amplitude").iter().fold(0.0_f64, |most, own| most.max(*own))
+    };
+    assert!(largest(&[force("1.9 N", "0 deg")]) < 1e-7);
+    assert!(largest(&[force("6 N", "0 deg")]) > 1e-3);
+    assert!(largest(&["0 deg", "120 deg", "240 deg"].map(|phase| force("6 N", phase))) < 1e-7);
+}
+
+/// A response that does not leave its range is a missing result, and says why.
+#[test]
+fn a_response_that_ends_early_says_why() {
+    let base = "frequency = [\"15 rad/s\", \"60 rad/s\"]\npoints = 5\nbase = [{ direction = \"x\", amplitude = \"3 m/s^2\" }]";
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &shaken(base), &["response"]);
+    assert!(!report.complete);
+    let told = &report.summary.results["response"];
+    assert!(
+        number(&told["points"]) == 5.0
+            && told["end"].as_str().unwrap().contains("as many motions as `points` allows")
+    );
+    let table = std::fs::read_to_string(folder.path().join("response.csv")).unwrap();
+    assert!(table.starts_with("frequency [Hz],mass.x.amplitude [m],mass.x.rms [m],"), "{table}");
+    assert_eq!(table.lines().count(), 6);
+}

@@ -188,6 +188,29 @@ fn cycles_along_a_key_shrink_to_steady_sliding_at_the_onset() {
     assert!((between / own - 1.0).abs() < 2e-3, "{between} {own}");
 }
 
+/// A march that comes back says the same as harmonics, and what is told is its.
+#[test]
+fn shooting_agrees_with_harmonics() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small/assembly-cycle.toml");
+    let [own, shot] = ["harmonic-balance", "shooting"].map(|method| {
+        let set = [format!("analysis.cycle.method=\"{method}\"")];
+        let file = judder_models::read(path, &set).unwrap();
+        let report = run_into(tempfile::tempdir().unwrap().path(), &file, &["cycle"]);
+        assert!(report.complete && report.messages.is_empty(), "{:?}", report.messages);
+        report.summary.results["cycle"].clone()
+    });
+    assert!(own.get("shooting").is_none());
+    let told = &shot["shooting"];
+    assert!(number(&told["residual"]) <= 1e-7 && told["steps"] == 2048, "{told:?}");
+    assert_eq!(told["harmonics_frequency_hz"], own["frequency_hz"]);
+    assert_eq!(told["frequency_hz"], shot["frequency_hz"]);
+    for (key, within) in [("frequency_hz", 1e-4), ("normal_force_mean", 3e-3), ("friction_force_mean", 1e-2)]
+    {
+        let [a, b] = [&own, &shot].map(|told| number(&told[key]));
+        assert!(a != b && (a / b - 1.0).abs() < within, "{key}: {a} {b}");
+    }
+}
+
 /// Where the mode grows nowhere there is nothing to begin with.
 #[test]
 fn a_key_along_which_nothing_grows_says_so() {

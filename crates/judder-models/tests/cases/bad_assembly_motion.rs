@@ -128,10 +128,16 @@ fn cycles_that_cannot_be() {
         "leave `modes` out",
     );
     refused(
-        &cycle("method = \"shooting\""),
-        "unknown method `shooting`",
-        "shooting",
-        "known: harmonic-balance",
+        &cycle("method = \"shoting\""),
+        "unknown method `shoting`",
+        "shoting",
+        "did you mean `shooting`? known: harmonic-balance, shooting",
+    );
+    refused(
+        &cycle("steps = 512"),
+        "`steps` has no meaning with method = \"harmonic-balance\"",
+        "512",
+        "leave `steps` out",
     );
     let (message, place) = unassembled(&cycle("harmonics = 500"));
     assert!(

@@ -3,7 +3,7 @@
 use super::arrays::dataset;
 use super::checks::{INSTANTS, checks};
 use super::search::{CycleOfMode, differentiated};
-use super::settings::{LOWEST, ModeCycle, components};
+use super::settings::{CycleMethod, LOWEST, ModeCycle, USUAL_STEPS, components};
 use super::stability::KnownStability;
 use super::told::{ToldCycleMode, ToldModeCycle, scalars};
 use crate::assembly::AssemblySubject;
@@ -13,10 +13,12 @@ use crate::measured_growth::far_off;
 use crate::sliding::march::sound::{AUDIO_RATE, SoundFile, sound_of};
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::SteadySliding;
+use judder_cycles::CyclesError;
 use judder_cycles::cycle::AssemblyCycle;
+use judder_cycles::shooting::{ShootingSettings, ShotCycle, shoot};
 use judder_structure::complex_modes::{ComplexMode, Verdict};
 use judder_study::Progress;
-use judder_study::outcome::Outcome;
+use judder_study::outcome::{CheckRecord, Outcome};
 use std::f64::consts::TAU;
 
 /// How long a cycle is heard, in s, and up to which share of the rate of the samples.
@@ -55,11 +57,23 @@ pub(super) fn run(
             let (harmonics, points) = (cycle.balance.series().harmonics(), cycle.points.len());
             let which = format!("{harmonics} harmonics, {points} points");
             outcome.checks = checks(&which, cycle.motion.residual.into(), power.imbalance().into());
+            let shot = match shot(of, asked, cycle, progress)? {
+                Some(Ok(shot)) => {
+                    outcome.checks.push(comes_back(cycle, &shot));
+                    Some(shot)
+                }
+                Some(Err(reason)) => {
+                    outcome.missing = 1;
+                    warnings.push(format!("{reason}; what is told is the cycle by harmonics"));
+                    None
+                }
+                None => None,
+            };
             let sounds = sounds(of, cycle)?;
             let (heard, files): (Vec<_>, Vec<_>) =
                 sounds.into_iter().map(|own| (own.told, (own.name, own.bytes))).unzip();
             outcome.files = files;
-            Some(ToldModeCycle::new(of, &sought, cycle, (&power, &stability), heard)?)
+            Some(ToldModeCycle::new(of, &sought, cycle, (&power, &stability), heard, shot.as_ref())?)
         }
     };
     outcome.scalars = scalars(&mode, cycle.as_ref());
@@ -99,6 +113,40 @@ fn words_of(sought: &CycleOfMode<'_>, cycle: &AssemblyCycle<'_>) -> Vec<String> 
         words.push(if sought.eigenvalue.re > 0.0 { turned } else { knock }.to_owned());
     }
     words
+}
+
+/// The same cycle by a march that comes back, where it is asked for; in words why there is none.
+fn shot(
+    of: &AssemblySubject<'_>,
+    asked: &ModeCycle,
+    cycle: &AssemblyCycle<'_>,
+    progress: &dyn Progress,
+) -> Result<Option<Result<ShotCycle, String>>, ModelError> {
+    if asked.method != CycleMethod::Shooting {
+        return Ok(None);
+    }
+    progress.go_on()?;
+    let settings =
+        ShootingSettings { steps: asked.steps.unwrap_or(USUAL_STEPS), ..ShootingSettings::default() };
+    match shoot(&of.built.assembly, &cycle.balance, &cycle.motion, &settings) {
+        Ok(shot) => Ok(Some(Ok(shot))),
+        Err(error @ (CyclesError::NotReturned { .. } | CyclesError::Singular)) => {
+            Ok(Some(Err(error.to_string())))
+        }
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// The two ways share neither unknowns nor the treatment of the contact.
+fn comes_back(cycle: &AssemblyCycle<'_>, shot: &ShotCycle) -> CheckRecord {
+    /// What frequencies may differ, of themselves.
+    const AGREE: f64 = 1e-3;
+    CheckRecord::new(
+        "a march comes back with the period that harmonics have",
+        format!("frequencies, {} steps of a period, of themselves", shot.statistics.steps()),
+        (shot.frequency / cycle.frequency() - 1.0).abs().into(),
+        AGREE,
+    )
 }
 
 /// The accelerations of the observed points as sound; none of which no harmonic can be heard.

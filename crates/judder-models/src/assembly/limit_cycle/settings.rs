@@ -27,9 +27,19 @@ pub struct ModeCycle {
     #[key(rule = MODES, usual = LOWEST, omitted)]
     pub modes: Option<usize>,
     /// How it is computed.
+    #[key(default = CycleMethod::HarmonicBalance)]
+    pub method: CycleMethod,
+    /// Of `method = "shooting"`: steps of a period.
+    #[key(rule = STEPS, usual = USUAL_STEPS, omitted)]
+    pub steps: Option<usize>,
+    /// How the cycle is found.
     #[key(flatten)]
     pub solver: CycleSolver,
 }
+
+const STEPS: Whole = Whole { from: 16, to: 10_000_000 };
+/// Steps of a period where the case does not say.
+pub(super) const USUAL_STEPS: usize = 2048;
 
 pub(in crate::assembly) const MODES: Whole = Whole { from: 1, to: 2000 };
 /// Modes to choose from where the case does not say.
@@ -41,15 +51,14 @@ pub(in crate::assembly) const LOWEST: usize = 20;
 pub enum CycleMethod {
     /// Forces of the contact points as harmonics, stick, slip and lift-off at instants of a period.
     HarmonicBalance,
+    /// The same, and from there a march that comes back to where it begins, which what is told of the cycle is then taken from.
+    Shooting,
 }
 
 /// How limit cycles are computed.
 #[derive(Debug, Clone, PartialEq, Settings)]
 #[settings(check = CycleSolver::check)]
 pub struct CycleSolver {
-    /// How cycles are computed.
-    #[key(default = CycleMethod::HarmonicBalance)]
-    pub method: CycleMethod,
     /// How many harmonics there are; where left out, as many as `left_out` asks for.
     #[key(rule = HARMONICS, symbol = "H", omitted)]
     pub harmonics: Option<usize>,
@@ -81,7 +90,15 @@ const LIMIT: Memory = Memory::DEFAULT;
 
 impl ModeCycle {
     fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
-        meaningless(section, "modes", self.frequency.is_some(), "frequency")
+        meaningless(section, "modes", self.frequency.is_some(), "frequency")?;
+        let by_harmonics = self.method == CycleMethod::HarmonicBalance;
+        match section.get("steps") {
+            Some(node) if by_harmonics => {
+                let with = "method = \"harmonic-balance\"".to_owned();
+                Err(Cause::Meaningless { key: "steps", with }.at(node.place))
+            }
+            _ => Ok(()),
+        }
     }
 }
 

@@ -9,6 +9,7 @@ use crate::error::ModelError;
 use crate::sliding::march::sound::ToldSound;
 use judder_cycles::cycle::{AssemblyCycle, PointCycle};
 use judder_cycles::power::CyclePower;
+use judder_cycles::shooting::ShotCycle;
 use judder_store::{ByName, Complex64, Declared, Results};
 use serde_json::{Map, Value};
 use std::f64::consts::TAU;
@@ -79,6 +80,38 @@ pub(super) struct ToldModeCycle {
     levels: ByName<CycleLevel>,
     /// accelerations of the observed points as sound, as far as it can be heard
     sound: Vec<ToldSound>,
+    /// the cycle by a march that comes back
+    #[result(optional)]
+    shooting: Option<ToldShooting>,
+}
+
+/// The cycle by a march that comes back.
+#[derive(Results)]
+pub(super) struct ToldShooting {
+    /// its frequency, in Hz
+    frequency_hz: f64,
+    /// that by harmonics
+    harmonics_frequency_hz: f64,
+    /// what a period misses, of the swing of the state
+    residual: f64,
+    /// steps of Newton's method
+    iterations: usize,
+    /// steps of a period
+    steps: usize,
+}
+
+/// What its points do over a period, by the march.
+pub(super) fn shot_points(shot: &ShotCycle, points: usize) -> Vec<PointCycle> {
+    let of = |point: usize| {
+        let told = shot.statistics.of(point)?;
+        Some(PointCycle {
+            shares: [told.stick_share, told.slip_share, told.open_share],
+            normal_force: told.normal_force_mean,
+            friction_force: told.friction_force_mean,
+            tangential_velocity_rms: told.tangential_velocity_rms,
+        })
+    };
+    (0..points).map(|point| of(point).unwrap_or_default()).collect()
 }
 
 /// What goes into the bodies.
@@ -153,7 +186,7 @@ pub(super) fn scalars(mode: &ToldCycleMode, cycle: Option<&ToldModeCycle>) -> Ma
 impl ToldCycleMode {
     pub(super) fn new(asked: &ModeCycle, sought: &CycleOfMode<'_>) -> Self {
         Self {
-            method: asked.solver.method.name(),
+            method: asked.method.name(),
             converged: sought.cycle().is_some(),
             reason: sought.reason(),
             mode_frequency_hz: sought.eigenvalue.im / TAU,
@@ -170,13 +203,16 @@ impl ToldModeCycle {
         cycle: &AssemblyCycle<'_>,
         (power, stability): (&CyclePower, &KnownStability),
         sound: Vec<ToldSound>,
+        shot: Option<&ShotCycle>,
     ) -> Result<Self, ModelError> {
-        let sum = |pick: fn(&PointCycle) -> f64| cycle.points.iter().map(pick).sum::<f64>();
-        let contacts = contacts(of, &cycle.points);
+        let points = shot.map_or_else(|| cycle.points.clone(), |shot| shot_points(shot, cycle.points.len()));
+        let frequency = shot.map_or_else(|| cycle.frequency(), |shot| shot.frequency);
+        let sum = |pick: fn(&PointCycle) -> f64| points.iter().map(pick).sum::<f64>();
+        let contacts = contacts(of, &points);
         let rms = contacts.iter().map(|(name, own)| (name.clone(), own.tangential_velocity_rms.clone()));
         Ok(Self {
-            frequency_hz: cycle.frequency() / TAU,
-            frequency_shift: cycle.frequency() / sought.eigenvalue.im - 1.0,
+            frequency_hz: frequency / TAU,
+            frequency_shift: frequency / sought.eigenvalue.im - 1.0,
             amplitude: sought.amplitude().unwrap_or(f64::NAN),
             attracts: cycle.attracts,
             stable: stability.is_stable(),
@@ -205,6 +241,13 @@ impl ToldModeCycle {
             levels: levels(of, cycle)?.into_iter().collect(),
             contacts: contacts.into_iter().collect(),
             sound,
+            shooting: shot.map(|shot| ToldShooting {
+                frequency_hz: shot.frequency / TAU,
+                harmonics_frequency_hz: cycle.frequency() / TAU,
+                residual: shot.residual,
+                iterations: shot.iterations,
+                steps: shot.statistics.steps() as usize,
+            }),
         })
     }
 }

@@ -6,7 +6,7 @@ use crate::assembly::build::WatchedRow;
 use crate::assembly::eigen::band;
 use crate::assembly::limit_cycle::checks::{INSTANTS, checks};
 use crate::assembly::limit_cycle::search::{CycleOfMode, acceleration_mean_square};
-use crate::assembly::limit_cycle::settings::components;
+use crate::assembly::limit_cycle::settings::{CycleMethod, components};
 use crate::assembly::limit_cycle::stability::KnownStability;
 use crate::assembly::march::levels::level;
 use crate::error::ModelError;
@@ -151,7 +151,7 @@ pub(super) fn run(
         Ok((*value, cycle))
     };
     let modes: Vec<SoughtMode> = values.par_iter().map(sought).collect::<Result<_, _>>()?;
-    let told = ToldSqueal::new(asked, all.complete(), ranked(&modes));
+    let told = ToldSqueal::new(all.complete(), ranked(&modes));
     let mut warnings = of.doubts(&steady);
     if !told.complete {
         warnings.push("it is not proven that the band has no other modes".to_owned());
@@ -265,10 +265,10 @@ fn ranked(modes: &[SoughtMode]) -> Vec<SquealingMode> {
 }
 
 impl ToldSqueal {
-    fn new(asked: &AssemblySqueal, complete: bool, modes: Vec<SquealingMode>) -> Self {
+    fn new(complete: bool, modes: Vec<SquealingMode>) -> Self {
         let loudest = modes.iter().find(|mode| mode.rank_by_level == Some(1));
         Self {
-            method: asked.solver.method.name(),
+            method: CycleMethod::HarmonicBalance.name(),
             complete,
             unstable: modes.len(),
             found: modes.iter().filter(|mode| mode.frequency.is_some()).count(),

@@ -128,3 +128,25 @@ fn a_response_that_ends_early_says_why() {
     assert!(table.starts_with("frequency [Hz],mass.x.amplitude [m],mass.x.rms [m],"), "{table}");
     assert_eq!(table.lines().count(), 6);
 }
+
+/// A resonance of 1 % damping that the steps pass over, of a mass that touches nothing: its amplitude is a/√((ω₀² − ω²)² + (c ω/m)²).
+#[test]
+fn a_peak_between_long_steps_is_doubted() {
+    let text = include_str!("../small/assembly-response.toml")
+        .replace("gap = \"2 mm\"", "gap = \"1 m\"")
+        .replace("damping = [[2, 0]", "damping = [[0.8, 0]")
+        .replace("points = 60", "points = 900");
+    let peak = |step: &str| {
+        let text = text.replace("longest_step = \"0.2 Hz\"", &format!("longest_step = \"{step}\""));
+        let folder = tempfile::tempdir().unwrap();
+        let report = run_into(folder.path(), &parse("case.toml", &text, &[]).unwrap(), &["shaken"]);
+        assert!(report.complete);
+        let is_doubted = report.messages.iter().any(|message| message.contains("beside the peak of mass.x"));
+        (number(&report.summary.results["shaken"]["peaks"]["mass.x"]["amplitude"]), is_doubted)
+    };
+    let ((coarse, is_doubted), (fine, is_fine_doubted)) = (peak("0.3 Hz"), peak("0.01 Hz"));
+    // ω₀ = 20 rad/s, c/m = 0.4 1/s: largest at ω² = ω₀² − (c/m)²/2
+    let exact = 3.0 / (0.4 * (400.0_f64 - 0.04).sqrt());
+    assert!((fine / exact - 1.0).abs() < 1e-3 && !is_fine_doubted, "{fine} {exact}");
+    assert!(coarse < 0.9 * exact && is_doubted, "{coarse} {exact}");
+}

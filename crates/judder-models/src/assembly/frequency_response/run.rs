@@ -48,7 +48,8 @@ pub(super) fn run(
         disagreement.add(power(&balance, motion, INSTANTS)?.imbalance());
         peaks.push((own.name.clone(), ToldPeak::new(&found, own, quality, balance.force_scale())));
     }
-    let warnings = [of.doubts(&steady), words(&found, &peaks)].concat();
+    let coarse = coordinates.iter().filter_map(coarse);
+    let warnings = [of.doubts(&steady), words(&found, &peaks), coarse.collect()].concat();
     let told = ToldResponse::new(&found, asked.harmonics, balance.force_scale(), peaks);
     Ok(Outcome {
         scalars: told.scalars(),
@@ -94,6 +95,22 @@ fn words(found: &ForcedResponse, peaks: &[(String, ToldPeak)]) -> Vec<String> {
         }
     }
     words
+}
+
+/// A peak that is narrow beside the steps: what lies between its motions may be higher.
+fn coarse(own: &FollowedCoordinate) -> Option<String> {
+    /// Of the amplitude at the peak, what its neighbours have at least.
+    const NEAR: f64 = 0.7;
+    let place = peak_of(own);
+    let amplitude = |k: usize| own.measures.get(k).map(|[amplitude, ..]| *amplitude);
+    let (peak, before, after) = (amplitude(place)?, amplitude(place.checked_sub(1)?)?, amplitude(place + 1)?);
+    (before.min(after) < NEAR * peak).then(|| {
+        let share = 100.0 * before.min(after) / peak;
+        format!(
+            "beside the peak of {} the next motion has {share:.0} % of its amplitude: a higher one may lie between them, give a shorter `longest_step`",
+            own.name
+        )
+    })
 }
 
 /// The equations of all motions, and the energy over a period of those at peaks.

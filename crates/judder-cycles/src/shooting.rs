@@ -88,6 +88,8 @@ pub fn shoot(
     near: &PeriodicMotion,
     settings: &ShootingSettings,
 ) -> Result<ShotCycle, CyclesError> {
+    /// A period that misses so many swings leads nowhere.
+    const FAR: f64 = 1e3;
     /// A difference of the period, of itself.
     const DIFFERENCE: f64 = 1e-5;
     let bodies = balance.bodies();
@@ -119,6 +121,9 @@ pub fn shoot(
                 residual: left,
                 iterations: iteration,
             });
+        }
+        if left.is_nan() || left > FAR {
+            break;
         }
         let later = coordinates(&around.from(&freedoms(&x), (1.0 + DIFFERENCE) * period)?.0);
         let by_period = |k: usize| (later[k] - end[k]) / DIFFERENCE;

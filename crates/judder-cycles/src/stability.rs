@@ -61,14 +61,24 @@ impl FloquetMultipliers {
         self.values.first().map_or(0.0, |own| own.norm())
     }
 
-    /// What they say.
+    /// What they say; nothing where another multiplier may be that of the phase, and would let them say something else.
     #[must_use]
     pub fn verdict(&self) -> CycleStability {
-        match self.largest() - 1.0 {
-            beyond if beyond > self.error => CycleStability::Unstable,
-            beyond if beyond < -self.error => CycleStability::Stable,
+        /// A multiplier so many errors from 1 may be that of the phase.
+        const NEAR: f64 = 3.0;
+        let said = |largest: f64, error: f64| match largest - 1.0 {
+            beyond if beyond > error => CycleStability::Unstable,
+            beyond if beyond < -error => CycleStability::Stable,
             _ => CycleStability::Undecided,
-        }
+        };
+        let own = said(self.largest(), self.error);
+        let off = |value: c64| (value - 1.0).norm();
+        let near = (0..self.values.len()).filter(|k| off(self.values[*k]) <= NEAR * self.error);
+        let as_others = near.map(|chosen| {
+            let others = (0..self.values.len()).filter(|k| *k != chosen).map(|k| self.values[k].norm());
+            said(others.fold(self.phase.norm(), f64::max), self.error.max(off(self.values[chosen])))
+        });
+        if as_others.into_iter().all(|other| other == own) { own } else { CycleStability::Undecided }
     }
 }
 
@@ -245,5 +255,25 @@ impl PointsAt<'_, '_, '_> {
                 if j / dimension == point { self.projected[point].by_force[own][j % dimension] } else { 0.0 };
             f64::from(u8::from(i == j)) - by_force - self.by_motion(i, |k| moved(k, j))
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn multipliers(phase: f64, values: &[f64]) -> CycleStability {
+        let values = values.iter().map(|own| c64::new(*own, 0.0)).collect();
+        let phase = c64::new(phase, 0.0);
+        FloquetMultipliers { values, phase, steps: 1, error: (phase - 1.0).norm() }.verdict()
+    }
+
+    /// Of two multipliers as far from 1 neither is known to be that of the phase.
+    #[test]
+    fn a_multiplier_that_may_be_that_of_the_phase_decides_nothing() {
+        assert_eq!(multipliers(1.0475, &[0.9515]), CycleStability::Undecided);
+        assert_eq!(multipliers(0.9512, &[1.0531]), CycleStability::Undecided);
+        assert_eq!(multipliers(1.001, &[0.7, -0.6]), CycleStability::Stable);
+        assert_eq!(multipliers(1.001, &[-1.2, 0.6]), CycleStability::Unstable);
     }
 }

@@ -108,7 +108,10 @@ fn no_cycle_is_told_with_the_reason() {
     assert!(told["converged"] == false && number(&told["mode_growth_rate"]) < 0.0, "{told:?}");
     assert!(told["frequency_hz"].is_null() && told["contacts"].is_null());
     assert!(
-        told["reason"].as_str().unwrap().starts_with("motions of the mode decay at every amplitude"),
+        told["reason"]
+            .as_str()
+            .unwrap()
+            .starts_with("motions of the mode decay, with three harmonics, at every amplitude"),
         "{told:?}"
     );
 
@@ -116,7 +119,7 @@ fn no_cycle_is_told_with_the_reason() {
     let told = &near.summary.results["cycle"];
     assert_eq!(
         told["reason"],
-        "motions of the mode grow at every amplitude up to 1.200 times that at which the contact first changes its state"
+        "motions of the mode grow, with three harmonics, at every amplitude up to 1.200 times that at which the contact first changes its state"
     );
     assert!(!near.complete && told["converged"] == false);
     assert!(near.messages.iter().any(|own| own.contains("no limit cycle: motions of the mode grow")));
@@ -186,6 +189,20 @@ fn cycles_along_a_key_shrink_to_steady_sliding_at_the_onset() {
     let share = (0.4 - value[beside - 1]) / (value[beside] - value[beside - 1]);
     let between = frequency[beside - 1] + share * (frequency[beside] - frequency[beside - 1]);
     assert!((between / own - 1.0).abs() < 2e-3, "{between} {own}");
+}
+
+/// With a slower plane the cycle becomes smaller, and nothing else: no onset is there.
+#[test]
+fn a_cycle_that_shrinks_with_the_speed_tells_no_onset() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small/assembly-cycle.toml");
+    let sweep =
+        "{ key = \"contact.sole.sliding.velocity\", from = \"0.01 m/s\", to = \"2 m/s\", points = 10 }";
+    let file = judder_models::read(path, &[format!("analysis.less-friction.sweep={sweep}")]).unwrap();
+    let report = run_into(tempfile::tempdir().unwrap().path(), &file, &["less-friction"]);
+    let told = &report.summary.results["less-friction"];
+    assert!(numbers(&told["hopf_points"]).is_empty(), "{told:?}");
+    assert_eq!(told["ends"][0], "shrinks below 2 % of its largest amplitude");
+    assert!(report.messages.iter().any(|own| own.contains("no eigenvalue begins to grow there")));
 }
 
 /// A march that comes back says the same as harmonics, and what is told is its.

@@ -3,6 +3,7 @@
 use super::CycleDiagram;
 use super::told::{KnownCycle, ToldCycleBranch, dataset};
 use crate::assembly::AssemblySubject;
+use crate::assembly::limit_cycle::search::left_out;
 use crate::assembly::limit_cycle::settings::LOWEST;
 use crate::assembly::meant_mode::{fastest, near_frequency};
 use crate::assembly::swept::{SlidingState, SweptAssembly};
@@ -157,12 +158,22 @@ fn branches(
         progress.go_on()?;
         known.push(told_of(asked, &balance, &at, cycle)?);
     }
-    let hopf: Vec<&CycleAtKey> = [&down, &up].into_iter().filter_map(shrunk).collect();
+    let ends = [&down, &up].map(|way| shrunk(way).map(|cycle| (cycle, off_neutral(family, cycle))));
+    let is_hopf = |off: f64| off <= NEUTRAL;
+    let hopf: Vec<&CycleAtKey> =
+        ends.iter().flatten().filter(|(_, off)| is_hopf(*off)).map(|(cycle, _)| *cycle).collect();
     let told = ToldCycleBranch::new(asked, &known, [&down, &up], &hopf);
     let Outcome { scalars, .. } = Outcome::of(&told)?;
     let lost = |own: &&AssemblyCycleBranch| matches!(own.end, CycleBranchEnd::Lost(_));
     let missing = [&down, &up].into_iter().filter(lost).count();
     let mut warnings = ToldCycleBranch::words([&down, &up]);
+    for (cycle, _) in ends.iter().flatten().filter(|(_, off)| !is_hopf(*off)) {
+        let (path, value) = (&asked.sweep.path, asked.sweep.text(cycle.parameter));
+        warnings.push(format!(
+            "the branch is followed no further than {path} = {value}, where it has less than 2 % of its largest amplitude: no eigenvalue begins to grow there"
+        ));
+    }
+    warnings.extend(left_out(known.iter().map(|own| own.left_out).fold(0.0, f64::max)));
     let unknown = known.iter().filter(|own| asked.stability && own.is_stable.is_none()).count();
     if unknown > 0 {
         warnings.push(format!(
@@ -173,7 +184,7 @@ fn branches(
     Ok(Outcome {
         scalars,
         dataset: dataset(asked, &known)?,
-        checks: checks(asked, family, &known, &hopf)?,
+        checks: checks(asked, &known, ends.iter().flatten().filter(|(_, off)| is_hopf(*off))),
         warnings,
         missing,
         ..Outcome::default()
@@ -225,35 +236,44 @@ fn told_of(
     })
 }
 
-/// The equations of each cycle, and the eigenvalue where the branch shrinks to steady sliding.
-fn checks(
+/// How far the eigenvalue at the last cycle of a branch is from turning as that does without growing, of its modulus; infinite where there is none.
+fn off_neutral(family: &SweptAssembly<'_>, cycle: &CycleAtKey) -> f64 {
+    let omega = cycle.motion.turning.frequency;
+    let mode = family
+        .state(&[cycle.parameter])
+        .and_then(|state| family.about(&state))
+        .and_then(|about| near_frequency(&about, omega));
+    mode.map_or(f64::INFINITY, |mode| {
+        let value = mode.eigenvalue.value;
+        value.re.abs().max((value.im - omega).abs()) / value.norm()
+    })
+}
+
+/// The equations of each cycle, and the eigenvalues where the branch shrinks to steady sliding.
+fn checks<'c>(
     asked: &CycleDiagram,
-    family: &SweptAssembly<'_>,
     known: &[KnownCycle],
-    hopf: &[&CycleAtKey],
-) -> Result<Vec<CheckRecord>, ModelError> {
-    let largest = known.iter().map(|own| own.residual).fold(0.0, f64::max);
-    let mut checks = vec![CheckRecord::new(
+    hopf: impl Iterator<Item = &'c (&'c CycleAtKey, f64)>,
+) -> Vec<CheckRecord> {
+    let worse = |most: f64, own: f64| if own.is_nan() { f64::INFINITY } else { most.max(own) };
+    let largest = known.iter().map(|own| own.residual).fold(0.0, worse);
+    let equations = CheckRecord::new(
         "harmonics of the contact forces are those that the contact laws make of the motions",
         format!("largest residual over the largest normal force, {} cycles", known.len()),
         largest.into(),
         1e-8,
-    )];
-    for cycle in hopf {
-        let state = family.state(&[cycle.parameter])?;
-        let about = family.about(&state)?;
-        let value = near_frequency(&about, cycle.motion.turning.frequency)?.eigenvalue.value;
-        let off = value.re.abs().max((value.im - cycle.motion.turning.frequency).abs()) / value.norm();
-        checks.push(CheckRecord::new(
+    );
+    let shrinks = hopf.map(|(cycle, off)| {
+        CheckRecord::new(
             "the branch shrinks to steady sliding where an eigenvalue begins to grow",
             format!(
                 "eigenvalue at {} = {} against i times the frequency of the last cycle, over its modulus",
                 asked.sweep.path,
                 asked.sweep.text(cycle.parameter),
             ),
-            off.into(),
+            (*off).into(),
             NEUTRAL,
-        ));
-    }
-    Ok(checks)
+        )
+    });
+    std::iter::once(equations).chain(shrinks).collect()
 }

@@ -40,9 +40,9 @@ pub(super) struct ToldCycleBranch {
     open_share: Vec<f64>,
     /// whether motions nearby are drawn to it, where that is known
     stable: Vec<Option<bool>>,
-    /// values at which the branch turns
+    /// values near which the branch turns, of the outermost cycles
     folds: Vec<f64>,
-    /// values at which it shrinks to steady sliding
+    /// values at which it shrinks to steady sliding, where an eigenvalue begins to grow
     hopf_points: Vec<f64>,
     /// how it ends on either side, in words
     ends: Vec<String>,
@@ -52,11 +52,13 @@ pub(super) struct ToldCycleBranch {
     left_out: Option<f64>,
 }
 
-fn end(branch: &AssemblyCycleBranch) -> String {
+fn end(branch: &AssemblyCycleBranch, hopf: &[&CycleAtKey]) -> String {
+    let is_hopf = branch.cycles.last().is_some_and(|last| hopf.contains(&last));
     match &branch.end {
         CycleBranchEnd::Range => "leaves the range".to_owned(),
         CycleBranchEnd::Points => "goes on: as many cycles as were asked for".to_owned(),
-        CycleBranchEnd::SteadySliding => "shrinks to steady sliding".to_owned(),
+        CycleBranchEnd::SteadySliding if is_hopf => "shrinks to steady sliding".to_owned(),
+        CycleBranchEnd::SteadySliding => "shrinks below 2 % of its largest amplitude".to_owned(),
         CycleBranchEnd::Lost(error) => format!("lost: {error}"),
     }
 }
@@ -101,7 +103,7 @@ impl ToldCycleBranch {
             stable: known.iter().map(|own| own.is_stable).collect(),
             folds: ways.iter().flat_map(|way| way.folds.iter().map(|(_, value)| *value)).collect(),
             hopf_points: hopf.iter().map(|own| own.parameter).collect(),
-            ends: ways.map(end).to_vec(),
+            ends: ways.map(|way| end(way, hopf)).to_vec(),
             left_out: all(|own| own.left_out).into_iter().reduce(f64::max),
             ..Self::none(asked)
         }
@@ -113,7 +115,7 @@ impl ToldCycleBranch {
             |way: &&AssemblyCycleBranch| matches!(way.end, CycleBranchEnd::Lost(_) | CycleBranchEnd::Points);
         let sides = ["where the key falls from the first cycle", "where it rises"];
         let words = ways.iter().zip(sides).filter(|(way, _)| told(way));
-        words.map(|(way, side)| format!("{side}, the branch of cycles {}", end(way))).collect()
+        words.map(|(way, side)| format!("{side}, the branch of cycles {}", end(way, &[]))).collect()
     }
 }
 

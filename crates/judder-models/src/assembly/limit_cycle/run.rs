@@ -2,7 +2,7 @@
 
 use super::arrays::dataset;
 use super::checks::{INSTANTS, checks};
-use super::search::{CycleOfMode, differentiated};
+use super::search::{CycleOfMode, differentiated, left_out};
 use super::settings::{CycleMethod, LOWEST, ModeCycle, USUAL_STEPS, components};
 use super::stability::KnownStability;
 use super::told::{ToldCycleMode, ToldModeCycle, scalars};
@@ -41,11 +41,11 @@ pub(super) fn run(
     progress.go_on()?;
     let sought = CycleOfMode::new(of, &steady, eigenvalue, &asked.solver.settings(components(of)?))?;
     let mut outcome = Outcome::default();
-    let mode = ToldCycleMode::new(asked, &sought);
+    let mut mode = ToldCycleMode::new(asked, &sought);
     let cycle = match sought.cycle() {
         None => {
             outcome.dataset = dataset(of, &sought, None)?;
-            outcome.missing = usize::from(!sought.is_quiet());
+            outcome.missing = 1;
             warnings.extend(sought.reason().map(|reason| format!("no limit cycle: {reason}")));
             None
         }
@@ -64,6 +64,7 @@ pub(super) fn run(
                 }
                 Some(Err(reason)) => {
                     outcome.missing = 1;
+                    mode.not_by_the_march(&reason);
                     warnings.push(format!("{reason}; what is told is the cycle by harmonics"));
                     None
                 }
@@ -97,7 +98,7 @@ fn mode(
     let (mode, highest) = fastest(&about, asked.modes.unwrap_or(LOWEST))?;
     if mode.eigenvalue.verdict() == Verdict::Stable {
         warnings.push(format!(
-            "no mode up to {:.1} Hz grows: meant is the one that decays most slowly, and a cycle of it is the knock that suffices",
+            "no mode up to {:.1} Hz grows: meant is the one that decays most slowly, and a cycle of it is a knock of its shape that suffices",
             highest / TAU,
         ));
     }
@@ -106,7 +107,8 @@ fn mode(
 
 /// What is to be said of a cycle.
 fn words_of(sought: &CycleOfMode<'_>, cycle: &AssemblyCycle<'_>) -> Vec<String> {
-    let mut words: Vec<String> = sought.held_back().into_iter().collect();
+    let much = || left_out(cycle.quality.left_out);
+    let mut words: Vec<String> = sought.held_back().or_else(much).into_iter().collect();
     if !cycle.attracts {
         let knock = "motions of its shape leave it on both sides: smaller ones decay, larger ones grow";
         let turned = "motions of its shape leave it although small ones grow: they grow to another motion";

@@ -73,12 +73,6 @@ impl<'a> CycleOfMode<'a> {
         ))
     }
 
-    /// Whether the mode was followed as far as was asked, and its motions decay at all amplitudes: no cycle is the answer.
-    pub(in crate::assembly) fn is_quiet(&self) -> bool {
-        let end = self.found.as_ref().map(|found| &found.backbone.end);
-        self.eigenvalue.re <= 0.0 && self.cycle().is_none() && matches!(end, Ok(BackboneEnd::Largest))
-    }
-
     /// Why there is no cycle.
     pub(in crate::assembly) fn reason(&self) -> Option<String> {
         let found = match &self.found {
@@ -90,8 +84,8 @@ impl<'a> CycleOfMode<'a> {
         let reached = backbone.motions.iter().map(|own| own.amplitude / backbone.first_change);
         let reached = reached.fold(0.0, f64::max);
         let all = match self.eigenvalue.re > 0.0 {
-            true => "grow at every amplitude",
-            false => "decay at every amplitude",
+            true => "grow, with three harmonics, at every amplitude",
+            false => "decay, with three harmonics, at every amplitude",
         };
         Some(match &backbone.end {
             BackboneEnd::Found | BackboneEnd::Largest => format!(
@@ -110,6 +104,18 @@ impl<'a> CycleOfMode<'a> {
             ),
         })
     }
+}
+
+/// That harmonics, of a number that was asked for, leave much out.
+pub(in crate::assembly) fn left_out(share: f64) -> Option<String> {
+    /// Of the swing of the contact forces.
+    const MUCH: f64 = 0.1;
+    (share > MUCH).then(|| {
+        format!(
+            "the harmonics leave {:.0} % of the swing of the contact forces out: give more of them",
+            100.0 * share
+        )
+    })
 }
 
 /// The harmonics of a signal from the first on, differentiated so many times, once or twice.

@@ -19,7 +19,7 @@ use std::f64::consts::TAU;
 pub(super) struct ToldCycleMode {
     /// how the cycle is computed
     method: &'static str,
-    /// whether a cycle was found
+    /// whether a cycle was found, by the method that was asked for
     converged: bool,
     /// why none was
     #[result(optional)]
@@ -41,7 +41,7 @@ pub(super) struct ToldModeCycle {
     frequency_shift: f64,
     /// its amplitude over that at which the contact first changes its state
     amplitude: f64,
-    /// whether motions of this shape nearby are drawn to it; where not, it is the knock that suffices
+    /// whether motions of this shape nearby are drawn to it; where not, it is a knock of this shape that suffices
     attracts: bool,
     /// whether all motions nearby are, where that is known
     stable: Option<bool>,
@@ -184,6 +184,12 @@ pub(super) fn scalars(mode: &ToldCycleMode, cycle: Option<&ToldModeCycle>) -> Ma
 }
 
 impl ToldCycleMode {
+    /// The march did not come back.
+    pub(super) fn not_by_the_march(&mut self, reason: &str) {
+        self.converged = false;
+        self.reason = Some(reason.to_owned());
+    }
+
     pub(super) fn new(asked: &ModeCycle, sought: &CycleOfMode<'_>) -> Self {
         Self {
             method: asked.method.name(),

@@ -162,6 +162,8 @@ impl OngoingMotion<'_, '_> {
         let time = self.statistics.steps() as f64 * asked.step;
         let mean = |pick: fn(&Works) -> f64| (pick(&works) - pick(&self.settled)) / time;
         let sum = |pick: fn(&PointStatistics) -> f64| points.iter().map(pick).sum::<f64>();
+        // of a march that ended before its averages begin nothing is known
+        let known = |value: f64| if self.statistics.steps() > 0 { value } else { f64::NAN };
         let frequency = self.frequency(&points, asked.transient)?;
         let errors = self.statistics.force_errors();
         Ok(ToldAssemblyMotion {
@@ -171,9 +173,9 @@ impl OngoingMotion<'_, '_> {
             seconds: self.seconds,
             frequency_hz: frequency.value,
             frequency_error_hz: frequency.error,
-            normal_force_mean: sum(|own| own.normal_force_mean),
+            normal_force_mean: known(sum(|own| own.normal_force_mean)),
             normal_force_mean_error: errors.map(|[normal, _]| normal),
-            friction_force_mean: sum(|own| own.friction_force_mean),
+            friction_force_mean: known(sum(|own| own.friction_force_mean)),
             friction_force_mean_error: errors.map(|[_, friction]| friction),
             power: ToldPower {
                 friction: mean(|own| own.friction),

@@ -2,7 +2,9 @@
 //!
 //! Unknown are the forces of all points, λ(τ) = Λ₀ + Σ (…); bodies follow as y(τ) = Y₀ + Re Σ Γ(i h ω) Λ_h e^{ihτ}. What is sought is
 //!
-//!     Λ = F_H[π(λ(τ), y(τ))]
+//! ```text
+//! Λ = F_H[π(λ(τ), y(τ))]
+//! ```
 //!
 //! with the laws of [`crate::point_law`] at even instants of a period and F_H the first H harmonics: alternating frequency and time (T. M. Cameron, J. H. Griffin,
 //! J. Appl. Mech. 56, 1989). Bodies of any size come in by their receptances at the points alone. Of the mean the unknown is s₀ = Λ₀ + ε c x₀ on the normals: [`StaticResponse`].

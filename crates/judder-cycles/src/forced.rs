@@ -16,12 +16,12 @@ pub struct ResponseSettings {
     /// The most motions.
     pub points: usize,
     /// What a step is a share of.
-    pub pace: Pace,
+    pub pace: StepMeasure,
 }
 
 /// What a step along a response is a share of.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Pace {
+pub enum StepMeasure {
     /// Of so many newtons, and of the first frequency.
     Fixed(f64),
     /// Of the largest forces so far, at least the force scale; the longest step goes on by at most so many rad/s.
@@ -58,7 +58,7 @@ pub struct ForcedResponse {
 struct ForcedEquations<'b, 'a> {
     balance: &'b HarmonicBalance<'a>,
     frequency: f64,
-    pace: Pace,
+    pace: StepMeasure,
     weights: Vec<f64>,
     /// The largest mean square of the forces so far, in the force scale.
     largest: f64,
@@ -70,8 +70,8 @@ impl<'b, 'a> ForcedEquations<'b, 'a> {
         let [frequency, _] = settings.between;
         let [_, longest, _] = settings.rule.steps;
         let (force, turning) = match settings.pace {
-            Pace::Fixed(force) => (balance.force_scale() / force, 1.0),
-            Pace::Largest(step) => (1.0, longest * frequency / step),
+            StepMeasure::Fixed(force) => (balance.force_scale() / force, 1.0),
+            StepMeasure::Largest(step) => (1.0, longest * frequency / step),
         };
         let mut weights = vec![force * force / balance.components() as f64; balance.unknowns()];
         weights.push(turning * turning);
@@ -201,7 +201,7 @@ impl PathEquations for ForcedEquations<'_, '_> {
     }
 
     fn accept(&mut self, at: &[f64]) -> Result<(), CyclesError> {
-        if let Pace::Largest(_) = self.pace {
+        if let StepMeasure::Largest(_) = self.pace {
             let (unknowns, components) = (self.balance.unknowns(), self.balance.components() as f64);
             let square = at[..unknowns].iter().map(|own| own * own).sum::<f64>() / components;
             self.largest = self.largest.max(square);
@@ -272,7 +272,7 @@ pub fn forced_response(
     Ok(found)
 }
 
-impl Pace {
+impl StepMeasure {
     /// By how much the frequency goes back beyond a fold, in rad/s, at least: less is that of points that change their state from one instant to the next.
     fn resolved(self) -> f64 {
         match self {

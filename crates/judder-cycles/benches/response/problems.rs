@@ -11,7 +11,7 @@ use judder_assembly::row::Row;
 use judder_assembly::steady::{PointState, SteadySliding};
 use judder_cycles::CyclesError;
 use judder_cycles::balance::{HarmonicBalance, HarmonicForce};
-use judder_cycles::forced::{ForcedResponse, Pace, ResponseSettings};
+use judder_cycles::forced::{ForcedResponse, ResponseSettings, StepMeasure};
 use judder_cycles::path::PathRule;
 use judder_cycles::series::Series;
 use judder_structure::assembly::Sparse;
@@ -126,7 +126,7 @@ pub(crate) fn stop() -> Result<Problem, Box<dyn Error>> {
             rule: PathRule { steps: [0.05, 0.2, 1e-6], tolerance: 1e-8, ..PathRule::default() },
             between: [0.8, 0.5806],
             points: 5000,
-            pace: Pace::Fixed(1.0),
+            pace: StepMeasure::Fixed(1.0),
         },
     })
 }
@@ -158,7 +158,7 @@ pub(crate) fn damper() -> Result<Problem, Box<dyn Error>> {
             rule: PathRule { steps: [0.01, 0.01, 1e-7], tolerance: 1e-8, ..PathRule::default() },
             between: [143.0, 271.0],
             points: 5000,
-            pace: Pace::Fixed(SLIPS),
+            pace: StepMeasure::Fixed(SLIPS),
         },
     })
 }
@@ -225,7 +225,7 @@ pub(crate) fn beam() -> Result<Problem, Box<dyn Error>> {
             rule: PathRule { steps: [0.02, 0.1, 1e-7], tolerance: 1e-8, ..PathRule::default() },
             between: [0.85 * FIRST[0], 1.3 * FIRST[0]],
             points: 5000,
-            pace: Pace::Fixed(1.0),
+            pace: StepMeasure::Fixed(1.0),
         },
     })
 }

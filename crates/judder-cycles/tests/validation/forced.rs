@@ -11,7 +11,7 @@ use judder_assembly::pressure::Pressure;
 use judder_assembly::row::Row;
 use judder_assembly::steady::{PointState, SteadySliding, steady_sliding};
 use judder_cycles::balance::{HarmonicBalance, HarmonicForce};
-use judder_cycles::forced::{ForcedResponse, Pace, ResponseEnd, ResponseSettings, forced_response};
+use judder_cycles::forced::{ForcedResponse, ResponseEnd, ResponseSettings, StepMeasure, forced_response};
 use judder_cycles::path::PathRule;
 use judder_cycles::series::Series;
 
@@ -65,7 +65,7 @@ fn a_stop_bends_the_response_as_published() {
         rule: PathRule { steps: [0.01, 0.05, 1e-8], ..PathRule::default() },
         between: [0.8, 0.5],
         points: 3000,
-        pace: Pace::Largest(2e-3),
+        pace: StepMeasure::Largest(2e-3),
     };
     let found = forced_response(&balance, &balance.steady(&steady), &settings, &mut |_| true).unwrap();
     assert_eq!(found.end, ResponseEnd::Range);
@@ -107,7 +107,7 @@ fn a_friction_damper_has_the_published_peak() {
             rule: PathRule { steps: [0.01, 0.01, 1e-7], ..PathRule::default() },
             between: [100.0, 300.0],
             points: 2000,
-            pace: Pace::Fixed(SLIPS),
+            pace: StepMeasure::Fixed(SLIPS),
         };
         let found =
             forced_response(&balance, &vec![0.0; balance.unknowns()], &settings, &mut |_| true).unwrap();

@@ -8,7 +8,7 @@ use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::march::driven::settings::{item, items};
 use crate::error::ModelError;
 use judder_cycles::balance::HarmonicForce;
-use judder_cycles::forced::{Pace, ResponseSettings};
+use judder_cycles::forced::{ResponseSettings, StepMeasure};
 use judder_cycles::path::PathRule;
 use judder_cycles::series::Series;
 use judder_keys::Settings;
@@ -195,7 +195,7 @@ impl FrequencyResponse {
             rule: PathRule { steps: PACE, ..PathRule::default() },
             between: self.frequency,
             points: self.points,
-            pace: Pace::Largest(self.longest_step.unwrap_or((to - from).abs() / STEPS)),
+            pace: StepMeasure::Largest(self.longest_step.unwrap_or((to - from).abs() / STEPS)),
         }
     }
 }

@@ -3,7 +3,7 @@
 //! Unknown are the forces of all points, λ(τ) = Λ₀ + Σ (…); bodies follow as y(τ) = Y₀ + Re Σ Γ(i h ω) Λ_h e^{ihτ}. What is sought is
 //!
 //! ```text
-//! Λ = F_H[π(λ(τ), y(τ))]
+//! Λ = F_H(π(λ(τ), y(τ)))
 //! ```
 //!
 //! with the laws of [`crate::point_law`] at even instants of a period and F_H the first H harmonics: alternating frequency and time (T. M. Cameron, J. H. Griffin,
@@ -77,7 +77,7 @@ pub struct PointSignals {
 /// The equations at a guess.
 #[derive(Debug, Clone)]
 pub struct Balanced {
-    /// Λ − F_H[π] as shares of the force scale, component after component.
+    /// Λ − F_H(π) as shares of the force scale, component after component.
     pub residual: Vec<f64>,
     /// Its derivative by the unknowns, and by ω and σ in the last two columns.
     pub jacobian: Mat<f64>,
@@ -95,7 +95,7 @@ pub(crate) struct Evaluated {
     /// Coefficients.
     pub(crate) signals: PointSignals,
     projected: Vec<ProjectedForce>,
-    /// Λ − F_H[π] as shares of the force scale, component after component.
+    /// Λ − F_H(π) as shares of the force scale, component after component.
     pub(crate) residual: Vec<f64>,
 }
 

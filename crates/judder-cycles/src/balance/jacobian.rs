@@ -1,6 +1,6 @@
 //! The derivative of the balance of harmonics.
 //!
-//! ∂R = (1 − T[∂π/∂λ]) ∂Λ − T[∂π/∂y] ∂Y, where T multiplies a signal with a factor and keeps H harmonics of it: a block for each point, beside
+//! ∂R = (1 − T(∂π/∂λ)) ∂Λ − T(∂π/∂y) ∂Y, where T multiplies a signal with a factor and keeps H harmonics of it: a block for each point, beside
 //! receptances that join the points harmonic by harmonic.
 
 use super::{HarmonicBalance, Responses};
@@ -11,7 +11,7 @@ use faer::{Mat, c64};
 struct PointBlocks {
     size: usize,
     dimension: usize,
-    /// 1 − T[∂π/∂λ] and −T[∂π/∂y], column after column of all components of the point.
+    /// 1 − T(∂π/∂λ) and −T(∂π/∂y), column after column of all components of the point.
     by_force: Vec<f64>,
     by_motion: Vec<f64>,
 }
@@ -28,7 +28,7 @@ impl PointBlocks {
         out.iter_mut().zip(own).for_each(|(out, own)| *out += factor * own);
     }
 
-    /// out += −T[∂π/∂y] of the cosine and sine of a harmonic of a component.
+    /// out += −T(∂π/∂y) of the cosine and sine of a harmonic of a component.
     fn add_motion(&self, component: usize, harmonic: usize, [cosine, sine]: [f64; 2], out: &mut [f64]) {
         self.add(&self.by_motion, [component, 2 * harmonic - 1], cosine, out);
         self.add(&self.by_motion, [component, 2 * harmonic], sine, out);

@@ -123,7 +123,7 @@ pub(crate) fn stop() -> Result<Problem, Box<dyn Error>> {
         observed: 0,
         fundamental: false,
         settings: ResponseSettings {
-            rule: PathRule { steps: [0.05, 0.2, 1e-6], tolerance: 1e-8, ..PathRule::default() },
+            rule: PathRule { steps: [0.05, 0.2, 1e-6], tolerance: 1e-7, ..PathRule::default() },
             between: [0.8, 0.5806],
             points: 5000,
             pace: StepMeasure::Fixed(1.0),
@@ -222,7 +222,7 @@ pub(crate) fn beam() -> Result<Problem, Box<dyn Error>> {
         observed: tip,
         fundamental: false,
         settings: ResponseSettings {
-            rule: PathRule { steps: [0.02, 0.1, 1e-7], tolerance: 1e-8, ..PathRule::default() },
+            rule: PathRule { steps: [0.02, 0.1, 1e-7], tolerance: 1e-7, ..PathRule::default() },
             between: [0.85 * FIRST[0], 1.3 * FIRST[0]],
             points: 5000,
             pace: StepMeasure::Fixed(1.0),

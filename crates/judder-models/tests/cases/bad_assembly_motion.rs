@@ -139,6 +139,10 @@ fn cycles_that_cannot_be() {
         "512",
         "leave `steps` out",
     );
+    let branch = "kind = \"bifurcation\"\nsweep = { key = \"contact.sole.friction_coefficient\", from = 0.1, to = 0.4, points = 5 }\nharmonics = 500";
+    let (message, place) = unassembled(&with_analysis(branch));
+    assert!(message.contains("500 harmonics of 42 components of contact forces"), "{message}");
+    assert_eq!(place, "500");
     let (message, place) = unassembled(&cycle("harmonics = 500"));
     assert!(
         message.contains("500 harmonics of 42 components of contact forces are 42042 unknowns"),

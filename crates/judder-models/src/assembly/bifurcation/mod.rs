@@ -7,10 +7,9 @@ mod run;
 mod told;
 
 use super::AssemblySubject;
-use super::limit_cycle::settings::{LOWEST, MODES};
+use super::limit_cycle::settings::{LOWEST, MODES, admits_cycles};
 use super::swept::SWEPT;
 use crate::assembly::case::AssemblyCase;
-use crate::assembly::case::problem::AssemblyProblem;
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
 use judder_keys::Settings;
@@ -75,19 +74,7 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 
 impl Analysis<AssemblyCase> for CycleDiagram {
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
-        if of.case.contacts.is_empty() {
-            return Ok(Err(Refusal::key("", AssemblyProblem::NothingTouches)));
-        }
-        match of.built.travelling.first() {
-            None => Ok(Ok(())),
-            Some(travelling) => {
-                let name = &of.built.assembly.interfaces[travelling.interface].name;
-                let reason = format!(
-                    "the points of the contact `{name}` travel along their track: no motion repeats itself there"
-                );
-                Ok(Err(Refusal::key("", AssemblyProblem::Refused { reason })))
-            }
-        }
+        admits_cycles(of, Some(self.harmonics))
     }
 
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

@@ -9,12 +9,14 @@ use crate::assembly::meant_mode::{fastest, near_frequency};
 use crate::assembly::swept::{SlidingState, SweptAssembly};
 use crate::error::ModelError;
 use judder_assembly::assembly::Assembly;
+use judder_assembly::steady::SteadySliding;
 use judder_cycles::CyclesError;
 use judder_cycles::backbone::{BackboneSettings, PeriodicMotion};
 use judder_cycles::balance::HarmonicBalance;
 use judder_cycles::branch::{AssemblyCycleBranch, BranchSettings, CycleAtKey, CycleBranchEnd, cycle_branch};
 use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles, points};
 use judder_cycles::path::PathRule;
+use judder_cycles::series::Series;
 use judder_cycles::stability::{CycleStability, floquet_multipliers};
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Outcome};
@@ -72,8 +74,7 @@ struct FirstCycle {
     value: f64,
     assembly: Assembly,
     motion: PeriodicMotion,
-    steady: judder_assembly::steady::SteadySliding,
-    harmonics: HarmonicCount,
+    steady: SteadySliding,
     eigenvalue: Complex64,
 }
 
@@ -124,7 +125,7 @@ fn first(
     };
     drop(search);
     let steady = state.steady.clone();
-    Ok(Ok(FirstCycle { value, assembly, motion, steady, harmonics, eigenvalue }))
+    Ok(Ok(FirstCycle { value, assembly, motion, steady, eigenvalue }))
 }
 
 /// The branch both ways, in the order along it.
@@ -134,8 +135,7 @@ fn branches(
     found: &FirstCycle,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
-    let HarmonicCount::Fixed(harmonics) = found.harmonics else { return Ok(Outcome::default()) };
-    let series = judder_cycles::series::Series::new(harmonics, asked.samples * harmonics);
+    let series = Series::new(asked.harmonics, asked.samples * asked.harmonics);
     let balance = HarmonicBalance::new(&found.assembly, &found.steady, found.eigenvalue.im, series, &[])?;
     let at = |value: f64| {
         let built = family.assembly(&[value]);

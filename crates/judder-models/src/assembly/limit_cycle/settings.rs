@@ -120,35 +120,43 @@ impl CycleSolver {
         CycleSettings { harmonics, samples: self.samples, backbone }
     }
 
-    /// Refuses what has no cycle, and harmonics whose equations would not fit into memory.
+    /// Refuses what [`admits_cycles`] refuses.
     pub(in crate::assembly) fn fits(
         &self,
         of: &AssemblySubject<'_>,
     ) -> Result<Result<(), Refusal>, ModelError> {
-        if let Err(refusal) = of.touches().and_then(|()| of.slides()) {
-            return Ok(Err(refusal));
-        }
-        let refused = |key, reason| Ok(Err(Refusal::key(key, AssemblyProblem::Refused { reason })));
-        if let Some(travelling) = of.built.travelling.first() {
-            let name = &of.built.assembly.interfaces[travelling.interface].name;
+        admits_cycles(of, self.harmonics)
+    }
+}
+
+/// Refuses what has no cycle, and harmonics whose equations would not fit into memory.
+pub(in crate::assembly) fn admits_cycles(
+    of: &AssemblySubject<'_>,
+    harmonics: Option<usize>,
+) -> Result<Result<(), Refusal>, ModelError> {
+    if let Err(refusal) = of.touches().and_then(|()| of.slides()) {
+        return Ok(Err(refusal));
+    }
+    let refused = |key, reason| Ok(Err(Refusal::key(key, AssemblyProblem::Refused { reason })));
+    if let Some(travelling) = of.built.travelling.first() {
+        let name = &of.built.assembly.interfaces[travelling.interface].name;
+        let reason = format!(
+            "the points of the contact `{name}` travel along their track: no motion repeats itself there"
+        );
+        return refused("", reason);
+    }
+    let components = components(of)?;
+    let most = largest_count(components);
+    match harmonics {
+        Some(count) if count > most => {
+            let unknowns = components * (2 * count + 1);
+            let taken = Memory { bytes: (8 * MATRICES * unknowns * unknowns) as u64 };
             let reason = format!(
-                "the points of the contact `{name}` travel along their track: no motion repeats itself there"
+                "{count} harmonics of {components} components of contact forces are {unknowns} unknowns, whose matrices take {taken}, more than {LIMIT}: give up to {most}"
             );
-            return refused("", reason);
+            refused("harmonics", reason)
         }
-        let components = components(of)?;
-        let most = largest_count(components);
-        match self.harmonics {
-            Some(count) if count > most => {
-                let unknowns = components * (2 * count + 1);
-                let taken = Memory { bytes: (8 * MATRICES * unknowns * unknowns) as u64 };
-                let reason = format!(
-                    "{count} harmonics of {components} components of contact forces are {unknowns} unknowns, whose matrices take {taken}, more than {LIMIT}: give up to {most}"
-                );
-                refused("harmonics", reason)
-            }
-            _ => Ok(Ok(())),
-        }
+        _ => Ok(Ok(())),
     }
 }
 

@@ -146,8 +146,12 @@ fn modes_are_ranked_by_their_cycles() {
     assert!(same(&fastest["levels"]["edge.y"], &cycle["levels"]["edge.y"]["level_db"]));
     let place = |mode: &Value| mode["rank_by_level"].as_u64().unwrap();
     let louder = |own: &&Value| number(&own["level_db"]);
-    let loudest = modes.iter().max_by(|a, b| louder(a).total_cmp(&louder(b))).unwrap();
-    assert!(place(loudest) == 1 && loudest["level_db"] == squeal["level_db"]);
+    // cycles that motions leave are not heard, and stand behind
+    let heard = modes.iter().filter(|mode| mode["stable"] != false);
+    match heard.max_by(|a, b| louder(a).total_cmp(&louder(b))) {
+        Some(loudest) => assert!(place(loudest) == 1 && loudest["level_db"] == squeal["level_db"]),
+        None => assert!(squeal["level_db"].is_null(), "{squeal:?}"),
+    }
     let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     let again =
         alone.install(|| run_into(tempfile::tempdir().unwrap().path(), &block(&[friction]), &["squeal"]));

@@ -1,8 +1,12 @@
 //! `squeal`: the cycles of all modes of a band that grow, ranked by how loud they are.
+//!
+//! - `cycle`: the cycle of a mode. `run`, `told`: what is computed and told of all of them. `figure`, `tables`: how it is shown.
 
+mod cycle;
 mod figure;
 mod run;
 pub(super) mod tables;
+mod told;
 
 use super::AssemblySubject;
 use super::eigen::BAND;
@@ -17,10 +21,10 @@ use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::short;
-use run::ToldSqueal;
 use serde_json::{Map, Value as Json};
 use std::f64::consts::TAU;
 use std::sync::Arc;
+use told::ToldSqueal;
 
 /// The cycles of all modes that grow.
 #[derive(Debug, Clone, PartialEq, Settings)]

@@ -4,7 +4,7 @@ use judder_report::page::PageTable;
 use judder_study::report_tables::short;
 use serde_json::{Map, Value};
 
-/// The modes from the loudest on, those without a cycle last, by growth.
+/// The modes from the loudest cycle on, unstable ones behind, those without a cycle last, by growth.
 pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     let mut modes: Vec<&Value> =
         results.get("modes").and_then(Value::as_array).into_iter().flatten().collect();
@@ -39,7 +39,7 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
         [numbers.map(told).to_vec(), vec![level], rest.map(told).to_vec()].concat()
     };
     vec![PageTable {
-        caption: "Modes that grow, from the loudest cycle on".to_owned(),
+        caption: "Modes that grow, from the loudest cycle on, unstable ones behind".to_owned(),
         head: heads.map(String::from).to_vec(),
         rows: modes.iter().map(row).collect(),
     }]

@@ -30,10 +30,16 @@ pub fn complex_eigen(matrix: MatRef<'_, c64>) -> Option<(Vec<c64>, Mat<c64>)> {
 
 /// X with A X = B, in place of B; `None` where A is singular.
 #[must_use]
-pub fn solve(matrix: Mat<f64>, right: &mut Mat<f64>) -> Option<()> {
+pub fn solve(mut matrix: Mat<f64>, right: &mut Mat<f64>) -> Option<()> {
+    solve_in_place(matrix.as_mut(), right.as_mut()).map(|_| ())
+}
+
+/// The same with factors in place of A: 1 where the determinant of A is positive, −1 where it is negative.
+#[must_use]
+pub fn solve_in_place(matrix: MatMut<'_, f64>, right: MatMut<'_, f64>) -> Option<f64> {
     /// Rows from which on cores share the work.
     const LARGE: usize = 512;
-    if matrix.nrows() >= LARGE { solve_shared(matrix, right) } else { solve_over(matrix, right) }
+    if matrix.nrows() >= LARGE { solve_shared(matrix, right) } else { solve_alone(matrix, right) }
 }
 
 /// Columns that are eliminated together.
@@ -42,9 +48,10 @@ const PANEL: usize = 128;
 const TILE: usize = 128;
 
 /// The same by panels whose effects on the columns after them are worked side by side.
-fn solve_shared(mut matrix: Mat<f64>, right: &mut Mat<f64>) -> Option<()> {
+fn solve_shared(mut matrix: MatMut<'_, f64>, mut right: MatMut<'_, f64>) -> Option<f64> {
     let size = matrix.nrows();
     let parameters = Spec::<PartialPivLuParams, f64>::default();
+    let mut exchanges = 0;
     for start in (0..size).step_by(PANEL) {
         let (rows, width) = (size - start, PANEL.min(size - start));
         let left = matrix.as_mut().submatrix_mut(start, start, rows, rows);
@@ -52,27 +59,44 @@ fn solve_shared(mut matrix: Mat<f64>, right: &mut Mat<f64>) -> Option<()> {
         let (mut forward, mut inverse) = (vec![0_usize; rows], vec![0; rows]);
         let needed = lu_in_place_scratch::<usize, f64>(rows, width, Par::Seq, parameters);
         let mut memory = MemBuffer::try_new(needed).ok()?;
-        lu_in_place(
-            panel.as_mut(),
-            &mut forward,
-            &mut inverse,
-            Par::Seq,
-            MemStack::new(&mut memory),
-            parameters,
-        );
-        let panel = panel.as_ref();
-        rest.par_col_chunks_mut(TILE).for_each(|tile| eliminate_from(panel, &forward, tile));
-        eliminate_from(panel, &forward, right.as_mut().subrows_mut(start, rows));
+        let stack = MemStack::new(&mut memory);
+        let (done, _) = lu_in_place(panel.as_mut(), &mut forward, &mut inverse, Par::Seq, stack, parameters);
+        exchanges += done.transposition_count;
+        let (panel, exchanged) = (panel.as_ref(), exchanged_rows(&forward, width));
+        rest.par_col_chunks_mut(TILE).for_each(|tile| eliminate_from(panel, &exchanged, tile));
+        eliminate_from(panel, &exchanged, right.as_mut().subrows_mut(start, rows));
     }
     solve_upper_triangular_in_place(matrix.as_ref(), right.as_mut(), Par::Seq);
-    right.is_all_finite().then_some(())
+    let sign = sign_of(matrix.as_ref(), exchanges);
+    right.is_all_finite().then_some(sign)
+}
+
+/// The sign of the determinant, from the factors.
+fn sign_of(factors: MatRef<'_, f64>, exchanges: usize) -> f64 {
+    let negative = (0..factors.nrows()).filter(|k| factors[(*k, *k)] < 0.0).count();
+    if (negative + exchanges).is_multiple_of(2) { 1.0 } else { -1.0 }
+}
+
+/// The exchanges of two rows, one for each column of a panel, that bring rows into an order.
+fn exchanged_rows(order: &[usize], width: usize) -> Vec<usize> {
+    let (mut rows, mut places): (Vec<usize>, Vec<usize>) =
+        ((0..order.len()).collect(), (0..order.len()).collect());
+    let exchange = |k: usize| {
+        let place = places[order[k]];
+        rows.swap(k, place);
+        (places[rows[k]], places[rows[place]]) = (k, place);
+        place
+    };
+    (0..width).map(exchange).collect()
 }
 
 /// Columns after a panel of L and U: their rows in its order, its own of them divided by L, the rows below less what these bring.
-fn eliminate_from(panel: MatRef<'_, f64>, order: &[usize], mut columns: MatMut<'_, f64>) {
+fn eliminate_from(panel: MatRef<'_, f64>, exchanged: &[usize], mut columns: MatMut<'_, f64>) {
     for k in 0..columns.ncols() {
-        let before: Vec<f64> = (0..order.len()).map(|row| columns[(row, k)]).collect();
-        order.iter().enumerate().for_each(|(row, from)| columns[(row, k)] = before[*from]);
+        for (row, other) in exchanged.iter().enumerate().filter(|(row, other)| row != *other) {
+            let (before, after) = (columns[(row, k)], columns[(*other, k)]);
+            (columns[(row, k)], columns[(*other, k)]) = (after, before);
+        }
     }
     let (top, below) = panel.split_at_row(panel.ncols());
     let (mut own, rest) = columns.split_at_row_mut(panel.ncols());
@@ -82,11 +106,17 @@ fn eliminate_from(panel: MatRef<'_, f64>, order: &[usize], mut columns: MatMut<'
 
 /// The same for complex matrices.
 #[must_use]
-pub fn solve_complex(matrix: Mat<c64>, right: &mut Mat<c64>) -> Option<()> {
-    solve_over(matrix, right)
+pub fn solve_complex(mut matrix: Mat<c64>, right: &mut Mat<c64>) -> Option<()> {
+    solve_over(matrix.as_mut(), right.as_mut()).map(|_| ())
 }
 
-fn solve_over<T: ComplexField>(mut matrix: Mat<T>, right: &mut Mat<T>) -> Option<()> {
+fn solve_alone(mut matrix: MatMut<'_, f64>, right: MatMut<'_, f64>) -> Option<f64> {
+    let exchanges = solve_over(matrix.as_mut(), right)?;
+    Some(sign_of(matrix.as_ref(), exchanges))
+}
+
+/// How many rows were exchanged.
+fn solve_over<T: ComplexField>(mut matrix: MatMut<'_, T>, mut right: MatMut<'_, T>) -> Option<usize> {
     let size = matrix.nrows();
     let (mut forward, mut inverse) = (vec![0_usize; size], vec![0; size]);
     let parameters = Spec::<PartialPivLuParams, T>::default();
@@ -94,10 +124,11 @@ fn solve_over<T: ComplexField>(mut matrix: Mat<T>, right: &mut Mat<T>) -> Option
         .or(solve_in_place_scratch::<usize, T>(size, right.ncols(), Par::Seq));
     let mut memory = MemBuffer::try_new(needed).ok()?;
     let stack = MemStack::new(&mut memory);
-    let (_, rows) = lu_in_place(matrix.as_mut(), &mut forward, &mut inverse, Par::Seq, stack, parameters);
+    let (done, rows) = lu_in_place(matrix.as_mut(), &mut forward, &mut inverse, Par::Seq, stack, parameters);
+    let exchanges = done.transposition_count;
     let (factors, stack) = (matrix.as_ref(), MemStack::new(&mut memory));
     solve_in_place_with_conj(factors, factors, rows, Conj::No, right.as_mut(), Par::Seq, stack);
-    right.is_all_finite().then_some(())
+    right.is_all_finite().then_some(exchanges)
 }
 
 /// The pivots of P A = L U, in place of A, and whether P is an odd number of exchanges; `None` where there is no memory.
@@ -208,10 +239,23 @@ mod tests {
         let matrix = Mat::from_fn(size, size, |i, j| uniform(9, (size * i + j) as u64) - 0.5);
         let right = Mat::from_fn(size, 2, |i, j| uniform(10, (2 * i + j) as u64));
         let (mut shared, mut alone) = (right.clone(), right.clone());
-        solve_shared(matrix.clone(), &mut shared).unwrap();
-        solve_over(matrix.clone(), &mut alone).unwrap();
+        let signs = [
+            solve_shared(matrix.clone().as_mut(), shared.as_mut()).unwrap(),
+            solve_alone(matrix.clone().as_mut(), alone.as_mut()).unwrap(),
+        ];
+        assert_eq!(signs[0], signs[1]);
         assert!((&matrix * &shared - &right).norm_max() < 1e-9);
         assert!((&shared - &alone).norm_max() < 1e-9 * alone.norm_max());
+    }
+
+    #[test]
+    fn the_sign_is_that_of_the_determinant() {
+        let signs = [[2.0, 1.0, 1.0, 3.0], [1.0, 2.0, 3.0, 1.0], [-1.0, 0.5, 0.0, 2.0]];
+        for [a, b, c, d] in signs {
+            let mut matrix = Mat::from_fn(2, 2, |i, j| [[a, b], [c, d]][i][j]);
+            let sign = solve_in_place(matrix.as_mut(), Mat::zeros(2, 1).as_mut()).unwrap();
+            assert_eq!(sign, f64::signum(a * d - b * c));
+        }
     }
 
     #[test]

@@ -8,10 +8,10 @@
 mod mode;
 
 use crate::CyclesError;
-use crate::balance::{Balanced, CycleRate, HarmonicBalance, LastEvaluated};
-use crate::path::{ClosingEquation, Path, PathEquations, PathPoint, PathRule, corrected};
-use crate::phase::Phase;
-use faer::{Mat, c64};
+use crate::balance::{CycleRate, HarmonicBalance};
+use crate::extended::{ExtendedBalance, Free};
+use crate::path::{ClosingEquation, Newton, PathEquations, PathPoint, PathRule, follow};
+use faer::c64;
 use judder_assembly::steady::SteadySliding;
 
 /// How the motions of a mode are followed.
@@ -74,87 +74,6 @@ pub struct Backbone {
     pub end: BackboneEnd,
 }
 
-/// The balance of harmonics with ω and σ, and a phase.
-struct TurningEquations<'b, 'a> {
-    balance: &'b HarmonicBalance<'a>,
-    /// In rad/s.
-    frequency: f64,
-    weights: Vec<f64>,
-    phase: Phase,
-    last: LastEvaluated,
-}
-
-impl<'b, 'a> TurningEquations<'b, 'a> {
-    fn new(balance: &'b HarmonicBalance<'a>, frequency: f64, reference: Vec<f64>) -> Self {
-        let unknowns = balance.unknowns();
-        let mut weights = vec![1.0 / balance.components() as f64; unknowns + 2];
-        weights[unknowns..].fill(1.0);
-        Self {
-            balance,
-            frequency,
-            weights,
-            phase: Phase::new(balance, reference),
-            last: LastEvaluated::default(),
-        }
-    }
-
-    fn turning(&self, at: &[f64]) -> CycleRate {
-        let unknowns = self.balance.unknowns();
-        CycleRate { frequency: self.frequency * at[unknowns], growth: self.frequency * at[unknowns + 1] }
-    }
-
-    /// A motion at a solution.
-    fn motion(&self, point: &PathPoint) -> Result<PeriodicMotion, CyclesError> {
-        let turning = self.turning(&point.at);
-        let unknown = point.at[..self.balance.unknowns()].to_vec();
-        let signals = self.balance.signals_at(&unknown, turning)?;
-        let amplitude = self.phase.amplitude(&signals.motions);
-        Ok(PeriodicMotion { unknown, turning, amplitude, residual: point.residual })
-    }
-}
-
-impl PathEquations for TurningEquations<'_, '_> {
-    fn residual(&mut self, at: &[f64]) -> Result<Vec<f64>, CyclesError> {
-        let evaluated = self.balance.evaluated(&at[..self.balance.unknowns()], self.turning(at))?;
-        let mut residual = evaluated.residual.clone();
-        residual.push(self.phase.of(&evaluated.signals.motions));
-        self.last.keep(at, evaluated);
-        Ok(residual)
-    }
-
-    fn linearised(&mut self, at: &[f64]) -> Result<(Vec<f64>, Mat<f64>), CyclesError> {
-        let unknowns = self.balance.unknowns();
-        let evaluated = match self.last.take(at) {
-            Some(evaluated) => evaluated,
-            None => self.balance.evaluated(&at[..unknowns], self.turning(at))?,
-        };
-        let Balanced { mut residual, jacobian, signals, first } =
-            self.balance.linearised(evaluated, self.turning(at))?;
-        residual.push(self.phase.of(&signals.motions));
-        let phase = self.phase.slopes(&first);
-        let derivative = Mat::from_fn(unknowns + 1, unknowns + 2, |i, j| {
-            let own = if i < unknowns { jacobian[(i, j)] } else { phase[j] };
-            if j >= unknowns { self.frequency * own } else { own }
-        });
-        Ok((residual, derivative))
-    }
-
-    fn weights(&self) -> &[f64] {
-        &self.weights
-    }
-
-    fn is_sought(&mut self, at: &[f64]) -> Result<bool, CyclesError> {
-        let signals = self.balance.signals_at(&at[..self.balance.unknowns()], self.turning(at))?;
-        Ok(self.phase.moves(&signals.motions))
-    }
-
-    fn accept(&mut self, at: &[f64]) -> Result<(), CyclesError> {
-        let signals = self.balance.signals_at(&at[..self.balance.unknowns()], self.turning(at))?;
-        self.phase.follow(&signals.motions);
-        Ok(())
-    }
-}
-
 /// The periodic motions of the mode with this eigenvalue about steady sliding.
 ///
 /// # Errors
@@ -166,51 +85,39 @@ pub fn backbone(
     settings: &BackboneSettings,
 ) -> Result<Backbone, CyclesError> {
     let start = mode::smallest(balance, steady, eigenvalue)?;
-    let mut equations = TurningEquations::new(balance, eigenvalue.im, start.reference.clone());
+    let reference = Some(start.reference.clone());
+    let mut equations = ExtendedBalance::new(balance, balance, eigenvalue.im, Free::Growth, reference);
+    let mut newton = Newton::new(settings.rule);
     let closing = ClosingEquation::across(&start.direction, equations.weights(), &start.at);
-    let first = corrected(&mut equations, &start.at, &closing, &start.direction, &settings.rule)?;
+    let first = newton.corrected(&mut equations, &start.at, &closing, &start.direction)?;
     equations.accept(&first.at)?;
     let smallest = equations.motion(&first)?;
     let first_change = smallest.amplitude / mode::SHARE;
-    let mut found =
-        Backbone { motions: vec![smallest], cycles: Vec::new(), first_change, end: BackboneEnd::Points };
-    let last = first.at.len() - 1;
-    let mut path = Path::from(first, settings.rule);
-    while found.motions.len() < settings.points {
-        let before = path.point().clone();
-        let next = match path.go_on(&mut equations) {
-            Ok(next) => next.clone(),
-            Err(error) => {
-                found.end = BackboneEnd::Lost(error);
-                break;
+    let (mut motions, mut cycles) = (vec![smallest], Vec::new());
+    let growth = first.at.len() - 1;
+    let end =
+        follow(&mut newton, &mut equations, first, settings.points, |equations, newton, [before, next]| {
+            let motion = equations.motion(next)?;
+            let amplitude = motion.amplitude;
+            if before.at[growth] * next.at[growth] <= 0.0 && before.at[growth] != 0.0 {
+                cycles.push(located(equations, newton, [before, next])?);
             }
-        };
-        if before.at[last] * next.at[last] <= 0.0 && before.at[last] != 0.0 {
-            match located(&mut equations, [&before, &next], &settings.rule) {
-                Ok(cycle) => found.cycles.push(cycle),
-                Err(error) => {
-                    found.end = BackboneEnd::Lost(error);
-                    break;
-                }
-            }
-        }
-        let motion = equations.motion(&next)?;
-        let amplitude = motion.amplitude;
-        found.motions.push(motion);
-        if found.cycles.len() >= settings.cycles {
-            found.end = BackboneEnd::Found;
-            break;
-        }
-        if amplitude > settings.largest * first_change {
-            found.end = BackboneEnd::Largest;
-            break;
-        }
-        if amplitude < 0.5 * mode::SHARE * first_change {
-            found.end = BackboneEnd::Shrunk;
-            break;
-        }
-    }
-    Ok(found)
+            motions.push(motion);
+            Ok(if cycles.len() >= settings.cycles {
+                Some(BackboneEnd::Found)
+            } else if amplitude > settings.largest * first_change {
+                Some(BackboneEnd::Largest)
+            } else if amplitude < 0.5 * mode::SHARE * first_change {
+                Some(BackboneEnd::Shrunk)
+            } else {
+                None
+            })
+        });
+    let end = match end {
+        Ok(end) => end.unwrap_or(BackboneEnd::Points),
+        Err(error) => BackboneEnd::Lost(error),
+    };
+    Ok(Backbone { motions, cycles, first_change, end })
 }
 
 /// A limit cycle near another that is known with as many harmonics or fewer.
@@ -230,11 +137,12 @@ pub fn refined(
         own[..kept].copy_from_slice(&from[..kept]);
     }
     at.extend([1.0, 0.0]);
+    let reference = Some(vec![1.0; 2 * balance.components()]);
     let mut equations =
-        TurningEquations::new(balance, near.turning.frequency, vec![1.0; 2 * balance.components()]);
+        ExtendedBalance::new(balance, balance, near.turning.frequency, Free::Growth, reference);
     equations.accept(&at)?;
     let closing = ClosingEquation::fixed(at.len() - 1, at.len(), 0.0);
-    let found = corrected(&mut equations, &at, &closing, &closing.row, rule)?;
+    let found = Newton::new(*rule).corrected(&mut equations, &at, &closing, &closing.row)?;
     let cycle = equations.motion(&found)?;
     if cycle.amplitude < SHRUNK * near.amplitude { Err(CyclesError::Shrunk) } else { Ok(cycle) }
 }
@@ -246,16 +154,16 @@ const SHRUNK: f64 = 0.3;
 ///
 /// Steady sliding is a solution with σ = 0 too: σ is free until it is small, on planes across the path.
 fn located(
-    equations: &mut TurningEquations<'_, '_>,
+    equations: &mut ExtendedBalance<&HarmonicBalance<'_>>,
+    newton: &mut Newton,
     [before, after]: [&PathPoint; 2],
-    rule: &PathRule,
 ) -> Result<(PeriodicMotion, bool), CyclesError> {
     /// Steps, and the σ at which it is as good as zero.
     const STEPS: usize = 12;
     const SMALL: f64 = 1e-7;
     let last = before.at.len() - 1;
-    let size = [before, after].map(|point| equations.motion(point).map(|own| own.amplitude));
-    let [small, large] = [size[0].clone()?, size[1].clone()?];
+    let small = equations.motion(before)?.amplitude;
+    let large = equations.motion(after)?.amplitude;
     let (mut low, mut high) = (before.clone(), after.clone());
     for _ in 0..STEPS {
         let nearest = if low.at[last].abs() < high.at[last].abs() { &low } else { &high };
@@ -266,12 +174,12 @@ fn located(
         let guess: Vec<f64> = low.at.iter().zip(&high.at).map(|(a, b)| a + share * (b - a)).collect();
         let chord: Vec<f64> = low.at.iter().zip(&high.at).map(|(a, b)| b - a).collect();
         let closing = ClosingEquation::across(&chord, equations.weights(), &guess);
-        let between = corrected(equations, &guess, &closing, &before.tangent, rule)?;
+        let between = newton.corrected(equations, &guess, &closing, &before.tangent)?;
         if between.at[last] * low.at[last] > 0.0 { low = between } else { high = between }
     }
     let nearest = if low.at[last].abs() < high.at[last].abs() { low } else { high };
     let closing = ClosingEquation::fixed(last, nearest.at.len(), 0.0);
-    let found = corrected(equations, &nearest.at, &closing, &nearest.tangent, rule)?;
+    let found = newton.corrected(equations, &nearest.at, &closing, &nearest.tangent)?;
     let cycle = equations.motion(&found)?;
     if cycle.amplitude < SHRUNK * small.min(large) {
         return Err(CyclesError::Shrunk);

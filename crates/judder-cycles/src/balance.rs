@@ -9,17 +9,21 @@
 //! with the laws of [`crate::point_law`] at even instants of a period and F_H the first H harmonics: alternating frequency and time (T. M. Cameron, J. H. Griffin,
 //! J. Appl. Mech. 56, 1989). Bodies of any size come in by their receptances at the points alone. Of the mean the unknown is s₀ = Λ₀ + ε c x₀ on the normals: [`StaticResponse`].
 
+mod evaluated;
 mod jacobian;
 
 use crate::CyclesError;
-use crate::point_law::{COMPONENTS, PointScales, ProjectedForce, project};
-use crate::receptance::{AtHarmonic, HarmonicBodies, StaticResponse};
+use crate::point_law::PointScales;
+use crate::receptance::{AtHarmonic, HarmonicBodies, HarmonicSlopes, StaticResponse};
 use crate::series::Series;
-use faer::{Mat, c64};
+use faer::{Mat, MatMut, c64};
 use judder_assembly::assembly::Assembly;
 use judder_assembly::steady::SteadySliding;
 use judder_nonsmooth::contact::ContactPoints;
 use std::sync::Arc;
+
+pub(crate) use evaluated::Evaluated;
+pub use evaluated::ProjectedForces;
 
 /// A periodic force on the freedoms, Re f e^{ihτ}.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,18 +89,6 @@ pub struct Balanced {
     pub signals: PointSignals,
     /// Derivatives of the first harmonics of y by the unknowns, ω and σ: cosine and sine of each component, two rows a component.
     pub first: Mat<f64>,
-}
-
-/// What the bodies and the points do at a guess.
-#[derive(Debug, Clone)]
-pub(crate) struct Evaluated {
-    /// Of each harmonic.
-    harmonics: Vec<AtHarmonic>,
-    /// Coefficients.
-    pub(crate) signals: PointSignals,
-    projected: Vec<ProjectedForce>,
-    /// Λ − F_H(π) as shares of the force scale, component after component.
-    pub(crate) residual: Vec<f64>,
 }
 
 impl<'a> HarmonicBalance<'a> {
@@ -168,6 +160,15 @@ impl<'a> HarmonicBalance<'a> {
         })
     }
 
+    /// The bodies of another balance, to which assemblies are compared from now on.
+    pub(crate) fn take_bodies(&mut self, other: &HarmonicBalance<'_>) {
+        if !Arc::ptr_eq(&self.statics, &other.statics) {
+            self.bodies = other.bodies.clone();
+            self.statics = other.statics.clone();
+            self.load.clone_from(&other.load);
+        }
+    }
+
     /// The same bodies with other harmonics.
     #[must_use]
     pub fn with_series(&self, series: Series) -> Self {
@@ -237,127 +238,6 @@ impl<'a> HarmonicBalance<'a> {
         unknown
     }
 
-    /// λ of a harmonic of the unknowns, from one on.
-    fn harmonic(&self, unknown: &[f64], harmonic: usize) -> Vec<c64> {
-        let columns = unknown.chunks_exact(self.series.coefficients());
-        columns.map(|own| self.force * c64::new(own[2 * harmonic - 1], -own[2 * harmonic])).collect()
-    }
-
-    /// s₀.
-    fn mean(&self, unknown: &[f64]) -> Vec<f64> {
-        unknown.chunks_exact(self.series.coefficients()).map(|own| self.force * own[0]).collect()
-    }
-
-    fn responses(&self, unknown: &[f64], at: CycleRate) -> Result<Vec<AtHarmonic>, CyclesError> {
-        let of = |harmonic: usize| {
-            let load = self.forcing[harmonic - 1].as_deref();
-            let forces = self.harmonic(unknown, harmonic);
-            self.bodies.at(at.of(harmonic), at.growth, &forces, load)
-        };
-        (1..=self.series.harmonics()).map(of).collect()
-    }
-
-    /// Coefficients of forces and motions.
-    fn signals(&self, unknown: &[f64], harmonics: &[AtHarmonic]) -> PointSignals {
-        let (size, dimension) = (self.series.coefficients(), self.contact.dimension);
-        let components = self.components();
-        let mut forces = Mat::from_fn(size, components, |k, c| self.force * unknown[c * size + k]);
-        let mut motions = Mat::zeros(size, components);
-        let mean = self.mean(unknown);
-        for component in 0..components {
-            let own: f64 = (0..components).map(|j| self.statics.receptance[(component, j)] * mean[j]).sum();
-            let moved = self.statics.free[component] + own;
-            let point = component / dimension;
-            motions[(0, component)] = match component % dimension {
-                0 => {
-                    forces[(0, component)] -= self.scales[point].stiffness * moved;
-                    self.contact.first_gap(point) + moved
-                }
-                1 => moved - self.contact.speed(point),
-                _ => moved,
-            };
-            for (k, own) in harmonics.iter().enumerate() {
-                motions[(2 * k + 1, component)] = own.motion[component].re;
-                motions[(2 * k + 2, component)] = -own.motion[component].im;
-            }
-        }
-        PointSignals { forces, motions }
-    }
-
-    /// Forces and motions at a guess, as coefficients.
-    ///
-    /// # Errors
-    /// [`CyclesError::Singular`].
-    pub fn signals_at(&self, unknown: &[f64], at: CycleRate) -> Result<PointSignals, CyclesError> {
-        Ok(self.signals(unknown, &self.responses(unknown, at)?))
-    }
-
-    /// x of the coordinates of the bodies: the mean, and the complex amplitude of each harmonic.
-    ///
-    /// # Errors
-    /// [`CyclesError::Singular`].
-    pub fn coordinates(
-        &self,
-        unknown: &[f64],
-        at: CycleRate,
-    ) -> Result<(Vec<f64>, Vec<Vec<c64>>), CyclesError> {
-        let harmonics = self.responses(unknown, at)?;
-        let mean = self.statics.coordinates(&self.mean(unknown));
-        Ok((mean, harmonics.into_iter().map(|own| own.coordinates).collect()))
-    }
-
-    /// π of all points at the instants of a series, instant after instant, in order of the points.
-    #[must_use]
-    pub fn projected(&self, series: &Series, signals: &PointSignals) -> Vec<ProjectedForce> {
-        let [forces, motions] =
-            [&signals.forces, &signals.motions].map(|coefficients| series.values(coefficients.as_ref()));
-        let (dimension, points) = (self.contact.dimension, self.contact.points.len());
-        let of = |values: &Mat<f64>, instant: usize, point: usize| {
-            let mut own = [0.0; COMPONENTS];
-            for (k, own) in own.iter_mut().take(dimension).enumerate() {
-                *own = values[(instant, point * dimension + k)];
-            }
-            own
-        };
-        let mut all = vec![ProjectedForce::default(); series.samples() * points];
-        for point in 0..points {
-            for instant in 0..series.samples() {
-                let (force, motion) = (of(&forces, instant, point), of(&motions, instant, point));
-                let out = &mut all[instant * points + point];
-                project(&self.contact.points[point], self.scales[point], [force, motion], out);
-            }
-        }
-        all
-    }
-
-    /// What is left of the equations at a guess, as shares of the force scale, component after component.
-    ///
-    /// # Errors
-    /// [`CyclesError::Singular`].
-    pub fn residual(&self, unknown: &[f64], at: CycleRate) -> Result<Vec<f64>, CyclesError> {
-        Ok(self.evaluated(unknown, at)?.residual)
-    }
-
-    pub(crate) fn evaluated(&self, unknown: &[f64], at: CycleRate) -> Result<Evaluated, CyclesError> {
-        let harmonics = self.responses(unknown, at)?;
-        let signals = self.signals(unknown, &harmonics);
-        let projected = self.projected(&self.series, &signals);
-        let residual = self.residual_of(&signals, &projected);
-        Ok(Evaluated { harmonics, signals, projected, residual })
-    }
-
-    fn residual_of(&self, signals: &PointSignals, projected: &[ProjectedForce]) -> Vec<f64> {
-        let (size, dimension) = (self.series.coefficients(), self.contact.dimension);
-        let points = self.contact.points.len();
-        let allowed = Mat::from_fn(self.series.samples(), self.components(), |instant, component| {
-            projected[instant * points + component / dimension].force[component % dimension]
-        });
-        let allowed = self.series.of_values(allowed.as_ref());
-        let entry =
-            |k: usize| (signals.forces[(k % size, k / size)] - allowed[(k % size, k / size)]) / self.force;
-        (0..self.unknowns()).map(entry).collect()
-    }
-
     /// Whether an unknown is a mean of friction: of a point that sticks throughout the laws leave it open.
     fn is_mean_friction(&self, unknown: usize) -> bool {
         let size = self.series.coefficients();
@@ -369,39 +249,35 @@ impl<'a> HarmonicBalance<'a> {
     /// # Errors
     /// [`CyclesError::Singular`].
     pub fn balanced(&self, unknown: &[f64], at: CycleRate) -> Result<Balanced, CyclesError> {
-        self.linearised(self.evaluated(unknown, at)?, at)
+        let mut out = Evaluated::new();
+        self.evaluate(unknown, at, &mut out)?;
+        let unknowns = self.unknowns();
+        let mut jacobian = Mat::zeros(unknowns, unknowns + 2);
+        let slopes = self.derivative(&out, at, jacobian.as_mut())?;
+        let mut first = Mat::zeros(2 * self.components(), unknowns + 2);
+        let mut factors = vec![0.0; first.nrows()];
+        for row in 0..first.nrows() {
+            factors[row] = 1.0;
+            self.slopes_of_first(&slopes, &factors, &mut |column, slope| first[(row, column)] = slope);
+            factors[row] = 0.0;
+        }
+        Ok(Balanced { residual: out.residual, jacobian, signals: out.signals, first })
     }
 
-    pub(crate) fn linearised(&self, evaluated: Evaluated, at: CycleRate) -> Result<Balanced, CyclesError> {
-        let Evaluated { harmonics, signals, projected, residual } = evaluated;
-        let receptance = |harmonic: usize| self.bodies.receptance(at.of(harmonic), at.growth);
-        let receptances = (1..=self.series.harmonics()).map(receptance).collect::<Result<Vec<_>, _>>()?;
-        let responses = Responses { receptances, harmonics };
-        let mut jacobian = self.jacobian(&responses, &projected);
-        (0..self.unknowns()).filter(|k| self.is_mean_friction(*k)).for_each(|k| jacobian[(k, k)] += LEAST);
-        let first = self.first(&responses);
-        Ok(Balanced { residual, jacobian, signals, first })
-    }
-}
-
-/// The bodies at all harmonics, Γ of each and what they do.
-struct Responses {
-    receptances: Vec<Mat<c64>>,
-    harmonics: Vec<AtHarmonic>,
-}
-
-/// What was evaluated last, which a linearisation at the same place starts from.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct LastEvaluated(Option<(Vec<f64>, Evaluated)>);
-
-impl LastEvaluated {
-    pub(crate) fn keep(&mut self, at: &[f64], evaluated: Evaluated) {
-        self.0 = Some((at.to_vec(), evaluated));
-    }
-
-    /// What is kept, where it is of this place.
-    pub(crate) fn take(&mut self, at: &[f64]) -> Option<Evaluated> {
-        self.0.take().filter(|(place, _)| place == at).map(|(_, evaluated)| evaluated)
+    /// The derivative by the unknowns and, as far as the matrix has columns, by ω and σ, in place of what it has.
+    pub(crate) fn derivative(
+        &self,
+        evaluated: &Evaluated,
+        at: CycleRate,
+        mut out: MatMut<'_, f64>,
+    ) -> Result<Vec<HarmonicSlopes>, CyclesError> {
+        let slopes = (1..).zip(&evaluated.harmonics).map(|(harmonic, own): (usize, &AtHarmonic)| {
+            self.bodies.slopes(at.of(harmonic), at.growth, &own.coordinates)
+        });
+        let slopes = slopes.collect::<Result<Vec<_>, _>>()?;
+        self.jacobian(&slopes, &evaluated.projected, out.as_mut());
+        (0..self.unknowns()).filter(|k| self.is_mean_friction(*k)).for_each(|k| out[(k, k)] += LEAST);
+        Ok(slopes)
     }
 }
 

@@ -171,10 +171,10 @@ impl PointsOverPeriod {
         let projected = balance.projected(&series, &signals);
         let (dimension, points) = (balance.contact().dimension, balance.contact().points.len());
         let forces = Mat::from_fn(series.samples(), balance.components(), |instant, component| {
-            projected[instant * points + component / dimension].force[component % dimension]
+            projected.at(instant, component / dimension).force[component % dimension]
         });
-        let states = projected.chunks_exact(points).map(|own| own.iter().map(|own| own.state).collect());
-        let states = states.collect();
+        let at = |instant: usize| (0..points).map(|point| projected.at(instant, point).state).collect();
+        let states = (0..series.samples()).map(at).collect();
         Ok(Self { forces, motions: series.values(signals.motions.as_ref()), states })
     }
 }
@@ -220,9 +220,9 @@ pub fn points(
     let instants = series.samples() as f64;
     let mut points = vec![PointCycle::default(); balance.contact().points.len()];
     let (mut between, mut missing, mut swing) = (0.0_f64, 0.0, 0.0);
-    for (instant, own) in projected.chunks_exact(points.len()).enumerate() {
-        for (point, projected) in own.iter().enumerate() {
-            let told = &mut points[point];
+    for instant in 0..series.samples() {
+        for (point, told) in points.iter_mut().enumerate() {
+            let projected = projected.at(instant, point);
             let state = match projected.state {
                 PointMotion::Stick => 0,
                 PointMotion::Slip => 1,

@@ -2,9 +2,9 @@
 
 use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
-use crate::balance::{CycleRate, HarmonicBalance, LastEvaluated};
-use crate::path::{ClosingEquation, Path, PathEquations, PathPoint, PathRule, corrected};
-use faer::Mat;
+use crate::balance::HarmonicBalance;
+use crate::extended::{ExtendedBalance, Free};
+use crate::path::{ClosingEquation, Newton, PathEquations, PathPoint, PathRule, distance, extreme, follow};
 
 /// How a response is followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,161 +54,36 @@ pub struct ForcedResponse {
     pub end: ResponseEnd,
 }
 
-/// The balance of harmonics with the frequency as its last unknown.
-struct ForcedEquations<'b, 'a> {
+/// The balance with the frequency as its last unknown.
+type ForcedEquations<'b, 'a> = ExtendedBalance<&'b HarmonicBalance<'a>>;
+
+fn equations<'b, 'a>(
     balance: &'b HarmonicBalance<'a>,
+    settings: &ResponseSettings,
+) -> ForcedEquations<'b, 'a> {
+    let [frequency, _] = settings.between;
+    let [_, longest, _] = settings.rule.steps;
+    let mut equations = ExtendedBalance::new(balance, balance, frequency, Free::Nothing, None);
+    match settings.pace {
+        StepMeasure::Fixed(force) => equations.weigh(balance.force_scale() / force, 1.0, false),
+        StepMeasure::Largest(step) => equations.weigh(1.0, longest * frequency / step, true),
+    }
+    equations
+}
+
+/// The motion at a frequency, of the first, near a guess; its tangent points as `towards` does.
+fn fixed(
+    equations: &mut ForcedEquations<'_, '_>,
+    newton: &mut Newton,
+    guess: &[f64],
     frequency: f64,
-    pace: StepMeasure,
-    weights: Vec<f64>,
-    /// The largest mean square of the forces so far, in the force scale.
-    largest: f64,
-    last: LastEvaluated,
-}
-
-impl<'b, 'a> ForcedEquations<'b, 'a> {
-    fn new(balance: &'b HarmonicBalance<'a>, settings: &ResponseSettings) -> Self {
-        let [frequency, _] = settings.between;
-        let [_, longest, _] = settings.rule.steps;
-        let (force, turning) = match settings.pace {
-            StepMeasure::Fixed(force) => (balance.force_scale() / force, 1.0),
-            StepMeasure::Largest(step) => (1.0, longest * frequency / step),
-        };
-        let mut weights = vec![force * force / balance.components() as f64; balance.unknowns()];
-        weights.push(turning * turning);
-        Self {
-            balance,
-            frequency,
-            pace: settings.pace,
-            weights,
-            largest: 1.0,
-            last: LastEvaluated::default(),
-        }
-    }
-
-    fn turning(&self, at: &[f64]) -> CycleRate {
-        CycleRate { frequency: self.frequency * at[self.balance.unknowns()], growth: 0.0 }
-    }
-
-    fn motion(&self, point: &PathPoint) -> PeriodicMotion {
-        let unknowns = self.balance.unknowns();
-        PeriodicMotion {
-            unknown: point.at[..unknowns].to_vec(),
-            turning: self.turning(&point.at),
-            amplitude: 0.0,
-            residual: point.residual,
-        }
-    }
-
-    /// The motion at one frequency in rad/s near a guess; its tangent points as `towards` does.
-    fn fixed(
-        &mut self,
-        guess: &[f64],
-        frequency: f64,
-        towards: &[f64],
-        rule: &PathRule,
-    ) -> Result<PathPoint, CyclesError> {
-        let last = guess.len() - 1;
-        let mut guess = guess.to_vec();
-        guess[last] = frequency / self.frequency;
-        let closing = ClosingEquation::fixed(last, guess.len(), guess[last]);
-        corrected(self, &guess, &closing, towards, rule)
-    }
-
-    /// The unknowns of a motion.
-    fn place(&self, motion: &PeriodicMotion) -> Vec<f64> {
-        motion.unknown.iter().copied().chain([motion.turning.frequency / self.frequency]).collect()
-    }
-
-    /// The frequency in rad/s at which the branch through three places turns, by golden sections on planes across the line between the outer ones.
-    fn fold(&mut self, [first, amid, last]: &[Vec<f64>; 3], rose: bool, rule: &PathRule) -> f64 {
-        /// Sections: a thousandth of the way is left.
-        const SECTIONS: usize = 14;
-        const GOLDEN: f64 = 0.618_033_988_749_894_9;
-        let unknown = amid.len() - 1;
-        let sign = if rose { 1.0 } else { -1.0 };
-        let way: Vec<f64> = last.iter().zip(first).map(|(a, b)| a - b).collect();
-        let start = ClosingEquation::across(&way, &self.weights, first);
-        let end = ClosingEquation::across(&way, &self.weights, last).value;
-        let place = |share: f64| start.value + share * (end - start.value);
-        let own =
-            (ClosingEquation::across(&way, &self.weights, amid).value - start.value) / (end - start.value);
-        let mut at = |share: f64| {
-            let (from, to, part) = match share < own {
-                true => (first, amid, share / own),
-                false => (amid, last, (share - own) / (1.0 - own)),
-            };
-            let guess: Vec<f64> = from.iter().zip(to).map(|(a, b)| a + part * (b - a)).collect();
-            let closing = ClosingEquation { value: place(share), ..start.clone() };
-            corrected(self, &guess, &closing, &way, rule)
-                .map_or(f64::NEG_INFINITY, |found| sign * found.at[unknown])
-        };
-        let mut farthest = sign * amid[unknown];
-        let mut between = [0.0, 1.0];
-        let mut tried = [1.0 - GOLDEN, GOLDEN].map(|share| (share, at(share)));
-        for _ in 0..SECTIONS {
-            farthest = farthest.max(tried[0].1).max(tried[1].1);
-            if tried[0].1 > tried[1].1 {
-                between[1] = tried[1].0;
-                let share = between[1] - GOLDEN * (between[1] - between[0]);
-                tried = [(share, at(share)), tried[0]];
-            } else {
-                between[0] = tried[0].0;
-                let share = between[0] + GOLDEN * (between[1] - between[0]);
-                tried = [tried[1], (share, at(share))];
-            }
-        }
-        self.frequency * sign * farthest
-    }
-
-    fn distance(&self, a: &[f64], b: &[f64]) -> f64 {
-        a.iter()
-            .zip(b)
-            .zip(&self.weights)
-            .map(|((a, b), weight)| (a - b) * (a - b) * weight)
-            .sum::<f64>()
-            .sqrt()
-    }
-}
-
-impl PathEquations for ForcedEquations<'_, '_> {
-    fn residual(&mut self, at: &[f64]) -> Result<Vec<f64>, CyclesError> {
-        let evaluated = self.balance.evaluated(&at[..self.balance.unknowns()], self.turning(at))?;
-        let residual = evaluated.residual.clone();
-        self.last.keep(at, evaluated);
-        Ok(residual)
-    }
-
-    fn linearised(&mut self, at: &[f64]) -> Result<(Vec<f64>, Mat<f64>), CyclesError> {
-        let unknowns = self.balance.unknowns();
-        let evaluated = match self.last.take(at) {
-            Some(evaluated) => evaluated,
-            None => self.balance.evaluated(&at[..unknowns], self.turning(at))?,
-        };
-        let balanced = self.balance.linearised(evaluated, self.turning(at))?;
-        let derivative = Mat::from_fn(unknowns, unknowns + 1, |i, j| match j == unknowns {
-            true => self.frequency * balanced.jacobian[(i, j)],
-            false => balanced.jacobian[(i, j)],
-        });
-        Ok((balanced.residual, derivative))
-    }
-
-    fn weights(&self) -> &[f64] {
-        &self.weights
-    }
-
-    fn is_sought(&mut self, _: &[f64]) -> Result<bool, CyclesError> {
-        Ok(true)
-    }
-
-    fn accept(&mut self, at: &[f64]) -> Result<(), CyclesError> {
-        if let StepMeasure::Largest(_) = self.pace {
-            let (unknowns, components) = (self.balance.unknowns(), self.balance.components() as f64);
-            let square = at[..unknowns].iter().map(|own| own * own).sum::<f64>() / components;
-            self.largest = self.largest.max(square);
-            self.weights[..unknowns].fill(1.0 / (components * self.largest));
-        }
-        Ok(())
-    }
+    towards: &[f64],
+) -> Result<PathPoint, CyclesError> {
+    let last = guess.len() - 1;
+    let mut guess = guess.to_vec();
+    guess[last] = frequency;
+    let closing = ClosingEquation::fixed(last, guess.len(), frequency);
+    newton.corrected(equations, &guess, &closing, towards)
 }
 
 /// The motions under the forces of a balance, from the unknowns of a guess at the first frequency on; `go_on` is told how many there are, and may stop them.
@@ -223,51 +98,41 @@ pub fn forced_response(
 ) -> Result<ForcedResponse, CyclesError> {
     let [from, to] = settings.between;
     let unknowns = balance.unknowns();
-    let mut equations = ForcedEquations::new(balance, settings);
+    let (mut equations, mut newton) = (equations(balance, settings), Newton::new(settings.rule));
     let start: Vec<f64> = guess.iter().copied().chain([1.0]).collect();
     let mut towards = vec![0.0; unknowns + 1];
     towards[unknowns] = (to - from).signum();
-    let first = equations.fixed(&start, from, &towards, &settings.rule)?;
+    let first = fixed(&mut equations, &mut newton, &start, 1.0, &towards)?;
     equations.accept(&first.at)?;
-    let mut found = ForcedResponse {
-        motions: vec![equations.motion(&first)],
-        along: vec![0.0],
-        folds: Vec::new(),
-        end: ResponseEnd::Points,
-    };
-    let mut path = Path::from(first, settings.rule);
-    while found.motions.len() < settings.points {
-        if !go_on(found.motions.len()) {
-            found.end = ResponseEnd::Stopped;
-            break;
-        }
-        let before = path.point().clone();
-        let mut next = match path.go_on(&mut equations) {
-            Ok(next) => next.clone(),
-            Err(error) => {
-                found.end = ResponseEnd::Lost(error);
-                break;
-            }
-        };
-        let frequency = equations.turning(&next.at).frequency;
+    let (mut motions, mut along) = (vec![equations.motion(&first)?], vec![0.0]);
+    let points = settings.points;
+    let end = follow(&mut newton, &mut equations, first, points, |equations, newton, [before, next]| {
+        let frequency = equations.rate(&next.at).frequency;
         let leaves = (frequency - from) * (frequency - to) > 0.0;
-        if leaves {
+        let bounded = leaves.then(|| {
             let bound = if (frequency - from).abs() < (frequency - to).abs() { from } else { to };
-            let bounded = equations.fixed(&next.at, bound, &next.tangent, &settings.rule);
             // else the motion stays that beyond the range
-            next = bounded.unwrap_or(next);
-            found.end = ResponseEnd::Range;
-        }
-        let so_far = found.along[found.along.len() - 1];
-        found.along.push(so_far + equations.distance(&before.at, &next.at));
-        found.motions.push(equations.motion(&next));
-        if leaves {
-            break;
-        }
-    }
+            fixed(equations, newton, &next.at, bound / from, &next.tangent).ok()
+        });
+        let next = bounded.flatten().unwrap_or_else(|| next.clone());
+        along.push(along[along.len() - 1] + distance(&before.at, &next.at, equations.weights()));
+        motions.push(equations.motion(&next)?);
+        let stops = !go_on(motions.len());
+        Ok(match (leaves, stops) {
+            (true, _) => Some(ResponseEnd::Range),
+            (_, true) => Some(ResponseEnd::Stopped),
+            _ => None,
+        })
+    });
+    let end = match end {
+        Ok(end) => end.unwrap_or(ResponseEnd::Points),
+        Err(error) => ResponseEnd::Lost(error),
+    };
+    let mut found = ForcedResponse { motions, along, folds: Vec::new(), end };
     for (motion, rose) in found.turns(to > from, settings.pace.resolved()) {
-        let near = [motion - 1, motion, motion + 1].map(|k| equations.place(&found.motions[k]));
-        found.folds.push((motion, equations.fold(&near, rose, &settings.rule)));
+        let near = [motion - 1, motion, motion + 1].map(|k| equations.place(&found.motions[k], 0.0));
+        let near = near.each_ref().map(Vec::as_slice);
+        found.folds.push((motion, from * extreme(&mut equations, &mut newton, near, (unknowns, rose))));
     }
     Ok(found)
 }
@@ -331,6 +196,7 @@ impl ForcedResponse {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::balance::CycleRate;
 
     /// A branch whose frequency is 1 + s − s², of so many motions.
     fn branch(along: &[f64]) -> ForcedResponse {

@@ -5,58 +5,48 @@
 
 use crate::CyclesError;
 use crate::reduced::solve;
-use faer::Mat;
+use faer::{Mat, MatMut};
 
 /// n equations of n + 1 unknowns, which are of the order of one.
-pub trait PathEquations {
+pub(crate) trait PathEquations {
     /// What is left at a guess.
-    ///
-    /// # Errors
-    /// Where the equations cannot be evaluated.
-    fn residual(&mut self, at: &[f64]) -> Result<Vec<f64>, CyclesError>;
+    fn residual(&mut self, at: &[f64]) -> Result<&[f64], CyclesError>;
 
-    /// What is left, and its derivative by the unknowns: n × n + 1.
-    ///
-    /// # Errors
-    /// Where the equations cannot be evaluated.
-    fn linearised(&mut self, at: &[f64]) -> Result<(Vec<f64>, Mat<f64>), CyclesError>;
+    /// The derivative by the unknowns, in place of whatever the n × n + 1 matrix has.
+    fn derivative(&mut self, at: &[f64], out: MatMut<'_, f64>) -> Result<(), CyclesError>;
 
     /// What each unknown counts in the length of a step.
     fn weights(&self) -> &[f64];
 
     /// Whether a solution is of the kind that is sought, beside one that is.
-    ///
-    /// # Errors
-    /// Where the equations cannot be evaluated.
     fn is_sought(&mut self, at: &[f64]) -> Result<bool, CyclesError>;
 
     /// A solution is taken: what the equations refer to may follow it.
-    ///
-    /// # Errors
-    /// Where the equations cannot be evaluated.
     fn accept(&mut self, at: &[f64]) -> Result<(), CyclesError>;
 }
 
 /// A solution, with the direction in which the path goes on.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PathPoint {
+pub(crate) struct PathPoint {
     /// The unknowns.
-    pub at: Vec<f64>,
+    pub(crate) at: Vec<f64>,
     /// Of length one in the weights.
-    pub tangent: Vec<f64>,
+    pub(crate) tangent: Vec<f64>,
+    /// The sign of the determinant of the equations under the tangent: another one across a branch point.
+    pub(crate) orientation: f64,
     /// The largest residual.
-    pub residual: f64,
+    pub(crate) residual: f64,
     /// Steps of Newton's method.
-    pub iterations: usize,
+    iterations: usize,
 }
 
 /// The equation that picks one solution: r·z = c.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ClosingEquation {
+pub(crate) struct ClosingEquation {
     /// r.
-    pub row: Vec<f64>,
+    pub(crate) row: Vec<f64>,
     /// c.
-    pub value: f64,
+    pub(crate) value: f64,
 }
 
 /// How solutions are sought.
@@ -78,16 +68,14 @@ impl Default for PathRule {
 
 impl ClosingEquation {
     /// One unknown has this value.
-    #[must_use]
-    pub fn fixed(unknown: usize, of: usize, value: f64) -> Self {
+    pub(crate) fn fixed(unknown: usize, of: usize, value: f64) -> Self {
         let mut row = vec![0.0; of];
         row[unknown] = 1.0;
         Self { row, value }
     }
 
     /// The plane across a direction, through a place.
-    #[must_use]
-    pub fn across(direction: &[f64], weights: &[f64], place: &[f64]) -> Self {
+    pub(crate) fn across(direction: &[f64], weights: &[f64], place: &[f64]) -> Self {
         let row: Vec<f64> = direction.iter().zip(weights).map(|(own, weight)| own * weight).collect();
         let value = dot(&row, place);
         Self { row, value }
@@ -102,120 +90,185 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, own| if own.is_nan() { f64::INFINITY } else { most.max(own.abs()) })
 }
 
-/// The solution near a guess on which the closing equation holds; the tangent points as `towards` does.
-///
-/// # Errors
-/// [`CyclesError::NotConverged`], [`CyclesError::Singular`], and what the equations say.
-pub fn corrected<E: PathEquations>(
-    equations: &mut E,
-    guess: &[f64],
-    closing: &ClosingEquation,
-    towards: &[f64],
-    rule: &PathRule,
-) -> Result<PathPoint, CyclesError> {
-    let size = guess.len();
-    let mut at = guess.to_vec();
-    let closed = |at: &[f64]| dot(&closing.row, at) - closing.value;
-    let left = |equations: &mut E, at: &[f64]| -> Result<[f64; 2], CyclesError> {
-        let mut residual = equations.residual(at)?;
-        residual.push(closed(at));
-        Ok([largest(&residual), dot(&residual, &residual).sqrt()])
-    };
-    let [mut most, mut norm] = left(equations, &at)?;
-    for iteration in 1..=rule.iterations {
-        let (residual, derivative) = equations.linearised(&at)?;
-        let matrix = Mat::from_fn(size, size, |i, j| match i + 1 == size {
-            true => closing.row[j],
-            false => derivative[(i, j)],
-        });
-        let mut right = Mat::from_fn(size, 2, |i, j| match (i + 1 == size, j) {
-            (true, 0) => -closed(&at),
-            (false, 0) => -residual[i],
-            (true, _) => 1.0,
-            (false, _) => 0.0,
-        });
-        solve(&matrix, &mut right).ok_or(CyclesError::Singular)?;
-        // the part of a step that leaves least: none need leave less where points change their states
-        let mut best: Option<(Vec<f64>, f64, f64)> = None;
-        for share in [1.0, 0.5, 0.25, 0.1] {
-            let tried: Vec<f64> = at.iter().enumerate().map(|(k, own)| own + share * right[(k, 0)]).collect();
-            let Ok([now_most, now_norm]) = left(equations, &tried) else { continue };
-            if best.as_ref().is_none_or(|best| now_norm < best.2) {
-                best = Some((tried, now_most, now_norm));
-            }
-            if now_norm < (1.0 - 0.3 * share) * norm {
-                break;
-            }
-        }
-        (at, most, norm) = best.ok_or(CyclesError::Singular)?;
-        if most <= rule.tolerance {
-            let direction: Vec<f64> = (0..size).map(|k| right[(k, 1)]).collect();
-            let tangent = unit(&direction, equations.weights(), towards);
-            return Ok(PathPoint { at, tangent, residual: most, iterations: iteration });
-        }
+/// Newton's method, with what it works in: assembled, solved and written over again in the same place.
+pub(crate) struct Newton {
+    rule: PathRule,
+    /// After how many steps that do not halve what is left it gives up.
+    patience: usize,
+    /// The derivative, and the closing equation in its last row.
+    matrix: Mat<f64>,
+    right: Mat<f64>,
+}
+
+impl Newton {
+    pub(crate) fn new(rule: PathRule) -> Self {
+        Self { rule, patience: rule.iterations, matrix: Mat::new(), right: Mat::new() }
     }
-    Err(CyclesError::NotConverged { iterations: rule.iterations, residual: most })
+
+    /// The linear system at a place, of so many right sides that are zero but for the closing equation, which is one.
+    fn assemble<E: PathEquations>(
+        &mut self,
+        equations: &mut E,
+        at: &[f64],
+        closing: &[f64],
+        sides: usize,
+    ) -> Result<(), CyclesError> {
+        let size = at.len();
+        if self.matrix.nrows() != size {
+            self.matrix = Mat::zeros(size, size);
+        }
+        equations.derivative(at, self.matrix.as_mut().submatrix_mut(0, 0, size - 1, size))?;
+        closing.iter().enumerate().for_each(|(j, own)| self.matrix[(size - 1, j)] = *own);
+        self.right.resize_with(size, sides, |_, _| 0.0);
+        self.right.fill(0.0);
+        (0..sides).for_each(|side| self.right[(size - 1, side)] = 1.0);
+        Ok(())
+    }
+
+    /// In place of the right sides the solutions; the sign of the determinant.
+    fn solve(&mut self) -> Result<f64, CyclesError> {
+        solve(self.matrix.as_mut(), self.right.as_mut()).ok_or(CyclesError::Singular)
+    }
+
+    /// The solution near a guess on which the closing equation holds; the tangent points as `towards` does.
+    ///
+    /// # Errors
+    /// [`CyclesError::NotConverged`], [`CyclesError::Singular`], and what the equations say.
+    pub(crate) fn corrected<E: PathEquations>(
+        &mut self,
+        equations: &mut E,
+        guess: &[f64],
+        closing: &ClosingEquation,
+        towards: &[f64],
+    ) -> Result<PathPoint, CyclesError> {
+        /// The step of Newton's method, and the tangent.
+        const SIDES: usize = 2;
+        let size = guess.len();
+        let mut at = guess.to_vec();
+        let closed = |at: &[f64]| dot(&closing.row, at) - closing.value;
+        let left = |equations: &mut E, at: &[f64]| -> Result<[f64; 2], CyclesError> {
+            let (residual, own) = (equations.residual(at)?, closed(at));
+            Ok([largest(residual).max(largest(&[own])), (dot(residual, residual) + own * own).sqrt()])
+        };
+        let [mut most, mut norm] = left(equations, &at)?;
+        let (mut tried, mut least, mut since) = (at.clone(), norm, 0);
+        let mut iteration = 0;
+        while iteration < self.rule.iterations && since < self.patience {
+            iteration += 1;
+            self.assemble(equations, &at, &closing.row, SIDES)?;
+            let step = self.right.col_as_slice_mut(0);
+            step.iter_mut().zip(equations.residual(&at)?).for_each(|(own, residual)| *own = -residual);
+            step[size - 1] = -closed(&at);
+            let sign = self.solve()?;
+            // the part of a step that leaves least: none need leave less where points change their states
+            let mut best: Option<(f64, f64, f64)> = None;
+            let step = self.right.col_as_slice(0);
+            let along = |share: f64, tried: &mut Vec<f64>| {
+                tried.clear();
+                tried.extend(at.iter().zip(step).map(|(own, step)| own + share * step));
+            };
+            for share in [1.0, 0.5, 0.25, 0.1] {
+                along(share, &mut tried);
+                let Ok([now_most, now_norm]) = left(equations, &tried) else { continue };
+                if best.is_none_or(|best| now_norm < best.2) {
+                    best = Some((share, now_most, now_norm));
+                }
+                if now_norm < (1.0 - 0.3 * share) * norm {
+                    break;
+                }
+            }
+            let share;
+            (share, most, norm) = best.ok_or(CyclesError::Singular)?;
+            along(share, &mut tried);
+            std::mem::swap(&mut at, &mut tried);
+            if most <= self.rule.tolerance {
+                let (tangent, turned) = unit(self.right.col_as_slice(1), equations.weights(), towards);
+                let orientation = sign * turned;
+                return Ok(PathPoint { at, tangent, orientation, residual: most, iterations: iteration });
+            }
+            (least, since) = if norm < 0.5 * least { (norm, 0) } else { (least, since + 1) };
+        }
+        Err(CyclesError::NotConverged { iterations: iteration, residual: most })
+    }
+
+    /// The tangent that the equations have at a place.
+    fn tangent_at<E: PathEquations>(
+        &mut self,
+        equations: &mut E,
+        at: &[f64],
+        towards: &[f64],
+    ) -> Result<Vec<f64>, CyclesError> {
+        let closing = ClosingEquation::across(towards, equations.weights(), at);
+        self.assemble(equations, at, &closing.row, 1)?;
+        self.solve()?;
+        Ok(unit(self.right.col_as_slice(0), equations.weights(), towards).0)
+    }
 }
 
-/// A direction of length one in the weights that points as another does.
-fn unit(direction: &[f64], weights: &[f64], towards: &[f64]) -> Vec<f64> {
-    let weighted: Vec<f64> = direction.iter().zip(weights).map(|(own, weight)| own * weight).collect();
-    let length = dot(direction, &weighted).sqrt();
-    let sign = if dot(&weighted, towards) < 0.0 { -1.0 } else { 1.0 };
-    direction.iter().map(|own| sign * own / length).collect()
+/// A direction of length one in the weights that points as another does, and −1 where that turned it.
+fn unit(direction: &[f64], weights: &[f64], towards: &[f64]) -> (Vec<f64>, f64) {
+    let weighted =
+        |other: &[f64]| -> f64 { (0..direction.len()).map(|k| direction[k] * weights[k] * other[k]).sum() };
+    let (length, sign) = (weighted(direction).sqrt(), if weighted(towards) < 0.0 { -1.0 } else { 1.0 });
+    (direction.iter().map(|own| sign * own / length).collect(), sign)
 }
 
-/// The tangent that the equations have at a place.
-fn tangent_at<E: PathEquations>(
-    equations: &mut E,
-    at: &[f64],
-    towards: &[f64],
-) -> Result<Vec<f64>, CyclesError> {
-    let size = at.len();
-    let (_, derivative) = equations.linearised(at)?;
-    let matrix = Mat::from_fn(size, size, |i, j| match i + 1 == size {
-        true => towards[j] * equations.weights()[j],
-        false => derivative[(i, j)],
-    });
-    let mut right = Mat::from_fn(size, 1, |i, _| if i + 1 == size { 1.0 } else { 0.0 });
-    solve(&matrix, &mut right).ok_or(CyclesError::Singular)?;
-    let direction: Vec<f64> = (0..size).map(|k| right[(k, 0)]).collect();
-    Ok(unit(&direction, equations.weights(), towards))
-}
+/// Steps of Newton's method that do not halve what is left after which a shorter step along the path is the better one.
+const PATIENCE: usize = 6;
 
 /// A step that fails below it stands before a kink of the path.
 const KINK: f64 = 1e-4;
 
-/// A path, from solution to solution.
-#[derive(Debug, Clone)]
-pub struct Path {
+/// How far two places lie apart.
+pub(crate) fn distance(a: &[f64], b: &[f64], weights: &[f64]) -> f64 {
+    let squares = a.iter().zip(b).zip(weights).map(|((a, b), weight)| (a - b) * (a - b) * weight);
+    squares.sum::<f64>().sqrt()
+}
+
+/// Follows a path from a solution on until a judge, who sees the last solution and the next one, ends it; nothing where there are as many solutions as were asked for.
+///
+/// # Errors
+/// Why no next solution was found, and what the judge says.
+pub(crate) fn follow<E: PathEquations, End>(
+    newton: &mut Newton,
+    equations: &mut E,
+    first: PathPoint,
+    most: usize,
+    mut judge: impl FnMut(&mut E, &mut Newton, [&PathPoint; 2]) -> Result<Option<End>, CyclesError>,
+) -> Result<Option<End>, CyclesError> {
+    newton.patience = PATIENCE;
+    let mut path = Path { point: first, step: newton.rule.steps[0] };
+    for _ in 1..most {
+        let next = path.next(newton, equations)?;
+        equations.accept(&next.at)?;
+        let before = std::mem::replace(&mut path.point, next);
+        if let Some(end) = judge(equations, newton, [&before, &path.point])? {
+            return Ok(Some(end));
+        }
+    }
+    Ok(None)
+}
+
+/// Where a path stands.
+struct Path {
     point: PathPoint,
     step: f64,
-    rule: PathRule,
 }
 
 impl Path {
-    /// From a solution on.
-    #[must_use]
-    pub fn from(point: PathPoint, rule: PathRule) -> Self {
-        Self { point, step: rule.steps[0], rule }
-    }
-
-    /// The last solution.
-    #[must_use]
-    pub fn point(&self) -> &PathPoint {
-        &self.point
-    }
-
-    /// Goes to the next solution; the step shortens until one is found. Where equations have kinks, the path may turn at one.
+    /// The next solution; the step shortens until one is found. Where equations have kinks, the path may turn at one.
     ///
     /// # Errors
     /// The last reason where none is found with the shortest step.
-    pub fn go_on<E: PathEquations>(&mut self, equations: &mut E) -> Result<&PathPoint, CyclesError> {
-        let [_, longest, shortest] = self.rule.steps;
+    fn next<E: PathEquations>(
+        &mut self,
+        newton: &mut Newton,
+        equations: &mut E,
+    ) -> Result<PathPoint, CyclesError> {
+        let [_, longest, shortest] = newton.rule.steps;
         let mut rounded = false;
         loop {
-            let error = match self.tried(equations) {
+            let error = match self.tried(newton, equations) {
                 Ok(next) => {
                     let stretch = match next.iterations {
                         ..=3 => 1.5,
@@ -223,15 +276,15 @@ impl Path {
                         _ => 0.6,
                     };
                     self.step = (stretch * self.step).min(longest);
-                    return self.take(equations, next);
+                    return Ok(next);
                 }
                 Err(error) => error,
             };
             if self.step < KINK && !rounded {
                 rounded = true;
-                if let Some((next, step)) = self.round_the_kink(equations)? {
+                if let Some((next, step)) = self.round_the_kink(newton, equations)? {
                     self.step = step;
-                    return self.take(equations, next);
+                    return Ok(next);
                 }
             }
             if 0.4 * self.step < shortest {
@@ -241,33 +294,23 @@ impl Path {
         }
     }
 
-    fn take<E: PathEquations>(
-        &mut self,
-        equations: &mut E,
-        next: PathPoint,
-    ) -> Result<&PathPoint, CyclesError> {
-        equations.accept(&next.at)?;
-        self.point = next;
-        Ok(&self.point)
-    }
-
     /// A solution beyond a kink that is just ahead: the path goes on along the tangent that the equations have behind it, one way or the other.
     fn round_the_kink<E: PathEquations>(
         &self,
+        newton: &mut Newton,
         equations: &mut E,
     ) -> Result<Option<(PathPoint, f64)>, CyclesError> {
         let PathPoint { at, tangent, .. } = &self.point;
+        let first = newton.rule.steps[0];
         for ahead in [4.0, 40.0] {
             let beyond: Vec<f64> =
                 at.iter().zip(tangent).map(|(own, t)| own + ahead * self.step * t).collect();
-            let Ok(behind) = tangent_at(equations, &beyond, tangent) else { continue };
-            for step in [self.rule.steps[0], 0.1 * self.rule.steps[0], 0.01 * self.rule.steps[0], 10.0 * KINK]
-            {
+            let Ok(behind) = newton.tangent_at(equations, &beyond, tangent) else { continue };
+            for step in [first, 0.1 * first, 0.01 * first, 10.0 * KINK] {
                 for sign in [1.0, -1.0] {
                     let tangent: Vec<f64> = behind.iter().map(|own| sign * own).collect();
-                    let from = PathPoint { tangent, ..self.point.clone() };
-                    let there = Self { point: from, step, rule: self.rule };
-                    if let Ok(next) = there.tried(equations)
+                    let there = Self { point: PathPoint { tangent, ..self.point.clone() }, step };
+                    if let Ok(next) = there.tried(newton, equations)
                         && !self.lies_behind(&next.at, equations.weights())
                     {
                         return Ok(Some((next, step)));
@@ -289,18 +332,66 @@ impl Path {
         along < 0.0 && (length * length - along * along).max(0.0).sqrt() < NARROW * length
     }
 
-    fn tried<E: PathEquations>(&self, equations: &mut E) -> Result<PathPoint, CyclesError> {
+    fn tried<E: PathEquations>(
+        &self,
+        newton: &mut Newton,
+        equations: &mut E,
+    ) -> Result<PathPoint, CyclesError> {
         let PathPoint { at, tangent, .. } = &self.point;
         let guess: Vec<f64> = at.iter().zip(tangent).map(|(own, t)| own + self.step * t).collect();
         let closing = ClosingEquation::across(tangent, equations.weights(), &guess);
-        let found = corrected(equations, &guess, &closing, tangent, &self.rule)?;
+        let found = newton.corrected(equations, &guess, &closing, tangent)?;
         // a solution far off the guess is one of another path
-        let weights = equations.weights();
-        let off = |k: usize| (found.at[k] - guess[k]) * (found.at[k] - guess[k]) * weights[k];
-        let off = (0..guess.len()).map(off).sum::<f64>().sqrt();
+        let off = distance(&found.at, &guess, equations.weights());
         if off > self.step || !equations.is_sought(&found.at)? {
             return Err(CyclesError::NotConverged { iterations: found.iterations, residual: off });
         }
         Ok(found)
     }
+}
+
+/// The largest value of an unknown, or the smallest, on the branch through three places, by golden sections on planes across the line between the outer ones.
+pub(crate) fn extreme<E: PathEquations>(
+    equations: &mut E,
+    newton: &mut Newton,
+    [first, amid, last]: [&[f64]; 3],
+    (unknown, largest): (usize, bool),
+) -> f64 {
+    /// Sections: a thousandth of the way is left.
+    const SECTIONS: usize = 14;
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let sign = if largest { 1.0 } else { -1.0 };
+    let way: Vec<f64> = last.iter().zip(first).map(|(a, b)| a - b).collect();
+    let start = ClosingEquation::across(&way, equations.weights(), first);
+    let end = ClosingEquation::across(&way, equations.weights(), last).value;
+    let place = |share: f64| start.value + share * (end - start.value);
+    let own = ClosingEquation::across(&way, equations.weights(), amid).value;
+    let own = (own - start.value) / (end - start.value);
+    let mut at = |share: f64| {
+        let (from, to, part) = match share < own {
+            true => (first, amid, share / own),
+            false => (amid, last, (share - own) / (1.0 - own)),
+        };
+        let guess: Vec<f64> = from.iter().zip(to).map(|(a, b)| a + part * (b - a)).collect();
+        let closing = ClosingEquation { value: place(share), ..start.clone() };
+        newton
+            .corrected(equations, &guess, &closing, &way)
+            .map_or(f64::NEG_INFINITY, |found| sign * found.at[unknown])
+    };
+    let mut farthest = sign * amid[unknown];
+    let mut between = [0.0, 1.0];
+    let mut tried = [1.0 - GOLDEN, GOLDEN].map(|share| (share, at(share)));
+    for _ in 0..SECTIONS {
+        farthest = farthest.max(tried[0].1).max(tried[1].1);
+        if tried[0].1 > tried[1].1 {
+            between[1] = tried[1].0;
+            let share = between[1] - GOLDEN * (between[1] - between[0]);
+            tried = [(share, at(share)), tried[0]];
+        } else {
+            between[0] = tried[0].0;
+            let share = between[0] + GOLDEN * (between[1] - between[0]);
+            tried = [tried[1], (share, at(share))];
+        }
+    }
+    sign * farthest
 }

@@ -68,7 +68,8 @@ impl Phase {
         self.set(self.first(motions));
     }
 
-    fn factors(&self) -> Vec<f64> {
+    /// What cosine and sine of each component are multiplied by in it.
+    pub(crate) fn factors(&self) -> Vec<f64> {
         let factor = |k: usize| {
             let scale = self.scales[k / 2] * self.scales[k / 2] / self.force;
             if k.is_multiple_of(2) { -scale * self.reference[k + 1] } else { scale * self.reference[k - 1] }
@@ -79,13 +80,5 @@ impl Phase {
     /// What is to be zero.
     pub(crate) fn of(&self, motions: &Mat<f64>) -> f64 {
         self.factors().iter().zip(self.first(motions)).map(|(factor, own)| factor * own).sum()
-    }
-
-    /// Its derivatives, from those of the first harmonics.
-    pub(crate) fn slopes(&self, first: &Mat<f64>) -> Vec<f64> {
-        let factors = self.factors();
-        let of =
-            |column: usize| factors.iter().enumerate().map(|(k, factor)| factor * first[(k, column)]).sum();
-        (0..first.ncols()).map(of).collect()
     }
 }

@@ -37,10 +37,17 @@ pub struct ProjectedForce {
 }
 
 impl ProjectedForce {
-    /// Whether nothing changes it: of a point that is open.
+    /// Whether nothing changes it: of a point that is open, and has no friction then.
     pub(crate) fn is_constant(&self) -> bool {
-        self.state == PointMotion::Open
-            && self.by_force.iter().chain(&self.by_motion).flatten().all(|own| *own == 0.0)
+        let of_normal = || self.by_force[0].iter().chain(&self.by_motion[0]);
+        self.state == PointMotion::Open && of_normal().all(|own| *own == 0.0)
+    }
+
+    /// Its slopes grow by the sizes of another's: they are zero where those of all others are.
+    pub(crate) fn add_sizes_of_slopes(&mut self, other: &Self) {
+        let own = self.by_force.iter_mut().chain(&mut self.by_motion).flatten();
+        own.zip(other.by_force.iter().chain(&other.by_motion).flatten())
+            .for_each(|(own, other)| *own += other.abs());
     }
 }
 
@@ -65,19 +72,20 @@ pub fn projected(
     out
 }
 
-/// The same into a place that has no force yet.
+/// The same in place of what there is.
 pub(crate) fn project(
     point: &FramedPoint<'_>,
     scales: PointScales,
     [force, motion]: [[f64; COMPONENTS]; 2],
     out: &mut ProjectedForce,
 ) {
-    // what is open has neither forces nor slopes
+    *out = ProjectedForce::default();
     let opens = match point.law {
         InterfaceLaw::Rigid(_) => force[0] - scales.stiffness * motion[0] <= 0.0,
         InterfaceLaw::Compliant(..) => motion[0] >= 0.0,
         InterfaceLaw::Asperity(_) => false,
     };
+    // what is open has neither forces nor slopes
     if opens && !point.stays_closed {
         return;
     }

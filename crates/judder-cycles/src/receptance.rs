@@ -5,19 +5,21 @@
 //! Γ = R D⁻¹ Pᵀ on the contact points. σ in 1/s is a growth that is taken off all motions alike: the extended periodic motions of M. Krack,
 //! *Nonlinear modal analysis of nonconservative systems*, Comput. Struct. 154 (2015).
 
+mod at_harmonic;
 mod body_step;
 
 use crate::CyclesError;
 use faer::{Mat, c64};
 use judder_assembly::assembly::{Assembly, sum};
 use judder_assembly::row::Row;
-use judder_dense::general::{solve, solve_complex};
+use judder_dense::general::solve;
 use judder_dense::product::product;
 use judder_nonsmooth::bodies::FreeModes;
 use judder_nonsmooth::contact::ContactPoints;
 use judder_structure::assembly::Sparse;
 use std::sync::Arc;
 
+pub use at_harmonic::{AtHarmonic, HarmonicSlopes};
 pub(crate) use body_step::BodyStep;
 
 /// Freedoms of bodies whose damping joins their modes up to which they are taken: a harmonic of them costs a dense system.
@@ -71,19 +73,6 @@ enum HarmonicMatrices {
     Modes(Box<FreeModes>),
     /// M, C and K of all freedoms.
     Whole(Box<[Mat<f64>; 3]>),
-}
-
-/// The bodies at one harmonic.
-#[derive(Debug, Clone)]
-pub struct AtHarmonic {
-    /// x of the coordinates.
-    pub coordinates: Vec<c64>,
-    /// y = Γ λ + R D⁻¹ f.
-    pub motion: Vec<c64>,
-    /// ∂y/∂s.
-    pub by_s: Vec<c64>,
-    /// ∂y/∂σ.
-    pub by_growth: Vec<c64>,
 }
 
 /// Steady forces: (K + ε Σ cᵀ c) x = f + Pᵀ s over the normals, with which λ = s − ε c x on them.
@@ -208,90 +197,6 @@ impl HarmonicBodies {
         !component.is_multiple_of(self.dimension)
     }
 
-    /// Γ(s) with the growth σ taken off.
-    ///
-    /// # Errors
-    /// [`CyclesError::Singular`] at an undamped resonance.
-    pub fn receptance(&self, s: c64, growth: f64) -> Result<Mat<c64>, CyclesError> {
-        let (size, coordinates) = (self.rows.nrows(), self.rows.ncols());
-        let [re, im] = match self.kind.as_ref() {
-            HarmonicMatrices::Modes(modes) => {
-                let weights: Vec<c64> = (0..coordinates).map(|k| yielding(modes, k, s, growth)).collect();
-                let part = |part: fn(&c64) -> f64| {
-                    Mat::from_fn(coordinates, size, |k, j| part(&weights[k]) * self.rows[(j, k)])
-                };
-                [part(|weight| weight.re), part(|weight| weight.im)]
-            }
-            HarmonicMatrices::Whole(matrices) => {
-                let mut right = Mat::from_fn(coordinates, size, |k, j| c64::new(self.rows[(j, k)], 0.0));
-                solve_complex(dynamic_stiffness(matrices, s, growth), &mut right)
-                    .ok_or(CyclesError::Singular)?;
-                [
-                    Mat::from_fn(coordinates, size, |k, j| right[(k, j)].re),
-                    Mat::from_fn(coordinates, size, |k, j| right[(k, j)].im),
-                ]
-            }
-        };
-        let displaced = [&re, &im].map(|part| product(self.rows.as_ref(), part.as_ref()));
-        let mut out = Mat::from_fn(size, size, |i, j| {
-            let value = c64::new(displaced[0][(i, j)], displaced[1][(i, j)]);
-            if self.is_velocity(i) { s * value } else { value }
-        });
-        for (component, row) in &self.convected {
-            for column in 0..size {
-                let of = |part: &Mat<f64>| (0..coordinates).map(|k| row[k] * part[(k, column)]).sum::<f64>();
-                out[(*component, column)] -= c64::new(of(&re), of(&im));
-            }
-        }
-        if out.is_all_finite() { Ok(out) } else { Err(CyclesError::Singular) }
-    }
-
-    /// The bodies under forces λ at the points and `load` on the coordinates, at s with the growth σ taken off.
-    ///
-    /// # Errors
-    /// [`CyclesError::Singular`] at an undamped resonance.
-    pub fn at(
-        &self,
-        s: c64,
-        growth: f64,
-        forces: &[c64],
-        load: Option<&[c64]>,
-    ) -> Result<AtHarmonic, CyclesError> {
-        let coordinates = self.rows.ncols();
-        let acting = |k: usize| {
-            let own: c64 = forces.iter().enumerate().map(|(j, force)| force * self.rows[(j, k)]).sum();
-            own + load.map_or(c64::ZERO, |load| load[k])
-        };
-        let acting: Vec<c64> = (0..coordinates).map(acting).collect();
-        // x, −D⁻¹ (2 s M + C + 2 σ M) x and −D⁻¹ 2 s M x
-        let [x, by_s, by_growth] = match self.kind.as_ref() {
-            HarmonicMatrices::Modes(modes) => {
-                let weights: Vec<c64> = (0..coordinates).map(|k| yielding(modes, k, s, growth)).collect();
-                let x: Vec<c64> = weights.iter().zip(&acting).map(|(weight, force)| weight * force).collect();
-                let slope = |k: usize| -weights[k] * (2.0 * s + (modes.damping[k] + 2.0 * growth)) * x[k];
-                let by_s = (0..coordinates).map(slope).collect();
-                let by_growth = (0..coordinates).map(|k| -weights[k] * 2.0 * s * x[k]).collect();
-                [x, by_s, by_growth]
-            }
-            HarmonicMatrices::Whole(matrices) => solved_with_slopes(matrices, s, growth, &acting)?,
-        };
-        let mut motion_by_s = self.seen(s, &by_s);
-        // R itself follows s
-        for (component, own) in motion_by_s.iter_mut().enumerate() {
-            if self.is_velocity(component) {
-                *own += self.displaced(component, &x);
-            }
-        }
-        let at = AtHarmonic {
-            motion: self.seen(s, &x),
-            by_s: motion_by_s,
-            by_growth: self.seen(s, &by_growth),
-            coordinates: x,
-        };
-        let finite = at.motion.iter().chain(&at.by_s).all(|own| own.re.is_finite() && own.im.is_finite());
-        if finite { Ok(at) } else { Err(CyclesError::Singular) }
-    }
-
     /// What damping and stiffness that is not symmetric give on average, in W, over a harmonic with x of the coordinates and their velocities.
     pub(crate) fn power(&self, x: &[c64], velocity: &[c64]) -> [f64; 2] {
         match self.kind.as_ref() {
@@ -321,16 +226,20 @@ impl HarmonicBodies {
     }
 
     /// y = R(s) x.
-    fn seen(&self, s: c64, x: &[c64]) -> Vec<c64> {
-        let of = |component: usize| {
-            let displaced = self.displaced(component, x);
-            if self.is_velocity(component) { s * displaced } else { displaced }
-        };
-        let mut y: Vec<c64> = (0..self.rows.nrows()).map(of).collect();
+    fn seen_into(&self, s: c64, x: &[c64], y: &mut Vec<c64>) {
+        y.clear();
+        y.resize(self.components(), c64::ZERO);
+        for (k, own) in x.iter().enumerate() {
+            y.iter_mut().zip(self.rows.col_as_slice(k)).for_each(|(y, share)| *y += own * *share);
+        }
+        for (component, own) in y.iter_mut().enumerate() {
+            if self.is_velocity(component) {
+                *own *= s;
+            }
+        }
         for (component, row) in &self.convected {
             y[*component] -= row.iter().zip(x).map(|(share, own)| own * *share).sum::<c64>();
         }
-        y
     }
 
     /// Steady forces on the bodies, with ε of each point, and the load on the freedoms.
@@ -358,7 +267,9 @@ impl HarmonicBodies {
         solve(matrix, &mut right).ok_or(CyclesError::NotHeld)?;
         let seen = |column: usize| {
             let x: Vec<c64> = (0..coordinates).map(|k| c64::new(right[(k, column)], 0.0)).collect();
-            self.seen(c64::ZERO, &x).into_iter().map(|own| own.re).collect::<Vec<f64>>()
+            let mut y = Vec::new();
+            self.seen_into(c64::ZERO, &x, &mut y);
+            y.into_iter().map(|own| own.re).collect::<Vec<f64>>()
         };
         let columns: Vec<Vec<f64>> = (1..=size).map(seen).collect();
         Ok(StaticResponse {
@@ -382,11 +293,6 @@ impl StaticResponse {
     }
 }
 
-/// 1/(s² + s (d + 2 σ) + λ) of a mode.
-fn yielding(modes: &FreeModes, mode: usize, s: c64, growth: f64) -> c64 {
-    (s * s + s * (modes.damping[mode] + 2.0 * growth) + modes.eigenvalues[mode]).inv()
-}
-
 /// M, C with gyroscopic forces, and K.
 fn whole(assembly: &Assembly) -> Result<[Mat<f64>; 3], CyclesError> {
     let freedoms = assembly.size();
@@ -395,39 +301,4 @@ fn whole(assembly: &Assembly) -> Result<[Mat<f64>; 3], CyclesError> {
     }
     let damping = sum(&assembly.damping, assembly.gyroscopic.iter().map(|own| own.matrix.as_ref()))?;
     Ok([assembly.mass.to_dense(), damping.to_dense(), assembly.stiffness.to_dense()])
-}
-
-/// s² M + s (C + 2 σ M) + K.
-fn dynamic_stiffness([mass, damping, stiffness]: &[Mat<f64>; 3], s: c64, growth: f64) -> Mat<c64> {
-    Mat::from_fn(mass.nrows(), mass.ncols(), |i, j| {
-        (s * s + 2.0 * growth * s) * mass[(i, j)] + s * damping[(i, j)] + stiffness[(i, j)]
-    })
-}
-
-/// x = D⁻¹ f, −D⁻¹ D′ x and −D⁻¹ 2 s M x.
-fn solved_with_slopes(
-    matrices: &[Mat<f64>; 3],
-    s: c64,
-    growth: f64,
-    acting: &[c64],
-) -> Result<[Vec<c64>; 3], CyclesError> {
-    let size = acting.len();
-    let [mass, damping, _] = matrices;
-    let solved = |right: Vec<Vec<c64>>| {
-        let mut columns = Mat::from_fn(size, right.len(), |k, j| right[j][k]);
-        solve_complex(dynamic_stiffness(matrices, s, growth), &mut columns).ok_or(CyclesError::Singular)?;
-        let column = |j: usize| (0..size).map(|k| columns[(k, j)]).collect::<Vec<c64>>();
-        Ok::<_, CyclesError>((0..right.len()).map(column).collect::<Vec<_>>())
-    };
-    let times = |matrix: &Mat<f64>, x: &[c64]| -> Vec<c64> {
-        (0..size).map(|i| (0..size).map(|j| x[j] * matrix[(i, j)]).sum()).collect()
-    };
-    let x = solved(vec![acting.to_vec()])?.swap_remove(0);
-    let (by_mass, by_damping) = (times(mass, &x), times(damping, &x));
-    let slope = |k: usize| -((2.0 * s + 2.0 * growth) * by_mass[k] + by_damping[k]);
-    let right = vec![(0..size).map(slope).collect(), by_mass.iter().map(|own| -2.0 * s * own).collect()];
-    let mut both = solved(right)?;
-    let by_growth = both.swap_remove(1);
-    let by_s = both.swap_remove(0);
-    Ok([x, by_s, by_growth])
 }

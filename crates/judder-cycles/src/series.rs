@@ -4,7 +4,7 @@
 //! of a matrix, as do their values at even instants of a period.
 
 use faer::{Mat, MatRef};
-use judder_dense::product::product;
+use judder_dense::product::{product, product_into};
 use std::f64::consts::TAU;
 
 /// Harmonics, and the instants of a period at which signals are known.
@@ -87,16 +87,34 @@ impl Series {
         product(self.table.subcols(0, self.coefficients()), coefficients)
     }
 
+    /// The same into a matrix that there is, which takes their size.
+    pub(crate) fn values_into(&self, coefficients: MatRef<'_, f64>, values: &mut Mat<f64>) {
+        sized(values, self.samples, coefficients.ncols());
+        product_into(values.as_mut(), self.table.subcols(0, self.coefficients()), coefficients);
+    }
+
     /// The coefficients of signals: 2 H + 1 × signals.
     #[must_use]
     pub fn of_values(&self, values: MatRef<'_, f64>) -> Mat<f64> {
         product(self.back.subrows(0, self.coefficients()), values)
     }
 
+    /// The same into a matrix that there is, which takes their size.
+    pub(crate) fn of_values_into(&self, values: MatRef<'_, f64>, coefficients: &mut Mat<f64>) {
+        sized(coefficients, self.coefficients(), values.ncols());
+        product_into(coefficients.as_mut(), self.back.subrows(0, self.coefficients()), values);
+    }
+
     /// The coefficients of factors up to twice the harmonics, for [`Series::multiplication`].
     #[must_use]
     pub fn of_factors(&self, values: MatRef<'_, f64>) -> Mat<f64> {
         product(self.back.as_ref(), values)
+    }
+
+    /// The same into a matrix that there is, which takes their size.
+    pub(crate) fn of_factors_into(&self, values: MatRef<'_, f64>, factors: &mut Mat<f64>) {
+        sized(factors, self.back.nrows(), values.ncols());
+        product_into(factors.as_mut(), self.back.as_ref(), values);
     }
 
     /// What multiplication with a factor does to the coefficients of a signal, those beyond H left out; column after column.
@@ -119,6 +137,13 @@ impl Series {
                 out[column * size + row] = if row == 0 { mean } else { 2.0 * mean };
             }
         }
+    }
+}
+
+/// A matrix that is written over takes a size.
+pub(crate) fn sized(matrix: &mut Mat<f64>, rows: usize, columns: usize) {
+    if [matrix.nrows(), matrix.ncols()] != [rows, columns] {
+        *matrix = Mat::zeros(rows, columns);
     }
 }
 

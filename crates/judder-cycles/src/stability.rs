@@ -115,12 +115,11 @@ fn has_impacts(balance: &HarmonicBalance<'_>, cycle: &PeriodicMotion) -> Result<
     let signals = balance.signals_at(&cycle.unknown, cycle.turning)?;
     let projected = balance.projected(balance.series(), &signals);
     let contact = balance.contact();
-    let points = contact.points.len();
-    let of_point = |point: usize| projected.iter().skip(point).step_by(points);
-    let open = |point: usize| of_point(point).filter(|own| own.state == PointMotion::Open).count();
-    Ok((0..points)
+    let open =
+        |point: usize| projected.of_point(point).iter().filter(|own| own.state == PointMotion::Open).count();
+    Ok((0..contact.points.len())
         .filter(|point| !contact.is_compliant(*point) && !contact.points[*point].stays_closed)
-        .any(|point| ![0, projected.len() / points].contains(&open(point))))
+        .any(|point| ![0, balance.series().samples()].contains(&open(point))))
 }
 
 fn with_steps(
@@ -158,7 +157,8 @@ pub(crate) fn monodromy(
     let mut x = Mat::from_fn(size, 2 * size, unit);
     let mut v = Mat::from_fn(size, 2 * size, |row, column| omega * unit(row + size, column));
     let compliance = product(bodies.rows.as_ref(), bodies.pushes.as_ref());
-    for own in projected.chunks_exact(balance.contact().points.len()).skip(1).step_by(2).take(steps) {
+    for instant in (0..steps).map(|step| 2 * step + 1) {
+        let own = (0..balance.contact().points.len()).map(|point| *projected.at(instant, point)).collect();
         let at = PointsAt { balance, bodies: &bodies, compliance: &compliance, projected: own, step };
         let next = at.advanced(&x, &v)?;
         x = Mat::from_fn(size, 2 * size, |k, j| x[(k, j)] + 0.5 * step * (v[(k, j)] + next[(k, j)]));
@@ -176,7 +176,7 @@ struct PointsAt<'s, 'b, 'a> {
     bodies: &'s BodyStep,
     /// P A⁻¹ h Pᵀ.
     compliance: &'s Mat<f64>,
-    projected: &'s [ProjectedForce],
+    projected: Vec<ProjectedForce>,
     step: f64,
 }
 

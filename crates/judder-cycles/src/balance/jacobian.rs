@@ -3,9 +3,11 @@
 //! ∂R = (1 − T(∂π/∂λ)) ∂Λ − T(∂π/∂y) ∂Y, where T multiplies a signal with a factor and keeps H harmonics of it: a block for each point, beside
 //! receptances that join the points harmonic by harmonic.
 
-use super::{HarmonicBalance, Responses};
+use super::{HarmonicBalance, ProjectedForces};
 use crate::point_law::ProjectedForce;
-use faer::{Mat, c64};
+use crate::receptance::HarmonicSlopes;
+use crate::series::sized;
+use faer::{Mat, MatMut, c64};
 
 /// T of the derivatives of a point: `dimension` × `dimension` blocks of coefficients.
 struct PointBlocks {
@@ -14,9 +16,20 @@ struct PointBlocks {
     /// 1 − T(∂π/∂λ) and −T(∂π/∂y), column after column of all components of the point.
     by_force: Vec<f64>,
     by_motion: Vec<f64>,
+    /// What it works in: values and coefficients of factors, a block of them.
+    values: Mat<f64>,
+    factors: Mat<f64>,
+    block: Vec<f64>,
 }
 
 impl PointBlocks {
+    fn new(dimension: usize, size: usize) -> Self {
+        let rows = dimension * size;
+        let [by_force, by_motion] = [(); 2].map(|()| vec![0.0; rows * rows]);
+        let block = vec![0.0; size * size];
+        Self { size, dimension, by_force, by_motion, values: Mat::new(), factors: Mat::new(), block }
+    }
+
     /// out += f times a column of a block.
     fn add(&self, block: &[f64], [component, coefficient]: [usize; 2], factor: f64, out: &mut [f64]) {
         if factor == 0.0 {
@@ -36,30 +49,38 @@ impl PointBlocks {
 }
 
 impl HarmonicBalance<'_> {
-    pub(super) fn jacobian(&self, responses: &Responses, projected: &[ProjectedForce]) -> Mat<f64> {
-        let (size, dimension) = (self.series.coefficients(), self.contact.dimension);
-        let (unknowns, points) = (self.unknowns(), self.contact.points.len());
-        let mut jacobian = Mat::zeros(unknowns, unknowns + 2);
+    /// In place of what the matrix has; by ω and σ as far as it has columns for them.
+    pub(super) fn jacobian(
+        &self,
+        slopes: &[HarmonicSlopes],
+        projected: &ProjectedForces,
+        mut out: MatMut<'_, f64>,
+    ) {
+        let (size, unknowns) = (self.series.coefficients(), self.unknowns());
+        let rows = self.contact.dimension * size;
+        out.fill(0.0);
+        let mut blocks = PointBlocks::new(self.contact.dimension, size);
         for point in 0..self.contact.points.len() {
-            let rows = point * dimension * size..(point + 1) * dimension * size;
-            if projected.iter().skip(point).step_by(points).all(ProjectedForce::is_constant) {
-                self.add_open(point, &mut jacobian);
+            let own = projected.of_point(point);
+            if own.iter().all(ProjectedForce::is_constant) {
+                self.add_open(point, out.as_mut());
                 continue;
             }
-            let blocks = self.blocks(point, projected);
-            for column in 0..unknowns + 2 {
-                let out = &mut jacobian.col_as_slice_mut(column)[rows.clone()];
+            self.set(&mut blocks, own);
+            for column in 0..out.ncols() {
+                let column_of = out.as_mut().subrows_mut(point * rows, rows).col_mut(column);
+                let Some(out) = column_of.try_as_col_major_mut() else { continue };
+                let out = out.as_slice_mut();
                 match column.checked_sub(unknowns) {
-                    None => self.add_unknown(point, [column / size, column % size], &blocks, responses, out),
-                    Some(which) => self.add_turning(point, which, &blocks, responses, out),
+                    None => self.add_unknown(point, [column / size, column % size], &blocks, slopes, out),
+                    Some(which) => self.add_turning(point, which, &blocks, slopes, out),
                 }
             }
         }
-        jacobian
     }
 
     /// The rows of a point that is open all along: it has no force, whose mean is λ₀ = s₀ − ε c x₀.
-    fn add_open(&self, point: usize, jacobian: &mut Mat<f64>) {
+    fn add_open(&self, point: usize, mut jacobian: MatMut<'_, f64>) {
         let (size, dimension) = (self.series.coefficients(), self.contact.dimension);
         let first = point * dimension;
         (first * size..(first + dimension) * size).for_each(|row| jacobian[(row, row)] = 1.0);
@@ -69,41 +90,40 @@ impl HarmonicBalance<'_> {
         }
     }
 
-    fn blocks(&self, point: usize, projected: &[ProjectedForce]) -> PointBlocks {
+    /// The blocks of a point, from its laws at all instants.
+    fn set(&self, blocks: &mut PointBlocks, of_point: &[ProjectedForce]) {
         let (size, dimension) = (self.series.coefficients(), self.contact.dimension);
         let rows = dimension * size;
-        let of_point = || projected.iter().skip(point).step_by(self.contact.points.len());
         let slope = |own: &ProjectedForce, which: usize| {
             let (by_motion, place) = (which / (dimension * dimension), which % (dimension * dimension));
             let table = if by_motion == 0 { &own.by_force } else { &own.by_motion };
             table[place % dimension][place / dimension]
         };
         // most of them are zero throughout
-        let mut is_present = vec![false; 2 * dimension * dimension];
-        for own in of_point().filter(|own| !own.is_constant()) {
-            is_present.iter_mut().enumerate().for_each(|(which, is)| *is |= slope(own, which) != 0.0);
-        }
-        let present: Vec<usize> = (0..is_present.len()).filter(|which| is_present[*which]).collect();
-        let mut factors = Mat::zeros(self.series.samples(), present.len());
+        let mut sizes = ProjectedForce::default();
+        of_point.iter().filter(|own| !own.is_constant()).for_each(|own| sizes.add_sizes_of_slopes(own));
+        let present: Vec<usize> =
+            (0..2 * dimension * dimension).filter(|which| slope(&sizes, *which) != 0.0).collect();
+        let PointBlocks { by_force, by_motion, values, factors, block, .. } = blocks;
+        sized(values, self.series.samples(), present.len());
         for (column, which) in present.iter().enumerate() {
-            let values = factors.col_as_slice_mut(column);
-            values.iter_mut().zip(of_point()).for_each(|(value, own)| *value = slope(own, *which));
+            let values = values.col_as_slice_mut(column);
+            values.iter_mut().zip(of_point).for_each(|(value, own)| *value = slope(own, *which));
         }
-        let factors = self.series.of_factors(factors.as_ref());
-        let mut own = [vec![0.0; rows * rows], vec![0.0; rows * rows]];
-        let mut block = vec![0.0; size * size];
+        self.series.of_factors_into(values.as_ref(), factors);
+        by_force.fill(0.0);
+        by_motion.fill(0.0);
         for (k, which) in present.into_iter().enumerate() {
             let (table, place) = (which / (dimension * dimension), which % (dimension * dimension));
             let (row, column) = (place % dimension, place / dimension);
-            self.series.multiplication(factors.col_as_slice(k), &mut block);
+            self.series.multiplication(factors.col_as_slice(k), block);
+            let own = if table == 0 { &mut *by_force } else { &mut *by_motion };
             for (k, from) in block.chunks_exact(size).enumerate() {
                 let first = (column * size + k) * rows + row * size;
-                own[table][first..first + size].iter_mut().zip(from).for_each(|(out, from)| *out = -from);
+                own[first..first + size].iter_mut().zip(from).for_each(|(out, from)| *out = -from);
             }
         }
-        let [mut by_force, by_motion] = own;
         (0..rows).for_each(|k| by_force[k * rows + k] += 1.0);
-        PointBlocks { size, dimension, by_force, by_motion }
     }
 
     /// By a coefficient of a force.
@@ -112,7 +132,7 @@ impl HarmonicBalance<'_> {
         point: usize,
         [component, coefficient]: [usize; 2],
         blocks: &PointBlocks,
-        responses: &Responses,
+        slopes: &[HarmonicSlopes],
         out: &mut [f64],
     ) {
         let dimension = self.contact.dimension;
@@ -134,7 +154,7 @@ impl HarmonicBalance<'_> {
                 }
                 _ => {
                     let harmonic = coefficient.div_ceil(2);
-                    let g = responses.receptances[harmonic - 1][(row, component)];
+                    let g = slopes[harmonic - 1].receptance[(row, component)];
                     let parts = if coefficient % 2 == 1 { [g.re, -g.im] } else { [g.im, g.re] };
                     blocks.add_motion(own, harmonic, parts, out);
                 }
@@ -148,42 +168,46 @@ impl HarmonicBalance<'_> {
         point: usize,
         which: usize,
         blocks: &PointBlocks,
-        responses: &Responses,
+        slopes: &[HarmonicSlopes],
         out: &mut [f64],
     ) {
         let dimension = self.contact.dimension;
         for own in 0..dimension {
-            for (k, response) in responses.harmonics.iter().enumerate() {
-                let slope = turned(response, which, k + 1, point * dimension + own) / self.force;
+            for (k, slopes) in slopes.iter().enumerate() {
+                let slope = turned(slopes, which, k + 1, point * dimension + own) / self.force;
                 blocks.add_motion(own, k + 1, [slope.re, -slope.im], out);
             }
         }
     }
 
-    /// The derivatives of the first harmonics of y.
-    pub(super) fn first(&self, responses: &Responses) -> Mat<f64> {
+    /// What a sum of the first harmonics of y, cosine and sine of each component times a factor, has for derivatives: of every column that is not zero.
+    pub(crate) fn slopes_of_first(
+        &self,
+        slopes: &[HarmonicSlopes],
+        factors: &[f64],
+        tell: &mut dyn FnMut(usize, f64),
+    ) {
         let (size, unknowns) = (self.series.coefficients(), self.unknowns());
-        let (receptance, response) = (&responses.receptances[0], &responses.harmonics[0]);
-        Mat::from_fn(2 * self.components(), unknowns + 2, |row, column| {
-            let (component, is_sine) = (row / 2, row % 2 == 1);
-            let value = match column.checked_sub(unknowns) {
-                Some(which) => turned(response, which, 1, component),
-                None if column % size == 1 => self.force * receptance[(component, column / size)],
-                // of a sine the amplitude is −i
-                None if column % size == 2 => {
-                    self.force * c64::new(0.0, -1.0) * receptance[(component, column / size)]
-                }
-                None => c64::ZERO,
-            };
-            if is_sine { -value.im } else { value.re }
-        })
+        let first = &slopes[0];
+        // cosine and sine are Re y and −Im y
+        let sum = |of: &dyn Fn(usize) -> c64| -> f64 {
+            let pairs = factors.chunks_exact(2).enumerate();
+            pairs.map(|(component, pair)| (pair[0] * of(component).re) - pair[1] * of(component).im).sum()
+        };
+        for component in 0..self.components() {
+            let receptance = |row: usize| self.force * first.receptance[(row, component)];
+            tell(component * size + 1, sum(&receptance));
+            // of a sine the amplitude is −i
+            tell(component * size + 2, sum(&|row| c64::new(0.0, -1.0) * receptance(row)));
+        }
+        (0..2).for_each(|which| tell(unknowns + which, sum(&|row| turned(first, which, 1, row))));
     }
 }
 
 /// ∂y/∂ω, s = i h ω, or ∂y/∂σ.
-fn turned(response: &crate::receptance::AtHarmonic, which: usize, harmonic: usize, component: usize) -> c64 {
+fn turned(slopes: &HarmonicSlopes, which: usize, harmonic: usize, component: usize) -> c64 {
     match which {
-        0 => c64::new(0.0, harmonic as f64) * response.by_s[component],
-        _ => response.by_growth[component],
+        0 => c64::new(0.0, harmonic as f64) * slopes.by_s[component],
+        _ => slopes.by_growth[component],
     }
 }

@@ -637,6 +637,8 @@ class Assembly(Model):
         samples: int | None = None,
         largest_amplitude: float | None = None,
         stability: bool | None = None,
+        margin: bool | Mapping[str, Any] | None = None,
+        margin_harmonics: int | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> Result:

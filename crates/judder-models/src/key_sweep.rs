@@ -7,6 +7,7 @@ use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node, STEPS_LIMIT};
 use judder_keys::error::Fault;
 use judder_keys::problem::{Placed, Problem};
+use judder_keys::quantity::Quantity;
 use judder_keys::section::Section;
 use judder_study::case::key_sweep::{AnyNumber, VariedKey, of_one_dimension, shown, written};
 use judder_study::case::scale::{Spacing, spaced};
@@ -121,6 +122,18 @@ impl fmt::Debug for Origin {
 }
 
 impl Origin {
+    /// A number that the case gives at a dotted path, in SI units, with its dimension.
+    pub(crate) fn number(&self, path: &str) -> Option<(f64, Dimension)> {
+        let node = path.split('.').try_fold(&self.root, |node, step| node.step(step))?;
+        match &node.data {
+            Data::Number { value, .. } => Some((*value, Dimension::NUMBER)),
+            Data::Text(text) => {
+                Quantity::parse(text).ok().map(|Quantity { number, dimension }| (number, dimension))
+            }
+            _ => None,
+        }
+    }
+
     pub(crate) fn new(root: &Node, folder: &Path) -> Self {
         Self { root: root.clone(), folder: folder.to_owned() }
     }

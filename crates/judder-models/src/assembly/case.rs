@@ -34,6 +34,7 @@ use contact::{ContactForceSettings, ContactInterface};
 use joint::{SpringSettings, Tie};
 use judder_keys::Settings;
 use judder_keys::declared::{Setting, Several, all, both};
+use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::file_reference::FileReference;
@@ -168,6 +169,11 @@ impl AssemblyCase {
     /// [`KeySweepProblem::SweptKey`] where the case has no such key, [`KeySweepProblem::SweptValue`] where there is no such case.
     pub fn at(&self, swept: &[(&KeySweep, f64)]) -> Result<Self, KeySweepProblem> {
         self.origin.at(swept, |root, folder| read_bodies(root, folder).and_then(|(_, case)| case))
+    }
+
+    /// A number that the case gives at a dotted path, in SI units, with its dimension.
+    pub(super) fn number(&self, path: &str) -> Option<(f64, Dimension)> {
+        self.origin.number(path)
     }
 
     /// The canonical form.

@@ -13,6 +13,7 @@ use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::{SteadySliding, pieces, steady_sliding};
 use judder_keys::Settings;
+use judder_nonsmooth::course::{Course, TimeFactor};
 use judder_structure::complex_modes::{ComplexMode, ComplexModeSettings, Eigenvalue, Region, complex_modes};
 use judder_structure::eigen_sweep::{ProblemFamily, ProjectedProblem, SolvedPoint};
 use judder_structure::quadratic::Quadratic;
@@ -47,6 +48,15 @@ pub(super) const SWEPT: SweptSections = SweptSections {
     example: "contact.NAME.friction_coefficient",
 };
 
+/// In place of a key: what the friction of all contacts is multiplied by.
+pub(super) const ALL_FRICTION: &str = "friction";
+
+/// An assembly with the friction of all contacts multiplied.
+fn with_friction(assembly: &Assembly, factor: f64) -> Assembly {
+    let [speed, load] = [TimeFactor::Constant(1.0), TimeFactor::Constant(1.0)];
+    Course { speed, load, friction: vec![TimeFactor::Constant(factor)] }.first(assembly)
+}
+
 /// An assembly some of whose keys take any value.
 #[derive(Clone)]
 pub(super) struct SweptAssembly<'a> {
@@ -59,6 +69,10 @@ pub(super) struct SweptAssembly<'a> {
     is_held: bool,
     /// The case with whole bodies, where these are meant.
     whole: Option<Arc<BuiltAssembly>>,
+}
+
+fn is_factor(key: &KeySweep) -> bool {
+    key.path == ALL_FRICTION
 }
 
 /// Steady sliding at values of the keys.
@@ -123,7 +137,8 @@ impl<'a> SweptAssembly<'a> {
 
     fn built(&self, values: &[f64]) -> Result<BuiltAssembly, ModelError> {
         let refused = |problem: KeySweepProblem| ModelError::Unsupported(problem.to_string());
-        let swept: Vec<(&KeySweep, f64)> = self.keys.iter().copied().zip(values.iter().copied()).collect();
+        let (factors, swept): (Vec<_>, Vec<_>) =
+            self.keys.iter().copied().zip(values.iter().copied()).partition(|(key, _)| is_factor(key));
         let mut case = self.of.case.at(&swept).map_err(refused)?;
         for contact in &mut case.contacts {
             if let ContactForceSettings::Coulomb { all_closed, .. } = &mut contact.forces {
@@ -131,13 +146,22 @@ impl<'a> SweptAssembly<'a> {
             }
         }
         let case = if self.whole.is_some() { case.whole() } else { case };
-        let built = self.own().swept(&case, self.keys.iter().map(|key| key.path.as_str()))?;
+        let mut built = self.own().swept(&case, swept.iter().map(|(key, _)| key.path.as_str()))?;
+        for (_, factor) in factors {
+            built.assembly = with_friction(&built.assembly, factor);
+        }
         built.find_laws(&Silent)?;
         Ok(built)
     }
 
     /// The assembly at values of the keys.
     pub(super) fn assembly(&self, values: &[f64]) -> Result<Assembly, ModelError> {
+        // no case is read anew for a factor
+        if let ([key], [factor], false) = (self.keys.as_slice(), values, self.is_held)
+            && is_factor(key)
+        {
+            return Ok(with_friction(&self.own().assembly, *factor));
+        }
         Ok(self.built(values)?.assembly)
     }
 

@@ -12,6 +12,7 @@ mod onsets;
 mod printed;
 mod responses;
 mod sphere;
+mod squeal;
 mod turning;
 
 use crate::{case, number, run_into};

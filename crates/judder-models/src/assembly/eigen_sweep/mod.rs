@@ -1,7 +1,7 @@
 //! `eigen-sweep`: complex modes about steady sliding along any key.
 
 mod run;
-mod solved;
+pub(super) mod solved;
 
 use super::AssemblySubject;
 use super::swept::{SWEPT, SoughtRegion};

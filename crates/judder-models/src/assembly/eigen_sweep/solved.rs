@@ -10,15 +10,15 @@ use judder_study::{Progress, StudyError};
 use rayon::prelude::*;
 
 /// Eigenvalues at all values, followed, and where modes begin or cease to grow.
-pub(super) struct SolvedSweep {
+pub(in crate::assembly) struct SolvedSweep {
     /// Steady sliding at each value, or why there is none.
-    pub(super) states: Vec<Result<SlidingState, String>>,
-    pub(super) sweep: SweptEigenvalues,
-    pub(super) onsets: LocatedOnsets,
+    pub(in crate::assembly) states: Vec<Result<SlidingState, String>>,
+    pub(in crate::assembly) sweep: SweptEigenvalues,
+    pub(in crate::assembly) onsets: LocatedOnsets,
 }
 
 impl SolvedSweep {
-    pub(super) fn new(
+    pub(in crate::assembly) fn new(
         family: &SweptAssembly<'_>,
         values: &[f64],
         method: SweepMethod,
@@ -75,7 +75,7 @@ impl SolvedSweep {
     }
 
     /// Whether some point is open at some value.
-    pub(super) fn has_open_points(&self) -> bool {
+    pub(in crate::assembly) fn has_open_points(&self) -> bool {
         self.states.iter().flatten().any(|state| state.closed_points() < state.steady.points.len())
     }
 }

@@ -39,7 +39,8 @@ pub(super) fn run(
     }
     let eigenvalue = mode.eigenvalue.value;
     progress.go_on()?;
-    let sought = CycleOfMode::new(of, &steady, eigenvalue, &asked.solver.settings(components(of)?))?;
+    let sought =
+        CycleOfMode::new(&of.built.assembly, &steady, eigenvalue, &asked.solver.settings(components(of)?))?;
     let mut outcome = Outcome::default();
     let mut mode = ToldCycleMode::new(asked, &sought);
     let cycle = match sought.cycle() {

@@ -1,7 +1,7 @@
 //! The cycles of a mode, and in words why there is none.
 
-use crate::assembly::AssemblySubject;
 use crate::error::ModelError;
+use judder_assembly::assembly::Assembly;
 use judder_assembly::row::Row;
 use judder_assembly::steady::SteadySliding;
 use judder_cycles::CyclesError;
@@ -22,12 +22,12 @@ pub(in crate::assembly) struct CycleOfMode<'a> {
 impl<'a> CycleOfMode<'a> {
     /// Seeks the cycle of a mode.
     pub(in crate::assembly) fn new(
-        of: &AssemblySubject<'a>,
+        assembly: &'a Assembly,
         steady: &SteadySliding,
         eigenvalue: Complex64,
         settings: &CycleSettings,
     ) -> Result<Self, ModelError> {
-        let found = match limit_cycles(&of.built.assembly, steady, eigenvalue, settings) {
+        let found = match limit_cycles(assembly, steady, eigenvalue, settings) {
             Err(error @ (CyclesError::NotConverged { .. } | CyclesError::Shrunk | CyclesError::Singular)) => {
                 Err(error)
             }

@@ -8,7 +8,7 @@ use judder_study::pictures::{codes, reals};
 /// Room beside the outermost frequencies, over the span, and over a frequency that is alone.
 const BESIDE: [f64; 2] = [0.08, 0.05];
 
-/// Levels over the frequency of the cycles, growth rates over the frequency of the modes.
+/// Levels over the frequency of the cycles, growth rates over the frequency of the modes, and their margins where these are known.
 pub(super) fn squeal(dataset: &Dataset) -> Option<Vec<Panel>> {
     let [of_modes, growth, of_cycles, level] =
         ["mode_frequency", "growth_rate", "frequency", "level"].map(|name| reals(dataset, name));
@@ -25,7 +25,14 @@ pub(super) fn squeal(dataset: &Dataset) -> Option<Vec<Panel>> {
     };
     let levels = panel(Axis::linear("Level of the cycle (dB re 1 µm/s^{2})"), [of_cycles?, level?]);
     let growths = panel(Axis::linear("Growth rate of the mode (1/s)"), [of_modes?, growth?]);
-    Some(vec![levels.with_title("how loud"), growths.with_title("how fast they grow")])
+    let mut panels = vec![levels.with_title("how loud"), growths.with_title("how fast they grow")];
+    let margins = reals(dataset, "margin").filter(|own| own.iter().any(|margin| margin.is_finite()));
+    panels.extend(margins.map(|own| {
+        let margins =
+            panel(Axis::linear("Margin, of the value at the onset (1)"), [of_modes.unwrap_or_default(), own]);
+        margins.with_title("how far before their onset a knock suffices")
+    }));
+    Some(panels)
 }
 
 /// One axis of frequencies for both.

@@ -1,20 +1,20 @@
 //! `squeal`: the cycles of all modes of a band that grow, ranked by how loud they are.
 //!
-//! - `cycle`: the cycle of a mode. `run`, `told`: what is computed and told of all of them. `figure`, `tables`: how it is shown.
+//! - [`settings`]: the keys. `cycle`: the cycle of a mode. `margin`, `margin_told`: how far beyond its onset cycles reach. `run`, `told`: what is computed and told of all of them. `figure`, `tables`: how it is shown.
 
 mod cycle;
 mod figure;
+mod margin;
+mod margin_told;
 mod run;
+pub mod settings;
 pub(super) mod tables;
 mod told;
 
 use super::AssemblySubject;
-use super::eigen::BAND;
-use super::limit_cycle::settings::CycleSolver;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::error::ModelError;
-use judder_keys::Settings;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
@@ -22,31 +22,21 @@ use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::short;
 use serde_json::{Map, Value as Json};
+use settings::AssemblySqueal;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 use told::ToldSqueal;
-
-/// The cycles of all modes that grow.
-#[derive(Debug, Clone, PartialEq, Settings)]
-pub struct AssemblySqueal {
-    /// Between which frequencies modes are sought that grow, by less than half a radian a radian.
-    #[key(rule = BAND, symbol = "ω")]
-    pub band: [f64; 2],
-    /// How their cycles are computed.
-    #[key(flatten)]
-    pub solver: CycleSolver,
-}
 
 /// The kind.
 pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> = Kind {
     name: "squeal",
     doc: "the limit cycle of every mode of a band that grows, ranked by loudness and by growth rate",
     declared: AssemblySqueal::declarations,
-    read: |_, section| Ok(Arc::new(AssemblySqueal::read_table(section)?)),
+    read: |case, section| Ok(Arc::new(AssemblySqueal::of(case.as_ref(), section)?)),
     picture: Some(Picture {
         draw: figure::squeal,
         caption: "How loud the limit cycle of each mode that grows is at the observed point that is loudest, and how fast the mode grows about steady sliding. No motion comes to an unstable \
-        cycle. Modes of which no cycle was found have a growth rate alone.",
+        cycle. Margins, where they are asked for, say how far before its onset each mode has cycles already. Modes of which no cycle was found have a growth rate alone.",
     }),
 };
 
@@ -73,8 +63,12 @@ impl Analysis<AssemblyCase> for AssemblySqueal {
     fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {
         let points: usize = of.built.nodes.iter().map(Vec::len).sum();
         let [from, to] = self.band.map(|omega| short(omega / TAU));
+        let margins = self.margin_sweep().map_or_else(String::new, |sweep| {
+            let (path, values) = (&sweep.path, sweep.values.len());
+            format!("; modes at {values} values of {path}, and a branch of cycles from each onset")
+        });
         Ok(format!(
-            "the limit cycles of the modes from {from} to {to} Hz that grow, with {points} contact points"
+            "the limit cycles of the modes from {from} to {to} Hz that grow, with {points} contact points{margins}"
         ))
     }
 

@@ -1,7 +1,9 @@
 //! The modes that grow, and their cycles.
 
-use super::AssemblySqueal;
 use super::cycle::{CycleInBand, SoughtMode};
+use super::margin::margins;
+use super::margin_told::ToldMargins;
+use super::settings::AssemblySqueal;
 use super::told::{ToldSqueal, ranked, stabilities};
 use crate::assembly::AssemblySubject;
 use crate::assembly::eigen::band;
@@ -32,7 +34,7 @@ pub(super) fn run(
     let settings = asked.solver.settings(components(of)?);
     let sought = |value: &Complex64| -> Result<SoughtMode, ModelError> {
         progress.go_on()?;
-        let sought = CycleOfMode::new(of, &steady, *value, &settings)?;
+        let sought = CycleOfMode::new(&of.built.assembly, &steady, *value, &settings)?;
         let cycle = match sought.cycle() {
             Some(cycle) => Ok(CycleInBand::new(of, &sought, cycle, asked.solver.stability)?),
             None => Err(sought.reason().unwrap_or_default()),
@@ -40,7 +42,7 @@ pub(super) fn run(
         Ok((*value, cycle))
     };
     let modes: Vec<SoughtMode> = values.par_iter().map(sought).collect::<Result<_, _>>()?;
-    let told = ToldSqueal::new(all.complete(), ranked(&modes));
+    let mut told = ToldSqueal::new(all.complete(), ranked(&modes));
     let mut warnings = of.doubts(&steady);
     if !told.complete {
         warnings.push("it is not proven that the band has no other modes".to_owned());
@@ -49,7 +51,13 @@ pub(super) fn run(
         warnings.push(format!("mode at {:.1} Hz: {}", mode.mode_frequency, mode.reason));
     }
     warnings.extend(told.all_unstable());
-    let missing = told.unstable - told.found + usize::from(!told.complete);
+    let mut missing = told.unstable - told.found + usize::from(!told.complete);
+    if let Some(sweep) = asked.margin_sweep() {
+        let found = margins(of, asked, sweep, &values, progress)?;
+        warnings.extend(ToldMargins::doubts(sweep, &found));
+        missing += ToldMargins::missing(&found);
+        told = told.with_margins(asked, sweep, &found);
+    }
     let cycles = || modes.iter().filter_map(|(_, cycle)| cycle.as_ref().ok());
     let checks = match told.found {
         0 => Vec::new(),

@@ -4,8 +4,15 @@ use judder_report::page::PageTable;
 use judder_study::report_tables::short;
 use serde_json::{Map, Value};
 
-/// The modes from the loudest cycle on, unstable ones behind, those without a cycle last, by growth.
+/// The modes, and what was asked of them besides.
 pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
+    let mut tables = modes(results);
+    tables.extend(margins(results));
+    tables
+}
+
+/// The modes from the loudest cycle on, unstable ones behind, those without a cycle last, by growth.
+fn modes(results: &Map<String, Value>) -> Vec<PageTable> {
     let mut modes: Vec<&Value> =
         results.get("modes").and_then(Value::as_array).into_iter().flatten().collect();
     if modes.is_empty() {
@@ -38,9 +45,37 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
         let level = mode["level_db"].as_f64().map_or_else(String::new, |level| format!("{level:.1}"));
         [numbers.map(told).to_vec(), vec![level], rest.map(told).to_vec()].concat()
     };
-    vec![PageTable {
-        caption: "Modes that grow, from the loudest cycle on, unstable ones behind".to_owned(),
-        head: heads.map(String::from).to_vec(),
-        rows: modes.iter().map(row).collect(),
-    }]
+    let caption = "Modes that grow, from the loudest cycle on, unstable ones behind".to_owned();
+    let head = heads.map(String::from).to_vec();
+    vec![PageTable { caption, head, rows: modes.iter().map(row).collect() }]
+}
+
+/// The onsets from the largest margin on.
+fn margins(results: &Map<String, Value>) -> Option<PageTable> {
+    let margins = results.get("margin")?;
+    let mut onsets: Vec<&Value> = margins["onsets"].as_array()?.iter().collect();
+    onsets.sort_by_key(|own| own["rank"].as_u64().unwrap_or(u64::MAX));
+    let words = |own: &Value| match own {
+        Value::Null => String::new(),
+        Value::Bool(is_so) => if *is_so { "yes" } else { "no" }.to_owned(),
+        Value::String(words) => words.clone(),
+        number => short(number),
+    };
+    let keys = ["onset", "frequency_hz", "mode", "fold", "reaches", "margin", "knock", "end"];
+    let row = |own: &&Value| keys.map(|key| words(&own[key])).to_vec();
+    let [key, unit] = ["key", "unit"].map(|name| margins[name].as_str().unwrap_or_default());
+    let heads = [
+        "onset",
+        "frequency (Hz)",
+        "mode",
+        "fold",
+        "cycles reach",
+        "margin",
+        "knock in the case",
+        "the branch",
+    ];
+    let rows: Vec<Vec<String>> = onsets.iter().map(row).collect();
+    let head = heads.map(String::from).to_vec();
+    let caption = format!("How far before its onset a knock suffices, along {key} ({unit})");
+    (!rows.is_empty()).then_some(PageTable { caption, head, rows })
 }

@@ -1,7 +1,11 @@
 //! What is told of modes that grow and of their cycles: in the summary, as arrays, as rows.
 
 use super::cycle::{CycleInBand, Loudness, SoughtMode};
+use super::margin::SoughtMargins;
+use super::margin_told::ToldMargins;
+use super::settings::AssemblySqueal;
 use crate::assembly::limit_cycle::settings::CycleMethod;
+use crate::key_sweep::KeySweep;
 use judder_store::{ByName, Results, Variable};
 use std::f64::consts::TAU;
 
@@ -21,6 +25,9 @@ pub(super) struct ToldSqueal {
     level_db: Option<f64>,
     /// its frequency, in Hz
     frequency_hz: Option<f64>,
+    /// how far beyond their onsets along a key cycles reach
+    #[result(optional)]
+    pub(super) margin: Option<ToldMargins>,
     /// each mode that grows, by rising frequency
     #[result(rows)]
     pub(super) modes: Vec<SquealingMode>,
@@ -30,11 +37,13 @@ pub(super) struct ToldSqueal {
 #[derive(Clone, Results)]
 #[results(
     rows = "mode",
-    arrays(mode, mode_frequency, growth_rate, frequency, level, left_out),
+    arrays(mode, mode_frequency, growth_rate, margin, frequency, level, left_out),
     columns(
         mode,
         place_by_level,
         rank_by_growth,
+        margin,
+        place_by_margin,
         mode_frequency,
         growth_rate,
         frequency,
@@ -57,6 +66,13 @@ pub(super) struct SquealingMode {
     place_by_level: Option<f64>,
     /// its place from the fastest growing on
     rank_by_growth: i64,
+    /// how far before the onset of the mode a knock suffices, of the value of the key there
+    #[result(unit = "1")]
+    margin: Option<f64>,
+    /// its place from the largest margin on
+    rank_by_margin: Option<usize>,
+    #[result(hidden, column = "rank_by_margin")]
+    place_by_margin: Option<f64>,
     /// frequency of the mode about steady sliding
     #[result(summary = "mode_frequency_hz", unit = "Hz")]
     pub(super) mode_frequency: f64,
@@ -126,6 +142,9 @@ pub(super) fn ranked(modes: &[SoughtMode]) -> Vec<SquealingMode> {
             rank_by_level: rank,
             place_by_level: rank.map(|rank| rank as f64),
             rank_by_growth: 1 + faster(value.re) as i64,
+            margin: None,
+            rank_by_margin: None,
+            place_by_margin: None,
             mode_frequency: value.im / TAU,
             growth_rate: value.re,
             frequency,
@@ -160,8 +179,25 @@ impl ToldSqueal {
             found: modes.iter().filter(|mode| mode.frequency.is_some()).count(),
             level_db: loudest.and_then(|mode| mode.level),
             frequency_hz: loudest.and_then(|mode| mode.frequency),
+            margin: None,
             modes,
         }
+    }
+
+    /// The same with margins.
+    pub(super) fn with_margins(
+        mut self,
+        asked: &AssemblySqueal,
+        sweep: &KeySweep,
+        found: &SoughtMargins,
+    ) -> Self {
+        let of_modes = found.of_modes(self.modes.len());
+        for (mode, own) in self.modes.iter_mut().zip(of_modes) {
+            mode.margin = own.map(|(margin, _)| margin);
+            mode.rank_by_margin = own.map(|(_, rank)| rank);
+            mode.place_by_margin = own.map(|(_, rank)| rank as f64);
+        }
+        Self { margin: Some(ToldMargins::new(asked, sweep, found)), ..self }
     }
     /// That of all cycles found no motion comes to any.
     pub(super) fn all_unstable(&self) -> Option<String> {

@@ -1,0 +1,226 @@
+//! What is told of global margins.
+
+use super::margin::SoughtMargins;
+use super::settings::AssemblySqueal;
+use crate::key_sweep::KeySweep;
+use judder_store::Results;
+use judder_structure::onset::Onset;
+use judder_study::labels::any_key;
+
+/// How far the cycles of a mode reach beyond its onset.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct CycleReach {
+    /// Where their branch turns farthest beyond, and what that may be off; none where it does not.
+    pub(super) fold: Option<(f64, f64)>,
+    /// The value farthest on the side of stable steady sliding at which a cycle is known.
+    pub(super) reaches: Option<f64>,
+    /// How the branch ends.
+    pub(super) end: MarginEnd,
+}
+
+/// How a branch of cycles ends.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum MarginEnd {
+    /// It shrinks to steady sliding at the onset.
+    Onset,
+    /// It turns, and leaves the range on the side on which the mode grows.
+    Growing,
+    /// It turns before it reaches the onset.
+    Before(f64),
+    /// It shrinks to steady sliding elsewhere.
+    OtherOnset(f64),
+    /// It leaves the range on the side on which steady sliding is stable.
+    Range,
+    /// It goes on.
+    Points,
+    /// No next cycle was found.
+    Lost(String),
+    /// There is none.
+    None(String),
+}
+
+impl MarginEnd {
+    /// Whether the branch is known as far as it has to do with the margin.
+    pub(super) fn is_whole(&self) -> bool {
+        matches!(self, Self::Onset | Self::Growing)
+    }
+
+    fn words(&self, sweep: &KeySweep) -> String {
+        match self {
+            Self::Onset => "shrinks to steady sliding at the onset".to_owned(),
+            Self::Growing => "turns and leaves the range where the mode grows".to_owned(),
+            Self::Before(value) => format!(
+                "turns at {} before it comes to the onset, and leaves the range: it is not the branch that begins there",
+                sweep.text(*value)
+            ),
+            Self::OtherOnset(value) => {
+                format!(
+                    "shrinks below 2 % of its largest amplitude at {}, not at this onset",
+                    sweep.text(*value)
+                )
+            }
+            Self::Range => "leaves the range where steady sliding is stable: the margin is larger".to_owned(),
+            Self::Points => "goes on after as many cycles as are followed".to_owned(),
+            Self::Lost(reason) => format!("lost: {reason}"),
+            Self::None(reason) => reason.clone(),
+        }
+    }
+}
+
+impl CycleReach {
+    pub(super) fn unknown(reason: String) -> Self {
+        Self { fold: None, reaches: None, end: MarginEnd::None(reason) }
+    }
+}
+
+/// An onset with the margin beyond it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct MarginOfOnset {
+    onset: Onset,
+    mode: Option<usize>,
+    reach: CycleReach,
+    margin: Option<f64>,
+    is_within: Option<bool>,
+}
+
+impl MarginOfOnset {
+    /// The margin beyond an onset at which a mode, of those that grow in the case, begins to grow; `own` is the value of the case.
+    pub(super) fn new(onset: &Onset, mode: Option<usize>, reach: CycleReach, own: f64) -> Self {
+        let is_whole = reach.end.is_whole();
+        let off = |value: f64| (value - onset.value).abs() / onset.value.abs();
+        let margin = match reach.fold {
+            Some((fold, _)) => Some(off(fold)),
+            None => is_whole.then_some(0.0),
+        };
+        let sign = if onset.gains { 1.0 } else { -1.0 };
+        let is_stable_side = sign * (own - onset.value) > 0.0;
+        let reached = reach.fold.map(|(fold, _)| fold).or(reach.reaches);
+        let is_reached = reached.is_some_and(|value| sign * (value - own) > 0.0);
+        let is_known = own.is_finite() && (is_whole || is_reached || !is_stable_side);
+        Self {
+            onset: *onset,
+            mode,
+            reach,
+            margin,
+            is_within: is_known.then_some(is_stable_side && is_reached),
+        }
+    }
+
+    /// What is told of all where the margin is not known.
+    fn doubt(&self, sweep: &KeySweep) -> Option<String> {
+        self.margin.is_none().then(|| {
+            let (path, onset) = (&sweep.path, sweep.text(self.onset.value));
+            let words = self.reach.end.words(sweep);
+            format!("how far the cycles reach beyond the onset at {path} = {onset} is not known: {words}")
+        })
+    }
+}
+
+/// Global margins along a key.
+#[derive(Clone, Results)]
+pub(super) struct ToldMargins {
+    /// the key along which they are; `friction` is a factor on the friction of all contacts
+    key: String,
+    /// its unit
+    unit: String,
+    /// its value in the case; none where it gives none
+    own: Option<f64>,
+    /// the largest margin that is known
+    largest: Option<f64>,
+    /// onsets whose margin is not known
+    unknown: usize,
+    /// whether at the value of the case a mode that does not grow has cycles, so that a knock may suffice; none where it is not known
+    knock: Option<bool>,
+    /// harmonics of the cycles
+    harmonics: usize,
+    /// each onset with its margin, by rising value
+    onsets: Vec<ToldMargin>,
+}
+
+/// An onset with its margin.
+#[derive(Clone, Results)]
+struct ToldMargin {
+    /// value of the key at which the mode begins to grow
+    onset: f64,
+    /// how far the onset may be from it
+    onset_error: f64,
+    /// frequency there
+    frequency_hz: f64,
+    /// whether the mode grows above it, else below
+    grows_above: bool,
+    /// the number of the mode that begins to grow there, where it grows with the case as it is
+    mode: Option<usize>,
+    /// value at which its cycles end on the side of stable steady sliding; none where they do not reach beyond the onset, or it is not known
+    fold: Option<f64>,
+    /// what it may be off
+    fold_error: Option<f64>,
+    /// the value farthest on that side at which a cycle is known
+    reaches: Option<f64>,
+    /// how far the fold lies from the onset, of the onset: so far before it a knock suffices
+    margin: Option<f64>,
+    /// its place from the largest margin on
+    rank: Option<usize>,
+    /// whether the mode has cycles but does not grow with the case as it is; none where it is not known
+    knock: Option<bool>,
+    /// how the branch of cycles ends
+    end: String,
+}
+
+impl SoughtMargins {
+    /// The margin of each of so many modes that grow, and its place from the largest on among them.
+    pub(super) fn of_modes(&self, count: usize) -> Vec<Option<(f64, usize)>> {
+        let margin = |mode: usize| self.onsets.iter().find(|own| own.mode == Some(mode))?.margin;
+        let all: Vec<Option<f64>> = (0..count).map(margin).collect();
+        let place = |own: f64| 1 + all.iter().flatten().filter(|other| **other > own).count();
+        all.iter().map(|own| own.map(|own| (own, place(own)))).collect()
+    }
+}
+
+impl ToldMargins {
+    pub(super) fn new(asked: &AssemblySqueal, sweep: &KeySweep, found: &SoughtMargins) -> Self {
+        let margins = || found.onsets.iter().filter_map(|own| own.margin);
+        let told = found.onsets.iter().map(|own| {
+            let rank = own.margin.map(|margin| 1 + margins().filter(|other| *other > margin).count());
+            ToldMargin {
+                onset: own.onset.value,
+                onset_error: own.onset.error,
+                frequency_hz: own.onset.frequency_hz,
+                grows_above: !own.onset.gains,
+                mode: own.mode.map(|mode| mode + 1),
+                fold: own.reach.fold.map(|(value, _)| value),
+                fold_error: own.reach.fold.map(|(_, error)| error),
+                reaches: own.reach.reaches,
+                margin: own.margin,
+                rank,
+                knock: own.is_within,
+                end: own.reach.end.words(sweep),
+            }
+        });
+        let knocks = || found.onsets.iter().map(|own| own.is_within);
+        Self {
+            key: sweep.path.clone(),
+            unit: any_key(&sweep.path, sweep.dimension).unit,
+            own: Some(found.own).filter(|own| own.is_finite()),
+            largest: margins().reduce(f64::max),
+            unknown: found.onsets.len() - margins().count(),
+            knock: match knocks().any(|own| own == Some(true)) {
+                true => Some(true),
+                false => knocks().all(|own| own.is_some()).then_some(false),
+            },
+            harmonics: asked.margin_harmonics(),
+            onsets: told.collect(),
+        }
+    }
+
+    /// What is to be said of margins that are not known.
+    pub(super) fn doubts(sweep: &KeySweep, found: &SoughtMargins) -> Vec<String> {
+        found.onsets.iter().filter_map(|own| own.doubt(sweep)).chain(found.doubt.clone()).collect()
+    }
+
+    /// Margins that should be known.
+    pub(super) fn missing(found: &SoughtMargins) -> usize {
+        let is_missing =
+            |own: &&MarginOfOnset| !own.reach.end.is_whole() && !matches!(own.reach.end, MarginEnd::Range);
+        found.onsets.iter().filter(is_missing).count()
+    }
+}

@@ -10,7 +10,7 @@ mod mode;
 use crate::CyclesError;
 use crate::balance::{CycleRate, HarmonicBalance};
 use crate::extended::{ExtendedBalance, Free};
-use crate::path::{ClosingEquation, Newton, PathEquations, PathPoint, PathRule, follow};
+use crate::path::{ClosingEquation, GoOn, Newton, PathEquations, PathPoint, PathRule, ended, follow};
 use faer::c64;
 use judder_assembly::steady::SteadySliding;
 
@@ -77,17 +77,18 @@ pub struct Backbone {
 /// The periodic motions of the mode with this eigenvalue about steady sliding.
 ///
 /// # Errors
-/// What the smallest motion says; what is lost later ends the backbone.
+/// What the smallest motion says; what is lost later ends the backbone. [`CyclesError::Stopped`].
 pub fn backbone(
     balance: &HarmonicBalance<'_>,
     steady: &SteadySliding,
     eigenvalue: c64,
     settings: &BackboneSettings,
+    go_on: &GoOn<'_>,
 ) -> Result<Backbone, CyclesError> {
     let start = mode::smallest(balance, steady, eigenvalue)?;
     let reference = Some(start.reference.clone());
     let mut equations = ExtendedBalance::new(balance, balance, eigenvalue.im, Free::Growth, reference);
-    let mut newton = Newton::new(settings.rule);
+    let mut newton = Newton::new(settings.rule, go_on);
     let closing = ClosingEquation::across(&start.direction, equations.weights(), &start.at);
     let first = newton.corrected(&mut equations, &start.at, &closing, &start.direction)?;
     equations.accept(&first.at)?;
@@ -113,21 +114,19 @@ pub fn backbone(
                 None
             })
         });
-    let end = match end {
-        Ok(end) => end.unwrap_or(BackboneEnd::Points),
-        Err(error) => BackboneEnd::Lost(error),
-    };
+    let end = ended(end, BackboneEnd::Points, BackboneEnd::Lost)?;
     Ok(Backbone { motions, cycles, first_change, end })
 }
 
 /// A limit cycle near another that is known with as many harmonics or fewer.
 ///
 /// # Errors
-/// [`CyclesError::NotConverged`] and [`CyclesError::Singular`].
+/// [`CyclesError::NotConverged`], [`CyclesError::Singular`] and [`CyclesError::Stopped`].
 pub fn refined(
     balance: &HarmonicBalance<'_>,
     near: &PeriodicMotion,
     rule: &PathRule,
+    go_on: &GoOn<'_>,
 ) -> Result<PeriodicMotion, CyclesError> {
     let size = balance.series().coefficients();
     let known = near.unknown.len() / balance.components();
@@ -142,7 +141,7 @@ pub fn refined(
         ExtendedBalance::new(balance, balance, near.turning.frequency, Free::Growth, reference);
     equations.accept(&at)?;
     let closing = ClosingEquation::fixed(at.len() - 1, at.len(), 0.0);
-    let found = Newton::new(*rule).corrected(&mut equations, &at, &closing, &closing.row)?;
+    let found = Newton::new(*rule, go_on).corrected(&mut equations, &at, &closing, &closing.row)?;
     let cycle = equations.motion(&found)?;
     if cycle.amplitude < SHRUNK * near.amplitude { Err(CyclesError::Shrunk) } else { Ok(cycle) }
 }
@@ -155,7 +154,7 @@ const SHRUNK: f64 = 0.3;
 /// Steady sliding is a solution with σ = 0 too: σ is free until it is small, on planes across the path.
 fn located(
     equations: &mut ExtendedBalance<&HarmonicBalance<'_>>,
-    newton: &mut Newton,
+    newton: &mut Newton<'_>,
     [before, after]: [&PathPoint; 2],
 ) -> Result<(PeriodicMotion, bool), CyclesError> {
     /// Steps, and the σ at which it is as good as zero.

@@ -4,7 +4,7 @@ use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
 use crate::balance::HarmonicBalance;
 use crate::extended::{BalanceSource, ExtendedBalance, Free, KeyedBalance};
-use crate::path::{ClosingEquation, Newton, PathEquations, PathPoint, PathRule, follow};
+use crate::path::{ClosingEquation, GoOn, Newton, PathEquations, PathPoint, PathRule, ended, follow};
 use judder_assembly::assembly::Assembly;
 
 /// How a branch is followed.
@@ -60,12 +60,13 @@ pub struct AssemblyCycleBranch {
 /// The branch through a cycle that is known at a value of the parameter.
 ///
 /// # Errors
-/// What the first cycle says; what is lost later ends the branch.
+/// What the first cycle says; what is lost later ends the branch. [`CyclesError::Stopped`].
 pub fn cycle_branch<F: Fn(f64) -> Result<Assembly, CyclesError>>(
     assembly_at: &F,
     balance: &HarmonicBalance<'_>,
     (parameter, cycle): (f64, &PeriodicMotion),
     settings: &BranchSettings,
+    go_on: &GoOn<'_>,
 ) -> Result<AssemblyCycleBranch, CyclesError> {
     /// Of the largest amplitude: what is smaller has shrunk to its Hopf point.
     const SHRUNK: f64 = 0.02;
@@ -79,7 +80,7 @@ pub fn cycle_branch<F: Fn(f64) -> Result<Assembly, CyclesError>>(
     let last = at.len() - 1;
     let closing = ClosingEquation::fixed(last, at.len(), at[last]);
     let towards: Vec<f64> = closing.row.iter().map(|own| if settings.rises { *own } else { -own }).collect();
-    let mut newton = Newton::new(settings.rule);
+    let mut newton = Newton::new(settings.rule, go_on);
     let first = newton.corrected(&mut equations, &at, &closing, &towards)?;
     let mut cycles = vec![CycleAtKey::of(&mut equations, &first)?];
     let mut folds = Vec::new();
@@ -104,10 +105,7 @@ pub fn cycle_branch<F: Fn(f64) -> Result<Assembly, CyclesError>>(
             None
         })
     });
-    let end = match end {
-        Ok(end) => end.unwrap_or(CycleBranchEnd::Points),
-        Err(error) => CycleBranchEnd::Lost(error),
-    };
+    let end = ended(end, CycleBranchEnd::Points, CycleBranchEnd::Lost)?;
     Ok(AssemblyCycleBranch { cycles, folds, end })
 }
 

@@ -3,6 +3,7 @@
 use crate::CyclesError;
 use crate::backbone::{Backbone, BackboneSettings, PeriodicMotion, backbone, refined};
 use crate::balance::HarmonicBalance;
+use crate::path::GoOn;
 use crate::series::Series;
 use faer::{Mat, c64};
 use judder_assembly::assembly::Assembly;
@@ -80,6 +81,7 @@ pub fn limit_cycles<'a>(
     steady: &SteadySliding,
     eigenvalue: c64,
     settings: &CycleSettings,
+    go_on: &GoOn<'_>,
 ) -> Result<CycleSearch<'a>, CyclesError> {
     let (asked, limit) = match settings.harmonics {
         HarmonicCount::Fixed(count) => (count, 0.0),
@@ -87,7 +89,7 @@ pub fn limit_cycles<'a>(
     };
     let series = |harmonics: usize| Series::new(harmonics, settings.samples * harmonics);
     let balance = HarmonicBalance::new(assembly, steady, eigenvalue.im, series(FEW.min(asked)), &[])?;
-    let backbone = backbone(&balance, steady, eigenvalue, &settings.backbone)?;
+    let backbone = backbone(&balance, steady, eigenvalue, &settings.backbone, go_on)?;
     let mut cycles = Vec::new();
     for (motion, attracts) in &backbone.cycles {
         let (points, quality) = points(&balance, motion)?;
@@ -97,12 +99,13 @@ pub fn limit_cycles<'a>(
         while cycle.balance.series().harmonics() < asked && cycle.quality.left_out > limit {
             let now = cycle.balance.series().harmonics();
             let balance = cycle.balance.with_series(series((now + now.div_ceil(2)).min(asked)));
-            let next = refined(&balance, &cycle.motion, &settings.backbone.rule)
+            let next = refined(&balance, &cycle.motion, &settings.backbone.rule, go_on)
                 .and_then(|motion| self::points(&balance, &motion).map(|told| (motion, told)));
             match next {
                 Ok((motion, (points, quality))) => {
                     cycle = AssemblyCycle { balance, motion, points, quality, ..cycle };
                 }
+                Err(CyclesError::Stopped) => return Err(CyclesError::Stopped),
                 Err(error) => {
                     cycle.held_back = Some(error);
                     break;

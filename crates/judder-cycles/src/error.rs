@@ -25,6 +25,9 @@ pub enum CyclesError {
         /// What the period misses, of the swing of the state.
         missed: f64,
     },
+    /// It was stopped from outside.
+    #[error("it was stopped")]
+    Stopped,
     /// What was found is steady sliding.
     #[error("the balance of harmonics leads back to steady sliding, which solves it too")]
     Shrunk,
@@ -36,9 +39,9 @@ pub enum CyclesError {
         "the bodies are not held: a steady force along the contact moves them without end, so that no mean place of a cycle exists"
     )]
     NotHeld,
-    /// More freedoms than harmonic responses are computed of.
+    /// More freedoms than harmonic responses are computed of, by modes or by dense systems.
     #[error(
-        "bodies with {freedoms} freedoms whose damping joins their modes: up to {most} are taken; reduce the bodies"
+        "bodies with {freedoms} freedoms: periodic motions are computed of up to {most}; reduce the bodies"
     )]
     TooManyFreedoms {
         /// Freedoms.

@@ -4,7 +4,9 @@ use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
 use crate::balance::HarmonicBalance;
 use crate::extended::{ExtendedBalance, Free};
-use crate::path::{ClosingEquation, Newton, PathEquations, PathPoint, PathRule, distance, extreme, follow};
+use crate::path::{
+    ClosingEquation, GoOn, Newton, PathEquations, PathPoint, PathRule, distance, ended, extreme, follow,
+};
 
 /// How a response is followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,8 +37,6 @@ pub enum ResponseEnd {
     Range,
     /// It has as many motions as were asked for.
     Points,
-    /// It was stopped from outside.
-    Stopped,
     /// No next motion was found.
     Lost(CyclesError),
 }
@@ -74,7 +74,7 @@ fn equations<'b, 'a>(
 /// The motion at a frequency, of the first, near a guess; its tangent points as `towards` does.
 fn fixed(
     equations: &mut ForcedEquations<'_, '_>,
-    newton: &mut Newton,
+    newton: &mut Newton<'_>,
     guess: &[f64],
     frequency: f64,
     towards: &[f64],
@@ -86,19 +86,19 @@ fn fixed(
     newton.corrected(equations, &guess, &closing, towards)
 }
 
-/// The motions under the forces of a balance, from the unknowns of a guess at the first frequency on; `go_on` is told how many there are, and may stop them.
+/// The motions under the forces of a balance, from the unknowns of a guess at the first frequency on.
 ///
 /// # Errors
-/// What the first motion says; what is lost later ends the response.
+/// What the first motion says; what is lost later ends the response. [`CyclesError::Stopped`].
 pub fn forced_response(
     balance: &HarmonicBalance<'_>,
     guess: &[f64],
     settings: &ResponseSettings,
-    go_on: &mut dyn FnMut(usize) -> bool,
+    go_on: &GoOn<'_>,
 ) -> Result<ForcedResponse, CyclesError> {
     let [from, to] = settings.between;
     let unknowns = balance.unknowns();
-    let (mut equations, mut newton) = (equations(balance, settings), Newton::new(settings.rule));
+    let (mut equations, mut newton) = (equations(balance, settings), Newton::new(settings.rule, go_on));
     let start: Vec<f64> = guess.iter().copied().chain([1.0]).collect();
     let mut towards = vec![0.0; unknowns + 1];
     towards[unknowns] = (to - from).signum();
@@ -117,22 +117,15 @@ pub fn forced_response(
         let next = bounded.flatten().unwrap_or_else(|| next.clone());
         along.push(along[along.len() - 1] + distance(&before.at, &next.at, equations.weights()));
         motions.push(equations.motion(&next)?);
-        let stops = !go_on(motions.len());
-        Ok(match (leaves, stops) {
-            (true, _) => Some(ResponseEnd::Range),
-            (_, true) => Some(ResponseEnd::Stopped),
-            _ => None,
-        })
+        Ok(leaves.then_some(ResponseEnd::Range))
     });
-    let end = match end {
-        Ok(end) => end.unwrap_or(ResponseEnd::Points),
-        Err(error) => ResponseEnd::Lost(error),
-    };
+    let end = ended(end, ResponseEnd::Points, ResponseEnd::Lost)?;
     let mut found = ForcedResponse { motions, along, folds: Vec::new(), end };
     for (motion, rose) in found.turns(to > from, settings.pace.resolved()) {
         let near = [motion - 1, motion, motion + 1].map(|k| equations.place(&found.motions[k], 0.0));
         let near = near.each_ref().map(Vec::as_slice);
-        found.folds.push((motion, from * extreme(&mut equations, &mut newton, near, (unknowns, rose))));
+        let turn = extreme(&mut equations, &mut newton, near, (unknowns, rose))?;
+        found.folds.push((motion, from * turn));
     }
     Ok(found)
 }

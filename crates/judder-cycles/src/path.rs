@@ -90,8 +90,12 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, own| if own.is_nan() { f64::INFINITY } else { most.max(own.abs()) })
 }
 
+/// Asked again and again by what takes long: where it says no, that ends as [`CyclesError::Stopped`].
+pub type GoOn<'g> = dyn Fn() -> bool + Sync + 'g;
+
 /// Newton's method, with what it works in: assembled, solved and written over again in the same place.
-pub(crate) struct Newton {
+pub(crate) struct Newton<'g> {
+    go_on: &'g GoOn<'g>,
     rule: PathRule,
     /// After how many steps that do not halve what is left it gives up.
     patience: usize,
@@ -100,9 +104,9 @@ pub(crate) struct Newton {
     right: Mat<f64>,
 }
 
-impl Newton {
-    pub(crate) fn new(rule: PathRule) -> Self {
-        Self { rule, patience: rule.iterations, matrix: Mat::new(), right: Mat::new() }
+impl<'g> Newton<'g> {
+    pub(crate) fn new(rule: PathRule, go_on: &'g GoOn<'g>) -> Self {
+        Self { go_on, rule, patience: rule.iterations, matrix: Mat::new(), right: Mat::new() }
     }
 
     /// The linear system at a place, of so many right sides that are zero but for the closing equation, which is one.
@@ -155,6 +159,9 @@ impl Newton {
         let mut iteration = 0;
         while iteration < self.rule.iterations && since < self.patience {
             iteration += 1;
+            if !(self.go_on)() {
+                return Err(CyclesError::Stopped);
+            }
             self.assemble(equations, &at, &closing.row, SIDES)?;
             let step = self.right.col_as_slice_mut(0);
             step.iter_mut().zip(equations.residual(&at)?).for_each(|(own, residual)| *own = -residual);
@@ -230,11 +237,11 @@ pub(crate) fn distance(a: &[f64], b: &[f64], weights: &[f64]) -> f64 {
 /// # Errors
 /// Why no next solution was found, and what the judge says.
 pub(crate) fn follow<E: PathEquations, End>(
-    newton: &mut Newton,
+    newton: &mut Newton<'_>,
     equations: &mut E,
     first: PathPoint,
     most: usize,
-    mut judge: impl FnMut(&mut E, &mut Newton, [&PathPoint; 2]) -> Result<Option<End>, CyclesError>,
+    mut judge: impl FnMut(&mut E, &mut Newton<'_>, [&PathPoint; 2]) -> Result<Option<End>, CyclesError>,
 ) -> Result<Option<End>, CyclesError> {
     newton.patience = PATIENCE;
     let mut path = Path { point: first, step: newton.rule.steps[0] };
@@ -247,6 +254,19 @@ pub(crate) fn follow<E: PathEquations, End>(
         }
     }
     Ok(None)
+}
+
+/// How a path ended, where it was not stopped: `most` where there are as many solutions as were asked for, `lost` where no next one was found.
+pub(crate) fn ended<End>(
+    followed: Result<Option<End>, CyclesError>,
+    most: End,
+    lost: impl FnOnce(CyclesError) -> End,
+) -> Result<End, CyclesError> {
+    match followed {
+        Ok(end) => Ok(end.unwrap_or(most)),
+        Err(CyclesError::Stopped) => Err(CyclesError::Stopped),
+        Err(error) => Ok(lost(error)),
+    }
 }
 
 /// Where a path stands.
@@ -262,7 +282,7 @@ impl Path {
     /// The last reason where none is found with the shortest step.
     fn next<E: PathEquations>(
         &mut self,
-        newton: &mut Newton,
+        newton: &mut Newton<'_>,
         equations: &mut E,
     ) -> Result<PathPoint, CyclesError> {
         let [_, longest, shortest] = newton.rule.steps;
@@ -278,6 +298,7 @@ impl Path {
                     self.step = (stretch * self.step).min(longest);
                     return Ok(next);
                 }
+                Err(CyclesError::Stopped) => return Err(CyclesError::Stopped),
                 Err(error) => error,
             };
             if self.step < KINK && !rounded {
@@ -297,7 +318,7 @@ impl Path {
     /// A solution beyond a kink that is just ahead: the path goes on along the tangent that the equations have behind it, one way or the other.
     fn round_the_kink<E: PathEquations>(
         &self,
-        newton: &mut Newton,
+        newton: &mut Newton<'_>,
         equations: &mut E,
     ) -> Result<Option<(PathPoint, f64)>, CyclesError> {
         let PathPoint { at, tangent, .. } = &self.point;
@@ -334,7 +355,7 @@ impl Path {
 
     fn tried<E: PathEquations>(
         &self,
-        newton: &mut Newton,
+        newton: &mut Newton<'_>,
         equations: &mut E,
     ) -> Result<PathPoint, CyclesError> {
         let PathPoint { at, tangent, .. } = &self.point;
@@ -353,10 +374,10 @@ impl Path {
 /// The largest value of an unknown, or the smallest, on the branch through three places, by golden sections on planes across the line between the outer ones.
 pub(crate) fn extreme<E: PathEquations>(
     equations: &mut E,
-    newton: &mut Newton,
+    newton: &mut Newton<'_>,
     [first, amid, last]: [&[f64]; 3],
     (unknown, largest): (usize, bool),
-) -> f64 {
+) -> Result<f64, CyclesError> {
     /// Sections: a thousandth of the way is left.
     const SECTIONS: usize = 14;
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
@@ -367,31 +388,33 @@ pub(crate) fn extreme<E: PathEquations>(
     let place = |share: f64| start.value + share * (end - start.value);
     let own = ClosingEquation::across(&way, equations.weights(), amid).value;
     let own = (own - start.value) / (end - start.value);
-    let mut at = |share: f64| {
+    let mut at = |share: f64| -> Result<f64, CyclesError> {
         let (from, to, part) = match share < own {
             true => (first, amid, share / own),
             false => (amid, last, (share - own) / (1.0 - own)),
         };
         let guess: Vec<f64> = from.iter().zip(to).map(|(a, b)| a + part * (b - a)).collect();
         let closing = ClosingEquation { value: place(share), ..start.clone() };
-        newton
-            .corrected(equations, &guess, &closing, &way)
-            .map_or(f64::NEG_INFINITY, |found| sign * found.at[unknown])
+        match newton.corrected(equations, &guess, &closing, &way) {
+            Ok(found) => Ok(sign * found.at[unknown]),
+            Err(CyclesError::Stopped) => Err(CyclesError::Stopped),
+            Err(_) => Ok(f64::NEG_INFINITY),
+        }
     };
     let mut farthest = sign * amid[unknown];
     let mut between = [0.0, 1.0];
-    let mut tried = [1.0 - GOLDEN, GOLDEN].map(|share| (share, at(share)));
+    let mut tried = [(1.0 - GOLDEN, at(1.0 - GOLDEN)?), (GOLDEN, at(GOLDEN)?)];
     for _ in 0..SECTIONS {
         farthest = farthest.max(tried[0].1).max(tried[1].1);
         if tried[0].1 > tried[1].1 {
             between[1] = tried[1].0;
             let share = between[1] - GOLDEN * (between[1] - between[0]);
-            tried = [(share, at(share)), tried[0]];
+            tried = [(share, at(share)?), tried[0]];
         } else {
             between[0] = tried[0].0;
             let share = between[0] + GOLDEN * (between[1] - between[0]);
-            tried = [tried[1], (share, at(share))];
+            tried = [tried[1], (share, at(share)?)];
         }
     }
-    sign * farthest
+    Ok(sign * farthest)
 }

@@ -22,8 +22,19 @@ use std::sync::Arc;
 pub use at_harmonic::{AtHarmonic, HarmonicSlopes};
 pub(crate) use body_step::BodyStep;
 
-/// Freedoms of bodies whose damping joins their modes up to which they are taken: a harmonic of them costs a dense system.
+/// Freedoms up to which bodies are taken: some seconds of their modes, a dense system a harmonic where their damping joins these.
 const MOST: usize = 1200;
+
+/// Whether periodic motions of so large an assembly are computed.
+///
+/// # Errors
+/// [`CyclesError::TooManyFreedoms`].
+pub fn check_size(assembly: &Assembly) -> Result<(), CyclesError> {
+    match assembly.size() {
+        freedoms if freedoms > MOST => Err(CyclesError::TooManyFreedoms { freedoms, most: MOST }),
+        _ => Ok(()),
+    }
+}
 
 /// Bodies as their contact points feel them.
 #[derive(Debug, Clone)]
@@ -95,6 +106,7 @@ impl HarmonicBodies {
     /// # Errors
     /// [`CyclesError::TooManyFreedoms`], and what the assembly's matrices say.
     pub fn new(assembly: &Assembly, contact: &ContactPoints<'_>) -> Result<Self, CyclesError> {
+        check_size(assembly)?;
         let kind = match FreeModes::new(assembly) {
             Some(modes) => HarmonicMatrices::Modes(Box::new(modes)),
             None => HarmonicMatrices::Whole(Box::new(whole(assembly)?)),
@@ -295,10 +307,6 @@ impl StaticResponse {
 
 /// M, C with gyroscopic forces, and K.
 fn whole(assembly: &Assembly) -> Result<[Mat<f64>; 3], CyclesError> {
-    let freedoms = assembly.size();
-    if freedoms > MOST {
-        return Err(CyclesError::TooManyFreedoms { freedoms, most: MOST });
-    }
     let damping = sum(&assembly.damping, assembly.gyroscopic.iter().map(|own| own.matrix.as_ref()))?;
     Ok([assembly.mass.to_dense(), damping.to_dense(), assembly.stiffness.to_dense()])
 }

@@ -7,6 +7,7 @@
 use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
 use crate::balance::HarmonicBalance;
+use crate::path::GoOn;
 use crate::stability::monodromy;
 use faer::{Mat, c64};
 use judder_assembly::assembly::Assembly;
@@ -51,6 +52,7 @@ pub struct ShotCycle {
 
 /// A march once around.
 struct OncePeriod<'a> {
+    go_on: &'a GoOn<'a>,
     assembly: &'a Assembly,
     steps: usize,
     /// A force in N by which residuals of the contact are measured.
@@ -71,6 +73,9 @@ impl OncePeriod<'_> {
         march.start(q, v);
         let mut told = Statistics::new(march.contact().points.len());
         for _ in 0..self.steps {
+            if !(self.go_on)() {
+                return Err(CyclesError::Stopped);
+            }
             march.advance()?;
             told.take(&march);
         }
@@ -87,6 +92,7 @@ pub fn shoot(
     balance: &HarmonicBalance<'_>,
     near: &PeriodicMotion,
     settings: &ShootingSettings,
+    go_on: &GoOn<'_>,
 ) -> Result<ShotCycle, CyclesError> {
     /// A period that misses so many swings leads nowhere.
     const FAR: f64 = 1e3;
@@ -95,7 +101,7 @@ pub fn shoot(
     let bodies = balance.bodies();
     let size = bodies.coordinates();
     let omega = near.turning.frequency;
-    let around = OncePeriod { assembly, steps: settings.steps, force: balance.force_scale() };
+    let around = OncePeriod { go_on, assembly, steps: settings.steps, force: balance.force_scale() };
     let freedoms = |x: &[f64]| {
         let velocities: Vec<f64> = x[size..].iter().map(|own| omega * own).collect();
         [bodies.freedoms(&x[..size]), bodies.freedoms(&velocities)]
@@ -106,7 +112,7 @@ pub fn shoot(
     };
     let (mut x, direction, swing) = start(balance, near)?;
     let mut period = TAU / omega;
-    let matrix = monodromy(balance, near, settings.steps)?;
+    let matrix = monodromy(balance, near, settings.steps, go_on)?;
     let mut left = f64::INFINITY;
     for iteration in 0..=settings.iterations {
         let (end, statistics) = around.from(&freedoms(&x), period)?;

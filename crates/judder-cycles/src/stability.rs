@@ -10,6 +10,7 @@
 use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
 use crate::balance::HarmonicBalance;
+use crate::path::GoOn;
 use crate::point_law::ProjectedForce;
 use crate::receptance::BodyStep;
 use crate::series::Series;
@@ -89,6 +90,7 @@ impl FloquetMultipliers {
 pub fn floquet_multipliers(
     balance: &HarmonicBalance<'_>,
     cycle: &PeriodicMotion,
+    go_on: &GoOn<'_>,
 ) -> Result<Result<FloquetMultipliers, CycleStability>, CyclesError> {
     if balance.bodies().coordinates() > MOST {
         return Ok(Err(CycleStability::TooLarge));
@@ -97,9 +99,9 @@ pub fn floquet_multipliers(
         return Ok(Err(CycleStability::Impacts));
     }
     let [first, most] = STEPS;
-    let mut found = with_steps(balance, cycle, first)?;
+    let mut found = with_steps(balance, cycle, first, go_on)?;
     loop {
-        let mut finer = with_steps(balance, cycle, 2 * found.steps)?;
+        let mut finer = with_steps(balance, cycle, 2 * found.steps, go_on)?;
         let of_steps = (finer.largest() - found.largest()).abs().max((finer.phase - found.phase).norm());
         // that of the phase tells what the harmonics leave out too
         finer.error = of_steps.max((finer.phase - 1.0).norm());
@@ -126,8 +128,9 @@ fn with_steps(
     balance: &HarmonicBalance<'_>,
     cycle: &PeriodicMotion,
     steps: usize,
+    go_on: &GoOn<'_>,
 ) -> Result<FloquetMultipliers, CyclesError> {
-    let matrix = monodromy(balance, cycle, steps)?;
+    let matrix = monodromy(balance, cycle, steps, go_on)?;
     let mut values = real_eigenvalues(&matrix).ok_or(CyclesError::Singular)?;
     values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(a.im.total_cmp(&b.im)));
     let nearest = (0..values.len()).min_by(|a, b| {
@@ -143,6 +146,7 @@ pub(crate) fn monodromy(
     balance: &HarmonicBalance<'_>,
     cycle: &PeriodicMotion,
     steps: usize,
+    go_on: &GoOn<'_>,
 ) -> Result<Mat<f64>, CyclesError> {
     let size = balance.bodies().coordinates();
     let step = TAU / cycle.turning.frequency / steps as f64;
@@ -158,6 +162,9 @@ pub(crate) fn monodromy(
     let mut v = Mat::from_fn(size, 2 * size, |row, column| omega * unit(row + size, column));
     let compliance = product(bodies.rows.as_ref(), bodies.pushes.as_ref());
     for instant in (0..steps).map(|step| 2 * step + 1) {
+        if !go_on() {
+            return Err(CyclesError::Stopped);
+        }
         let own = (0..balance.contact().points.len()).map(|point| *projected.at(instant, point)).collect();
         let at = PointsAt { balance, bodies: &bodies, compliance: &compliance, projected: own, step };
         let next = at.advanced(&x, &v)?;

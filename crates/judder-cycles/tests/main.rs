@@ -5,6 +5,7 @@
 #[allow(dead_code)]
 mod common;
 mod convergence;
+mod property;
 mod validation;
 
 use faer::c64;

@@ -217,6 +217,7 @@ impl From<judder_cycles::CyclesError> for ModelError {
         match error {
             judder_cycles::CyclesError::Assembly(error) => Self::Assembly(error),
             judder_cycles::CyclesError::Nonsmooth(error) => error.into(),
+            judder_cycles::CyclesError::Stopped => Self::Interrupted,
             _ => Self::AssemblyCycle(error),
         }
     }

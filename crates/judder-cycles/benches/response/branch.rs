@@ -34,7 +34,7 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
     let value = found.modes.first().ok_or("no mode grows")?.eigenvalue.value;
     let settings = CycleSettings { harmonics: HarmonicCount::Fixed(HARMONICS), ..CycleSettings::default() };
     let start = Instant::now();
-    let search = limit_cycles(&case, &steady, c64::new(value.re, value.im), &settings)?;
+    let search = limit_cycles(&case, &steady, c64::new(value.re, value.im), &settings, &|| true)?;
     let cycle = search.cycles.first().ok_or("no cycle is found")?;
     let first = start.elapsed().as_secs_f64();
     let start = Instant::now();
@@ -45,7 +45,7 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
         other.interfaces[0].law = law(friction);
         Ok::<_, CyclesError>(other)
     };
-    let branch = cycle_branch(&at, &cycle.balance, (FRICTION, &cycle.motion), &settings)?;
+    let branch = cycle_branch(&at, &cycle.balance, (FRICTION, &cycle.motion), &settings, &|| true)?;
     let told = json!({
         "case": "branch", "points": branch.cycles.len(), "contact_points": CELLS[0] + 1, "freedoms": case.size(),
         "harmonics": HARMONICS, "unknowns": cycle.balance.unknowns(), "end": format!("{:?}", branch.end),

@@ -27,7 +27,7 @@ fn response(name: &str, problem: &Problem) -> Result<(), Box<dyn Error>> {
         let start = Instant::now();
         let balance = problem.balance()?;
         let guess = vec![0.0; balance.unknowns()];
-        let found = forced_response(&balance, &guess, &problem.settings, &mut |_| true)?;
+        let found = forced_response(&balance, &guess, &problem.settings, &|| true)?;
         seconds = seconds.min(start.elapsed().as_secs_f64());
         let peak = problem.peak(&balance, &found)?;
         told = json!({

@@ -60,7 +60,7 @@ fn a_mass_sticks_and_slips_as_the_motion_itself_does() {
     let errors = [10, 40, 160].map(|harmonics| {
         let settings =
             CycleSettings { harmonics: HarmonicCount::Fixed(harmonics), ..CycleSettings::default() };
-        let found = limit_cycles(&case, &steady, values[0], &settings).unwrap();
+        let found = limit_cycles(&case, &steady, values[0], &settings, &|| true).unwrap();
         let cycle = &found.cycles[0];
         assert!(cycle.attracts && cycle.held_back.is_none());
         assert_eq!(cycle.balance.series().harmonics(), harmonics);

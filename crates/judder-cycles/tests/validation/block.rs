@@ -44,14 +44,14 @@ fn the_cycle_of_a_mode_is_what_the_march_settles_to() {
     let case = block_held(law, 1.0, [100.0, 5e-8]);
     let (steady, values) = growing(&case, [1e3, 6e5]);
     assert_eq!(values.len(), 1);
-    let found = limit_cycles(&case, &steady, values[0], &CycleSettings::default()).unwrap();
+    let found = limit_cycles(&case, &steady, values[0], &CycleSettings::default(), &|| true).unwrap();
     let cycle = &found.cycles[0];
     assert!(
         cycle.attracts && cycle.held_back.is_none() && cycle.quality.left_out < 0.01,
         "{:?}",
         cycle.quality
     );
-    let multipliers = floquet_multipliers(&cycle.balance, &cycle.motion).unwrap().unwrap();
+    let multipliers = floquet_multipliers(&cycle.balance, &cycle.motion, &|| true).unwrap().unwrap();
     assert_eq!(multipliers.verdict(), CycleStability::Stable, "{multipliers:?}");
     assert!((multipliers.phase - 1.0).norm() < 0.01, "{multipliers:?}");
     let (told, crossings) = marched(&case, &steady, 250_000);
@@ -83,10 +83,10 @@ fn a_cycle_that_the_march_does_not_come_to_is_unstable() {
     let case = block(law, 1.0, [100.0, 5e-8]);
     let (steady, values) = growing(&case, [1e3, 6e5]);
     let settings = CycleSettings { harmonics: HarmonicCount::Fixed(80), ..CycleSettings::default() };
-    let found = limit_cycles(&case, &steady, values[0], &settings).unwrap();
+    let found = limit_cycles(&case, &steady, values[0], &settings, &|| true).unwrap();
     let cycle = &found.cycles[0];
     assert!(cycle.attracts && cycle.held_back.is_none());
-    let multipliers = floquet_multipliers(&cycle.balance, &cycle.motion).unwrap().unwrap();
+    let multipliers = floquet_multipliers(&cycle.balance, &cycle.motion, &|| true).unwrap().unwrap();
     assert_eq!(multipliers.verdict(), CycleStability::Unstable, "{multipliers:?}");
     assert!(multipliers.values[0].im != 0.0);
     let (told, _) = marched(&case, &steady, 300_000);

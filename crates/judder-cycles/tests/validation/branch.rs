@@ -38,7 +38,7 @@ fn a_cycle_shrinks_to_steady_sliding_where_the_eigenvalue_ceases_to_grow() {
     let case = with_friction(0.3);
     let (steady, values) = growing(&case, [1e3, 6e5]);
     let settings = CycleSettings { harmonics: HarmonicCount::Fixed(9), ..CycleSettings::default() };
-    let found = limit_cycles(&case, &steady, values[0], &settings).unwrap();
+    let found = limit_cycles(&case, &steady, values[0], &settings, &|| true).unwrap();
     let cycle = &found.cycles[0];
     let settings = BranchSettings {
         rule: PathRule { steps: [0.02, 0.2, 1e-6], ..PathRule::default() },
@@ -48,7 +48,7 @@ fn a_cycle_shrinks_to_steady_sliding_where_the_eigenvalue_ceases_to_grow() {
         points: 100,
     };
     let at = |coefficient: f64| Ok(with_friction(coefficient));
-    let branch = cycle_branch(&at, &cycle.balance, (0.3, &cycle.motion), &settings).unwrap();
+    let branch = cycle_branch(&at, &cycle.balance, (0.3, &cycle.motion), &settings, &|| true).unwrap();
     assert_eq!(branch.end, CycleBranchEnd::SteadySliding);
     assert!(branch.folds.is_empty() && branch.cycles.len() > 5);
     let last = branch.cycles.last().unwrap();
@@ -65,7 +65,7 @@ fn a_branch_tells_where_no_assembly_is() {
     let case = with_friction(0.3);
     let (steady, values) = growing(&case, [1e3, 6e5]);
     let settings = CycleSettings { harmonics: HarmonicCount::Fixed(3), ..CycleSettings::default() };
-    let found = limit_cycles(&case, &steady, values[0], &settings).unwrap();
+    let found = limit_cycles(&case, &steady, values[0], &settings, &|| true).unwrap();
     let at = |value: f64| match value > 0.28 {
         true => Ok(with_friction(value)),
         false => Err(CyclesError::NoAssembly { value, reason: "too little".to_owned() }),
@@ -73,7 +73,7 @@ fn a_branch_tells_where_no_assembly_is() {
     let rule = PathRule { steps: [0.02, 0.2, 1e-4], ..PathRule::default() };
     let settings = BranchSettings { rule, range: [0.0, 0.5], unit: 0.3, rises: false, points: 100 };
     let cycle = &found.cycles[0];
-    let branch = cycle_branch(&at, &cycle.balance, (0.3, &cycle.motion), &settings).unwrap();
+    let branch = cycle_branch(&at, &cycle.balance, (0.3, &cycle.motion), &settings, &|| true).unwrap();
     assert!(matches!(branch.end, CycleBranchEnd::Lost(CyclesError::NoAssembly { .. })), "{:?}", branch.end);
     assert!(branch.cycles.last().unwrap().parameter < 0.282);
 }

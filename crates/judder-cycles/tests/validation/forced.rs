@@ -67,7 +67,7 @@ fn a_stop_bends_the_response_as_published() {
         points: 3000,
         pace: StepMeasure::Largest(2e-3),
     };
-    let found = forced_response(&balance, &balance.steady(&steady), &settings, &mut |_| true).unwrap();
+    let found = forced_response(&balance, &balance.steady(&steady), &settings, &|| true).unwrap();
     assert_eq!(found.end, ResponseEnd::Range);
     let rms = |own: &[f64]| (own[0] * own[0] + 0.5 * own[1..].iter().map(|a| a * a).sum::<f64>()).sqrt();
     let all = followed(&balance, &found, &Row::of_freedom(0));
@@ -109,8 +109,7 @@ fn a_friction_damper_has_the_published_peak() {
             points: 2000,
             pace: StepMeasure::Fixed(SLIPS),
         };
-        let found =
-            forced_response(&balance, &vec![0.0; balance.unknowns()], &settings, &mut |_| true).unwrap();
+        let found = forced_response(&balance, &vec![0.0; balance.unknowns()], &settings, &|| true).unwrap();
         assert_eq!(found.end, ResponseEnd::Range);
         let amplitudes = followed(&balance, &found, &Row::of_freedom(0));
         let amplitudes = amplitudes.iter().map(|(frequency, own)| (*frequency, own[1].hypot(own[2])));

@@ -16,11 +16,11 @@ fn a_march_comes_back_to_where_a_cycle_by_harmonics_begins() {
     let damping = [100.0, 5e-8];
     for case in [block_held(law(0.3), 1.0, damping), block(law(0.35), 1.0, damping)] {
         let (steady, values) = growing(&case, [1e3, 6e5]);
-        let found = limit_cycles(&case, &steady, values[0], &CycleSettings::default()).unwrap();
+        let found = limit_cycles(&case, &steady, values[0], &CycleSettings::default(), &|| true).unwrap();
         let cycle = &found.cycles[0];
         let [few, many] = [512, 2048].map(|steps| {
             let settings = ShootingSettings { steps, ..ShootingSettings::default() };
-            shoot(&case, &cycle.balance, &cycle.motion, &settings).unwrap()
+            shoot(&case, &cycle.balance, &cycle.motion, &settings, &|| true).unwrap()
         });
         assert!(many.residual <= 1e-7 && many.iterations < 8, "{}", many.iterations);
         let off = |frequency: f64| (frequency / cycle.frequency() - 1.0).abs();
@@ -41,9 +41,9 @@ fn a_march_that_does_not_come_back_says_what_it_misses() {
     let law = InterfaceLaw::Compliant(Pressure::Stiffness(1e11), Friction::Constant(0.3));
     let case = block_held(law, 1.0, [100.0, 5e-8]);
     let (steady, values) = growing(&case, [1e3, 6e5]);
-    let found = limit_cycles(&case, &steady, values[0], &CycleSettings::default()).unwrap();
+    let found = limit_cycles(&case, &steady, values[0], &CycleSettings::default(), &|| true).unwrap();
     let cycle = &found.cycles[0];
     let settings = ShootingSettings { steps: 256, iterations: 0, ..ShootingSettings::default() };
-    let error = shoot(&case, &cycle.balance, &cycle.motion, &settings).unwrap_err();
+    let error = shoot(&case, &cycle.balance, &cycle.motion, &settings, &|| true).unwrap_err();
     assert!(matches!(error, CyclesError::NotReturned { iterations: 0, missed } if missed < 0.1), "{error}");
 }

@@ -25,14 +25,14 @@ fn the_multiplier_of_one_freedom_is_that_of_its_divergence() {
     let (steady, values) = growing(&case, [5.0, 20.0]);
     let settings =
         CycleSettings { harmonics: HarmonicCount::Fixed(20), samples: 32, ..CycleSettings::default() };
-    let found = limit_cycles(&case, &steady, values[0], &settings).unwrap();
+    let found = limit_cycles(&case, &steady, values[0], &settings, &|| true).unwrap();
     let cycle = &found.cycles[0];
     assert_eq!(cycle.points[0].shares, [0.0, 1.0, 0.0]);
     let over = cycle.over_a_period(4096).unwrap();
     let divergence = |instant: usize| -(DAMPING + friction.at(over.motions[(instant, 1)].abs()).slope);
     let mean = (0..4096).map(divergence).sum::<f64>() / 4096.0;
     let expected = (mean * TAU / cycle.frequency()).exp();
-    let found = floquet_multipliers(&cycle.balance, &cycle.motion).unwrap().unwrap();
+    let found = floquet_multipliers(&cycle.balance, &cycle.motion, &|| true).unwrap().unwrap();
     assert!(expected < 0.95, "{expected}");
     assert!((found.phase - 1.0).norm() < 1e-3, "{found:?}");
     assert!(

@@ -5,6 +5,7 @@ use super::told::{KnownCycle, ToldCycleBranch, dataset};
 use crate::assembly::AssemblySubject;
 use crate::assembly::limit_cycle::search::left_out;
 use crate::assembly::limit_cycle::settings::LOWEST;
+use crate::assembly::limit_cycle::stability::KnownStability;
 use crate::assembly::meant_mode::{fastest, near_frequency};
 use crate::assembly::swept::{SlidingState, SweptAssembly};
 use crate::error::ModelError;
@@ -17,7 +18,6 @@ use judder_cycles::branch::{AssemblyCycleBranch, BranchSettings, CycleAtKey, Cyc
 use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles, points};
 use judder_cycles::path::PathRule;
 use judder_cycles::series::Series;
-use judder_cycles::stability::{CycleStability, floquet_multipliers};
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Outcome};
 use num_complex::Complex64;
@@ -44,7 +44,7 @@ pub(super) fn run(
                 continue;
             }
         };
-        match first(asked, &family, &state, value)? {
+        match first(asked, &family, &state, value, progress)? {
             Ok(found) => return branches(asked, &family, &found, progress),
             Err(reason) => reasons.push(told(reason)),
         }
@@ -97,6 +97,7 @@ fn first(
     family: &SweptAssembly<'_>,
     state: &SlidingState,
     value: f64,
+    progress: &dyn Progress,
 ) -> Result<Result<FirstCycle, String>, ModelError> {
     let eigenvalue = match mode_of(asked, family, state) {
         Ok(eigenvalue) => eigenvalue,
@@ -109,13 +110,14 @@ fn first(
     let assembly = family.assembly(&[value])?;
     let harmonics = HarmonicCount::Fixed(asked.harmonics);
     let settings = CycleSettings { harmonics, samples: asked.samples, backbone: BackboneSettings::default() };
-    let search = match limit_cycles(&assembly, &state.steady, eigenvalue, &settings) {
-        Ok(search) => search,
-        Err(error @ (CyclesError::NotConverged { .. } | CyclesError::Shrunk | CyclesError::Singular)) => {
-            return Ok(Err(error.to_string()));
-        }
-        Err(error) => return Err(error.into()),
-    };
+    let search =
+        match limit_cycles(&assembly, &state.steady, eigenvalue, &settings, &|| !progress.interrupted()) {
+            Ok(search) => search,
+            Err(error @ (CyclesError::NotConverged { .. } | CyclesError::Shrunk | CyclesError::Singular)) => {
+                return Ok(Err(error.to_string()));
+            }
+            Err(error) => return Err(error.into()),
+        };
     let motion = match search.cycles.first() {
         None => return Ok(Err("the mode grows, but no cycle of it was found".to_owned())),
         Some(cycle) => match &cycle.held_back {
@@ -149,14 +151,16 @@ fn branches(
         let rule = PathRule { steps: [0.2 * longest, longest, 1e-7], tolerance: 1e-8, ..PathRule::default() };
         let settings =
             BranchSettings { rule, range: [from, to], unit: to - from, rises, points: asked.cycles };
-        ways.push(cycle_branch(&at, &balance, (found.value, &found.motion), &settings)?);
+        ways.push(cycle_branch(&at, &balance, (found.value, &found.motion), &settings, &|| {
+            !progress.interrupted()
+        })?);
     }
     let [down, up]: [AssemblyCycleBranch; 2] = [ways.swap_remove(0), ways.swap_remove(0)];
     let cycles = down.cycles.iter().rev().chain(up.cycles.iter().skip(1));
     let mut known = Vec::new();
     for cycle in cycles.filter(|own| (from..=to).contains(&own.parameter)) {
         progress.go_on()?;
-        known.push(told_of(asked, &balance, &at, cycle)?);
+        known.push(told_of(asked, &balance, &at, cycle, progress)?);
     }
     let ends = [&down, &up].map(|way| shrunk(way).map(|cycle| (cycle, off_neutral(family, cycle))));
     let is_hopf = |off: f64| off <= NEUTRAL;
@@ -206,21 +210,12 @@ fn told_of(
     balance: &HarmonicBalance<'_>,
     at: &impl Fn(f64) -> Result<Assembly, CyclesError>,
     cycle: &CycleAtKey,
+    progress: &dyn Progress,
 ) -> Result<KnownCycle, ModelError> {
     let assembly = at(cycle.parameter)?;
     let balance = balance.of(&assembly)?;
     let (points, quality) = points(&balance, &cycle.motion)?;
-    let stability = match asked.stability {
-        true => match floquet_multipliers(&balance, &cycle.motion)? {
-            Ok(found) => match found.verdict() {
-                CycleStability::Stable => Some(true),
-                CycleStability::Unstable => Some(false),
-                _ => None,
-            },
-            Err(_) => None,
-        },
-        false => None,
-    };
+    let stability = KnownStability::of(&balance, &cycle.motion, asked.stability, progress)?;
     let count = points.len() as f64;
     let mean = |of: &dyn Fn(usize) -> f64| (0..points.len()).map(of).sum::<f64>() / count;
     let rms = |k: usize| points[k].tangential_velocity_rms * points[k].tangential_velocity_rms;
@@ -232,7 +227,7 @@ fn told_of(
         open: mean(&|k| points[k].shares[2]),
         left_out: quality.left_out,
         residual: cycle.motion.residual,
-        is_stable: stability,
+        is_stable: stability.is_stable(),
     })
 }
 

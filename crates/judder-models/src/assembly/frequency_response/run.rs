@@ -37,7 +37,7 @@ pub(super) fn run(
     let balance = HarmonicBalance::new(assembly, &steady, 0.5 * (from + to), asked.series(), &[force])
         .map_err(unanswered)?;
     let guess = balance.steady(&steady);
-    let found = forced_response(&balance, &guess, &asked.settings(), &mut |_| !progress.interrupted())
+    let found = forced_response(&balance, &guess, &asked.settings(), &|| !progress.interrupted())
         .map_err(unanswered)?;
     progress.go_on()?;
     let coordinates = FollowedCoordinate::all(&of.built.watched, &balance, &found)?;

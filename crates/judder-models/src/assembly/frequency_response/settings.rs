@@ -10,6 +10,7 @@ use crate::error::ModelError;
 use judder_cycles::balance::HarmonicForce;
 use judder_cycles::forced::{ResponseSettings, StepMeasure};
 use judder_cycles::path::PathRule;
+use judder_cycles::receptance::check_size;
 use judder_cycles::series::Series;
 use judder_keys::Settings;
 use judder_keys::declared::{Number, NumberPair, Settings as _, Several, Whole, all};
@@ -152,6 +153,9 @@ impl FrequencyResponse {
         }
         if let Err(Unassembled { path, cause }) = self.force(of) {
             return Ok(Err(Refusal::key(path, *cause)));
+        }
+        if let Err(error) = check_size(&of.built.assembly) {
+            return refused("", error.to_string());
         }
         let components = ContactPoints::new(&of.built.assembly, &[])?.rows.len();
         let unknowns = components * (2 * self.harmonics + 1);

@@ -128,7 +128,6 @@ pub(super) fn end(found: &ForcedResponse) -> String {
         ResponseEnd::Points => {
             format!("it has as many motions as `points` allows, the last at {} Hz", plain(last))
         }
-        ResponseEnd::Stopped => "it was stopped".to_owned(),
         ResponseEnd::Lost(error) => format!("beyond {} Hz no motion was found: {error}", plain(last)),
     }
 }

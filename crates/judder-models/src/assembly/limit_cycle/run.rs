@@ -39,8 +39,13 @@ pub(super) fn run(
     }
     let eigenvalue = mode.eigenvalue.value;
     progress.go_on()?;
-    let sought =
-        CycleOfMode::new(&of.built.assembly, &steady, eigenvalue, &asked.solver.settings(components(of)?))?;
+    let sought = CycleOfMode::new(
+        &of.built.assembly,
+        &steady,
+        eigenvalue,
+        &asked.solver.settings(components(of)?),
+        progress,
+    )?;
     let mut outcome = Outcome::default();
     let mut mode = ToldCycleMode::new(asked, &sought);
     let cycle = match sought.cycle() {
@@ -51,7 +56,8 @@ pub(super) fn run(
             None
         }
         Some(cycle) => {
-            let stability = KnownStability::of(cycle, asked.solver.stability)?;
+            let stability =
+                KnownStability::of(&cycle.balance, &cycle.motion, asked.solver.stability, progress)?;
             outcome.dataset = dataset(of, &sought, stability.multipliers())?;
             warnings.extend(words_of(&sought, cycle).into_iter().chain(stability.doubt()));
             let power = cycle.power(INSTANTS)?;
@@ -131,7 +137,7 @@ fn shot(
     progress.go_on()?;
     let settings =
         ShootingSettings { steps: asked.steps.unwrap_or(USUAL_STEPS), ..ShootingSettings::default() };
-    match shoot(&of.built.assembly, &cycle.balance, &cycle.motion, &settings) {
+    match shoot(&of.built.assembly, &cycle.balance, &cycle.motion, &settings, &|| !progress.interrupted()) {
         Ok(shot) => Ok(Some(Ok(shot))),
         Err(error @ (CyclesError::NotReturned { .. } | CyclesError::Singular)) => {
             Ok(Some(Err(error.to_string())))

@@ -7,6 +7,7 @@ use judder_assembly::steady::SteadySliding;
 use judder_cycles::CyclesError;
 use judder_cycles::backbone::BackboneEnd;
 use judder_cycles::cycle::{AssemblyCycle, CycleSearch, CycleSettings, HarmonicCount, limit_cycles};
+use judder_study::Progress;
 use num_complex::Complex64;
 
 /// What became of a mode.
@@ -26,8 +27,9 @@ impl<'a> CycleOfMode<'a> {
         steady: &SteadySliding,
         eigenvalue: Complex64,
         settings: &CycleSettings,
+        progress: &dyn Progress,
     ) -> Result<Self, ModelError> {
-        let found = match limit_cycles(assembly, steady, eigenvalue, settings) {
+        let found = match limit_cycles(assembly, steady, eigenvalue, settings, &|| !progress.interrupted()) {
             Err(error @ (CyclesError::NotConverged { .. } | CyclesError::Shrunk | CyclesError::Singular)) => {
                 Err(error)
             }

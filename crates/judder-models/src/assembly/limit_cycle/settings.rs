@@ -5,6 +5,7 @@ use crate::assembly::case::problem::AssemblyProblem;
 use crate::error::ModelError;
 use judder_cycles::backbone::BackboneSettings;
 use judder_cycles::cycle::{CycleSettings, HarmonicCount};
+use judder_cycles::receptance::check_size;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Number, Whole};
 use judder_keys::dimension::Dimension;
@@ -144,6 +145,9 @@ pub(in crate::assembly) fn admits_cycles(
             "the points of the contact `{name}` travel along their track: no motion repeats itself there"
         );
         return refused("", reason);
+    }
+    if let Err(error) = check_size(&of.built.assembly) {
+        return refused("", error.to_string());
     }
     let components = components(of)?;
     let most = largest_count(components);

@@ -1,8 +1,10 @@
 //! Whether a cycle draws all motions nearby, by its Floquet multipliers.
 
 use crate::error::ModelError;
-use judder_cycles::cycle::AssemblyCycle;
+use judder_cycles::backbone::PeriodicMotion;
+use judder_cycles::balance::HarmonicBalance;
 use judder_cycles::stability::{CycleStability, FloquetMultipliers, floquet_multipliers};
+use judder_study::Progress;
 use num_complex::Complex64;
 
 /// What is known of it; nothing where it was not asked for.
@@ -10,8 +12,13 @@ pub(in crate::assembly) struct KnownStability(Option<Result<FloquetMultipliers, 
 
 impl KnownStability {
     /// That of a cycle, where it is asked for.
-    pub(in crate::assembly) fn of(cycle: &AssemblyCycle<'_>, is_asked: bool) -> Result<Self, ModelError> {
-        let found = is_asked.then(|| floquet_multipliers(&cycle.balance, &cycle.motion));
+    pub(in crate::assembly) fn of(
+        balance: &HarmonicBalance<'_>,
+        motion: &PeriodicMotion,
+        is_asked: bool,
+        progress: &dyn Progress,
+    ) -> Result<Self, ModelError> {
+        let found = is_asked.then(|| floquet_multipliers(balance, motion, &|| !progress.interrupted()));
         Ok(Self(found.transpose()?))
     }
 

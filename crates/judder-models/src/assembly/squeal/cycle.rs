@@ -8,6 +8,7 @@ use crate::assembly::limit_cycle::stability::KnownStability;
 use crate::assembly::march::levels::level;
 use crate::error::ModelError;
 use judder_cycles::cycle::AssemblyCycle;
+use judder_study::Progress;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -35,8 +36,9 @@ impl CycleInBand {
         sought: &CycleOfMode<'_>,
         cycle: &AssemblyCycle<'_>,
         is_asked: bool,
+        progress: &dyn Progress,
     ) -> Result<Self, ModelError> {
-        let stability = KnownStability::of(cycle, is_asked)?;
+        let stability = KnownStability::of(&cycle.balance, &cycle.motion, is_asked, progress)?;
         let level_of = |own: &WatchedRow| -> Result<(String, Option<f64>), ModelError> {
             let level = level(acceleration_mean_square(cycle, &own.row)?);
             Ok((own.name.clone(), Some(level).filter(|level| level.is_finite())))

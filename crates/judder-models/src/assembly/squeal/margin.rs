@@ -68,7 +68,7 @@ pub(super) fn margins(
     let family = SweptAssembly::new(of, vec![sweep], true);
     let region = band(asked.band[0], asked.band[1]);
     let solved = SolvedSweep::new(&family, &values, SweepMethod::Full, &region, &Untold(progress))?;
-    let along = AlongKey { asked, sweep, family: &family, range, own };
+    let along = AlongKey { progress, asked, sweep, family: &family, range, own };
     let branches = FollowedModes { values: &values, sweep: &solved.sweep, own, modes };
     let flutter = solved.onsets.onsets.iter().filter(|own| own.kind == OnsetKind::Flutter);
     let onsets: Vec<(&Onset, Option<usize>)> =
@@ -122,6 +122,7 @@ impl FollowedModes<'_> {
 
 /// What is followed along the key.
 struct AlongKey<'a> {
+    progress: &'a dyn Progress,
     asked: &'a AssemblySqueal,
     sweep: &'a KeySweep,
     family: &'a SweptAssembly<'a>,
@@ -198,7 +199,7 @@ impl AlongKey<'_> {
             BackboneSettings { largest: self.asked.solver.largest_amplitude, ..BackboneSettings::default() };
         let harmonics = HarmonicCount::Fixed(self.asked.margin_harmonics());
         let settings = CycleSettings { harmonics, samples: self.asked.solver.samples, backbone };
-        let sought = CycleOfMode::new(&assembly, &steady, mode, &settings)?;
+        let sought = CycleOfMode::new(&assembly, &steady, mode, &settings, self.progress)?;
         let motion = match sought.cycle() {
             None => return Ok(Err(sought.reason().unwrap_or_default())),
             Some(_) if sought.held_back().is_some() => {
@@ -224,8 +225,11 @@ impl AlongKey<'_> {
         let rule = PathRule { steps: [0.2 * longest, longest, 1e-7], tolerance: 1e-8, ..PathRule::default() };
         let settings =
             BranchSettings { rule, range: [from, to], unit: to - from, rises: onset.gains, points: CYCLES };
-        let branch = match cycle_branch(&at, &balance, (first.value, &first.motion), &settings) {
+        let go_on = || !self.progress.interrupted();
+        let begins = (first.value, &first.motion);
+        let branch = match cycle_branch(&at, &balance, begins, &settings, &go_on) {
             Ok(branch) => branch,
+            Err(CyclesError::Stopped) => return Err(ModelError::Interrupted),
             Err(error) => {
                 return Ok(CycleReach::unknown(format!("the branch of cycles was not begun: {error}")));
             }

@@ -34,9 +34,9 @@ pub(super) fn run(
     let settings = asked.solver.settings(components(of)?);
     let sought = |value: &Complex64| -> Result<SoughtMode, ModelError> {
         progress.go_on()?;
-        let sought = CycleOfMode::new(&of.built.assembly, &steady, *value, &settings)?;
+        let sought = CycleOfMode::new(&of.built.assembly, &steady, *value, &settings, progress)?;
         let cycle = match sought.cycle() {
-            Some(cycle) => Ok(CycleInBand::new(of, &sought, cycle, asked.solver.stability)?),
+            Some(cycle) => Ok(CycleInBand::new(of, &sought, cycle, asked.solver.stability, progress)?),
             None => Err(sought.reason().unwrap_or_default()),
         };
         Ok((*value, cycle))

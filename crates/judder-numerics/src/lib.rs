@@ -12,6 +12,7 @@
 //! - [`ramp`]: from value to value: straight between places, half a cosine.
 //! - [`sampling`]: points that fill a cube evenly: Sobol' sequences, Latin hypercubes.
 //! - [`sensitivity`]: Sobol' indices of first order and total, with confidence intervals.
+//! - [`share`]: how well a share is known from a sample.
 //! - [`signal`]: sampled histories: decimation, resampling, spectrograms, bursts.
 //! - [`stopping`]: long computations that may be stopped.
 //! - [`verdict`]: stable, marginal, unstable.
@@ -31,6 +32,7 @@ pub mod ramp;
 pub mod root;
 pub mod sampling;
 pub mod sensitivity;
+pub mod share;
 pub mod signal;
 pub mod stopping;
 pub mod verdict;

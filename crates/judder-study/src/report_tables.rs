@@ -3,7 +3,7 @@
 mod sweep;
 
 pub(crate) use sweep::tables as of_sweep;
-pub(crate) use sweep::{interval, short_index};
+pub(crate) use sweep::{interval, probabilities, short_index};
 
 use judder_report::page::PageTable;
 use serde_json::Value;

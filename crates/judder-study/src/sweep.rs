@@ -18,6 +18,7 @@ mod finish;
 mod indices;
 mod part;
 mod plan;
+mod probabilities;
 mod scalars;
 pub mod shard;
 mod statistics;

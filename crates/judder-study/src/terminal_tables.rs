@@ -1,7 +1,7 @@
 //! Tables that a run shows on the terminal, beside the report.
 
 use crate::registry::Registry;
-use crate::report_tables::{interval, short_index};
+use crate::report_tables::{interval, probabilities, short_index};
 use crate::text::columns;
 use judder_store::Summary;
 use serde_json::{Map, Value};
@@ -23,6 +23,10 @@ fn sweep(name: &str, result: &Map<String, Value>) -> Option<String> {
     let count = |key: &str| result.get(key).and_then(Value::as_u64);
     let (points, failed, doubtful) = (count("points")?, count("failed")?, count("doubtful")?);
     let mut text = format!("{name}: {points} points, {failed} failed, {doubtful} doubtful");
+    if let Some(told) = probabilities(result) {
+        let rows: Vec<Vec<String>> = std::iter::once(told.head).chain(told.rows).collect();
+        text.push_str(&format!("\n{}", columns(&rows).trim_end()));
+    }
     let sensitivity = result.get("sensitivity").and_then(Value::as_object);
     for (quantity, told) in sensitivity.into_iter().flatten() {
         let (Some(first), Some(confidence)) = (told["first"].as_object(), told["confidence"].as_f64()) else {

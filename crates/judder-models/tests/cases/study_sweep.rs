@@ -268,7 +268,8 @@ fn the_schema_knows_the_sweeps_of_every_model() {
     assert!(models.iter().all(|model| model["properties"]["sweep"]["$ref"] == "#/$defs/sweeps"));
     let known = schema["$defs"]["sweeps"]["items"]["properties"].as_object().unwrap();
     let keys: Vec<&str> = known.keys().map(String::as_str).collect();
-    let expected = ["chunk", "method", "name", "over", "points", "quantities", "seed", "sensitivity"];
+    let expected =
+        ["chunk", "method", "name", "over", "points", "probabilities", "quantities", "seed", "sensitivity"];
     assert_eq!(keys, expected);
 }
 

@@ -5,10 +5,12 @@
 //!
 //! - [`design`]: which points, computed from their index alone.
 //! - [`quantity_path`]: what is kept of them; `known_result`: whether there is such a result.
+//! - [`condition`]: of what it tells how probable it is.
 //! - `asked`: its keys; `read`, `read_axis`, `trial`: reading, and the case at a point.
 //! - [`problem`]: what can be wrong with all of it, beyond types, units and ranges.
 
 pub(crate) mod asked;
+pub mod condition;
 pub mod design;
 mod known_result;
 pub mod problem;
@@ -22,6 +24,7 @@ pub(crate) use trial::at;
 
 use crate::case::key_sweep;
 use crate::case::scale::Spacing;
+use condition::SweptCondition;
 use design::Sampler;
 use judder_keys::Settings;
 use judder_keys::declared::{Number, Whole};
@@ -47,6 +50,8 @@ pub struct StudySweep {
     pub chunk: Option<usize>,
     /// The sensitivity that is asked for; with it, points come in rows, see [`StudySweep::row`].
     pub sensitivity: Option<Sensitivity>,
+    /// Of what the probability is asked for; none of what is not drawn.
+    pub conditions: Vec<SweptCondition>,
     /// Whether setting the swept keys in the case gives the same operating point as reading the case anew.
     pub is_set: bool,
     sampler: Sampler,

@@ -16,6 +16,7 @@ pub(crate) fn tables(results: &Map<String, Value>) -> Vec<PageTable> {
     if !classes.is_empty() {
         tables.push(of_classes(&classes));
     }
+    tables.extend(probabilities(results));
     let sensitivity = results.get("sensitivity").and_then(Value::as_object);
     let known = sensitivity.into_iter().flatten().filter(|(_, told)| told.is_object());
     tables.extend(known.map(|(quantity, told)| indices(quantity, told)));
@@ -53,6 +54,22 @@ fn of_classes(quantities: &[ToldScalar<'_>]) -> PageTable {
         head: ["quantity", "class", "points", "share"].map(str::to_owned).to_vec(),
         rows: rows.collect(),
     }
+}
+
+/// The share of the points at which each condition holds, with its interval.
+pub(crate) fn probabilities(results: &Map<String, Value>) -> Option<PageTable> {
+    let told = results.get("probabilities")?.as_array()?;
+    let row = |own: &Value| {
+        let condition = own["condition"].as_str().unwrap_or_default().to_owned();
+        let counts = ["holds", "count", "unknown"].map(|key| short(&own[key]));
+        [vec![condition, short_index(&own["value"]), interval(own)], counts.to_vec()].concat()
+    };
+    let head = ["condition", "probability", "95 %", "holds", "of", "not known"];
+    Some(PageTable {
+        caption: "How probable it is, with the keys evenly distributed over their ranges".to_owned(),
+        head: head.map(str::to_owned).to_vec(),
+        rows: told.iter().map(row).collect(),
+    })
 }
 
 /// First-order and total index of every key, the largest total first.

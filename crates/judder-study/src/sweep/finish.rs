@@ -3,6 +3,7 @@
 use super::evaluate::DOUBTFUL;
 use super::indices::indices;
 use super::plan::{StoredColumn, SweepPlan};
+use super::probabilities::ConditionCount;
 use super::statistics::ColumnStatistics;
 use crate::error::StudyError;
 use crate::outcome::Outcome;
@@ -10,6 +11,7 @@ use crate::progress::Progress;
 use judder_numerics::words::plain;
 use judder_store::{StoredChunk, SweepStore, Table};
 use serde_json::{Map, Value, json};
+use std::collections::BTreeSet;
 
 /// Failures that the summary shows one by one.
 const SHOWN: usize = 20;
@@ -48,6 +50,7 @@ pub(crate) fn finish(
 struct ChunkReading<'a> {
     plan: &'a SweepPlan,
     columns: Vec<ColumnStatistics>,
+    conditions: Vec<ConditionCount>,
     failed: usize,
     doubtful: usize,
     shown: Vec<Value>,
@@ -62,7 +65,8 @@ impl<'a> ChunkReading<'a> {
         let quantities = plan.layout().quantities();
         let columns = quantities.iter().map(ColumnStatistics::new).collect();
         let (kept, keys) = (vec![Vec::new(); quantities.len()], vec![Vec::new(); plan.sweep().axes.len()]);
-        Self { plan, columns, failed: 0, doubtful: 0, shown: Vec::new(), kept, keys }
+        let conditions = ConditionCount::all(plan);
+        Self { plan, columns, conditions, failed: 0, doubtful: 0, shown: Vec::new(), kept, keys }
     }
 
     fn has_table(&self) -> bool {
@@ -78,6 +82,16 @@ impl<'a> ChunkReading<'a> {
                 if keeps {
                     kept.push(*value);
                 }
+            }
+        }
+        if !self.conditions.is_empty() {
+            let failed = content.failures.iter().filter(|own| !own.reason.starts_with(DOUBTFUL));
+            let failed: BTreeSet<usize> = failed.map(|own| own.index).collect();
+            let row = self.plan.sweep().row();
+            for (index, values) in content.values.chunks_exact(self.columns.len()).enumerate() {
+                let place = (self.plan.number(&points.position(index)) % row, row);
+                let has_failed = failed.contains(&index);
+                self.conditions.iter_mut().for_each(|own| own.take(place, values, has_failed));
             }
         }
         if self.has_table() {
@@ -119,6 +133,10 @@ impl<'a> ChunkReading<'a> {
         scalars.insert("failed".to_owned(), json!(self.failed));
         scalars.insert("doubtful".to_owned(), json!(self.doubtful));
         scalars.insert("quantities".to_owned(), Value::Object(statistics));
+        if !self.conditions.is_empty() {
+            let told: Vec<Value> = self.conditions.iter().map(|own| own.told(self.plan)).collect();
+            scalars.insert("probabilities".to_owned(), Value::Array(told));
+        }
         if sweep.sensitivity.is_some() {
             let (told, missed) = self.sensitivity(progress)?;
             scalars.insert("sensitivity".to_owned(), Value::Object(told));
@@ -154,19 +172,24 @@ impl<'a> ChunkReading<'a> {
     fn sensitivity(&self, progress: &dyn Progress) -> Result<(Map<String, Value>, Vec<String>), StudyError> {
         let (mut told, mut missed) = (Map::new(), Vec::new());
         let columns = self.plan.layout().quantities().iter().zip(&self.plan.columns).zip(&self.kept);
-        for ((quantity, column), values) in columns {
-            // codes have no mean
-            if matches!(column, StoredColumn::Key(_)) || !quantity.flags.is_empty() {
-                continue;
-            }
+        // codes have no mean
+        let numbers = columns
+            .filter(|((quantity, column), _)| {
+                !matches!(column, StoredColumn::Key(_)) && quantity.flags.is_empty()
+            })
+            .map(|((quantity, _), values)| (quantity.name.clone(), values.as_slice()));
+        let conditions =
+            self.conditions.iter().filter_map(|own| Some((own.words(self.plan), own.indicator()?)));
+        for (name, values) in numbers.chain(conditions) {
             if progress.interrupted() {
                 return Err(StudyError::Interrupted);
             }
             let found = indices(self.plan, values).unwrap_or_else(|reason| {
-                missed.push(format!("no sensitivity of {}: {reason}", quantity.name));
+                missed.push(format!("no sensitivity of {name}: {reason}"));
                 Value::Null
             });
-            told.insert(quantity.name.clone(), found);
+            // a condition that a quantity is so has the name of that
+            told.entry(name).or_insert(found);
         }
         Ok((told, missed))
     }

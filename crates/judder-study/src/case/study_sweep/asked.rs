@@ -6,7 +6,8 @@ use super::read_axis::SweepEntry;
 use super::{Design, SEEDS, Sensitivity, StudySweep, SweptKey, SweptValues};
 use crate::case::analysis::is_file_name;
 use crate::case::key_sweep::AnyNumber;
-use judder_keys::declared::{Allowed, Setting, Settings, Several, Whole, of_nothing};
+use judder_keys::declared::{Allowed, Number, Setting, Settings, Several, Whole, of_nothing};
+use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
@@ -42,6 +43,27 @@ pub(crate) struct SweepKeys {
     /// Of `latin-hypercube` and `sobol`: first-order and total Sobol' indices of every quantity, with bootstrap intervals.
     #[key(default = AskedSensitivity(None))]
     pub(super) sensitivity: AskedSensitivity,
+    /// Of these two: of which conditions on the quantities the probability is told, with its 95 % interval.
+    #[key(rule = CONDITIONS, example = "[{ quantity = \"ANALYSIS.PATH\", above = … }]", omitted)]
+    pub(super) probabilities: Option<Vec<AskedCondition>>,
+}
+
+/// Something that holds at a point or not; without a bound and without `is`, that the quantity is so, or not zero.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(title = "an entry of `{path}`")]
+pub(crate) struct AskedCondition {
+    /// One of the `quantities`; where it has no number, no bound holds.
+    #[key(later)]
+    pub(super) quantity: String,
+    /// That it lies above this number, in the unit in which it is kept.
+    #[key(rule = PLAIN, omitted)]
+    pub(super) above: Option<f64>,
+    /// That it lies below this number.
+    #[key(rule = PLAIN, omitted)]
+    pub(super) below: Option<f64>,
+    /// Of a class: that it is this one.
+    #[key(omitted)]
+    pub(super) is: Option<String>,
 }
 
 /// How the points of a sweep are chosen.
@@ -74,6 +96,8 @@ pub(super) struct AskedSensitivity(pub(super) Option<Sensitivity>);
 pub(super) const SEED: usize = 1;
 /// The most points of a chunk.
 const CHUNK_LIMIT: usize = 1 << 28;
+const PLAIN: Number = Number::any(Dimension::NUMBER);
+const CONDITIONS: Several<()> = SOME;
 const SOME: Several<()> = Several { of: (), length: [1, usize::MAX] };
 
 impl Setting for SweepName {
@@ -200,6 +224,8 @@ impl StudySweep {
             quantities: Quantities(self.quantities.iter().map(|path| path.text.clone()).collect()),
             chunk: self.chunk,
             sensitivity: AskedSensitivity(self.sensitivity),
+            probabilities: (!self.conditions.is_empty())
+                .then(|| self.conditions.iter().map(|own| own.as_asked(&self.quantities)).collect()),
         };
         let mut json = Map::new();
         keys.write_table(&mut json);

@@ -112,6 +112,20 @@ pub enum SweepProblem {
         /// `grid` or `list`.
         method: &'static str,
     },
+    /// A probability over points that are not drawn at random.
+    #[error("`probabilities` have no meaning with method = \"{method}\"")]
+    ProbabilityOf {
+        /// `grid` or `list`.
+        method: &'static str,
+    },
+    /// A condition that no quantity of the sweep can be asked.
+    #[error("no probability of `{quantity}`: {reason}")]
+    Condition {
+        /// The quantity as written.
+        quantity: String,
+        /// What is wrong with it.
+        reason: String,
+    },
     /// A text that does not lead to a number.
     #[error("`{path}` is not the path of a quantity: {reason}")]
     QuantityPath {
@@ -191,9 +205,10 @@ impl Problem for SweepProblem {
             Self::NotQuantity { .. } => "no quantity",
             Self::NotSwept { .. } | Self::Key { .. } => "not to be swept",
             Self::Value { .. } => "a value of this sweep",
-            Self::PointsOfGrid | Self::SensitivityOf { .. } => "without meaning",
+            Self::PointsOfGrid | Self::SensitivityOf { .. } | Self::ProbabilityOf { .. } => "without meaning",
             Self::Lengths { .. } => "of another length",
             Self::TooManyKeys { .. } | Self::TooManyPoints { .. } => "too many",
+            Self::Condition { .. } => "this condition",
             Self::QuantityPath { .. } => "no path",
             Self::NoNumber { .. } => "no number",
             Self::UnknownAnalysis { .. } | Self::UnknownQuantity { .. } | Self::UnknownResult { .. } => {
@@ -238,11 +253,14 @@ impl SweepProblem {
                 "sweep fewer keys; with `sensitivity` a point takes two coordinates a key"
             }
             Self::TooManyPoints { .. } => "take fewer points",
-            Self::SensitivityOf { .. } => {
+            Self::SensitivityOf { .. } | Self::ProbabilityOf { .. } => {
                 "leave it out, or use method = \"sobol\" or \"latin-hypercube\", whose points fill the ranges evenly"
             }
             Self::QuantityPath { .. } => {
                 "write a name such as growth_rate, or ANALYSIS.PATH: cycle.rms, thresholds.full.0.min, modes.frequencies_hz.0"
+            }
+            Self::Condition { .. } => {
+                "name one of the `quantities` with a bound: { quantity = \"squeal.level_db\", above = 100 }"
             }
             Self::QuantityTwice { .. } => "ask for each quantity once",
             Self::UnknownQuantity { name, known } if !known.is_empty() => {

@@ -1,6 +1,7 @@
 //! Reading of `[[sweep]]`.
 
-use super::asked::{AskedSensitivity, Method, SEED, SweepKeys, SweepName};
+use super::asked::{AskedCondition, AskedSensitivity, Method, SEED, SweepKeys, SweepName};
+use super::condition::SweptCondition;
 use super::design::{POINTS_LIMIT, Sampler, kept_values};
 use super::known_result;
 use super::problem::SweepProblem;
@@ -94,6 +95,8 @@ impl ReadSweep {
         let cases = cases.and_then(|cases| refuse_repeated_keys(tree, case, &axes).map(|()| cases));
         let (quantities, cases) = both(quantities, cases)?;
         let is_set = case.is_set_by(&keys, &cases);
+        let quantities = all(quantities)?;
+        let conditions = read_conditions(&asked, section, &quantities)?;
         let kept_values = kept_values(method, &keys);
         let SweepKeys { name: SweepName(name), chunk, sensitivity: AskedSensitivity(sensitivity), .. } =
             asked;
@@ -101,9 +104,10 @@ impl ReadSweep {
             name,
             method,
             axes: keys,
-            quantities: all(quantities)?,
+            quantities,
             chunk,
             sensitivity,
+            conditions,
             is_set,
             sampler,
             kept_values,
@@ -127,7 +131,13 @@ impl SweepKeys {
         };
         let place = section.place_of(&["over"]);
         let axes = section.get("over").map_or(Ok(Vec::new()), |node| read_axes(&self.over, node, method));
-        let ((), axes) = both(sensitive, axes)?;
+        let probable = match (section.get("probabilities"), method) {
+            (Some(node), Design::Grid | Design::List) => {
+                Err(SweepProblem::ProbabilityOf { method: method.name() }.at(node.place))
+            }
+            _ => Ok(()),
+        };
+        let ((), ((), axes)) = both(sensitive, both(probable, axes))?;
         let sampler = read_sampler(method, axes.len(), sensitivity.is_some(), place)?;
         let keys: Vec<SweptKey> = axes.iter().map(|axis| axis.key.clone()).collect();
         let row = if sensitivity.is_some() { keys.len() as u64 + 2 } else { 1 };
@@ -221,6 +231,22 @@ fn read_quantities(
             quantity => Ok(quantity.map_err(|problem| problem.at(node.place))),
         }
     }))
+}
+
+/// The conditions on what is kept.
+fn read_conditions(
+    asked: &SweepKeys,
+    section: &Section<'_>,
+    quantities: &[QuantityPath],
+) -> Result<Vec<SweptCondition>, Fault> {
+    let (Some(given), Some(node)) = (&asked.probabilities, section.get("probabilities")) else {
+        return Ok(Vec::new());
+    };
+    let nodes = list("probabilities", node)?;
+    let read = |(own, node): (&AskedCondition, &Node)| {
+        SweptCondition::new(own, quantities).map_err(|problem| problem.at(node.place))
+    };
+    all(given.iter().zip(nodes).map(read))
 }
 
 /// The same, where the analysis has such a result.

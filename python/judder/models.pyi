@@ -639,6 +639,8 @@ class Assembly(Model):
         stability: bool | None = None,
         margin: bool | Mapping[str, Any] | None = None,
         margin_harmonics: int | None = None,
+        knocks: Mapping[str, Any] | None = None,
+        cures: bool | Sequence[str] | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> Result:

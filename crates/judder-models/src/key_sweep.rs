@@ -134,6 +134,36 @@ impl Origin {
         }
     }
 
+    /// The dotted paths of all numbers that the case gives, items of lists by their names.
+    pub(crate) fn numbers(&self) -> Vec<String> {
+        let mut found = Vec::new();
+        self.collect(&self.root, "", &mut found);
+        found
+    }
+
+    fn collect(&self, node: &Node, path: &str, found: &mut Vec<String>) {
+        let under = |step: &str| if path.is_empty() { step.to_owned() } else { format!("{path}.{step}") };
+        match &node.data {
+            Data::Table(table) => {
+                table.entries.iter().for_each(|own| self.collect(&own.node, &under(&own.key), found));
+            }
+            Data::List(items) => {
+                for (place, item) in items.iter().enumerate() {
+                    let step = match item.entry("name").map(|name| &name.data) {
+                        Some(Data::Text(name)) => name.clone(),
+                        _ => place.to_string(),
+                    };
+                    self.collect(item, &under(&step), found);
+                }
+            }
+            _ => {
+                if self.number(path).is_some() {
+                    found.push(path.to_owned());
+                }
+            }
+        }
+    }
+
     pub(crate) fn new(root: &Node, folder: &Path) -> Self {
         Self { root: root.clone(), folder: folder.to_owned() }
     }

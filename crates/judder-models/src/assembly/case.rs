@@ -176,6 +176,11 @@ impl AssemblyCase {
         self.origin.number(path)
     }
 
+    /// The dotted paths of all numbers that the case gives, items of lists by their names.
+    pub(super) fn numbers(&self) -> Vec<String> {
+        self.origin.numbers()
+    }
+
     /// The canonical form.
     pub(super) fn resolved(&self) -> Json {
         let mut json = document(MODEL.name, &self.title, &self.analyses, |kind, json| kind.write(json));

@@ -1,5 +1,6 @@
 //! Modes that grow: how loud their cycles are, beside how fast they grow.
 
+use super::knocks::FATES;
 use super::told::STABILITIES;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
 use judder_store::Dataset;
@@ -32,7 +33,27 @@ pub(super) fn squeal(dataset: &Dataset) -> Option<Vec<Panel>> {
             panel(Axis::linear("Margin, of the value at the onset (1)"), [of_modes.unwrap_or_default(), own]);
         margins.with_title("how far before their onset a knock suffices")
     }));
+    panels.extend(knocks(dataset));
     Some(panels)
+}
+
+/// The energy that is left of knocks over their impulse.
+fn knocks(dataset: &Dataset) -> Option<Panel> {
+    let [impulse, energy] = ["impulse", "knock_energy"].map(|name| reals(dataset, name));
+    let (impulse, energy, fates) = (impulse?, energy?, codes(dataset, "knock_fate")?);
+    let layers = FATES.iter().enumerate().filter_map(|(k, (code, words))| {
+        let own: Vec<usize> = (0..fates.len()).filter(|knock| fates[*knock] == *code).collect();
+        let [x, y] =
+            [impulse, energy].map(|values| own.iter().map(|knock| values[*knock]).collect::<Vec<f64>>());
+        (!x.is_empty()).then(|| Layer::points(*words, x, y, Role::Series(k)))
+    });
+    let axes = [Axis::linear("Impulse of the knock (N s)"), Axis::linear("Kinetic energy at the end (J)")];
+    let [across, up] = axes;
+    Some(
+        Panel::new(across, up, layers.collect())
+            .with_legend(Legend::Below)
+            .with_title("what becomes of knocks"),
+    )
 }
 
 /// One axis of frequencies for both.

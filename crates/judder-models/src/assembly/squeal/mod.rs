@@ -1,9 +1,12 @@
 //! `squeal`: the cycles of all modes of a band that grow, ranked by how loud they are.
 //!
-//! - [`settings`]: the keys. `cycle`: the cycle of a mode. `margin`, `margin_told`: how far beyond its onset cycles reach. `run`, `told`: what is computed and told of all of them. `figure`, `tables`: how it is shown.
+//! - [`settings`]: the keys. `cycle`: the cycle of a mode. `margin`, `margin_told`: how far beyond its onset cycles reach. `knocks`: what becomes of impulses.
+//!   `cures`: what the growth rate follows. `run`, `told`: what is computed and told of all of them. `figure`, `tables`: how it is shown.
 
+mod cures;
 mod cycle;
 mod figure;
+mod knocks;
 mod margin;
 mod margin_told;
 mod run;
@@ -36,7 +39,7 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
     picture: Some(Picture {
         draw: figure::squeal,
         caption: "How loud the limit cycle of each mode that grows is at the observed point that is loudest, and how fast the mode grows about steady sliding. No motion comes to an unstable \
-        cycle. Margins, where they are asked for, say how far before its onset each mode has cycles already. Modes of which no cycle was found have a growth rate alone.",
+        cycle. Margins, where they are asked for, say how far before its onset each mode has cycles already; knocks, what of their energy is left. Modes of which no cycle was found have a growth rate alone.",
     }),
 };
 
@@ -44,6 +47,14 @@ impl Analysis<AssemblyCase> for AssemblySqueal {
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         if let Err(refusal) = self.solver.fits(of)? {
             return Ok(Err(refusal));
+        }
+        if let Some(knocks) = &self.knocks {
+            let names: Vec<&str> = of.built.watched.iter().map(|own| own.name.as_str()).collect();
+            if !names.is_empty() && !names.contains(&knocks.at.as_str()) {
+                let reason =
+                    format!("there is no observed point `{}`: there are {}", knocks.at, names.join(", "));
+                return Ok(Err(Refusal::key("knocks", AssemblyProblem::Refused { reason })));
+            }
         }
         let reason = "modes are ranked by the level of observed points: give the case [observe] points = [{ name, structure, set }]";
         Ok(match of.built.watched.is_empty() {
@@ -67,8 +78,12 @@ impl Analysis<AssemblyCase> for AssemblySqueal {
             let (path, values) = (&sweep.path, sweep.values.len());
             format!("; modes at {values} values of {path}, and a branch of cycles from each onset")
         });
+        let knocks = self.knocks.as_ref().map_or_else(String::new, |own| {
+            let steps = (own.duration / own.step).ceil();
+            format!("; {} knocks of {steps} steps each", own.samples)
+        });
         Ok(format!(
-            "the limit cycles of the modes from {from} to {to} Hz that grow, with {points} contact points{margins}"
+            "the limit cycles of the modes from {from} to {to} Hz that grow, with {points} contact points{margins}{knocks}"
         ))
     }
 

@@ -1,6 +1,8 @@
 //! The modes that grow, and their cycles.
 
+use super::cures::cures;
 use super::cycle::{CycleInBand, SoughtMode};
+use super::knocks::knocked;
 use super::margin::margins;
 use super::margin_told::ToldMargins;
 use super::settings::AssemblySqueal;
@@ -13,9 +15,10 @@ use crate::assembly::limit_cycle::settings::components;
 use crate::error::ModelError;
 use crate::structure::eigen::run::found;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
+use judder_assembly::steady::SteadySliding;
 use judder_structure::complex_modes::{ComplexMode, Verdict};
 use judder_study::Progress;
-use judder_study::outcome::Outcome;
+use judder_study::outcome::{CheckRecord, Outcome};
 use num_complex::Complex64;
 use rayon::prelude::*;
 
@@ -31,17 +34,7 @@ pub(super) fn run(
         mode.eigenvalue.verdict() == Verdict::Unstable && mode.eigenvalue.value.im > 0.0
     };
     let values: Vec<Complex64> = all.modes.iter().filter(grows).map(|mode| mode.eigenvalue.value).collect();
-    let settings = asked.solver.settings(components(of)?);
-    let sought = |value: &Complex64| -> Result<SoughtMode, ModelError> {
-        progress.go_on()?;
-        let sought = CycleOfMode::new(&of.built.assembly, &steady, *value, &settings, progress)?;
-        let cycle = match sought.cycle() {
-            Some(cycle) => Ok(CycleInBand::new(of, &sought, cycle, asked.solver.stability, progress)?),
-            None => Err(sought.reason().unwrap_or_default()),
-        };
-        Ok((*value, cycle))
-    };
-    let modes: Vec<SoughtMode> = values.par_iter().map(sought).collect::<Result<_, _>>()?;
+    let modes = sought(of, asked, &steady, &values, progress)?;
     let mut told = ToldSqueal::new(all.complete(), ranked(&modes));
     let mut warnings = of.doubts(&steady);
     if !told.complete {
@@ -58,16 +51,58 @@ pub(super) fn run(
         missing += ToldMargins::missing(&found);
         told = told.with_margins(asked, sweep, &found);
     }
+    let knocks = match &asked.knocks {
+        Some(asked) => Some((asked, knocked(of, asked, &steady, told.unstable > 0, progress)?)),
+        None => None,
+    };
+    if let Some((asked, found)) = &knocks {
+        warnings.extend(found.warning());
+        missing += found.unsolved();
+        told.knocks = Some(found.told(asked));
+    }
+    if let (Some(asked), Some(leading)) = (&asked.cures, told.leading()) {
+        let found = cures(of, asked, values[leading], progress)?;
+        warnings.extend(found.doubt());
+        told.cures = Some(found);
+    }
+    let outcome = Outcome::of(&told)?;
+    let mut dataset = outcome.dataset.clone().with(stabilities(&told.modes))?;
+    if let Some((_, found)) = &knocks {
+        dataset = found.variables(dataset)?;
+    }
+    Ok(Outcome { dataset, checks: checked(&modes), warnings, missing, ..outcome })
+}
+
+/// The cycle of each of these modes, or why there is none.
+fn sought(
+    of: &AssemblySubject<'_>,
+    asked: &AssemblySqueal,
+    steady: &SteadySliding,
+    modes: &[Complex64],
+    progress: &dyn Progress,
+) -> Result<Vec<SoughtMode>, ModelError> {
+    let settings = asked.solver.settings(components(of)?);
+    let sought = |value: &Complex64| -> Result<SoughtMode, ModelError> {
+        progress.go_on()?;
+        let sought = CycleOfMode::new(&of.built.assembly, steady, *value, &settings, progress)?;
+        let cycle = match sought.cycle() {
+            Some(cycle) => Ok(CycleInBand::new(of, &sought, cycle, asked.solver.stability, progress)?),
+            None => Err(sought.reason().unwrap_or_default()),
+        };
+        Ok((*value, cycle))
+    };
+    modes.par_iter().map(sought).collect()
+}
+
+/// What is checked of all cycles that were found.
+fn checked(modes: &[SoughtMode]) -> Vec<CheckRecord> {
     let cycles = || modes.iter().filter_map(|(_, cycle)| cycle.as_ref().ok());
-    let checks = match told.found {
+    match cycles().count() {
         0 => Vec::new(),
         found => checks(
             &format!("{found} cycles"),
             cycles().map(|own| own.residual).collect(),
             cycles().map(|own| own.imbalance).collect(),
         ),
-    };
-    let outcome = Outcome::of(&told)?;
-    let dataset = outcome.dataset.clone().with(stabilities(&told.modes))?;
-    Ok(Outcome { dataset, checks, warnings, missing, ..outcome })
+    }
 }

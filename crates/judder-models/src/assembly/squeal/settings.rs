@@ -7,13 +7,14 @@ use crate::assembly::swept::{ALL_FRICTION, SWEPT};
 use crate::key_sweep::{KeySweep, KeySweepProblem, SweptSections};
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Setting, Settings as _, Whole};
+use judder_keys::declared::{Allowed, Number, NumberPair, Setting, Settings as _, Several, Whole, all, both};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
-use judder_keys::section::Section;
+use judder_keys::section::{Section, list};
 use judder_study::case::scale::Spacing;
+use judder_study::case::study_sweep::SEEDS;
 use serde_json::{Value as Json, json};
 
 /// The cycles of all modes that grow.
@@ -36,7 +37,80 @@ pub struct AssemblySqueal {
     /// How many harmonics the cycles of a margin have.
     #[key(rule = HARMONICS, usual = USUAL_HARMONICS, omitted)]
     pub margin_harmonics: Option<usize>,
+    /// Knocks from steady sliding, of which it is told how many keep vibrating.
+    #[key(
+        example = "{ at = \"POINT.y\", impulse = [\"0 N s\", \"0.01 N s\"], step = \"1 us\", duration = \"50 ms\" }",
+        omitted
+    )]
+    pub knocks: Option<Knocks>,
+    /// Numbers of the case by which the growth rate of the mode that leads the ranking is differentiated, by their dotted paths; `true` for all dampings, moduli and stiffnesses of the
+    /// case.
+    #[key(example = "true, or [\"structure.NAME.damping.rayleigh.beta\"]", omitted)]
+    pub cures: Option<AskedCures>,
 }
+
+/// Impulses at an observed point.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct Knocks {
+    /// Where and along which direction: an observed point as signals call it, such as `back.y`.
+    #[key(example = "\"POINT.y\"")]
+    pub at: String,
+    /// Between which sizes impulses are drawn, evenly and of either sign.
+    #[key(rule = IMPULSES, symbol = "p")]
+    pub impulse: [f64; 2],
+    /// Number of knocks.
+    #[key(rule = Whole { from: 1, to: 1_000_000 }, default = 100)]
+    pub samples: usize,
+    /// Which knocks are drawn; the n-th depends on the seed and on n alone.
+    #[key(rule = SEEDS, default = 1)]
+    pub seed: usize,
+    /// The time step of the implicit march.
+    #[key(rule = Number::positive(Dimension::TIME), symbol = "h")]
+    pub step: f64,
+    /// How long each motion is followed.
+    #[key(rule = Number::positive(Dimension::TIME))]
+    pub duration: f64,
+}
+
+const IMPULSES: NumberPair = NumberPair {
+    of: Number::non_negative(Dimension::new(1, 1, -1, 0)),
+    what: "two impulses, [from, to]",
+    is_ascending: true,
+};
+
+/// By which numbers a growth rate is differentiated.
+#[derive(Debug, Clone, PartialEq)]
+pub enum AskedCures {
+    /// All dampings, moduli and stiffnesses.
+    Usual,
+    /// These.
+    Keys(Vec<String>),
+}
+
+impl Setting for AskedCures {
+    type Rule = ();
+
+    fn form((): &()) -> Allowed {
+        Allowed::Either(vec![Allowed::Flag, <Vec<String> as Setting>::form(&PATHS)])
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        match node.data {
+            Data::Boolean(true) => Ok(Self::Usual),
+            Data::Boolean(false) => Ok(Self::Keys(Vec::new())),
+            _ => Vec::read(section, key, node, &PATHS).map(Self::Keys),
+        }
+    }
+
+    fn write(&self, (): &()) -> Json {
+        match self {
+            Self::Usual => json!(true),
+            Self::Keys(paths) => json!(paths),
+        }
+    }
+}
+
+const PATHS: Several<()> = Several { of: (), length: [0, usize::MAX] };
 
 const HARMONICS: Whole = Whole { from: 1, to: 500 };
 /// Harmonics of the cycles of a margin where the case does not say.
@@ -103,22 +177,42 @@ impl AssemblySqueal {
     /// Reads one of a case, whose keys are known where it is.
     pub(super) fn of(case: Option<&AssemblyCase>, section: &Section<'_>) -> Result<Self, Fault> {
         let own = Self::read_table(section)?;
-        let (Some(case), Some(sweep), Some(node)) = (case, own.margin_sweep(), section.get("margin")) else {
-            return Ok(own);
-        };
-        if sweep.path == ALL_FRICTION {
-            return Ok(own);
+        if let Some(case) = case {
+            both(own.admit_margin(case, section), own.admit_cures(case, section))?;
         }
-        sweep.admit(node, |value| case.at(&[(sweep, value)]))?;
-        match case.number(&sweep.path) {
-            Some(_) => Ok(own),
-            None => {
-                let key = sweep.path.clone();
-                let reason = "the case does not give it as a number".to_owned();
-                let advice =
-                    "give it in the case: margins tell on which side of each onset the case is".to_owned();
-                Err(KeySweepProblem::SweptKey { key, reason, advice }.at(node.place))
+        Ok(own)
+    }
+
+    fn admit_margin(&self, case: &AssemblyCase, section: &Section<'_>) -> Result<(), Fault> {
+        match (self.margin_sweep(), section.get("margin")) {
+            (Some(sweep), Some(node)) if sweep.path != ALL_FRICTION => {
+                sweep.admit(node, |value| case.at(&[(sweep, value)]))?;
+                given(case, &sweep.path, node)
             }
+            _ => Ok(()),
         }
     }
+
+    fn admit_cures(&self, case: &AssemblyCase, section: &Section<'_>) -> Result<(), Fault> {
+        let (Some(AskedCures::Keys(paths)), Some(node)) = (&self.cures, section.get("cures")) else {
+            return Ok(());
+        };
+        if paths.is_empty() {
+            return Ok(());
+        }
+        let nodes = list("cures", node)?;
+        all(paths.iter().zip(nodes).map(|(path, node)| given(case, path, node))).map(drop)
+    }
+}
+
+/// Refuses a path at which the case gives no number.
+fn given(case: &AssemblyCase, path: &str, node: &Node) -> Result<(), Fault> {
+    let is_of = SWEPT.names.iter().any(|section| path.split('.').next() == Some(section));
+    if is_of && case.number(path).is_some() {
+        return Ok(());
+    }
+    let key = path.to_owned();
+    let reason = "the case does not give it as a number".to_owned();
+    let advice = format!("give it in the case, or name another number of it: {}", SWEPT.example);
+    Err(KeySweepProblem::SweptKey { key, reason, advice }.at(node.place))
 }

@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 /// The modes, and what was asked of them besides.
 pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     let mut tables = modes(results);
-    tables.extend(margins(results));
+    tables.extend([margins(results), knocks(results), cures(results)].into_iter().flatten());
     tables
 }
 
@@ -55,12 +55,6 @@ fn margins(results: &Map<String, Value>) -> Option<PageTable> {
     let margins = results.get("margin")?;
     let mut onsets: Vec<&Value> = margins["onsets"].as_array()?.iter().collect();
     onsets.sort_by_key(|own| own["rank"].as_u64().unwrap_or(u64::MAX));
-    let words = |own: &Value| match own {
-        Value::Null => String::new(),
-        Value::Bool(is_so) => if *is_so { "yes" } else { "no" }.to_owned(),
-        Value::String(words) => words.clone(),
-        number => short(number),
-    };
     let keys = ["onset", "frequency_hz", "mode", "fold", "reaches", "margin", "knock", "end"];
     let row = |own: &&Value| keys.map(|key| words(&own[key])).to_vec();
     let [key, unit] = ["key", "unit"].map(|name| margins[name].as_str().unwrap_or_default());
@@ -78,4 +72,61 @@ fn margins(results: &Map<String, Value>) -> Option<PageTable> {
     let head = heads.map(String::from).to_vec();
     let caption = format!("How far before its onset a knock suffices, along {key} ({unit})");
     (!rows.is_empty()).then_some(PageTable { caption, head, rows })
+}
+
+/// A value as a table shows it.
+fn words(own: &Value) -> String {
+    match own {
+        Value::Null => String::new(),
+        Value::Bool(is_so) => if *is_so { "yes" } else { "no" }.to_owned(),
+        Value::String(words) => words.clone(),
+        number => short(number),
+    }
+}
+
+/// What becomes of knocks.
+fn knocks(results: &Map<String, Value>) -> Option<PageTable> {
+    let knocks = results.get("knocks").filter(|own| own.is_object())?;
+    let rows = [
+        ("impulses up to (N s)", words(&knocks["impulse"][1])),
+        ("knocks", words(&knocks["samples"])),
+        ("settle to steady sliding", words(&knocks["settle"])),
+        ("keep vibrating", words(&knocks["vibrate"])),
+        ("undecided", words(&knocks["undecided"])),
+        ("share that keeps vibrating", words(&knocks["share"])),
+        (
+            "its 95 % interval",
+            format!("{} … {}", words(&knocks["interval"][0]), words(&knocks["interval"][1])),
+        ),
+        ("smallest that keeps vibrating (N s)", words(&knocks["smallest_that_vibrates"])),
+        ("largest that settles (N s)", words(&knocks["largest_that_settles"])),
+    ];
+    let rows = rows.map(|(name, value)| vec![name.to_owned(), value]).to_vec();
+    let caption = format!("Knocks at {}, from steady sliding", words(&knocks["at"]));
+    Some(PageTable { caption, head: vec![String::new(); 2], rows })
+}
+
+/// What would keep the leading mode from growing.
+fn cures(results: &Map<String, Value>) -> Option<PageTable> {
+    let cures = results.get("cures").filter(|own| own.is_object())?;
+    let row = |own: &Value| {
+        let change = own["change"].as_f64();
+        let change =
+            change.map_or_else(String::new, |own| format!("{:+.1} %", 100.0 * own).replace('-', "−"));
+        let rest = ["growth_by_change", "reason"].map(|key| words(&own[key]));
+        [vec![words(&own["key"]), words(&own["value"]), words(&own["unit"]), change], rest.to_vec()].concat()
+    };
+    let heads =
+        ["number", "value", "unit", "change that suffices", "growth rate by relative change (1/s)", ""];
+    let caption = format!(
+        "What would keep the mode at {} Hz from growing, at first order{}",
+        words(&cures["frequency_hz"]),
+        match cures["check"]["holds"].as_bool() {
+            Some(true) => ", which a small change of the first confirms",
+            Some(false) => ", which a small change of the first does not confirm",
+            None => "",
+        },
+    );
+    let rows = cures["keys"].as_array()?.iter().map(row).collect();
+    Some(PageTable { caption, head: heads.map(String::from).to_vec(), rows })
 }

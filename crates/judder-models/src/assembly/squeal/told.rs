@@ -1,6 +1,8 @@
 //! What is told of modes that grow and of their cycles: in the summary, as arrays, as rows.
 
+use super::cures::ToldCures;
 use super::cycle::{CycleInBand, Loudness, SoughtMode};
+use super::knocks::ToldKnocks;
 use super::margin::SoughtMargins;
 use super::margin_told::ToldMargins;
 use super::settings::AssemblySqueal;
@@ -28,6 +30,12 @@ pub(super) struct ToldSqueal {
     /// how far beyond their onsets along a key cycles reach
     #[result(optional)]
     pub(super) margin: Option<ToldMargins>,
+    /// what becomes of knocks from steady sliding
+    #[result(optional)]
+    pub(super) knocks: Option<ToldKnocks>,
+    /// what the growth rate of the mode that leads the ranking follows
+    #[result(optional)]
+    pub(super) cures: Option<ToldCures>,
     /// each mode that grows, by rising frequency
     #[result(rows)]
     pub(super) modes: Vec<SquealingMode>,
@@ -180,6 +188,8 @@ impl ToldSqueal {
             level_db: loudest.and_then(|mode| mode.level),
             frequency_hz: loudest.and_then(|mode| mode.frequency),
             margin: None,
+            knocks: None,
+            cures: None,
             modes,
         }
     }
@@ -208,5 +218,11 @@ impl ToldSqueal {
                 self.found
             )
         })
+    }
+
+    /// The place of the mode that leads: the one with the loudest cycle, else the one that grows fastest.
+    pub(super) fn leading(&self) -> Option<usize> {
+        let first = |rank: &dyn Fn(&SquealingMode) -> bool| self.modes.iter().position(rank);
+        first(&|mode| mode.rank_by_level == Some(1)).or_else(|| first(&|mode| mode.rank_by_growth == 1))
     }
 }

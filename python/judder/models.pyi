@@ -669,6 +669,7 @@ class Assembly(Model):
         samples: int | None = None,
         points: int | None = None,
         longest_step: str | None = None,
+        stability: bool | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> Result:

@@ -177,6 +177,32 @@ impl<'a> HarmonicBalance<'a> {
         Self { series, forcing, ..self.clone() }
     }
 
+    /// The same bodies with so many times the harmonics, and as unknowns the forces that the laws make of a motion: with what its own harmonics leave out of them.
+    pub(crate) fn with_left_out(
+        &self,
+        unknown: &[f64],
+        at: CycleRate,
+        times: usize,
+    ) -> Result<(Self, Vec<f64>), CyclesError> {
+        let harmonics = self.series.harmonics();
+        let wide = Series::new(times * harmonics, times * self.series.samples());
+        let signals = self.signals_at(unknown, at)?;
+        let projected = self.projected(&Series::new(harmonics, wide.samples()), &signals);
+        let dimension = self.contact.dimension;
+        let forces = Mat::from_fn(wide.samples(), self.components(), |instant, component| {
+            projected.at(instant, component / dimension).force[component % dimension]
+        });
+        let mut forces = wide.of_values(forces.as_ref());
+        for (point, scales) in self.scales.iter().enumerate() {
+            let normal = point * dimension;
+            let moved = signals.motions[(0, normal)] - self.contact.first_gap(point);
+            forces[(0, normal)] += scales.stiffness * moved;
+        }
+        let of = |component: usize| forces.col_as_slice(component).iter().map(|own| own / self.force);
+        let unknown = (0..self.components()).flat_map(of).collect();
+        Ok((self.with_series(wide), unknown))
+    }
+
     /// The harmonics.
     #[must_use]
     pub fn series(&self) -> &Series {
@@ -198,6 +224,11 @@ impl<'a> HarmonicBalance<'a> {
     /// What drives on the coordinates, of a harmonic from one on.
     pub(crate) fn forcing(&self, harmonic: usize) -> Option<&[c64]> {
         self.forcing.get(harmonic.checked_sub(1)?)?.as_deref()
+    }
+
+    /// Whether anything drives the bodies.
+    pub(crate) fn is_driven(&self) -> bool {
+        self.forcing.iter().any(Option::is_some)
     }
 
     /// The force in N by which unknowns are measured.

@@ -5,6 +5,7 @@ use crate::backbone::PeriodicMotion;
 use crate::balance::HarmonicBalance;
 use crate::extended::{BalanceSource, ExtendedBalance, Free, KeyedBalance};
 use crate::path::{ClosingEquation, GoOn, Newton, PathEquations, PathPoint, PathRule, ended, follow};
+use crate::turning::{extreme, sign_change, turns};
 use judder_assembly::assembly::Assembly;
 
 /// How a branch is followed.
@@ -33,6 +34,17 @@ pub struct CycleAtKey {
     pub rises: bool,
 }
 
+/// Where the determinant of the equations under the tangent changes its sign: cycles of another branch cross there, or points change what they do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BranchPoint {
+    /// The cycle before.
+    pub cycle: usize,
+    /// The parameter.
+    pub parameter: f64,
+    /// Whether no point changes what it does within the last thousandth of the step: else the determinant may jump at a kink without a branch point.
+    pub is_smooth: bool,
+}
+
 /// Why a branch ends.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CycleBranchEnd {
@@ -51,8 +63,10 @@ pub enum CycleBranchEnd {
 pub struct AssemblyCycleBranch {
     /// In the order along the branch.
     pub cycles: Vec<CycleAtKey>,
-    /// The cycle after which the parameter turns, and the parameter there.
+    /// The cycle nearest to where the parameter turns, and the parameter there, by a search among the cycles between its neighbours.
     pub folds: Vec<(usize, f64)>,
+    /// Where other cycles may branch off.
+    pub branch_points: Vec<BranchPoint>,
     /// Why it ends.
     pub end: CycleBranchEnd,
 }
@@ -70,6 +84,8 @@ pub fn cycle_branch<F: Fn(f64) -> Result<Assembly, CyclesError>>(
 ) -> Result<AssemblyCycleBranch, CyclesError> {
     /// Of the largest amplitude: what is smaller has shrunk to its Hopf point.
     const SHRUNK: f64 = 0.02;
+    /// Of the unit, by how much the parameter goes back beyond a fold, at least: small cycles all have that of their Hopf point.
+    const ROUNDING: f64 = 1e-6;
     let source = KeyedBalance::new(assembly_at, balance);
     let reference = Some(vec![1.0; 2 * balance.components()]);
     let frequency = cycle.turning.frequency;
@@ -83,30 +99,48 @@ pub fn cycle_branch<F: Fn(f64) -> Result<Assembly, CyclesError>>(
     let mut newton = Newton::new(settings.rule, go_on);
     let first = newton.corrected(&mut equations, &at, &closing, &towards)?;
     let mut cycles = vec![CycleAtKey::of(&mut equations, &first)?];
-    let mut folds = Vec::new();
+    let mut branch_points = Vec::new();
     let mut largest = cycles[0].motion.amplitude;
-    let end = follow(&mut newton, &mut equations, first, settings.points, |equations, _, [_, next]| {
-        let next = CycleAtKey::of(equations, next)?;
-        let before = &cycles[cycles.len() - 1];
-        if before.rises != next.rises {
-            let pair = [before.parameter, next.parameter];
-            let turn = if before.rises { pair[0].max(pair[1]) } else { pair[0].min(pair[1]) };
-            folds.push((cycles.len() - 1, turn));
-        }
-        let (parameter, amplitude) = (next.parameter, next.motion.amplitude);
-        largest = largest.max(amplitude);
-        cycles.push(next);
-        let [from, to] = settings.range;
-        Ok(if parameter < from || parameter > to {
-            Some(CycleBranchEnd::Range)
-        } else if amplitude < SHRUNK * largest {
-            Some(CycleBranchEnd::SteadySliding)
-        } else {
-            None
-        })
-    });
+    let end =
+        follow(&mut newton, &mut equations, first, settings.points, |equations, newton, [before, next]| {
+            if before.orientation != next.orientation {
+                branch_points.push(branch_point(equations, newton, [before, next], cycles.len() - 1)?);
+            }
+            let next = CycleAtKey::of(equations, next)?;
+            let (parameter, amplitude) = (next.parameter, next.motion.amplitude);
+            largest = largest.max(amplitude);
+            cycles.push(next);
+            let [from, to] = settings.range;
+            Ok(if parameter < from || parameter > to {
+                Some(CycleBranchEnd::Range)
+            } else if amplitude < SHRUNK * largest {
+                Some(CycleBranchEnd::SteadySliding)
+            } else {
+                None
+            })
+        });
     let end = ended(end, CycleBranchEnd::Points, CycleBranchEnd::Lost)?;
-    Ok(AssemblyCycleBranch { cycles, folds, end })
+    let parameters: Vec<f64> = cycles.iter().map(|own| own.parameter).collect();
+    let mut folds = Vec::new();
+    for (cycle, rose) in turns(&parameters, settings.rises, ROUNDING * settings.unit) {
+        let near = [cycle - 1, cycle, cycle + 1].map(|k| equations.place(&cycles[k].motion, parameters[k]));
+        equations.accept(&near[1])?;
+        let near = near.each_ref().map(Vec::as_slice);
+        folds.push((cycle, settings.unit * extreme(&mut equations, &mut newton, near, (last, rose))?));
+    }
+    Ok(AssemblyCycleBranch { cycles, folds, branch_points, end })
+}
+
+fn branch_point<S: BalanceSource>(
+    equations: &mut ExtendedBalance<S>,
+    newton: &mut Newton<'_>,
+    between: [&PathPoint; 2],
+    cycle: usize,
+) -> Result<BranchPoint, CyclesError> {
+    let [low, high] = sign_change(equations, newton, between)?;
+    let parameter = 0.5 * (equations.parameter(&low.at) + equations.parameter(&high.at));
+    let is_smooth = equations.states(&low.at)? == equations.states(&high.at)?;
+    Ok(BranchPoint { cycle, parameter, is_smooth })
 }
 
 impl CycleAtKey {

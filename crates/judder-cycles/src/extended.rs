@@ -7,6 +7,7 @@ use crate::path::{PathEquations, PathPoint};
 use crate::phase::Phase;
 use faer::MatMut;
 use judder_assembly::assembly::Assembly;
+use judder_nonsmooth::contact_problem::PointMotion;
 
 /// Where a balance comes from.
 pub(crate) trait BalanceSource {
@@ -176,6 +177,12 @@ impl<S: BalanceSource> ExtendedBalance<S> {
             Free::Parameter(unit) => unit * at[self.unknowns + 1],
             _ => 0.0,
         }
+    }
+
+    /// What every point does at every instant.
+    pub(crate) fn states(&mut self, at: &[f64]) -> Result<Vec<PointMotion>, CyclesError> {
+        self.evaluate(at)?;
+        Ok(self.evaluated.projected.iter().map(|own| own.state).collect())
     }
 
     /// What points and bodies do at a place; known if it was the last.

@@ -5,8 +5,9 @@ use crate::backbone::PeriodicMotion;
 use crate::balance::HarmonicBalance;
 use crate::extended::{ExtendedBalance, Free};
 use crate::path::{
-    ClosingEquation, GoOn, Newton, PathEquations, PathPoint, PathRule, distance, ended, extreme, follow,
+    ClosingEquation, GoOn, Newton, PathEquations, PathPoint, PathRule, distance, ended, follow,
 };
+use crate::turning::{extreme, turns};
 
 /// How a response is followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -121,7 +122,8 @@ pub fn forced_response(
     });
     let end = ended(end, ResponseEnd::Points, ResponseEnd::Lost)?;
     let mut found = ForcedResponse { motions, along, folds: Vec::new(), end };
-    for (motion, rose) in found.turns(to > from, settings.pace.resolved()) {
+    let frequencies: Vec<f64> = found.motions.iter().map(|own| own.turning.frequency).collect();
+    for (motion, rose) in turns(&frequencies, to > from, settings.pace.resolved()) {
         let near = [motion - 1, motion, motion + 1].map(|k| equations.place(&found.motions[k], 0.0));
         let near = near.each_ref().map(Vec::as_slice);
         let turn = extreme(&mut equations, &mut newton, near, (unknowns, rose))?;
@@ -141,24 +143,6 @@ impl StepMeasure {
 }
 
 impl ForcedResponse {
-    /// The motions from which the frequency goes back by more than `least` in rad/s, and whether it rose to them; at first it does as told.
-    fn turns(&self, mut rises: bool, least: f64) -> Vec<(usize, bool)> {
-        let (mut turns, mut farthest) = (Vec::new(), 0);
-        for k in 1..self.motions.len() {
-            let ahead = self.motions[k].turning.frequency - self.motions[farthest].turning.frequency;
-            let ahead = if rises { ahead } else { -ahead };
-            if ahead >= 0.0 {
-                farthest = k;
-            } else if -ahead > least {
-                if farthest > 0 {
-                    turns.push((farthest, rises));
-                }
-                (rises, farthest) = (!rises, k);
-            }
-        }
-        turns
-    }
-
     /// The largest value of the parabola along the branch through a motion and its neighbours, and the frequency in rad/s there; those of the motion itself where it has only one.
     #[must_use]
     pub fn highest(&self, motion: usize, value: &dyn Fn(usize) -> f64) -> (f64, f64) {
@@ -215,9 +199,6 @@ mod tests {
         let (most, frequency) = own.highest(1, &value);
         assert!((most - 2.0).abs() < 1e-14 && (frequency - 1.24).abs() < 1e-14);
         assert_eq!(own.highest(0, &value), (value(0), 1.0));
-        // it rises to 1.2475 and goes back to one, and less than what is not looked at is no turn
-        assert_eq!(own.turns(true, 0.1), [(2, true)]);
-        assert!(own.turns(true, 0.3).is_empty());
         // through three values that rise there is no highest one between them
         assert_eq!(own.highest(1, &|k| along[k]), (0.3, own.motions[1].turning.frequency));
     }

@@ -8,6 +8,7 @@
 //! - [`balance`]: the balance of harmonics on the contact points, with its derivatives.
 //! - `reduced`: linear systems some of whose unknowns stand alone in a row.
 //! - [`path`]: solutions of equations with one unknown more, one after the other.
+//! - `turning`: where paths turn, and where others may branch off.
 //! - `extended`: the balance with unknowns beside the forces: the frequency, and what else is free.
 //! - `phase`: where the period of a motion begins that nothing drives.
 //! - [`backbone`]: the periodic motions of a mode over their amplitude; those that need neither drive nor brake are limit cycles.
@@ -34,5 +35,6 @@ mod reduced;
 pub mod series;
 pub mod shooting;
 pub mod stability;
+mod turning;
 
 pub use error::CyclesError;

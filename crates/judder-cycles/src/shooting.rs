@@ -8,8 +8,8 @@ use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
 use crate::balance::HarmonicBalance;
 use crate::path::GoOn;
-use crate::stability::monodromy;
-use faer::{Mat, c64};
+use crate::stability::{beginning, monodromy};
+use faer::Mat;
 use judder_assembly::assembly::Assembly;
 use judder_dense::general::solve;
 use judder_nonsmooth::gauss_seidel::ContactAccuracy;
@@ -110,7 +110,7 @@ pub fn shoot(
         let velocities = bodies.to_coordinates(v).into_iter().map(|own| own / omega);
         bodies.to_coordinates(q).into_iter().chain(velocities).collect()
     };
-    let (mut x, direction, swing) = start(balance, near)?;
+    let (mut x, direction, swing) = beginning(balance, near)?;
     let mut period = TAU / omega;
     let matrix = monodromy(balance, near, settings.steps, go_on)?;
     let mut left = f64::INFINITY;
@@ -150,26 +150,6 @@ pub fn shoot(
         }
     }
     Err(CyclesError::NotReturned { iterations: settings.iterations, missed: left })
-}
-
-/// The state where a cycle begins, its direction there, of length one, and how far it swings; velocities are measured by ω.
-fn start(
-    balance: &HarmonicBalance<'_>,
-    near: &PeriodicMotion,
-) -> Result<(Vec<f64>, Vec<f64>, f64), CyclesError> {
-    let (mean, harmonics) = balance.coordinates(&near.unknown, near.turning)?;
-    let size = mean.len();
-    let turned = |h: usize| c64::new(0.0, (h + 1) as f64);
-    let sum = |k: usize, times: i32| -> f64 {
-        harmonics.iter().enumerate().map(|(h, own)| (turned(h).powi(times) * own[k]).re).sum()
-    };
-    let place: Vec<f64> =
-        (0..size).map(|k| mean[k] + sum(k, 0)).chain((0..size).map(|k| sum(k, 1))).collect();
-    let mut direction: Vec<f64> = (0..size).map(|k| sum(k, 1)).chain((0..size).map(|k| sum(k, 2))).collect();
-    let swing = harmonics.iter().flatten().map(c64::norm_sqr).sum::<f64>().sqrt();
-    let size = length(&direction);
-    direction.iter_mut().for_each(|own| *own /= size);
-    Ok((place, direction, swing))
 }
 
 fn length(values: &[f64]) -> f64 {

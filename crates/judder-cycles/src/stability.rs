@@ -2,10 +2,13 @@
 //!
 //! Small motions about the cycle are stepped once around it, M δẍ + C δẋ + K δx = Pᵀ δλ with δλ = ∂π/∂λ δλ + ∂π/∂y δy at every step, by the implicit scheme of the
 //! march: a point that sticks has no velocity at the end of a step, so that what differed when it was caught is gone, as it is in the motion itself. What the steps
-//! make of all displacements and velocities is the monodromy matrix; its eigenvalues are the multipliers. One of them is 1: the cycle a little earlier or later.
+//! make of all displacements and velocities is the monodromy matrix; its eigenvalues are the multipliers. Of motions that nothing drives one of them is 1, the cycle a little earlier or later: that whose vector lies along
+//! the velocity of the cycle.
 //!
 //! What an impact of a rigid point does to small motions depends on the instant at which it touches, which the steps do not follow: such cycles are told as
 //! unknown.
+
+mod change;
 
 use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
@@ -15,18 +18,20 @@ use crate::point_law::ProjectedForce;
 use crate::receptance::BodyStep;
 use crate::series::Series;
 use faer::{Mat, c64};
-use judder_dense::general::{real_eigenvalues, solve};
+use judder_dense::general::{PickedEigenvalues, real_eigen, solve};
 use judder_dense::product::product;
 use judder_nonsmooth::contact_problem::PointMotion;
 use std::f64::consts::TAU;
+
+pub use change::{CircleCrossing, StabilityChange, stability_changes};
 
 /// The multipliers of a cycle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FloquetMultipliers {
     /// All but the one that belongs to the phase, the largest first.
     pub values: Vec<c64>,
-    /// That of the phase, which should be 1.
-    pub phase: c64,
+    /// That of the phase, which should be 1: of motions that nothing drives.
+    pub phase: Option<c64>,
     /// Steps of a period.
     pub steps: usize,
     /// By how much the largest differs between half as many steps and these, and that of the phase from 1.
@@ -52,6 +57,8 @@ pub enum CycleStability {
 const MOST: usize = 400;
 /// Steps of a period at first, and at most.
 const STEPS: [usize; 2] = [256, 4096];
+/// How many times the harmonics of a driven motion its multipliers are looked at with besides.
+const WIDER: usize = 4;
 /// A change from half as many steps that is small enough.
 const ENOUGH: f64 = 1e-3;
 
@@ -74,16 +81,18 @@ impl FloquetMultipliers {
         };
         let own = said(self.largest(), self.error);
         let off = |value: c64| (value - 1.0).norm();
-        let near = (0..self.values.len()).filter(|k| off(self.values[*k]) <= NEAR * self.error);
+        let has_phase = self.phase.is_some();
+        let near = (0..self.values.len()).filter(|k| has_phase && off(self.values[*k]) <= NEAR * self.error);
         let as_others = near.map(|chosen| {
             let others = (0..self.values.len()).filter(|k| *k != chosen).map(|k| self.values[k].norm());
-            said(others.fold(self.phase.norm(), f64::max), self.error.max(off(self.values[chosen])))
+            let phase = self.phase.map_or(0.0, |own| own.norm());
+            said(others.fold(phase, f64::max), self.error.max(off(self.values[chosen])))
         });
         if as_others.into_iter().all(|other| other == own) { own } else { CycleStability::Undecided }
     }
 }
 
-/// The multipliers of a cycle, with as many steps as they take to settle; what hinders them otherwise.
+/// The multipliers of a periodic motion, driven or not, with as many steps as they take to settle; what hinders them otherwise.
 ///
 /// # Errors
 /// [`CyclesError::Singular`].
@@ -102,14 +111,35 @@ pub fn floquet_multipliers(
     let mut found = with_steps(balance, cycle, first, go_on)?;
     loop {
         let mut finer = with_steps(balance, cycle, 2 * found.steps, go_on)?;
-        let of_steps = (finer.largest() - found.largest()).abs().max((finer.phase - found.phase).norm());
+        let of_steps = (finer.largest() - found.largest()).abs();
+        let of_steps = match (finer.phase, found.phase) {
+            (Some(finer), Some(found)) => of_steps.max((finer - found).norm()),
+            _ => of_steps,
+        };
         // that of the phase tells what the harmonics leave out too
-        finer.error = of_steps.max((finer.phase - 1.0).norm());
+        finer.error = finer.phase.map_or(of_steps, |phase| of_steps.max((phase - 1.0).norm()));
         found = finer;
         if of_steps < ENOUGH || found.steps >= most {
-            return Ok(Ok(found));
+            break;
         }
     }
+    if balance.is_driven() {
+        // no multiplier is known to be 1: what the harmonics leave out is told by those of the motion under the forces that the laws make of it
+        let (wide, unknown) = balance.with_left_out(&cycle.unknown, cycle.turning, WIDER)?;
+        let beside = PeriodicMotion { unknown, ..cycle.clone() };
+        let other = with_steps(&wide, &beside, found.steps, go_on)?;
+        found.error = found.error.max(apart(&found.values, &other.values));
+    }
+    Ok(Ok(found))
+}
+
+/// How far the largest of multipliers lie from the nearest of others, or those from these.
+fn apart(some: &[c64], others: &[c64]) -> f64 {
+    let off = |own: &[c64], from: &[c64]| {
+        let largest = own.first().copied().unwrap_or_default();
+        from.iter().map(|other| (largest - other).norm()).fold(f64::INFINITY, f64::min)
+    };
+    off(some, others).max(off(others, some))
 }
 
 /// Whether a rigid point that may open does so amid the cycle.
@@ -131,14 +161,41 @@ fn with_steps(
     go_on: &GoOn<'_>,
 ) -> Result<FloquetMultipliers, CyclesError> {
     let matrix = monodromy(balance, cycle, steps, go_on)?;
-    let mut values = real_eigenvalues(&matrix).ok_or(CyclesError::Singular)?;
+    let PickedEigenvalues { mut values, right, .. } =
+        real_eigen(&matrix, &|_| true).ok_or(CyclesError::Singular)?;
+    let phase = match balance.is_driven() {
+        true => None,
+        false => {
+            let (_, direction, _) = beginning(balance, cycle)?;
+            let along = |k: usize| -> f64 {
+                direction.iter().enumerate().map(|(row, own)| right[(row, k)] * *own).sum::<c64>().norm()
+            };
+            let most = (0..values.len()).max_by(|a, b| along(*a).total_cmp(&along(*b)));
+            most.map(|k| values.remove(k))
+        }
+    };
     values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(a.im.total_cmp(&b.im)));
-    let nearest = (0..values.len()).min_by(|a, b| {
-        let off = |k: usize| (values[k] - 1.0).norm();
-        off(*a).total_cmp(&off(*b))
-    });
-    let phase = nearest.map_or(c64::ZERO, |k| values.remove(k));
     Ok(FloquetMultipliers { values, phase, steps, error: f64::INFINITY })
+}
+
+/// The state where a cycle begins, its direction there, of length one, and how far it swings; velocities are measured by ω.
+pub(crate) fn beginning(
+    balance: &HarmonicBalance<'_>,
+    near: &PeriodicMotion,
+) -> Result<(Vec<f64>, Vec<f64>, f64), CyclesError> {
+    let (mean, harmonics) = balance.coordinates(&near.unknown, near.turning)?;
+    let size = mean.len();
+    let turned = |h: usize| c64::new(0.0, (h + 1) as f64);
+    let sum = |k: usize, times: i32| -> f64 {
+        harmonics.iter().enumerate().map(|(h, own)| (turned(h).powi(times) * own[k]).re).sum()
+    };
+    let place: Vec<f64> =
+        (0..size).map(|k| mean[k] + sum(k, 0)).chain((0..size).map(|k| sum(k, 1))).collect();
+    let mut direction: Vec<f64> = (0..size).map(|k| sum(k, 1)).chain((0..size).map(|k| sum(k, 2))).collect();
+    let swing = harmonics.iter().flatten().map(c64::norm_sqr).sum::<f64>().sqrt();
+    let size = direction.iter().map(|own| own * own).sum::<f64>().sqrt();
+    direction.iter_mut().for_each(|own| *own /= size);
+    Ok((place, direction, swing))
 }
 
 /// What a period makes of displacements and velocities of the coordinates, in this order.
@@ -272,7 +329,8 @@ mod tests {
     fn multipliers(phase: f64, values: &[f64]) -> CycleStability {
         let values = values.iter().map(|own| c64::new(*own, 0.0)).collect();
         let phase = c64::new(phase, 0.0);
-        FloquetMultipliers { values, phase, steps: 1, error: (phase - 1.0).norm() }.verdict()
+        let error = (phase - 1.0).norm();
+        FloquetMultipliers { values, phase: Some(phase), steps: 1, error }.verdict()
     }
 
     /// Of two multipliers as far from 1 neither is known to be that of the phase.

@@ -105,6 +105,29 @@ impl KeySweep {
         }
         Ok(())
     }
+
+    /// Tries a value amid them on a case as well, for what follows the key from one end to the other: keys of whole numbers have none there.
+    pub(crate) fn admit_between<T>(
+        &self,
+        node: &Node,
+        at: impl Fn(f64) -> Result<T, KeySweepProblem>,
+    ) -> Result<(), Fault> {
+        /// Of the range: no simple fraction, which whole numbers might meet.
+        const AMID: f64 = 0.381_966_011_250_105;
+        let [first, last] = [self.values[0], self.values[self.values.len() - 1]];
+        match at(first + AMID * (last - first)) {
+            Ok(_) => Ok(()),
+            Err(problem) => {
+                let problem = KeySweepProblem::SweptKey {
+                    key: self.path.clone(),
+                    reason: format!("what follows it needs every value between the ends, and {problem}"),
+                    advice: "give a key that changes without steps, such as a friction coefficient"
+                        .to_owned(),
+                };
+                Err(problem.at(node.entry("key").unwrap_or(node).place))
+            }
+        }
+    }
 }
 
 /// What a case was read from, to read it anew with other values.

@@ -17,7 +17,7 @@ pub(crate) struct Evaluated {
     pub(crate) signals: PointSignals,
     /// Values of forces and motions, and what the laws make of them.
     values: [Mat<f64>; 2],
-    pub(super) projected: ProjectedForces,
+    pub(crate) projected: ProjectedForces,
     /// Values and coefficients of that.
     allowed: [Mat<f64>; 2],
     /// Λ − F_H(π) as shares of the force scale, component after component.

@@ -50,7 +50,7 @@ fn a_cycle_shrinks_to_steady_sliding_where_the_eigenvalue_ceases_to_grow() {
     let at = |coefficient: f64| Ok(with_friction(coefficient));
     let branch = cycle_branch(&at, &cycle.balance, (0.3, &cycle.motion), &settings, &|| true).unwrap();
     assert_eq!(branch.end, CycleBranchEnd::SteadySliding);
-    assert!(branch.folds.is_empty() && branch.cycles.len() > 5);
+    assert!(branch.folds.is_empty() && branch.branch_points.is_empty() && branch.cycles.len() > 5);
     let last = branch.cycles.last().unwrap();
     let value = eigenvalue(last.parameter, last.motion.turning.frequency);
     assert!((value.im / last.motion.turning.frequency - 1.0).abs() < 1e-6, "{value} {last:?}");

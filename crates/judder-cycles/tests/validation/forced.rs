@@ -14,6 +14,8 @@ use judder_cycles::balance::{HarmonicBalance, HarmonicForce};
 use judder_cycles::forced::{ForcedResponse, ResponseEnd, ResponseSettings, StepMeasure, forced_response};
 use judder_cycles::path::PathRule;
 use judder_cycles::series::Series;
+use judder_cycles::stability::{CycleStability, floquet_multipliers};
+use std::f64::consts::TAU;
 
 /// Coefficients of a freedom of each motion.
 fn followed(balance: &HarmonicBalance<'_>, found: &ForcedResponse, row: &Row) -> Vec<(f64, Vec<f64>)> {
@@ -69,6 +71,10 @@ fn a_stop_bends_the_response_as_published() {
     };
     let found = forced_response(&balance, &balance.steady(&steady), &settings, &|| true).unwrap();
     assert_eq!(found.end, ResponseEnd::Range);
+    stability_is_that_of_the_motion_itself(&balance, &found, f64::INFINITY);
+    let finer = balance.with_series(Series::new(41, 4096));
+    let responded = forced_response(&finer, &vec![0.0; finer.unknowns()], &settings, &|| true).unwrap();
+    stability_is_that_of_the_motion_itself(&finer, &responded, 1.0);
     let rms = |own: &[f64]| (own[0] * own[0] + 0.5 * own[1..].iter().map(|a| a * a).sum::<f64>()).sqrt();
     let all = followed(&balance, &found, &Row::of_freedom(0));
     let (frequency, peak) =
@@ -80,6 +86,82 @@ fn a_stop_bends_the_response_as_published() {
     let [lower, upper] = folds[..] else { panic!("{folds:?}") };
     assert!((lower - 0.65344).abs() < 1e-3 && (upper - 0.75562).abs() < 1e-4, "{folds:?}");
     assert!((found.motions.last().unwrap().turning.frequency - 0.5).abs() < 1e-12);
+}
+
+/// The masses and the stop over a period of 2π/ω by steps of the method of Runge and Kutta, from displacements and velocities on.
+fn a_period_later(state: [f64; 4], omega: f64) -> [f64; 4] {
+    const STEPS: usize = 40_000;
+    let step = TAU / omega / STEPS as f64;
+    let slope = |t: f64, [x, y, u, v]: [f64; 4]| {
+        let stop = 100.0 * (x - 1.0).max(0.0);
+        let [pull, damping] = [x - y, 0.03 * (u - v)];
+        let driven = 0.1 * (omega * t).cos() - y - 0.03 * v;
+        [u, v, -pull - damping - stop, pull + damping + driven]
+    };
+    let ahead = |state: [f64; 4], slope: [f64; 4], by: f64| -> [f64; 4] {
+        std::array::from_fn(|k| state[k] + by * slope[k])
+    };
+    (0..STEPS).fold(state, |state, k| {
+        let t = k as f64 * step;
+        let first = slope(t, state);
+        let second = slope(t + 0.5 * step, ahead(state, first, 0.5 * step));
+        let third = slope(t + 0.5 * step, ahead(state, second, 0.5 * step));
+        let fourth = slope(t + step, ahead(state, third, step));
+        std::array::from_fn(|k| {
+            state[k] + step / 6.0 * (first[k] + 2.0 * second[k] + 2.0 * third[k] + fourth[k])
+        })
+    })
+}
+
+/// Multipliers against differences of the nonlinear motion from states beside: what they say is so, or undecided, and the largest one is off by no more than so many of its errors.
+fn stability_is_that_of_the_motion_itself(
+    balance: &HarmonicBalance<'_>,
+    found: &ForcedResponse,
+    errors: f64,
+) {
+    const BESIDE: f64 = 1e-6;
+    let folds = [found.folds[0].0, found.folds[1].0];
+    let middle = (folds[0] + folds[1]) / 2;
+    for place in [0, middle, folds[1] + 100] {
+        let motion = &found.motions[place];
+        let omega = motion.turning.frequency;
+        let (mean, harmonics) = balance.coordinates(&motion.unknown, motion.turning).unwrap();
+        let sum = |k: usize, turned: bool| -> f64 {
+            let of = |(h, own): (f64, &Vec<c64>)| {
+                if turned { (c64::new(0.0, h * omega) * own[k]).re } else { own[k].re }
+            };
+            (1..=harmonics.len()).map(|h| h as f64).zip(&harmonics).map(of).sum()
+        };
+        let place_of = balance.bodies().freedoms(&[mean[0] + sum(0, false), mean[1] + sum(1, false)]);
+        let velocity = balance.bodies().freedoms(&[sum(0, true), sum(1, true)]);
+        let state = [place_of[0], place_of[1], velocity[0], velocity[1]];
+        let later = a_period_later(state, omega);
+        let columns: Vec<[f64; 4]> = (0..4)
+            .map(|column| {
+                let mut beside = state;
+                beside[column] += BESIDE;
+                let ended = a_period_later(beside, omega);
+                std::array::from_fn(|row| (ended[row] - later[row]) / BESIDE)
+            })
+            .collect();
+        let matrix = faer::Mat::from_fn(4, 4, |row, column| columns[column][row]);
+        let values = judder_dense::general::real_eigenvalues(&matrix).unwrap();
+        let expected = values.into_iter().max_by(|a, b| a.norm().total_cmp(&b.norm())).unwrap();
+        let own = floquet_multipliers(balance, motion, &|| true).unwrap().unwrap();
+        let largest = own.values[0];
+        let off = (largest - expected).norm().min((largest - expected.conj()).norm());
+        // that of the first motion, which is open all along, to the error of the steps
+        let allowed = if place == 0 { 1e-4 } else { errors * own.error };
+        assert!(own.phase.is_none() && off < allowed, "{place}: {largest} {expected} {}", own.error);
+        let verdict = if expected.norm() > 1.0 { CycleStability::Unstable } else { CycleStability::Stable };
+        assert!(
+            [verdict, CycleStability::Undecided].contains(&own.verdict()),
+            "{place}: {largest} {expected}"
+        );
+        assert!(place != 0 || own.verdict() == CycleStability::Stable);
+        // between the folds one is above one
+        assert!(errors.is_infinite() || place != middle || own.verdict() == CycleStability::Unstable);
+    }
 }
 
 /// A mass on a spring, with a damper that slides: m 944.6, c 7700, k = k_d = 2.4e7, slip force 246.048, driven by half of it (ANSYS, Mechanical APDL Verification

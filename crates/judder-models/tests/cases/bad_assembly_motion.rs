@@ -143,6 +143,14 @@ fn cycles_that_cannot_be() {
     let (message, place) = unassembled(&with_analysis(branch));
     assert!(message.contains("500 harmonics of 42 components of contact forces"), "{message}");
     assert_eq!(place, "500");
+    let whole = "kind = \"bifurcation\"\nsweep = { key = \"structure.block.reduction.count\", from = 10, to = 20, points = 11 }";
+    let reduced = with_analysis(whole).replace("[[contact]]", "reduction = { count = 15 }\n\n[[contact]]");
+    refused(
+        &reduced,
+        "`structure.block.reduction.count` cannot be swept: what follows it needs every value between the ends, and with `structure.block.reduction.count` = 13.819660112501051: `structure.block.reduction.count` is a number, but must be an integer",
+        "\"structure.block.reduction.count\"",
+        "give a key that changes without steps, such as a friction coefficient",
+    );
     let (message, place) = unassembled(&cycle("harmonics = 500"));
     assert!(
         message.contains("500 harmonics of 42 components of contact forces are 42042 unknowns"),

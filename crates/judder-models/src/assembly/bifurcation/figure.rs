@@ -15,6 +15,24 @@ pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
     ["rms", "frequency"].into_iter().map(|name| over_key(dataset, name)).collect()
 }
 
+/// The bifurcations that there are, a kind a marker.
+fn marked(dataset: &Dataset, name: &str) -> Vec<Layer> {
+    let (Some(value), Some(up), Some(kinds)) = (
+        reals(dataset, "bifurcation_value"),
+        reals(dataset, &format!("bifurcation_{name}")),
+        codes(dataset, "bifurcation_kind"),
+    ) else {
+        return Vec::new();
+    };
+    let of = |(code, label): (u8, &'static str)| {
+        let own = || (0..kinds.len()).filter(|k| kinds[*k] == code);
+        let pick = |all: &[f64]| own().map(|k| all[k]).collect::<Vec<f64>>();
+        (own().count() > 0)
+            .then(|| Layer::points(label, pick(value), pick(up), Role::Series(usize::from(code) + 1).solid()))
+    };
+    (0..).zip(super::named::KINDS).filter_map(of).collect()
+}
+
 fn over_key(dataset: &Dataset, name: &str) -> Option<Panel> {
     let (value, up) = (reals(dataset, "value")?, reals(dataset, name)?);
     let stable = codes(dataset, "stable")?;
@@ -32,6 +50,7 @@ fn over_key(dataset: &Dataset, name: &str) -> Option<Panel> {
         let (x, y, style) = of(*code);
         (!x.is_empty()).then(|| Layer::line(*label, x, y, style))
     });
+    let layers = layers.chain(marked(dataset, name));
     let (across, upwards) = (axis(dataset.variable("value")?), axis(dataset.variable(name)?));
     Some(Panel::new(across, upwards, layers.collect()).with_legend(Legend::Below))
 }

@@ -1,8 +1,9 @@
 //! `bifurcation`: limit cycles of a mode along any key, through folds, to where they shrink to steady sliding.
 //!
-//! - `run`: the first cycle, the branch through it both ways. `told`: what is told and stored of it. `figure`: how it is shown.
+//! - `run`: the first cycle, the branch through it both ways. `named`: its bifurcations, by name. `told`: what is told and stored of it. `figure`: how it is shown.
 
 mod figure;
+mod named;
 mod run;
 mod told;
 
@@ -26,7 +27,7 @@ use told::ToldCycleBranch;
 /// Limit cycles along a key.
 #[derive(Debug, Clone, PartialEq, Settings)]
 pub struct CycleDiagram {
-    /// Any number of `structure`, `contact`, `spring`, `load` or `parameters` over a range; the more values it has, the shorter the steps along the branch.
+    /// Any number of `structure`, `contact`, `spring`, `load` or `parameters` over a range; the more values it has, the shorter the steps along the branch, which are even in the key's logarithm where its `scale` is `log`.
     #[key(rule = SWEPT, example = "…, `{ key, from, to, points, scale }`, or `{ key, values }`")]
     pub sweep: KeySweep,
     /// Frequency near which the mode lies; where left out, the fastest growing of the lowest modes is meant.
@@ -62,13 +63,14 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
         let own = CycleDiagram::read_table(section)?;
         if let (Some(case), Some(node)) = (case, section.get("sweep")) {
             own.sweep.admit(node, |value| case.at(&[(&own.sweep, value)]))?;
+            own.sweep.admit_between(node, |value| case.at(&[(&own.sweep, value)]))?;
         }
         Ok(Arc::new(own))
     },
     picture: Some(Picture {
         draw: figure::bifurcation,
         caption: "Limit cycles along the key, by the root mean square of the velocities of the contact points along the slip, and their frequencies: stable ones solid, unstable ones dashed, as their Floquet multipliers say. \
-        Where a branch shrinks to nothing steady sliding becomes unstable; where it folds, the cycle that motions are drawn to ends.",
+        Marked are its bifurcations, by name; a change of stability of which the multipliers do not say how is called unknown. Where a branch shrinks to nothing steady sliding becomes unstable; where it folds, the cycle that motions are drawn to ends.",
     }),
 };
 

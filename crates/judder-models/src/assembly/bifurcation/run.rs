@@ -19,6 +19,7 @@ use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles, points};
 use judder_cycles::path::PathRule;
 use judder_cycles::series::Series;
 use judder_study::Progress;
+use judder_study::case::scale::Spacing;
 use judder_study::outcome::{CheckRecord, Outcome};
 use num_complex::Complex64;
 
@@ -54,7 +55,7 @@ pub(super) fn run(
     let Outcome { scalars, .. } = Outcome::of(&told)?;
     Ok(Outcome {
         scalars,
-        dataset: dataset(asked, &[])?,
+        dataset: dataset(asked, &[], &[])?,
         warnings: reasons,
         missing: 1,
         ..Outcome::default()
@@ -143,17 +144,20 @@ fn branches(
         let built = family.assembly(&[value]);
         built.map_err(|error| CyclesError::NoAssembly { value, reason: error.to_string() })
     };
+    let along = AlongKey::of(asked);
     let [from, to] = range(&asked.sweep.values);
+    let ends = [from, to].map(|value| along.measure(value));
     let longest = 1.0 / asked.sweep.values.len().max(10) as f64;
     let mut ways = Vec::new();
     for rises in [false, true] {
         progress.go_on()?;
         let rule = PathRule { steps: [0.2 * longest, longest, 1e-7], tolerance: 1e-8, ..PathRule::default() };
         let settings =
-            BranchSettings { rule, range: [from, to], unit: to - from, rises, points: asked.cycles };
-        ways.push(cycle_branch(&at, &balance, (found.value, &found.motion), &settings, &|| {
-            !progress.interrupted()
-        })?);
+            BranchSettings { rule, range: ends, unit: ends[1] - ends[0], rises, points: asked.cycles };
+        let begins = (along.measure(found.value), &found.motion);
+        let at_measure = |measure: f64| at(along.value(measure));
+        let way = cycle_branch(&at_measure, &balance, begins, &settings, &|| !progress.interrupted())?;
+        ways.push(along.in_values(way));
     }
     let [down, up]: [AssemblyCycleBranch; 2] = [ways.swap_remove(0), ways.swap_remove(0)];
     let cycles = down.cycles.iter().rev().chain(up.cycles.iter().skip(1));
@@ -178,7 +182,8 @@ fn branches(
         ));
     }
     warnings.extend(left_out(known.iter().map(|own| own.left_out).fold(0.0, f64::max)));
-    let unknown = known.iter().filter(|own| asked.stability && own.is_stable.is_none()).count();
+    warnings.extend(told.kinks());
+    let unknown = known.iter().filter(|own| asked.stability && own.stability.is_stable().is_none()).count();
     if unknown > 0 {
         warnings.push(format!(
             "whether motions nearby are drawn to it is not known of {unknown} of {} cycles",
@@ -187,12 +192,42 @@ fn branches(
     }
     Ok(Outcome {
         scalars,
-        dataset: dataset(asked, &known)?,
+        dataset: dataset(asked, &known, &told.bifurcations)?,
         checks: checks(asked, &known, ends.iter().flatten().filter(|(_, off)| is_hopf(*off))),
         warnings,
         missing,
         ..Outcome::default()
     })
+}
+
+/// How lengths along the key are measured: by its logarithm where its `scale` is that.
+#[derive(Clone, Copy)]
+struct AlongKey {
+    is_log: bool,
+}
+
+impl AlongKey {
+    fn of(asked: &CycleDiagram) -> Self {
+        let is_log = asked.sweep.scale == Spacing::Log && asked.sweep.values.iter().all(|own| *own > 0.0);
+        Self { is_log }
+    }
+
+    fn measure(self, value: f64) -> f64 {
+        if self.is_log { value.ln() } else { value }
+    }
+
+    fn value(self, measure: f64) -> f64 {
+        if self.is_log { measure.exp() } else { measure }
+    }
+
+    /// A branch with the values of the key in place of their measures.
+    fn in_values(self, mut branch: AssemblyCycleBranch) -> AssemblyCycleBranch {
+        let cycles = branch.cycles.iter_mut().map(|own| &mut own.parameter);
+        let folds = branch.folds.iter_mut().map(|(_, own)| own);
+        let points = branch.branch_points.iter_mut().map(|own| &mut own.parameter);
+        cycles.chain(folds).chain(points).for_each(|own| *own = self.value(*own));
+        branch
+    }
 }
 
 fn range(values: &[f64]) -> [f64; 2] {
@@ -227,7 +262,7 @@ fn told_of(
         open: mean(&|k| points[k].shares[2]),
         left_out: quality.left_out,
         residual: cycle.motion.residual,
-        is_stable: stability.is_stable(),
+        stability,
     })
 }
 

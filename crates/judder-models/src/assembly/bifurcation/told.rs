@@ -1,6 +1,8 @@
 //! What is told and stored of limit cycles along a key.
 
 use super::CycleDiagram;
+use super::named::{KINDS, NamedBifurcation, named};
+use crate::assembly::limit_cycle::stability::{KnownStability, with_multipliers};
 use crate::error::ModelError;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey, CycleBranchEnd};
 use judder_store::{Dataset, Results, Variable};
@@ -18,7 +20,7 @@ pub(super) struct KnownCycle {
     pub(super) open: f64,
     pub(super) left_out: f64,
     pub(super) residual: f64,
-    pub(super) is_stable: Option<bool>,
+    pub(super) stability: KnownStability,
 }
 
 /// What is told of a branch.
@@ -40,10 +42,12 @@ pub(super) struct ToldCycleBranch {
     open_share: Vec<f64>,
     /// whether motions nearby are drawn to it, where that is known
     stable: Vec<Option<bool>>,
-    /// values near which the branch turns, of the outermost cycles
+    /// values at which the branch turns, by a search between its cycles
     folds: Vec<f64>,
     /// values at which it shrinks to steady sliding, where an eigenvalue begins to grow
     hopf_points: Vec<f64>,
+    /// where cycles of other branches, or other motions, come in, by name, in the order along the branch
+    pub(super) bifurcations: Vec<NamedBifurcation>,
     /// how it ends on either side, in words
     ends: Vec<String>,
     /// harmonics of the cycles
@@ -81,6 +85,7 @@ impl ToldCycleBranch {
             stable: Vec::new(),
             folds: Vec::new(),
             hopf_points: Vec::new(),
+            bifurcations: Vec::new(),
             ends: Vec::new(),
             harmonics: asked.harmonics,
             left_out: None,
@@ -100,13 +105,24 @@ impl ToldCycleBranch {
             rms: all(|own| own.rms),
             stick_share: all(|own| own.stick),
             open_share: all(|own| own.open),
-            stable: known.iter().map(|own| own.is_stable).collect(),
+            stable: known.iter().map(|own| own.stability.is_stable()).collect(),
             folds: ways.iter().flat_map(|way| way.folds.iter().map(|(_, value)| *value)).collect(),
             hopf_points: hopf.iter().map(|own| own.parameter).collect(),
+            bifurcations: named(known, ways, hopf),
             ends: ways.map(|way| end(way, hopf)).to_vec(),
             left_out: all(|own| own.left_out).into_iter().reduce(f64::max),
             ..Self::none(asked)
         }
+    }
+
+    /// What is to be said of branch points that kinks make doubtful.
+    pub(super) fn kinks(&self) -> Option<String> {
+        let doubtful = self.bifurcations.iter().filter(|own| own.is_kink()).count();
+        (doubtful > 0).then(|| {
+            format!(
+                "at {doubtful} places along the branch cycles of another one may cross, or points change what they do there: the determinant changes its sign in both cases"
+            )
+        })
     }
 
     /// What is to be said of branches that were lost, or go on.
@@ -120,13 +136,15 @@ impl ToldCycleBranch {
 }
 
 /// Every array.
-pub(super) fn dataset(asked: &CycleDiagram, known: &[KnownCycle]) -> Result<Dataset, ModelError> {
+pub(super) fn dataset(
+    asked: &CycleDiagram,
+    known: &[KnownCycle],
+    bifurcations: &[NamedBifurcation],
+) -> Result<Dataset, ModelError> {
     let quantity = quantity(asked);
     let along = |name: &str, values: Vec<f64>| Variable::new(name, &["cycle"], &[values.len()], values);
     let all = |of: fn(&KnownCycle) -> f64| known.iter().map(of).collect::<Vec<f64>>();
-    // 0 unstable, 1 stable, 2 unknown
-    let stable: Vec<u8> = known.iter().map(|own| own.is_stable.map_or(2, u8::from)).collect();
-    Ok(Dataset::new()
+    let dataset = Dataset::new()
         .with(
             along("value", all(|own| own.value))
                 .units(&quantity.unit)
@@ -161,9 +179,37 @@ pub(super) fn dataset(asked: &CycleDiagram, known: &[KnownCycle]) -> Result<Data
             along("left_out", all(|own| own.left_out))
                 .units("1")
                 .long_name("share of the swing of the contact forces that harmonics leave out"),
+        )?;
+    let stabilities: Vec<&KnownStability> = known.iter().map(|own| &own.stability).collect();
+    with_bifurcations(with_multipliers(dataset, "cycle", &stabilities)?, known, bifurcations)
+}
+
+/// Where bifurcations lie in the figure.
+fn with_bifurcations(
+    dataset: Dataset,
+    known: &[KnownCycle],
+    bifurcations: &[NamedBifurcation],
+) -> Result<Dataset, ModelError> {
+    let along = |name: &str, of: &dyn Fn(&NamedBifurcation) -> f64| {
+        let values: Vec<f64> = bifurcations.iter().map(of).collect();
+        Variable::new(name, &["bifurcation"], &[values.len()], values)
+    };
+    let codes: Vec<u8> = bifurcations.iter().map(NamedBifurcation::code).collect();
+    let words: Vec<String> = KINDS.iter().enumerate().map(|(code, kind)| format!("{code} {kind}")).collect();
+    Ok(dataset
+        .with(along("bifurcation_value", &|own| own.value).long_name("value of the key at each bifurcation"))?
+        .with(
+            along("bifurcation_rms", &|own| known[own.cycle].rms)
+                .units("m/s")
+                .long_name("rms of the cycle before it"),
         )?
         .with(
-            Variable::new("stable", &["cycle"], &[stable.len()], stable)
-                .long_name("whether motions nearby are drawn to the cycle: 0 no, 1 yes, 2 unknown"),
+            along("bifurcation_frequency", &|own| known[own.cycle].frequency / TAU)
+                .units("Hz")
+                .long_name("frequency of the cycle before it"),
+        )?
+        .with(
+            Variable::new("bifurcation_kind", &["bifurcation"], &[codes.len()], codes)
+                .long_name(&words.join(", ")),
         )?)
 }

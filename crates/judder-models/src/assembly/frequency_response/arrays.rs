@@ -1,6 +1,8 @@
 //! What is stored of a response: observed coordinates motion by motion, in their order along the branch.
 
 use super::followed::{FollowedCoordinate, MEASURES};
+use super::settings::FrequencyResponse;
+use crate::assembly::limit_cycle::stability::{KnownStability, with_multipliers};
 use crate::error::ModelError;
 use judder_cycles::forced::ForcedResponse;
 use judder_store::{Dataset, Table, Variable};
@@ -8,8 +10,10 @@ use std::f64::consts::TAU;
 
 /// The arrays.
 pub(super) fn dataset(
+    asked: &FrequencyResponse,
     found: &ForcedResponse,
     coordinates: &[FollowedCoordinate],
+    stabilities: &[KnownStability],
 ) -> Result<Dataset, ModelError> {
     let along = |name: &str, unit: &str, values: Vec<f64>| {
         Variable::new(name, &["motion"], &[values.len()], values).units(unit)
@@ -33,6 +37,10 @@ pub(super) fn dataset(
             Variable::new("fold_motion", &["fold"], &[turns.len()], turns)
                 .long_name("the motion nearest to that, counted from 0"),
         )?;
+    if asked.stability {
+        let all: Vec<&KnownStability> = stabilities.iter().collect();
+        dataset = with_multipliers(dataset, "motion", &all)?;
+    }
     for own in coordinates {
         for (k, (measure, words, label)) in MEASURES.into_iter().enumerate() {
             let values = own.measures.iter().map(|measures| measures[k]).collect();

@@ -1,9 +1,11 @@
 //! A response: the observed points over the frequency.
 
 use super::followed::MEASURES;
+use judder_report::palette::Style;
+use judder_report::runs::through;
 use judder_report::{Layer, Legend, Panel, Role};
 use judder_store::{Dataset, VariableValues};
-use judder_study::pictures::{axis, reals};
+use judder_study::pictures::{axis, codes, reals};
 
 /// A panel for each measure that is drawn, with all observed coordinates; where the frequency turns is marked.
 pub(super) fn frequency_response(dataset: &Dataset) -> Option<Vec<Panel>> {
@@ -19,7 +21,10 @@ fn panel(dataset: &Dataset, measure: &str) -> Option<Panel> {
     for (k, variable) in own().enumerate() {
         let values = reals(dataset, &variable.name)?;
         let name = variable.name.trim_end_matches(&ending);
-        layers.push(Layer::line(name, across.to_vec(), values.to_vec(), Role::Series(k).solid()));
+        match codes(dataset, "stable") {
+            None => layers.push(Layer::line(name, across.to_vec(), values.to_vec(), Role::Series(k).solid())),
+            Some(stable) => layers.extend(by_stability(name, k, [across, values], stable)),
+        }
         for (all, marked) in [across, values].into_iter().zip(&mut folds) {
             marked.extend(turns(dataset).iter().filter_map(|at| all.get(*at)));
         }
@@ -34,6 +39,21 @@ fn panel(dataset: &Dataset, measure: &str) -> Option<Panel> {
             .with_legend(Legend::Below)
             .with_title(words),
     )
+}
+
+/// A coordinate whose motions are stable, unstable, or of unknown stability.
+fn by_stability(name: &str, series: usize, [across, up]: [&[f64]; 2], stable: &[u8]) -> Vec<Layer> {
+    let styles = [
+        (1, name.to_owned(), Role::Series(series).solid()),
+        (0, format!("{name}, unstable"), Role::Series(series).dashed()),
+        (2, format!("{name}, of unknown stability"), Role::Reference.solid()),
+    ];
+    let layer = |(code, label, style): (u8, String, Style)| {
+        // a stretch between unlike motions is drawn as the one after it
+        let (x, y) = through(across, up, |k| stable[k + 1] == code);
+        (!x.is_empty()).then(|| Layer::line(label, x, y, style))
+    };
+    styles.into_iter().filter_map(layer).collect()
 }
 
 /// The motions nearest to where the frequency turns.

@@ -5,6 +5,7 @@ use super::followed::FollowedCoordinate;
 use super::settings::FrequencyResponse;
 use super::told::{ToldPeak, ToldResponse, end, peak_of};
 use crate::assembly::AssemblySubject;
+use crate::assembly::limit_cycle::stability::KnownStability;
 use crate::error::ModelError;
 use judder_assembly::AssemblyError;
 use judder_assembly::steady::SteadySliding;
@@ -40,6 +41,8 @@ pub(super) fn run(
     let found = forced_response(&balance, &guess, &asked.settings(), &|| !progress.interrupted())
         .map_err(unanswered)?;
     progress.go_on()?;
+    let of_motion = |motion| KnownStability::of(&balance, motion, asked.stability, progress);
+    let stabilities = found.motions.iter().map(of_motion).collect::<Result<Vec<_>, _>>()?;
     let coordinates = FollowedCoordinate::all(&of.built.watched, &balance, &found)?;
     let (mut peaks, mut disagreement) = (Vec::new(), Disagreement::default());
     for own in &coordinates {
@@ -49,11 +52,12 @@ pub(super) fn run(
         peaks.push((own.name.clone(), ToldPeak::new(&found, own, quality, balance.force_scale())));
     }
     let coarse = coordinates.iter().filter_map(coarse);
-    let warnings = [of.doubts(&steady), words(&found, &peaks), coarse.collect()].concat();
-    let told = ToldResponse::new(&found, asked.harmonics, balance.force_scale(), peaks);
+    let warnings =
+        [of.doubts(&steady), words(&found, &peaks), unknown(asked, &stabilities), coarse.collect()].concat();
+    let told = ToldResponse::new(&found, asked.harmonics, balance.force_scale(), peaks, &stabilities);
     Ok(Outcome {
         scalars: told.scalars(),
-        dataset: dataset(&found, &coordinates)?,
+        dataset: dataset(asked, &found, &coordinates, &stabilities)?,
         table: Some(table(&found, &coordinates)?),
         checks: checks(asked, &found, disagreement),
         missing: usize::from(found.end != ResponseEnd::Range),
@@ -95,6 +99,18 @@ fn words(found: &ForcedResponse, peaks: &[(String, ToldPeak)]) -> Vec<String> {
         }
     }
     words
+}
+
+/// That stability is not known of all motions of which it was asked for.
+fn unknown(asked: &FrequencyResponse, stabilities: &[KnownStability]) -> Vec<String> {
+    let count = stabilities.iter().filter(|own| asked.stability && own.is_stable().is_none()).count();
+    let words = || {
+        format!(
+            "whether motions nearby are drawn to it is not known of {count} of {} motions",
+            stabilities.len()
+        )
+    };
+    (count > 0).then(words).into_iter().collect()
 }
 
 /// A peak that is narrow beside the steps: what lies between its motions may be higher.

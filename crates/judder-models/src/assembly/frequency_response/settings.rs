@@ -49,6 +49,9 @@ pub struct FrequencyResponse {
     /// By how much the frequency changes from motion to motion at most; a two hundredth of the range where left out.
     #[key(rule = Number::positive(Dimension::ANGULAR_FREQUENCY), omitted)]
     pub longest_step: Option<f64>,
+    /// Whether Floquet multipliers say of each motion if others nearby are drawn to it.
+    #[key(default = false)]
+    pub stability: bool,
 }
 
 /// A force that swings, F cos (ω t + φ).

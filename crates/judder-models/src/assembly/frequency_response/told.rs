@@ -1,8 +1,10 @@
 //! What is told of a response.
 
 use super::followed::FollowedCoordinate;
+use crate::assembly::limit_cycle::stability::{KnownStability, crossing_words};
 use judder_cycles::cycle::CycleQuality;
 use judder_cycles::forced::{ForcedResponse, ResponseEnd};
+use judder_cycles::stability::stability_changes;
 use judder_numerics::words::plain;
 use judder_store::{ByName, Results};
 use std::f64::consts::TAU;
@@ -24,8 +26,18 @@ pub(super) struct ToldResponse {
     residual: f64,
     /// what residuals are measured by, in N
     force_scale: f64,
-    /// whether motions are stable: not known
-    stability: &'static str,
+    /// how many motions are stable, in words
+    stability: String,
+    /// where the stability changes, and how, as far as Floquet multipliers were asked for
+    stability_changes: Vec<ToldStabilityChange>,
+}
+
+/// Where multipliers cross the unit circle.
+#[derive(Results)]
+struct ToldStabilityChange {
+    kind: &'static str,
+    /// frequencies of the motions before and after it, in the order along the branch
+    between_hz: Vec<f64>,
 }
 
 /// Where the frequency turns.
@@ -106,7 +118,14 @@ impl ToldResponse {
         harmonics: usize,
         force_scale: f64,
         peaks: Vec<(String, ToldPeak)>,
+        stabilities: &[KnownStability],
     ) -> Self {
+        let multipliers: Vec<_> = stabilities.iter().map(KnownStability::known).collect();
+        let frequency = |motion: usize| found.motions[motion].turning.frequency / TAU;
+        let changes = stability_changes(&multipliers).into_iter().map(|own| ToldStabilityChange {
+            kind: crossing_words(own.crossing),
+            between_hz: own.between.map(frequency).to_vec(),
+        });
         Self {
             points: found.motions.len(),
             end: end(found),
@@ -115,8 +134,20 @@ impl ToldResponse {
             peaks: peaks.into_iter().collect(),
             residual: found.motions.iter().map(|own| own.residual).fold(0.0, f64::max),
             force_scale,
-            stability: "not computed",
+            stability: how_many(stabilities),
+            stability_changes: changes.collect(),
         }
+    }
+}
+
+/// How many motions are stable, in words.
+fn how_many(stabilities: &[KnownStability]) -> String {
+    let count = |of: Option<bool>| stabilities.iter().filter(|own| own.is_stable() == of).count();
+    match stabilities.iter().any(KnownStability::is_asked) {
+        true => {
+            format!("{} stable, {} unstable, {} unknown", count(Some(true)), count(Some(false)), count(None))
+        }
+        false => "not asked for".to_owned(),
     }
 }
 

@@ -310,8 +310,12 @@ mod tests {
             CycleAtKey { parameter, motion, rises: amplitude < 1.7 }
         };
         let cycles: Vec<CycleAtKey> = [2.4, 2.0, 1.8, 1.5, 1.0].map(at).to_vec();
-        let branch =
-            AssemblyCycleBranch { folds: vec![(2, cycles[2].parameter)], cycles, end: CycleBranchEnd::Range };
+        let branch = AssemblyCycleBranch {
+            branch_points: Vec::new(),
+            folds: vec![(2, cycles[2].parameter)],
+            cycles,
+            end: CycleBranchEnd::Range,
+        };
         let (fold, error) = outermost(&branch, |value| 0.5 - value).unwrap();
         assert!((fold - 0.3).abs() < 1e-12 && (error - 0.01).abs() < 1e-12, "{fold} {error}");
     }

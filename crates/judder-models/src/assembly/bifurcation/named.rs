@@ -1,0 +1,100 @@
+//! The bifurcations of a branch, by name.
+
+use super::told::KnownCycle;
+use crate::assembly::limit_cycle::stability::crossing_words;
+use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey};
+use judder_cycles::stability::{CircleCrossing, stability_changes};
+use judder_store::Results;
+
+/// How bifurcations are called; their places here are their codes.
+pub(super) const KINDS: [&str; 8] = [
+    "Hopf point",
+    "fold",
+    "branch point",
+    "branch point or kink",
+    "fold or branch point",
+    "period doubling",
+    "Neimark–Sacker bifurcation",
+    "change of stability of unknown kind",
+];
+const HOPF: &str = KINDS[0];
+const FOLD: &str = KINDS[1];
+const BRANCH_POINT: &str = KINDS[2];
+const KINK: &str = KINDS[3];
+
+/// A bifurcation.
+#[derive(Debug, Clone, Results)]
+pub(super) struct NamedBifurcation {
+    /// what it is
+    pub(super) kind: &'static str,
+    /// the value of the key there, where it was searched for; amid the two below otherwise
+    pub(super) value: f64,
+    /// the values of the key at the cycles before and after it, in the order along the branch
+    pub(super) between: Vec<f64>,
+    /// the first of these cycles, counted from 0
+    pub(super) cycle: usize,
+}
+
+impl NamedBifurcation {
+    /// Whether a kink makes it doubtful.
+    pub(super) fn is_kink(&self) -> bool {
+        self.kind == KINK
+    }
+
+    /// Its code.
+    pub(super) fn code(&self) -> u8 {
+        KINDS.iter().position(|own| *own == self.kind).map_or(u8::MAX, |place| place as u8)
+    }
+}
+
+/// All of them, in the order along the branch, of which `known` are the cycles within the range.
+pub(super) fn named(
+    known: &[KnownCycle],
+    ways: [&AssemblyCycleBranch; 2],
+    hopf: &[&CycleAtKey],
+) -> Vec<NamedBifurcation> {
+    let of = |kind: &'static str, value: f64, [before, after]: [usize; 2]| NamedBifurcation {
+        kind,
+        value,
+        between: vec![known[before].value, known[after].value],
+        cycle: before,
+    };
+    let place = |cycle: &CycleAtKey| {
+        let omega = cycle.motion.turning.frequency;
+        known.iter().position(|own| own.value == cycle.parameter && own.frequency == omega)
+    };
+    let mut all = Vec::new();
+    for cycle in hopf {
+        all.extend(place(cycle).map(|place| of(HOPF, cycle.parameter, [place, place])));
+    }
+    for way in ways {
+        let near = |cycle: usize, kind: &'static str, value: f64, after: usize| {
+            let own = place(&way.cycles[cycle])?;
+            let other = way.cycles.get(after).and_then(place)?;
+            Some(of(kind, value, [own.min(other), own.max(other)]))
+        };
+        for (cycle, value) in &way.folds {
+            all.extend(near(cycle - 1, FOLD, *value, cycle + 1));
+        }
+        for own in &way.branch_points {
+            let kind = if own.is_smooth { BRANCH_POINT } else { KINK };
+            all.extend(near(own.cycle, kind, own.parameter, own.cycle + 1));
+        }
+    }
+    let multipliers: Vec<_> = known.iter().map(|own| own.stability.known()).collect();
+    for change in stability_changes(&multipliers) {
+        let [before, after] = change.between;
+        let is_there = |other: &NamedBifurcation| {
+            let [from, to] = [other.cycle, other.cycle + 2];
+            other.kind != HOPF && from <= after && before <= to
+        };
+        // a fold or branch point that is located needs no second name
+        if change.crossing == CircleCrossing::AtOne && all.iter().any(is_there) {
+            continue;
+        }
+        let value = 0.5 * (known[before].value + known[after].value);
+        all.push(of(crossing_words(change.crossing), value, [before, after]));
+    }
+    all.sort_by_key(|own| own.cycle);
+    all
+}

@@ -254,6 +254,23 @@ impl HarmonicBodies {
         }
     }
 
+    /// P x of a component, of a real x.
+    pub(crate) fn displaced_by(&self, component: usize, x: &[f64]) -> f64 {
+        x.iter().enumerate().map(|(k, own)| own * self.rows[(component, k)]).sum()
+    }
+
+    /// M⁻¹ Pᵀ; nothing where a freedom has no mass.
+    pub(crate) fn mobility(&self) -> Option<Mat<f64>> {
+        let mut pushes = self.rows.transpose().to_owned();
+        match self.kind.as_ref() {
+            HarmonicMatrices::Modes(_) => Some(pushes),
+            HarmonicMatrices::Whole(matrices) => {
+                solve(matrices[0].clone(), &mut pushes)?;
+                pushes.is_all_finite().then_some(pushes)
+            }
+        }
+    }
+
     /// Steady forces on the bodies, with ε of each point, and the load on the freedoms.
     ///
     /// # Errors

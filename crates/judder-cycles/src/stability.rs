@@ -9,6 +9,7 @@
 //! unknown.
 
 mod change;
+mod turn;
 
 use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
@@ -22,6 +23,8 @@ use judder_dense::general::{PickedEigenvalues, real_eigen, solve};
 use judder_dense::product::product;
 use judder_nonsmooth::contact_problem::PointMotion;
 use std::f64::consts::TAU;
+
+use turn::SlipTurns;
 
 pub use change::{CircleCrossing, StabilityChange, stability_changes};
 
@@ -85,7 +88,7 @@ impl FloquetMultipliers {
         let near = (0..self.values.len()).filter(|k| has_phase && off(self.values[*k]) <= NEAR * self.error);
         let as_others = near.map(|chosen| {
             let others = (0..self.values.len()).filter(|k| *k != chosen).map(|k| self.values[k].norm());
-            let phase = self.phase.map_or(0.0, |own| own.norm());
+            let phase = self.phase.map_or(0.0, c64::norm);
             said(others.fold(phase, f64::max), self.error.max(off(self.values[chosen])))
         });
         if as_others.into_iter().all(|other| other == own) { own } else { CycleStability::Undecided }
@@ -218,15 +221,21 @@ pub(crate) fn monodromy(
     let mut x = Mat::from_fn(size, 2 * size, unit);
     let mut v = Mat::from_fn(size, 2 * size, |row, column| omega * unit(row + size, column));
     let compliance = product(bodies.rows.as_ref(), bodies.pushes.as_ref());
-    for instant in (0..steps).map(|step| 2 * step + 1) {
+    let turns = SlipTurns::of(balance, (&series, &signals), &projected, step);
+    for which in 0..steps {
         if !go_on() {
             return Err(CyclesError::Stopped);
         }
-        let own = (0..balance.contact().points.len()).map(|point| *projected.at(instant, point)).collect();
+        let own = (0..balance.contact().points.len())
+            .map(|point| *projected.at(2 * turns.law_of(point, which) + 1, point))
+            .collect();
         let at = PointsAt { balance, bodies: &bodies, compliance: &compliance, projected: own, step };
         let next = at.advanced(&x, &v)?;
         x = Mat::from_fn(size, 2 * size, |k, j| x[(k, j)] + 0.5 * step * (v[(k, j)] + next[(k, j)]));
         v = next;
+        turns.take(balance, which, &mut v, |component, column| {
+            bodies.carries(component, x.col_as_slice(column))
+        });
     }
     Ok(Mat::from_fn(2 * size, 2 * size, |row, column| match row < size {
         true => x[(row, column)],

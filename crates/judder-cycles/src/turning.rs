@@ -165,7 +165,7 @@ mod tests {
         let (mut newton, mut equations) =
             (Newton::new(rule, &|| true), OneEquation { of: parabola, residual: [0.0] });
         let near = [[-0.05, 0.0025], [0.02, 0.0004], [0.09, 0.0081]];
-        let near = near.each_ref().map(|own| own.as_slice());
+        let near = near.each_ref().map(<[f64; 2]>::as_slice);
         let turn = extreme(&mut equations, &mut newton, near, (1, false)).unwrap();
         assert!((0.0..1e-8).contains(&turn), "{turn}");
     }

@@ -27,6 +27,12 @@ enum StepMatrices {
 }
 
 impl BodyStep {
+    /// c x of a component that has one.
+    pub(crate) fn carries(&self, component: usize, x: &[f64]) -> f64 {
+        let own = self.convected.iter().find(|(other, _)| *other == component);
+        own.map_or(0.0, |(_, row)| row.iter().zip(x).map(|(share, own)| share * own).sum())
+    }
+
     /// v⁺ without contact, of columns x and v.
     pub(crate) fn free(&self, x: &Mat<f64>, v: &Mat<f64>) -> Mat<f64> {
         match &self.kind {

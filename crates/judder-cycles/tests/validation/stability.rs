@@ -2,9 +2,18 @@
 
 use crate::common::{assembly, diagonal, point_on_plane};
 use crate::growing;
+use faer::c64;
+use judder_assembly::compliance::Compliance;
+use judder_assembly::contact_point::ContactPoint;
 use judder_assembly::friction::{Friction, FrictionTable};
 use judder_assembly::interface::InterfaceLaw;
+use judder_assembly::row::Row;
+use judder_assembly::steady::steady_sliding;
+use judder_cycles::balance::{HarmonicBalance, HarmonicForce};
 use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles};
+use judder_cycles::forced::{ResponseSettings, StepMeasure, forced_response};
+use judder_cycles::path::PathRule;
+use judder_cycles::series::Series;
 use judder_cycles::stability::{CycleStability, floquet_multipliers};
 use std::f64::consts::TAU;
 
@@ -42,4 +51,70 @@ fn the_multiplier_of_one_freedom_is_that_of_its_divergence() {
     // the normal is held: nothing is left of it
     assert!(found.values[1..].iter().all(|own| own.norm() < 1e-6), "{found:?}");
     assert_eq!(found.verdict(), CycleStability::Stable);
+}
+
+/// A mass with dry friction, shaken so hard that it turns without sticking: where it turns friction jumps, and what differs is multiplied by how much slower it goes on (P. C. Müller 1995).
+/// The product of both multipliers is exp(−c T/m) times that of the turns.
+#[test]
+fn turns_of_slip_contract_what_differs() {
+    const DAMPING: f64 = 0.1;
+    const BOUND: f64 = 0.3;
+    let contact = ContactPoint { rest_direction: Some([1.0, 0.0, 0.0]), ..point_on_plane(&[0, 1], 0.0, 0.0) };
+    let case = assembly(
+        [diagonal(&[1.0; 2]), diagonal(&[DAMPING, 1.0]), diagonal(&[1.0, 1.0])],
+        vec![0.0, -1.0],
+        vec![contact],
+        InterfaceLaw::Rigid(Friction::Constant(BOUND)),
+    );
+    let smooth = case.without_friction_at_rest().unwrap();
+    let steady = steady_sliding(&smooth, &Compliance::new(&smooth).unwrap()).unwrap();
+    for harmonics in [11, 31] {
+        let force = HarmonicForce { harmonic: 1, amplitude: vec![c64::new(1.0, 0.0), c64::ZERO] };
+        let series = Series::new(harmonics, 64 * harmonics);
+        let balance = HarmonicBalance::new(&case, &steady, 0.7, series, &[force]).unwrap();
+        let settings = ResponseSettings {
+            rule: PathRule { steps: [0.01, 0.05, 1e-7], ..PathRule::default() },
+            between: [0.7, 0.71],
+            points: 2,
+            pace: StepMeasure::Fixed(1.0),
+        };
+        let found = forced_response(&balance, &vec![0.0; balance.unknowns()], &settings, &|| true).unwrap();
+        let motion = &found.motions[0];
+        let period = TAU / motion.turning.frequency;
+        let (mean, all) = balance.coordinates(&motion.unknown, motion.turning).unwrap();
+        let row = balance.bodies().on_coordinates(&Row::of_freedom(0));
+        let mut place = vec![row.iter().zip(&mean).map(|(a, b)| a * b).sum::<f64>()];
+        for own in &all {
+            let sum: c64 = row.iter().zip(own).map(|(a, b)| b * *a).sum();
+            place.extend([sum.re, -sum.im]);
+        }
+        let at = |tau: f64, turned: bool| -> f64 {
+            let of = |(h, own): (usize, &[f64])| {
+                let (sine, cosine) = (h as f64 * tau).sin_cos();
+                if turned {
+                    h as f64 * (own[1] * cosine - own[0] * sine)
+                } else {
+                    own[0] * cosine + own[1] * sine
+                }
+            };
+            let mean = if turned { 0.0 } else { place[0] };
+            mean + place[1..].chunks_exact(2).enumerate().map(|(k, own)| of((k + 1, own))).sum::<f64>()
+        };
+        // where the velocity vanishes
+        let instants = 20_000;
+        let mut turns = 1.0;
+        for k in 0..instants {
+            let [tau, next] = [k, k + 1].map(|k| TAU * k as f64 / instants as f64);
+            if at(tau, true) * at(next, true) < 0.0 {
+                let rest = (tau.cos() - at(tau, false)).abs();
+                turns *= (rest - BOUND) / (rest + BOUND);
+            }
+        }
+        let expected = (-DAMPING * period).exp() * turns;
+        let own = floquet_multipliers(&balance, motion, &|| true).unwrap().unwrap();
+        let product = own.values[0] * own.values[1];
+        let words = format!("{harmonics}: {product} {expected}");
+        assert!((product.re / expected - 1.0).abs() < 0.03 && product.im == 0.0, "{words}");
+        assert_eq!(own.verdict(), CycleStability::Stable, "{words}");
+    }
 }

@@ -10,7 +10,9 @@ mod mode;
 use crate::CyclesError;
 use crate::balance::{CycleRate, HarmonicBalance};
 use crate::extended::{ExtendedBalance, Free};
-use crate::path::{ClosingEquation, GoOn, Newton, PathEquations, PathPoint, PathRule, ended, follow};
+use crate::path::{
+    ClosingEquation, GoOn, Newton, PathEquations, PathPoint, PathRule, between, ended, follow, sign_change,
+};
 use faer::c64;
 use judder_assembly::steady::SteadySliding;
 
@@ -88,6 +90,7 @@ pub fn backbone(
     let start = mode::smallest(balance, steady, eigenvalue)?;
     let reference = Some(start.reference.clone());
     let mut equations = ExtendedBalance::new(balance, balance, eigenvalue.im, Free::Growth, reference);
+    equations.weigh_swing(&start.direction);
     let mut newton = Newton::new(settings.rule, go_on);
     let closing = ClosingEquation::across(&start.direction, equations.weights(), &start.at);
     let first = newton.corrected(&mut equations, &start.at, &closing, &start.direction)?;
@@ -149,10 +152,28 @@ pub fn refined(
 /// A motion so much smaller than those near it is steady sliding, or on its way there.
 const SHRUNK: f64 = 0.3;
 
+/// The cycle between two motions, and whether σ falls from small to large ones; where it is not found there the path between them is followed once more in short steps.
+fn located(
+    equations: &mut ExtendedBalance<&HarmonicBalance<'_>>,
+    newton: &mut Newton<'_>,
+    [before, after]: [&PathPoint; 2],
+) -> Result<(PeriodicMotion, bool), CyclesError> {
+    match located_between(equations, newton, [before, after]) {
+        Err(CyclesError::NotConverged { .. } | CyclesError::Singular) => {
+            let growth = before.at.len() - 1;
+            let [low, high] = sign_change(equations, newton, [before, after], growth)?;
+            let found = located_between(equations, newton, [&low, &high]);
+            equations.accept(&after.at)?;
+            found
+        }
+        found => found,
+    }
+}
+
 /// The cycle between two motions, and whether σ falls from small to large ones.
 ///
 /// Steady sliding is a solution with σ = 0 too: σ is free until it is small, on planes across the path.
-fn located(
+fn located_between(
     equations: &mut ExtendedBalance<&HarmonicBalance<'_>>,
     newton: &mut Newton<'_>,
     [before, after]: [&PathPoint; 2],
@@ -170,11 +191,11 @@ fn located(
             break;
         }
         let share = (low.at[last] / (low.at[last] - high.at[last])).clamp(0.1, 0.9);
-        let guess: Vec<f64> = low.at.iter().zip(&high.at).map(|(a, b)| a + share * (b - a)).collect();
+        let guess = between([&low, &high], share, equations.weights());
         let chord: Vec<f64> = low.at.iter().zip(&high.at).map(|(a, b)| b - a).collect();
         let closing = ClosingEquation::across(&chord, equations.weights(), &guess);
-        let between = newton.corrected(equations, &guess, &closing, &before.tangent)?;
-        if between.at[last] * low.at[last] > 0.0 { low = between } else { high = between }
+        let next = newton.corrected(equations, &guess, &closing, &before.tangent)?;
+        if next.at[last] * low.at[last] > 0.0 { low = next } else { high = next }
     }
     let nearest = if low.at[last].abs() < high.at[last].abs() { low } else { high };
     let closing = ClosingEquation::fixed(last, nearest.at.len(), 0.0);

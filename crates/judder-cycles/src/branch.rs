@@ -92,6 +92,7 @@ pub fn cycle_branch<F: Fn(f64) -> Result<Assembly, CyclesError>>(
     let mut equations =
         ExtendedBalance::new(source, balance, frequency, Free::Parameter(settings.unit), reference);
     let at = equations.place(cycle, parameter);
+    equations.weigh_swing(&at);
     equations.accept(&at)?;
     let last = at.len() - 1;
     let closing = ClosingEquation::fixed(last, at.len(), at[last]);

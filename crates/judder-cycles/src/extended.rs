@@ -150,6 +150,16 @@ impl<S: BalanceSource> ExtendedBalance<S> {
         self.largest = by_the_largest.then_some(1.0);
     }
 
+    /// Lets forces count more where loads press far more than a motion swings, of which steps of the usual length would see nothing.
+    pub(crate) fn weigh_swing(&mut self, unknown: &[f64]) {
+        /// What the swing counts at least, of the force scale.
+        const LEAST: f64 = 0.01;
+        let size = self.unknowns / self.components;
+        let swings = unknown[..self.unknowns].chunks_exact(size).flat_map(|own| &own[1..]);
+        let swing = (swings.map(|own| own * own).sum::<f64>() / self.components as f64).sqrt();
+        self.weigh((LEAST / swing).max(1.0), 1.0, false);
+    }
+
     /// The unknowns of a motion, at a value of the parameter where that is free.
     pub(crate) fn place(&self, motion: &PeriodicMotion, parameter: f64) -> Vec<f64> {
         let turning = motion.turning;

@@ -232,6 +232,17 @@ pub(crate) fn distance(a: &[f64], b: &[f64], weights: &[f64]) -> f64 {
     squares.sum::<f64>().sqrt()
 }
 
+/// A guess of the solution at a share of the way between two: Hermite's cubic, with the directions in which the path leaves one and comes to the other.
+pub(crate) fn between([first, last]: [&PathPoint; 2], share: f64, weights: &[f64]) -> Vec<f64> {
+    let (way, back) = (distance(&first.at, &last.at, weights), 1.0 - share);
+    let of = |k: usize| {
+        let [from, to] = [back * back * (1.0 + 2.0 * share), share * share * (3.0 - 2.0 * share)];
+        let [leaving, coming] = [way * share * back * back, -way * share * share * back];
+        from * first.at[k] + to * last.at[k] + leaving * first.tangent[k] + coming * last.tangent[k]
+    };
+    (0..first.at.len()).map(of).collect()
+}
+
 /// Follows a path from a solution on until a judge, who sees the last solution and the next one, ends it; nothing where there are as many solutions as were asked for.
 ///
 /// # Errors
@@ -243,7 +254,6 @@ pub(crate) fn follow<E: PathEquations, End>(
     most: usize,
     mut judge: impl FnMut(&mut E, &mut Newton<'_>, [&PathPoint; 2]) -> Result<Option<End>, CyclesError>,
 ) -> Result<Option<End>, CyclesError> {
-    newton.patience = PATIENCE;
     let mut path = Path { point: first, step: newton.rule.steps[0] };
     for _ in 1..most {
         let next = path.next(newton, equations)?;
@@ -361,7 +371,10 @@ impl Path {
         let PathPoint { at, tangent, .. } = &self.point;
         let guess: Vec<f64> = at.iter().zip(tangent).map(|(own, t)| own + self.step * t).collect();
         let closing = ClosingEquation::across(tangent, equations.weights(), &guess);
-        let found = newton.corrected(equations, &guess, &closing, tangent)?;
+        newton.patience = PATIENCE;
+        let found = newton.corrected(equations, &guess, &closing, tangent);
+        newton.patience = newton.rule.iterations;
+        let found = found?;
         // a solution far off the guess is one of another path
         let off = distance(&found.at, &guess, equations.weights());
         if off > self.step || !equations.is_sought(&found.at)? {
@@ -369,4 +382,26 @@ impl Path {
         }
         Ok(found)
     }
+}
+
+/// The solutions between which an unknown changes its sign, on the path from one to another that is followed in steps of a sixteenth of the way.
+///
+/// # Errors
+/// Why no next solution was found; [`CyclesError::NotConverged`] where the unknown keeps its sign.
+pub(crate) fn sign_change<E: PathEquations>(
+    equations: &mut E,
+    newton: &mut Newton<'_>,
+    [first, last]: [&PathPoint; 2],
+    unknown: usize,
+) -> Result<[PathPoint; 2], CyclesError> {
+    const STEPS: usize = 16;
+    let step = distance(&first.at, &last.at, equations.weights()) / STEPS as f64;
+    let rule = PathRule { steps: [step, step, newton.rule.steps[2].min(1e-3 * step)], ..newton.rule };
+    let mut newton = Newton::new(rule, newton.go_on);
+    equations.accept(&first.at)?;
+    let found = follow(&mut newton, equations, first.clone(), 4 * STEPS, |_, _, [before, next]| {
+        let changes = before.at[unknown] * next.at[unknown] <= 0.0;
+        Ok(changes.then(|| [before.clone(), next.clone()]))
+    })?;
+    found.ok_or(CyclesError::NotConverged { iterations: 4 * STEPS, residual: last.at[unknown].abs() })
 }

@@ -57,7 +57,7 @@ impl Phase {
     /// Whether a motion is one of the kind of the reference: not steady sliding, which solves the same equations, nor one beyond it, half a period off.
     pub(crate) fn moves(&self, motions: &Mat<f64>) -> bool {
         /// Of the amplitude of the reference: what shrinks to steady sliding comes by larger ones.
-        const NOTHING: f64 = 1e-5;
+        const NOTHING: f64 = 0.1;
         let first = self.first(motions);
         let along = |k: usize| self.reference[k] * first[k] * self.scales[k / 2] * self.scales[k / 2];
         (0..first.len()).map(along).sum::<f64>() > NOTHING * self.amplitude

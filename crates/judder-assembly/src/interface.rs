@@ -88,6 +88,20 @@ impl InterfaceLaw {
 }
 
 impl InterfaceLaw {
+    /// The closure in m at which a cubic stiffness presses a hundredth of the linear one beside it; none of other laws.
+    #[must_use]
+    pub fn bend(&self) -> Option<f64> {
+        match self {
+            Self::Compliant(pressure, _) => pressure.bend(),
+            Self::Rigid(_) | Self::Asperity(_) => None,
+        }
+    }
+
+    /// Whether its forces follow the closure otherwise than in straight pieces.
+    pub(crate) fn is_curved(&self) -> bool {
+        matches!(self, Self::Asperity(_)) || self.bend().is_some()
+    }
+
     /// The number of the smooth piece of the law at a closure in m and a slip speed in m/s.
     pub(crate) fn piece(&self, closure: f64, speed: f64) -> usize {
         match self {

@@ -45,6 +45,11 @@ pub enum NonsmoothError {
         /// Allowed, in s.
         limit: f64,
     },
+    /// A normal law that stiffens without bound, for which no explicit step is short enough.
+    #[error(
+        "a cubic stiffness of a contact grows without bound, so that no step of an explicit scheme is known to be short enough; take the method `moreau`"
+    )]
+    UnboundedStiffness,
     /// A freedom without mass, which an explicit step cannot move.
     #[error(
         "the mass matrix is not positive definite: an explicit step needs mass at every freedom; take the method `moreau`"

@@ -139,7 +139,8 @@ impl ImplicitStep {
         let stays_closed = contact.points[point].stays_closed;
         let closure = if stays_closed { at } else { at.max(0.0) };
         let forces = contact.forces(point, closure, speed).normal;
-        let slope = if closure > 0.0 { forces.by_closure } else { contact.first_stiffness(point) };
+        let presses = closure > 0.0 || stays_closed;
+        let slope = if presses { forces.by_closure } else { contact.first_stiffness(point) };
         if slope <= 0.0 || slope.is_nan() {
             return NormalCondition::Given { impulse: step * forces.value };
         }

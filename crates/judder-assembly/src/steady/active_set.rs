@@ -98,7 +98,7 @@ impl Solver<'_> {
         let (mut residual, mut changing) = (f64::INFINITY, 0);
         let mut last = 0;
         let (mut was_brought_together, mut has_settled) = (false, false);
-        let is_curved = self.points.iter().any(|point| matches!(point.law, InterfaceLaw::Asperity(_)));
+        let is_curved = self.points.iter().any(|point| point.law.is_curved());
         for iteration in 1..=limit {
             let mut affine: Vec<AffinePoint> =
                 (0..self.points.len()).map(|k| self.affine(k, &guess)).collect();

@@ -75,7 +75,10 @@ impl Complementarity {
                     (friction, 1.0 / stiffness)
                 }
                 // what stays closed pulls by a law of its own
-                InterfaceLaw::Compliant(Pressure::Table(_), friction) if !point.stays_closed => {
+                InterfaceLaw::Compliant(
+                    Pressure::Table(_) | Pressure::Cubic(_) | Pressure::PointCubic(_),
+                    friction,
+                ) if !point.stays_closed => {
                     is_curved = true;
                     (friction, 0.0)
                 }

@@ -96,7 +96,7 @@ fn null_vector(
     Ok((0..size).map(|k| vector[(k, 0)]).collect())
 }
 
-/// How often the mode may be added before a point that is closed opens or sticks, or one that is open closes.
+/// How often the mode may be added before a point that is closed opens or sticks, one that is open closes, or a cubic stiffness counts.
 fn first_change(
     balance: &HarmonicBalance<'_>,
     steady: &SteadySliding,
@@ -113,7 +113,11 @@ fn first_change(
     for (point, state) in steady.points.iter().enumerate() {
         let first = point * dimension;
         match state.is_closed {
-            true if balance.contact().is_compliant(point) => limit(state.gap, motions[first]),
+            true if balance.contact().is_compliant(point) => {
+                let own = &balance.contact().points[point];
+                let opens = (!own.stays_closed).then_some(state.gap);
+                opens.into_iter().chain(own.law.bend()).for_each(|room| limit(room, motions[first]));
+            }
             true => limit(state.normal_force, forces[first]),
             false => limit(state.gap, motions[first]),
         }

@@ -4,5 +4,6 @@ mod belt;
 mod block;
 mod branch;
 mod forced;
+mod lumped_brake;
 mod shooting;
 mod stability;

@@ -10,6 +10,9 @@ impl NonsmoothMarch<'_> {
         if self.settings.scheme.implicitness() > 0.0 {
             return Ok(());
         }
+        if (0..self.contact.points.len()).any(|point| self.contact.largest_stiffness(point).is_infinite()) {
+            return Err(NonsmoothError::UnboundedStiffness);
+        }
         let step = self.settings.step;
         let [omega, damping] = self.fastest;
         // springs at the points stiffen the bodies by no more than the largest row sum of √k W √k

@@ -1,11 +1,15 @@
 //! A mass on a belt with friction that falls: its stick-slip cycle, against the motion itself.
 
+use super::own_engine::{known, order, settled, told, worst};
 use crate::common::{assembly, diagonal, point_on_plane};
 use crate::growing;
 use judder_assembly::assembly::Assembly;
 use judder_assembly::friction::{FallingFriction, Friction};
 use judder_assembly::interface::InterfaceLaw;
 use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles};
+use judder_cycles::shooting::{ShootingSettings, shoot};
+use judder_oscillator::motion::{BeltOscillator, ContactState};
+use std::f64::consts::TAU;
 
 const FALLING: FallingFriction = FallingFriction { at_rest: 0.4, at_speed: 0.2, decay_speed: 0.5 };
 const SPEED: f64 = 0.3;
@@ -49,6 +53,54 @@ fn by_the_motion_itself() -> [f64; 3] {
     let stuck = (leaves - at[0]) / SPEED;
     let period = time + stuck;
     [std::f64::consts::TAU / period, stuck / period, ((squared + SPEED * SPEED * stuck) / period).sqrt()]
+}
+
+/// The mass of the literature, μ = 0.5 + 0.5 e^{−v/0.5}, ξ = 0.05, N = 1, at v = 1, against the engine of the oscillator.
+///
+/// As the mass is caught its velocity has a kink, of which H harmonics leave H^{−3/2} out in the mean square; period and root mean square follow that, whatever the number of instants. What a
+/// march that comes back is off by is of first order in its steps, so that two of them tell what is left without steps.
+#[test]
+fn a_mass_sticks_and_slips_as_in_the_engine_of_the_oscillator() {
+    const FALLING: FallingFriction = FallingFriction { at_rest: 1.0, at_speed: 0.5, decay_speed: 0.5 };
+    let belt = BeltOscillator::new(0.05, 1.0, 1.0, FALLING).unwrap();
+    let own = settled(&belt, [1.0, 1.0]);
+    assert_eq!(own.around.pattern, [ContactState::SlipBehind, ContactState::Stick]);
+    let expected = known(&belt, &own);
+    let case = assembly(
+        [diagonal(&[1.0; 2]), diagonal(&[0.1, 0.0]), diagonal(&[1.0, 0.0])],
+        vec![0.0, -1.0],
+        vec![point_on_plane(&[0, 1], 1.0, 0.0)],
+        InterfaceLaw::Rigid(Friction::Falling(FALLING)),
+    );
+    let (steady, values) = growing(&case, [0.5, 2.0]);
+    let with = |[harmonics, samples]: [usize; 2]| {
+        let settings =
+            CycleSettings { harmonics: HarmonicCount::Fixed(harmonics), samples, ..CycleSettings::default() };
+        let found = limit_cycles(&case, &steady, values[0], &settings, &|| true).unwrap();
+        found.cycles.into_iter().next().unwrap()
+    };
+    let errors = [[40, 16], [80, 16], [160, 16], [80, 64]].map(|counts| {
+        let errors = expected.errors(&with(counts));
+        println!("{counts:?}: {}", told(&errors));
+        errors
+    });
+    for k in [0, 1] {
+        let [first, middle, last, finer] = [0, 1, 2, 3].map(|which: usize| errors[which][k].abs());
+        let found = order([(40, first), (160, last)]);
+        assert!((1.3..1.7).contains(&found), "{found}");
+        assert!((finer / middle - 1.0).abs() < 0.01, "{finer} {middle}");
+    }
+    let near = with([40, 16]);
+    let [few, many] = [2048, 4096].map(|steps| {
+        let settings = ShootingSettings { steps, ..ShootingSettings::default() };
+        let shot = shoot(&case, &near.balance, &near.motion, &settings, &|| true).unwrap();
+        let velocity = shot.statistics.of(0).unwrap().tangential_velocity_rms;
+        [TAU / shot.frequency / expected.period - 1.0, velocity / expected.rms[1] - 1.0]
+    });
+    let left = [0, 1].map(|k| 2.0 * many[k] - few[k]);
+    println!("march: {}", told(&[few, many, left].concat()));
+    assert!([0, 1].iter().all(|k| (few[*k] / many[*k] - 2.0).abs() < 0.01), "{few:?} {many:?}");
+    assert!(worst(&left) < 1e-6, "{left:?}");
 }
 
 /// Friction jumps where the mass is caught, so that the error falls slowly with the number of harmonics.

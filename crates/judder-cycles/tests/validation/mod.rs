@@ -5,5 +5,7 @@ mod block;
 mod branch;
 mod forced;
 mod lumped_brake;
+mod own_engine;
 mod shooting;
+mod sphere;
 mod stability;

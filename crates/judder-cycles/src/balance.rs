@@ -192,15 +192,24 @@ impl<'a> HarmonicBalance<'a> {
         let forces = Mat::from_fn(wide.samples(), self.components(), |instant, component| {
             projected.at(instant, component / dimension).force[component % dimension]
         });
-        let mut forces = wide.of_values(forces.as_ref());
+        let moved = |point: usize| signals.motions[(0, point * dimension)] - self.contact.first_gap(point);
+        let unknown = self.unknown_of(wide.of_values(forces.as_ref()), moved);
+        Ok((self.with_series(wide), unknown))
+    }
+
+    /// The unknowns of forces in N, as coefficients, and of how far each point lies on average beyond its first gap.
+    fn unknown_of(&self, mut forces: Mat<f64>, moved: impl Fn(usize) -> f64) -> Vec<f64> {
         for (point, scales) in self.scales.iter().enumerate() {
-            let normal = point * dimension;
-            let moved = signals.motions[(0, normal)] - self.contact.first_gap(point);
-            forces[(0, normal)] += scales.stiffness * moved;
+            forces[(0, point * self.contact.dimension)] += scales.stiffness * moved(point);
         }
         let of = |component: usize| forces.col_as_slice(component).iter().map(|own| own / self.force);
-        let unknown = (0..self.components()).flat_map(of).collect();
-        Ok((self.with_series(wide), unknown))
+        (0..self.components()).flat_map(of).collect()
+    }
+
+    /// The unknowns that forces at even instants of a period are, a row an instant, in N, with the mean gaps of the points in m.
+    pub(crate) fn unknown_over_period(&self, forces: &Mat<f64>, gaps: &[f64]) -> Vec<f64> {
+        let moved = |point: usize| gaps[point] - self.contact.first_gap(point);
+        self.unknown_of(self.series.of_period(forces.as_ref()), moved)
     }
 
     /// The harmonics.

@@ -50,8 +50,8 @@ pub struct AssemblyCycle<'a> {
     pub balance: HarmonicBalance<'a>,
     /// Its unknowns.
     pub motion: PeriodicMotion,
-    /// Whether σ falls with the amplitude: motions of this shape nearby are drawn to it.
-    pub attracts: bool,
+    /// Whether σ falls with the amplitude: motions of this shape nearby are drawn to it; unknown of a cycle that was not found along the motions of a mode.
+    pub attracts: Option<bool>,
     /// What its points do.
     pub points: Vec<PointCycle>,
     /// How well it is known.
@@ -83,28 +83,57 @@ pub fn limit_cycles<'a>(
     settings: &CycleSettings,
     go_on: &GoOn<'_>,
 ) -> Result<CycleSearch<'a>, CyclesError> {
-    let (asked, limit) = match settings.harmonics {
-        HarmonicCount::Fixed(count) => (count, 0.0),
-        HarmonicCount::Adaptive { left_out, most } => (most, left_out),
-    };
-    let series = |harmonics: usize| Series::new(harmonics, settings.samples * harmonics);
-    let balance = HarmonicBalance::new(assembly, steady, eigenvalue.im, series(FEW.min(asked)), &[])?;
+    let asked = settings.most();
+    let balance =
+        HarmonicBalance::new(assembly, steady, eigenvalue.im, settings.series(FEW.min(asked)), &[])?;
     let backbone = backbone(&balance, steady, eigenvalue, &settings.backbone, go_on)?;
     let mut cycles = Vec::new();
     for (motion, attracts) in &backbone.cycles {
-        let (points, quality) = points(&balance, motion)?;
-        let (balance, motion) = (balance.clone(), motion.clone());
-        let mut cycle =
-            AssemblyCycle { balance, motion, attracts: *attracts, points, quality, held_back: None };
+        let cycle = AssemblyCycle::of(balance.clone(), motion.clone(), Some(*attracts))?;
+        cycles.push(cycle.with_enough(settings, go_on)?);
+    }
+    Ok(CycleSearch { backbone, cycles })
+}
+
+impl CycleSettings {
+    /// The most harmonics.
+    pub(crate) fn most(&self) -> usize {
+        match self.harmonics {
+            HarmonicCount::Fixed(count) => count,
+            HarmonicCount::Adaptive { most, .. } => most,
+        }
+    }
+
+    pub(crate) fn series(&self, harmonics: usize) -> Series {
+        Series::new(harmonics, self.samples * harmonics)
+    }
+}
+
+impl<'a> AssemblyCycle<'a> {
+    pub(crate) fn of(
+        balance: HarmonicBalance<'a>,
+        motion: PeriodicMotion,
+        attracts: Option<bool>,
+    ) -> Result<Self, CyclesError> {
+        let (points, quality) = points(&balance, &motion)?;
+        Ok(Self { balance, motion, attracts, points, quality, held_back: None })
+    }
+
+    /// The same with as many harmonics as it should have, or as are found.
+    pub(crate) fn with_enough(self, settings: &CycleSettings, go_on: &GoOn<'_>) -> Result<Self, CyclesError> {
+        let asked = settings.most();
+        let limit = match settings.harmonics {
+            HarmonicCount::Fixed(_) => 0.0,
+            HarmonicCount::Adaptive { left_out, .. } => left_out,
+        };
+        let mut cycle = self;
         while cycle.balance.series().harmonics() < asked && cycle.quality.left_out > limit {
             let now = cycle.balance.series().harmonics();
-            let balance = cycle.balance.with_series(series((now + now.div_ceil(2)).min(asked)));
+            let balance = cycle.balance.with_series(settings.series((now + now.div_ceil(2)).min(asked)));
             let next = refined(&balance, &cycle.motion, &settings.backbone.rule, go_on)
-                .and_then(|motion| self::points(&balance, &motion).map(|told| (motion, told)));
+                .and_then(|motion| Self::of(balance, motion, cycle.attracts));
             match next {
-                Ok((motion, (points, quality))) => {
-                    cycle = AssemblyCycle { balance, motion, points, quality, ..cycle };
-                }
+                Ok(next) => cycle = next,
                 Err(CyclesError::Stopped) => return Err(CyclesError::Stopped),
                 Err(error) => {
                     cycle.held_back = Some(error);
@@ -112,9 +141,8 @@ pub fn limit_cycles<'a>(
                 }
             }
         }
-        cycles.push(cycle);
+        Ok(cycle)
     }
-    Ok(CycleSearch { backbone, cycles })
 }
 
 impl AssemblyCycle<'_> {

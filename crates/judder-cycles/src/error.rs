@@ -25,6 +25,35 @@ pub enum CyclesError {
         /// What the period misses, of the swing of the state.
         missed: f64,
     },
+    /// A march comes to rest beside steady sliding.
+    #[error("the march settles to steady sliding")]
+    Settles,
+    /// A march grows or decays still.
+    #[error(
+        "at the end of the march the kinetic energy still changes, by {change:.1e} of itself within an eighth of it: give it a longer `duration`"
+    )]
+    StillChanges {
+        /// By how much, of the energy before.
+        change: f64,
+    },
+    /// A march does not come back to where it was.
+    #[error(
+        "the motion that the march comes to is not periodic: within an eighth of its duration it comes no closer to where it was than {missed:.1e} of its swing"
+    )]
+    NotPeriodic {
+        /// How close it comes, of its swing.
+        missed: f64,
+    },
+    /// A cycle is another than that near which it was sought.
+    #[error(
+        "the balance of harmonics closes at another motion: it turns with {found:.4e} rad/s, that near which it was sought with {sought:.4e} rad/s"
+    )]
+    OtherMotion {
+        /// ω in rad/s.
+        found: f64,
+        /// Of what it was sought near.
+        sought: f64,
+    },
     /// It was stopped from outside.
     #[error("it was stopped")]
     Stopped,
@@ -76,4 +105,22 @@ pub enum CyclesError {
     /// What is wrong with an assembly.
     #[error(transparent)]
     Assembly(#[from] AssemblyError),
+}
+
+impl CyclesError {
+    /// Whether it says that a motion is another than is sought or was not found, so that others may be.
+    #[must_use]
+    pub fn is_of_the_motion(&self) -> bool {
+        matches!(
+            self,
+            Self::NotConverged { .. }
+                | Self::NotReturned { .. }
+                | Self::Settles
+                | Self::StillChanges { .. }
+                | Self::NotPeriodic { .. }
+                | Self::OtherMotion { .. }
+                | Self::Shrunk
+                | Self::Singular
+        )
+    }
 }

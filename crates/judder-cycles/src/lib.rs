@@ -17,6 +17,7 @@
 //! - [`stability`]: Floquet multipliers by steps of small motions about a periodic one.
 //! - [`shooting`]: cycles by a march that comes back.
 //! - [`cycle`]: what is told of a limit cycle.
+//! - [`near`]: cycles near a periodic motion that is known from elsewhere. [`marched`]: the motion that a march comes to.
 //! - [`power`]: where the energy of a periodic motion comes from and goes to.
 
 pub mod backbone;
@@ -26,6 +27,8 @@ pub mod cycle;
 mod error;
 mod extended;
 pub mod forced;
+pub mod marched;
+pub mod near;
 pub mod path;
 mod phase;
 pub mod point_law;

@@ -99,6 +99,24 @@ impl Series {
         product(self.back.subrows(0, self.coefficients()), values)
     }
 
+    /// The coefficients of signals that are known at any number of even instants of a period: 2 H + 1 × signals; harmonics that those do not tell are zero.
+    pub(crate) fn of_period(&self, values: MatRef<'_, f64>) -> Mat<f64> {
+        let told = values.nrows().saturating_sub(1) / 2;
+        let weight = |row: usize| if row == 0 { 1.0 } else { 2.0 } / values.nrows() as f64;
+        let factor = |row: usize, instant: usize| {
+            let angle = TAU * ((row.div_ceil(2) * instant) % values.nrows()) as f64 / values.nrows() as f64;
+            if row % 2 == 1 || row == 0 { angle.cos() } else { angle.sin() }
+        };
+        Mat::from_fn(self.coefficients(), values.ncols(), |row, signal| {
+            if row > 2 * told {
+                return 0.0;
+            }
+            let column = values.col(signal);
+            weight(row)
+                * (0..values.nrows()).map(|instant| factor(row, instant) * column[instant]).sum::<f64>()
+        })
+    }
+
     /// The same into a matrix that there is, which takes their size.
     pub(crate) fn of_values_into(&self, values: MatRef<'_, f64>, coefficients: &mut Mat<f64>) {
         sized(coefficients, self.coefficients(), values.ncols());

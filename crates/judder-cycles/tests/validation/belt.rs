@@ -17,7 +17,7 @@ const DAMPING: f64 = 0.02;
 const STIFFNESS: f64 = 100.0;
 
 /// 1 kg on 100 N/m, pressed with 1 N on a belt at 0.3 m/s.
-fn mass_on_belt() -> Assembly {
+pub(super) fn mass_on_belt() -> Assembly {
     assembly(
         [diagonal(&[1.0; 2]), diagonal(&[DAMPING, 0.0]), diagonal(&[STIFFNESS, 0.0])],
         vec![0.0, -1.0],
@@ -28,7 +28,7 @@ fn mass_on_belt() -> Assembly {
 
 /// ω in rad/s, the share of stick, the root mean square of the velocity: the mass leaves the belt where the spring overcomes μ(0), slides until it is as fast
 /// as the belt again (Runge–Kutta of the fourth order), and is carried back to where it left.
-fn by_the_motion_itself() -> [f64; 3] {
+pub(super) fn by_the_motion_itself() -> [f64; 3] {
     const STEP: f64 = 1e-5;
     let rate = |[x, v]: [f64; 2]| [v, FALLING.at((v - SPEED).abs()).0 - DAMPING * v - STIFFNESS * x];
     let leaves = (FALLING.at_rest - DAMPING * SPEED) / STIFFNESS;
@@ -114,7 +114,7 @@ fn a_mass_sticks_and_slips_as_the_motion_itself_does() {
             CycleSettings { harmonics: HarmonicCount::Fixed(harmonics), ..CycleSettings::default() };
         let found = limit_cycles(&case, &steady, values[0], &settings, &|| true).unwrap();
         let cycle = &found.cycles[0];
-        assert!(cycle.attracts && cycle.held_back.is_none());
+        assert!(cycle.attracts == Some(true) && cycle.held_back.is_none());
         assert_eq!(cycle.balance.series().harmonics(), harmonics);
         let [stick, slip, open] = cycle.points[0].shares;
         assert!(stick > 0.0 && (stick + slip - 1.0).abs() < 1e-12 && open == 0.0);

@@ -47,7 +47,7 @@ fn the_cycle_of_a_mode_is_what_the_march_settles_to() {
     let found = limit_cycles(&case, &steady, values[0], &CycleSettings::default(), &|| true).unwrap();
     let cycle = &found.cycles[0];
     assert!(
-        cycle.attracts && cycle.held_back.is_none() && cycle.quality.left_out < 0.01,
+        cycle.attracts == Some(true) && cycle.held_back.is_none() && cycle.quality.left_out < 0.01,
         "{:?}",
         cycle.quality
     );
@@ -85,7 +85,7 @@ fn a_cycle_that_the_march_does_not_come_to_is_unstable() {
     let settings = CycleSettings { harmonics: HarmonicCount::Fixed(80), ..CycleSettings::default() };
     let found = limit_cycles(&case, &steady, values[0], &settings, &|| true).unwrap();
     let cycle = &found.cycles[0];
-    assert!(cycle.attracts && cycle.held_back.is_none());
+    assert!(cycle.attracts == Some(true) && cycle.held_back.is_none());
     let multipliers = floquet_multipliers(&cycle.balance, &cycle.motion, &|| true).unwrap().unwrap();
     assert_eq!(multipliers.verdict(), CycleStability::Unstable, "{multipliers:?}");
     assert!(multipliers.values[0].im != 0.0);

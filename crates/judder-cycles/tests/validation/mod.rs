@@ -5,6 +5,7 @@ mod block;
 mod branch;
 mod forced;
 mod lumped_brake;
+mod near;
 mod own_engine;
 mod shooting;
 mod sphere;

@@ -135,7 +135,13 @@ impl<'a> SweptAssembly<'a> {
         self.whole.as_deref().unwrap_or(self.of.built)
     }
 
-    fn built(&self, values: &[f64]) -> Result<BuiltAssembly, ModelError> {
+    /// The case with other bodies.
+    pub(super) fn subject<'b>(&'b self, built: &'b BuiltAssembly) -> AssemblySubject<'b> {
+        AssemblySubject { built, ..*self.of }
+    }
+
+    /// The bodies at values of the keys.
+    pub(super) fn built(&self, values: &[f64]) -> Result<BuiltAssembly, ModelError> {
         let refused = |problem: KeySweepProblem| ModelError::Unsupported(problem.to_string());
         let (factors, swept): (Vec<_>, Vec<_>) =
             self.keys.iter().copied().zip(values.iter().copied()).partition(|(key, _)| is_factor(key));

@@ -251,3 +251,46 @@ fn a_key_along_which_nothing_grows_says_so() {
         report.messages
     );
 }
+
+const BELT: &str = "assembly/mass-on-falling-belt.toml";
+
+/// The belt with an analysis in place of its own, at a speed of the belt.
+fn on_belt(speed: &str, analysis: &str) -> RunReport {
+    let text = std::fs::read_to_string(format!("{}/../../cases/{BELT}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let bodies = text.split("[[analysis]]").next().unwrap().replace("1.2 m/s", speed);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("belt.toml");
+    std::fs::write(&path, format!("{bodies}[[analysis]]\nname = \"own\"\n{analysis}")).unwrap();
+    alone(&judder_models::read(path.to_str().unwrap(), &[]).unwrap(), "own")
+}
+
+const FROM_MARCH: &str = "start = { march = { step = \"10 ms\", duration = \"1000 s\", start = { mode = 1, amplitude = \"1 m\" } } }";
+
+/// Above 1.0397 m/s the mass slides steadily, and yet a march that begins far enough comes to a cycle; below it the mode leads to none.
+#[test]
+fn a_march_leads_to_cycles_that_no_mode_leads_to() {
+    for (speed, grows) in [("1.2 m/s", false), ("0.9 m/s", true)] {
+        let report = on_belt(speed, &format!("kind = \"limit-cycle\"\nharmonics = 25\n{FROM_MARCH}"));
+        let told = &report.summary.results["own"];
+        assert!(told["converged"] == true && told["stable"] == true, "{:?}", report.messages);
+        assert_eq!(number(&told["mode_growth_rate"]) > 0.0, grows);
+        assert!(told["attracts"].is_null() && told["amplitude"].is_null());
+    }
+    let report = on_belt("1.7 m/s", &format!("kind = \"limit-cycle\"\n{FROM_MARCH}"));
+    assert!(!report.complete);
+    assert_eq!(report.summary.results["own"]["reason"], "the march settles to steady sliding");
+}
+
+/// From the march the branch goes through its fold and shrinks to its Hopf point, c = N Δμ/v₀ exp(−v/v₀).
+#[test]
+fn a_branch_that_begins_at_a_march_goes_through_its_fold_to_its_hopf_point() {
+    let sweep = "sweep = { key = \"contact.belt.sliding.velocity\", from = \"0.7 m/s\", to = \"1.6 m/s\", points = 19 }";
+    let report = on_belt(
+        "1.2 m/s",
+        &format!("kind = \"bifurcation\"\n{sweep}\nharmonics = 25\nstability = false\n{FROM_MARCH}"),
+    );
+    let told = &report.summary.results["own"];
+    // as it is known from a Runge–Kutta method
+    assert!((number(&told["folds"][0]) - 1.5562).abs() < 2e-3, "{told:?}");
+    assert!((number(&told["hopf_points"][0]) - 0.5 * 8.0_f64.ln()).abs() < 2e-4, "{told:?}");
+}

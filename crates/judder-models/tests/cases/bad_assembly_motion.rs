@@ -122,6 +122,14 @@ fn cycles_that_cannot_be() {
         "leave `left_out` out",
     );
     refused(
+        &cycle(
+            "modes = 3\nstart = { march = { step = \"1 us\", duration = \"1 ms\", start = { velocity = [1, 0] } } }",
+        ),
+        "`modes` has no meaning with `start`",
+        "3",
+        "leave `modes` out",
+    );
+    refused(
         &cycle("frequency = \"20 kHz\"\nmodes = 3"),
         "`modes` has no meaning with `frequency`",
         "3",

@@ -8,7 +8,8 @@ mod run;
 mod told;
 
 use super::AssemblySubject;
-use super::limit_cycle::settings::{LOWEST, MODES, admits_cycles};
+use super::limit_cycle::settings::{LOWEST, MODES, admits_cycles, no_mode_is_meant};
+use super::limit_cycle::start::CycleStart;
 use super::swept::SWEPT;
 use crate::assembly::case::AssemblyCase;
 use crate::error::ModelError;
@@ -16,6 +17,8 @@ use crate::key_sweep::KeySweep;
 use judder_keys::Settings;
 use judder_keys::declared::{Number, Settings, Whole};
 use judder_keys::dimension::Dimension;
+use judder_keys::error::Fault;
+use judder_keys::section::Section;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
@@ -26,6 +29,7 @@ use told::ToldCycleBranch;
 
 /// Limit cycles along a key.
 #[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = CycleDiagram::check)]
 pub struct CycleDiagram {
     /// Any number of `structure`, `contact`, `spring`, `load` or `parameters` over a range; the more values it has, the shorter the steps along the branch, which are even in the key's logarithm where its `scale` is `log`.
     #[key(rule = SWEPT, example = "…, `{ key, from, to, points, scale }`, or `{ key, values }`")]
@@ -36,6 +40,9 @@ pub struct CycleDiagram {
     /// Where no frequency is given: how many of the lowest modes there are to choose from.
     #[key(rule = MODES, usual = LOWEST, omitted)]
     pub modes: Option<usize>,
+    /// Where the first cycle is sought in place of along the motions of a mode: on a branch that no mode leads to as well.
+    #[key(omitted)]
+    pub start: Option<CycleStart>,
     /// How many harmonics the cycles have.
     #[key(rule = HARMONICS, symbol = "H", default = 9)]
     pub harmonics: usize,
@@ -53,6 +60,12 @@ pub struct CycleDiagram {
 const HARMONICS: Whole = Whole { from: 1, to: 500 };
 const SAMPLES: Whole = Whole { from: 4, to: 1024 };
 const CYCLES: Whole = Whole { from: 2, to: 10_000 };
+
+impl CycleDiagram {
+    fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        no_mode_is_meant(section, self.start.as_ref())
+    }
+}
 
 /// The kind.
 pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>>> = Kind {

@@ -6,6 +6,7 @@ use crate::assembly::AssemblySubject;
 use crate::assembly::limit_cycle::search::left_out;
 use crate::assembly::limit_cycle::settings::LOWEST;
 use crate::assembly::limit_cycle::stability::KnownStability;
+use crate::assembly::limit_cycle::start::CycleStart;
 use crate::assembly::meant_mode::{fastest, near_frequency};
 use crate::assembly::swept::{SlidingState, SweptAssembly};
 use crate::error::ModelError;
@@ -15,7 +16,7 @@ use judder_cycles::CyclesError;
 use judder_cycles::backbone::{BackboneSettings, PeriodicMotion};
 use judder_cycles::balance::HarmonicBalance;
 use judder_cycles::branch::{AssemblyCycleBranch, BranchSettings, CycleAtKey, CycleBranchEnd, cycle_branch};
-use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles, points};
+use judder_cycles::cycle::{AssemblyCycle, CycleSettings, HarmonicCount, limit_cycles, points};
 use judder_cycles::path::PathRule;
 use judder_cycles::series::Series;
 use judder_study::Progress;
@@ -76,7 +77,8 @@ struct FirstCycle {
     assembly: Assembly,
     motion: PeriodicMotion,
     steady: SteadySliding,
-    eigenvalue: Complex64,
+    /// In rad/s, by which its equations are scaled.
+    frequency: f64,
 }
 
 fn mode_of(
@@ -92,7 +94,7 @@ fn mode_of(
     Ok(mode.eigenvalue.value)
 }
 
-/// The cycle of the mode at a value; in words why there is none.
+/// The cycle at a value; in words why there is none.
 fn first(
     asked: &CycleDiagram,
     family: &SweptAssembly<'_>,
@@ -100,6 +102,46 @@ fn first(
     value: f64,
     progress: &dyn Progress,
 ) -> Result<Result<FirstCycle, String>, ModelError> {
+    let harmonics = HarmonicCount::Fixed(asked.harmonics);
+    let settings = CycleSettings { harmonics, samples: asked.samples, backbone: BackboneSettings::default() };
+    let found = match &asked.start {
+        Some(start) => started(start, family, state, value, &settings, progress)?,
+        None => of_mode(asked, family, state, value, &settings, progress)?,
+    };
+    let steady = state.steady.clone();
+    Ok(found.map(|(assembly, motion, frequency)| FirstCycle { value, assembly, motion, steady, frequency }))
+}
+
+/// An assembly, its cycle, and the frequency in rad/s by which the equations of that are scaled.
+type CycleOfAssembly = (Assembly, PeriodicMotion, f64);
+
+/// The cycle where it is to be sought in place of along a mode.
+fn started(
+    start: &CycleStart,
+    family: &SweptAssembly<'_>,
+    state: &SlidingState,
+    value: f64,
+    settings: &CycleSettings,
+    progress: &dyn Progress,
+) -> Result<Result<CycleOfAssembly, String>, ModelError> {
+    let built = family.built(&[value])?;
+    let found = start.cycle(&family.subject(&built), &state.steady, settings, progress)?;
+    let motion = found.map_err(|error| error.to_string()).and_then(whole);
+    Ok(motion.map(|motion| {
+        let frequency = motion.turning.frequency;
+        (built.assembly, motion, frequency)
+    }))
+}
+
+/// The cycle of the mode.
+fn of_mode(
+    asked: &CycleDiagram,
+    family: &SweptAssembly<'_>,
+    state: &SlidingState,
+    value: f64,
+    settings: &CycleSettings,
+    progress: &dyn Progress,
+) -> Result<Result<CycleOfAssembly, String>, ModelError> {
     let eigenvalue = match mode_of(asked, family, state) {
         Ok(eigenvalue) => eigenvalue,
         Err(ModelError::Unsupported(reason)) => return Ok(Err(reason)),
@@ -109,26 +151,22 @@ fn first(
         return Ok(Err("the mode does not grow".to_owned()));
     }
     let assembly = family.assembly(&[value])?;
-    let harmonics = HarmonicCount::Fixed(asked.harmonics);
-    let settings = CycleSettings { harmonics, samples: asked.samples, backbone: BackboneSettings::default() };
     let search =
-        match limit_cycles(&assembly, &state.steady, eigenvalue, &settings, &|| !progress.interrupted()) {
-            Ok(search) => search,
-            Err(error @ (CyclesError::NotConverged { .. } | CyclesError::Shrunk | CyclesError::Singular)) => {
-                return Ok(Err(error.to_string()));
-            }
-            Err(error) => return Err(error.into()),
+        match limit_cycles(&assembly, &state.steady, eigenvalue, settings, &|| !progress.interrupted()) {
+            Err(error) if error.is_of_the_motion() => return Ok(Err(error.to_string())),
+            search => search?,
         };
-    let motion = match search.cycles.first() {
-        None => return Ok(Err("the mode grows, but no cycle of it was found".to_owned())),
-        Some(cycle) => match &cycle.held_back {
-            Some(error) => return Ok(Err(format!("its cycle was not found with all harmonics: {error}"))),
-            None => cycle.motion.clone(),
-        },
-    };
-    drop(search);
-    let steady = state.steady.clone();
-    Ok(Ok(FirstCycle { value, assembly, motion, steady, eigenvalue }))
+    let none = || "the mode grows, but no cycle of it was found".to_owned();
+    let motion = search.cycles.into_iter().next().ok_or_else(none).and_then(whole);
+    Ok(motion.map(|motion| (assembly, motion, eigenvalue.im)))
+}
+
+/// A cycle with all harmonics.
+fn whole(cycle: AssemblyCycle<'_>) -> Result<PeriodicMotion, String> {
+    match cycle.held_back {
+        Some(error) => Err(format!("its cycle was not found with all harmonics: {error}")),
+        None => Ok(cycle.motion),
+    }
 }
 
 /// The branch both ways, in the order along it.
@@ -139,7 +177,7 @@ fn branches(
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
     let series = Series::new(asked.harmonics, asked.samples * asked.harmonics);
-    let balance = HarmonicBalance::new(&found.assembly, &found.steady, found.eigenvalue.im, series, &[])?;
+    let balance = HarmonicBalance::new(&found.assembly, &found.steady, found.frequency, series, &[])?;
     let at = |value: f64| {
         let built = family.assembly(&[value]);
         built.map_err(|error| CyclesError::NoAssembly { value, reason: error.to_string() })

@@ -20,7 +20,10 @@ pub(super) fn dataset(
     sought: &CycleOfMode<'_>,
     multipliers: Option<Vec<Complex64>>,
 ) -> Result<Dataset, ModelError> {
-    let mut dataset = motions(Dataset::new(), sought)?;
+    let mut dataset = Dataset::new();
+    if sought.follows_a_mode() {
+        dataset = motions(dataset, sought)?;
+    }
     if let Some(all) = multipliers {
         let variable = Variable::new("floquet_multipliers", &["multiplier"], &[all.len()], all);
         let words = "Floquet multipliers, that of the phase among them, the largest first";

@@ -9,8 +9,8 @@ use serde_json::Value;
 
 /// Growth rate and frequency over the amplitude, forces and states of each contact over a period, the portrait of a point, the observed points, the Floquet multipliers.
 pub(super) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
-    let mut panels = vec![over_amplitude(dataset)?];
-    let Some(phase) = dataset.variable("phase") else { return Some(panels) };
+    let mut panels: Vec<Panel> = over_amplitude(dataset).into_iter().collect();
+    let Some(phase) = dataset.variable("phase") else { return Some(panels).filter(|own| !own.is_empty()) };
     let across = axis(phase).over(0.0, 1.0);
     let names = words(dataset, "contact").unwrap_or_default();
     let mut contacts: Vec<&String> = names.iter().collect();

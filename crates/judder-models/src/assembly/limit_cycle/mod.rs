@@ -1,6 +1,6 @@
 //! `limit-cycle`: the periodic motion that an unstable mode grows to.
 //!
-//! - [`settings`]: the keys. `search`: the cycles of a mode, and in words why there is none. `stability`: whether motions nearby are drawn to one.
+//! - [`settings`]: the keys. `start`: where no mode leads. `search`: the cycles of a mode, and in words why there is none. `stability`: whether motions nearby are drawn to one.
 //! - `run`, `told`, `arrays`: what is computed, told and stored. `checks`: what is checked. `figure`, `tables`: how it is shown.
 
 mod arrays;
@@ -10,6 +10,7 @@ mod run;
 pub(super) mod search;
 pub mod settings;
 pub(super) mod stability;
+pub mod start;
 pub(super) mod tables;
 pub(super) mod told;
 
@@ -55,6 +56,9 @@ impl Analysis<AssemblyCase> for ModeCycle {
 
     fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {
         let points: usize = of.built.nodes.iter().map(Vec::len).sum();
+        if self.start.is_some() {
+            return Ok(format!("the limit cycle near the motion of a march with {points} contact points"));
+        }
         let mode = match self.frequency {
             Some(frequency) => format!("the mode near {} Hz", short(frequency / TAU)),
             None => format!("the fastest growing of the lowest {} modes", self.modes.unwrap_or(LOWEST)),

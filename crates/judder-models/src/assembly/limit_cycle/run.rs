@@ -31,21 +31,7 @@ pub(super) fn run(
 ) -> Result<Outcome, ModelError> {
     let steady = of.steady_to_march()?;
     let mut warnings = of.doubts(&steady);
-    let mode = mode(of, asked, &steady, &mut warnings)?;
-    if mode.eigenvalue.verdict() == Verdict::Marginal {
-        warnings.push(
-            "the mode neither grows nor decays within its error: as long as the contact does not change its state all motions of it are periodic, and what is told is one of them".to_owned(),
-        );
-    }
-    let eigenvalue = mode.eigenvalue.value;
-    progress.go_on()?;
-    let sought = CycleOfMode::new(
-        &of.built.assembly,
-        &steady,
-        eigenvalue,
-        &asked.solver.settings(components(of)?),
-        progress,
-    )?;
+    let sought = sought(of, asked, &steady, &mut warnings, progress)?;
     let mut outcome = Outcome::default();
     let mut mode = ToldCycleMode::new(asked, &sought);
     let cycle = match sought.cycle() {
@@ -89,6 +75,36 @@ pub(super) fn run(
     Ok(outcome)
 }
 
+/// The cycle along the motions of the mode that is meant, or where it is to be sought in place of that.
+fn sought<'a>(
+    of: &AssemblySubject<'a>,
+    asked: &ModeCycle,
+    steady: &SteadySliding,
+    warnings: &mut Vec<String>,
+    progress: &dyn Progress,
+) -> Result<CycleOfMode<'a>, ModelError> {
+    let settings = asked.solver.settings(components(of)?);
+    let built = of.built;
+    if let Some(start) = &asked.start {
+        let found = start.cycle(of, steady, &settings, progress)?;
+        let about = Linearised::new(&built.assembly, steady, LinearisedTerms::default())?;
+        let beside = found.as_ref().ok().map(|cycle| near_frequency(&about, cycle.frequency()));
+        let mode = match beside {
+            Some(Ok(mode)) => mode,
+            _ => fastest(&about, LOWEST)?.0,
+        };
+        return Ok(CycleOfMode::near(mode.eigenvalue.value, found, &settings));
+    }
+    let mode = mode(of, asked, steady, warnings)?;
+    if mode.eigenvalue.verdict() == Verdict::Marginal {
+        warnings.push(
+            "the mode neither grows nor decays within its error: as long as the contact does not change its state all motions of it are periodic, and what is told is one of them".to_owned(),
+        );
+    }
+    progress.go_on()?;
+    CycleOfMode::new(&built.assembly, steady, mode.eigenvalue.value, &settings, progress)
+}
+
 /// The mode that is meant.
 fn mode(
     of: &AssemblySubject<'_>,
@@ -116,7 +132,7 @@ fn mode(
 fn words_of(sought: &CycleOfMode<'_>, cycle: &AssemblyCycle<'_>) -> Vec<String> {
     let much = || left_out(cycle.quality.left_out);
     let mut words: Vec<String> = sought.held_back().or_else(much).into_iter().collect();
-    if !cycle.attracts {
+    if cycle.attracts == Some(false) {
         let knock = "motions of its shape leave it on both sides: smaller ones decay, larger ones grow";
         let turned = "motions of its shape leave it although small ones grow: they grow to another motion";
         words.push(if sought.eigenvalue.re > 0.0 { turned } else { knock }.to_owned());

@@ -14,10 +14,17 @@ use num_complex::Complex64;
 pub(in crate::assembly) struct CycleOfMode<'a> {
     /// Its eigenvalue about steady sliding.
     pub(in crate::assembly) eigenvalue: Complex64,
-    /// Its motions and cycles, or why not even a small motion was found.
-    found: Result<CycleSearch<'a>, CyclesError>,
+    found: Found<'a>,
     /// How they were sought.
     settings: CycleSettings,
+}
+
+/// What was found, and where.
+enum Found<'a> {
+    /// Motions and cycles of the mode, or why not even a small motion was found.
+    AlongMode(Result<CycleSearch<'a>, CyclesError>),
+    /// The cycle near a motion that was known from elsewhere, or why there is none.
+    Near(Result<Box<AssemblyCycle<'a>>, CyclesError>),
 }
 
 impl<'a> CycleOfMode<'a> {
@@ -30,32 +37,55 @@ impl<'a> CycleOfMode<'a> {
         progress: &dyn Progress,
     ) -> Result<Self, ModelError> {
         let found = match limit_cycles(assembly, steady, eigenvalue, settings, &|| !progress.interrupted()) {
-            Err(error @ (CyclesError::NotConverged { .. } | CyclesError::Shrunk | CyclesError::Singular)) => {
-                Err(error)
-            }
+            Err(error) if error.is_of_the_motion() => Err(error),
             other => Ok(other?),
         };
-        Ok(Self { eigenvalue, found, settings: *settings })
+        Ok(Self { eigenvalue, found: Found::AlongMode(found), settings: *settings })
+    }
+
+    /// A cycle that was found elsewhere, or why none was, beside a mode.
+    pub(in crate::assembly) fn near(
+        eigenvalue: Complex64,
+        found: Result<AssemblyCycle<'a>, CyclesError>,
+        settings: &CycleSettings,
+    ) -> Self {
+        Self { eigenvalue, found: Found::Near(found.map(Box::new)), settings: *settings }
+    }
+
+    /// Whether motions of the mode were followed.
+    pub(in crate::assembly) fn follows_a_mode(&self) -> bool {
+        matches!(self.found, Found::AlongMode(_))
+    }
+
+    /// The motions of the mode, where these were followed.
+    fn search(&self) -> Option<&CycleSearch<'a>> {
+        match &self.found {
+            Found::AlongMode(found) => found.as_ref().ok(),
+            Found::Near(_) => None,
+        }
     }
 
     /// The cycle.
     pub(in crate::assembly) fn cycle(&self) -> Option<&AssemblyCycle<'a>> {
-        self.found.as_ref().ok()?.cycles.first()
+        match &self.found {
+            Found::AlongMode(found) => found.as_ref().ok()?.cycles.first(),
+            Found::Near(found) => found.as_deref().ok(),
+        }
     }
 
     /// Amplitude, of that at which the contact first changes its state, with σ in 1/s and ω in rad/s of each motion that was found.
     pub(in crate::assembly) fn motions(&self) -> Vec<[f64; 3]> {
-        let Ok(found) = &self.found else { return Vec::new() };
+        let Some(found) = self.search() else { return Vec::new() };
         let backbone = &found.backbone;
         let of = |amplitude: f64| amplitude / backbone.first_change;
         let told = backbone.motions.iter();
         told.map(|own| [of(own.amplitude), own.turning.growth, own.turning.frequency]).collect()
     }
 
-    /// The amplitude of the cycle as few harmonics have it, of that at which the contact first changes its state.
+    /// The amplitude of the cycle, of that at which the contact first changes its state along the motions of the mode.
     pub(in crate::assembly) fn amplitude(&self) -> Option<f64> {
-        let backbone = &self.found.as_ref().ok()?.backbone;
-        backbone.cycles.first().map(|(own, _)| own.amplitude / backbone.first_change)
+        let search = self.search()?;
+        search.cycles.first().map(|own| own.motion.amplitude / search.backbone.first_change)
     }
 
     /// Why the cycle has fewer harmonics than it should.
@@ -78,9 +108,12 @@ impl<'a> CycleOfMode<'a> {
     /// Why there is no cycle.
     pub(in crate::assembly) fn reason(&self) -> Option<String> {
         let found = match &self.found {
-            Ok(found) if !found.cycles.is_empty() => return None,
-            Ok(found) => found,
-            Err(error) => return Some(format!("not even a small motion of the mode was found: {error}")),
+            Found::Near(found) => return found.as_ref().err().map(ToString::to_string),
+            Found::AlongMode(Ok(found)) if !found.cycles.is_empty() => return None,
+            Found::AlongMode(Ok(found)) => found,
+            Found::AlongMode(Err(error)) => {
+                return Some(format!("not even a small motion of the mode was found: {error}"));
+            }
         };
         let backbone = &found.backbone;
         let reached = backbone.motions.iter().map(|own| own.amplitude / backbone.first_change);

@@ -1,5 +1,6 @@
 //! `limit-cycle`: which mode, and how its cycle is computed.
 
+use super::start::CycleStart;
 use crate::assembly::AssemblySubject;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::error::ModelError;
@@ -27,6 +28,9 @@ pub struct ModeCycle {
     /// Where no frequency is given: how many of the lowest modes there are to choose from.
     #[key(rule = MODES, usual = LOWEST, omitted)]
     pub modes: Option<usize>,
+    /// Where the cycle is sought in place of along the motions of a mode: a cycle that no mode leads to as well.
+    #[key(omitted)]
+    pub start: Option<CycleStart>,
     /// How it is computed.
     #[key(default = CycleMethod::HarmonicBalance)]
     pub method: CycleMethod,
@@ -91,7 +95,9 @@ const LIMIT: Memory = Memory::DEFAULT;
 
 impl ModeCycle {
     fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        no_mode_is_meant(section, self.start.as_ref())?;
         meaningless(section, "modes", self.frequency.is_some(), "frequency")?;
+        meaningless(section, "largest_amplitude", self.start.is_some(), "start")?;
         let by_harmonics = self.method == CycleMethod::HarmonicBalance;
         match section.get("steps") {
             Some(node) if by_harmonics => {
@@ -162,6 +168,14 @@ pub(in crate::assembly) fn admits_cycles(
         }
         _ => Ok(Ok(())),
     }
+}
+
+/// Refuses keys that say which mode is meant where none is.
+pub(in crate::assembly) fn no_mode_is_meant(
+    section: &Section<'_>,
+    start: Option<&CycleStart>,
+) -> Result<(), Fault> {
+    ["frequency", "modes"].into_iter().try_for_each(|key| meaningless(section, key, start.is_some(), "start"))
 }
 
 /// Refuses a key that another makes meaningless.

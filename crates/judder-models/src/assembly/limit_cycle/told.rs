@@ -39,10 +39,10 @@ pub(super) struct ToldModeCycle {
     frequency_hz: f64,
     /// by how much it lies above that of the mode, over that
     frequency_shift: f64,
-    /// its amplitude over that at which the contact first changes its state
-    amplitude: f64,
-    /// whether motions of this shape nearby are drawn to it; where not, it is a knock of this shape that suffices
-    attracts: bool,
+    /// its amplitude over that at which the contact first changes its state; unknown where no motions of a mode were followed
+    amplitude: Option<f64>,
+    /// whether motions of this shape nearby are drawn to it; where not, it is a knock of this shape that suffices; unknown where no motions of a mode were followed
+    attracts: Option<bool>,
     /// whether all motions nearby are, where that is known
     stable: Option<bool>,
     /// the same in words, or why it is not known
@@ -219,7 +219,7 @@ impl ToldModeCycle {
         Ok(Self {
             frequency_hz: frequency / TAU,
             frequency_shift: frequency / sought.eigenvalue.im - 1.0,
-            amplitude: sought.amplitude().unwrap_or(f64::NAN),
+            amplitude: sought.amplitude(),
             attracts: cycle.attracts,
             stable: stability.is_stable(),
             stability: stability.words(),

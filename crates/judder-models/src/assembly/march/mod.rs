@@ -14,7 +14,7 @@ pub(super) mod recorded;
 mod run;
 pub mod settings;
 mod size;
-mod start;
+pub(super) mod start;
 pub(super) mod tables;
 mod told;
 

@@ -10,15 +10,15 @@ use judder_assembly::steady::SteadySliding;
 use num_complex::Complex64;
 
 /// Displacements and velocities on the freedoms of an assembly.
-pub(super) struct MotionState {
-    pub(super) displacement: Vec<f64>,
-    pub(super) velocity: Vec<f64>,
+pub(in crate::assembly) struct MotionState {
+    pub(in crate::assembly) displacement: Vec<f64>,
+    pub(in crate::assembly) velocity: Vec<f64>,
 }
 
 impl MotionState {
     /// Steady sliding with the values that a course starts with, the second, and what the start adds to it, modes about that with the case's own values, the first;
     /// velocities are those of a time `back` before, in s.
-    pub(super) fn new(
+    pub(in crate::assembly) fn new(
         of: &AssemblySubject<'_>,
         [steady, first]: [&SteadySliding; 2],
         start: Option<&AssemblyStart>,

@@ -17,7 +17,7 @@ pub(super) struct CycleInBand {
     pub(super) frequency: f64,
     pub(super) levels: Vec<(String, Option<f64>)>,
     pub(super) shares: [f64; 3],
-    pub(super) attracts: bool,
+    pub(super) attracts: Option<bool>,
     pub(super) stable: Option<bool>,
     pub(super) stability: &'static str,
     pub(super) harmonics: usize,

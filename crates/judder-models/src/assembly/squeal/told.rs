@@ -162,7 +162,7 @@ pub(super) fn ranked(modes: &[SoughtMode]) -> Vec<SquealingMode> {
             stick_share: share(0),
             slip_share: share(1),
             open_share: share(2),
-            attracts: cycle_or_none.map(|own| own.attracts),
+            attracts: cycle_or_none.and_then(|own| own.attracts),
             stable: cycle_or_none.and_then(|own| own.stable),
             stability: cycle_or_none.map_or("no cycle", |own| own.stability),
             harmonics: cycle_or_none.map(|own| own.harmonics),

@@ -114,6 +114,9 @@ impl Pressure {
             Self::Stiffness(value) | Self::PointStiffness(value) => {
                 invalid("the stiffness of a contact interface", *value, "positive")
             }
+            Self::PointCubic(CubicPointForce { about, .. }) if !(*about >= 0.0 && about.is_finite()) => {
+                invalid("the closure from which a cube is reckoned", *about, "zero or positive")
+            }
             Self::Cubic(CubicPressure { stiffness, cubic_stiffness })
             | Self::PointCubic(CubicPointForce { stiffness, cubic_stiffness, .. }) => {
                 let is_positive = |value: &f64| value.is_finite() && *value > 0.0;

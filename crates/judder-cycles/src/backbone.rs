@@ -104,7 +104,9 @@ pub fn backbone(
             let motion = equations.motion(next)?;
             let amplitude = motion.amplitude;
             if before.at[growth] * next.at[growth] <= 0.0 && before.at[growth] != 0.0 {
-                cycles.push(located(equations, newton, [before, next])?);
+                let cycle = located(equations, newton, [before, next])?;
+                motions.push(cycle.0.clone());
+                cycles.push(cycle);
             }
             motions.push(motion);
             Ok(if cycles.len() >= settings.cycles {

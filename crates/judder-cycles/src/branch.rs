@@ -144,6 +144,20 @@ fn branch_point<S: BalanceSource>(
     Ok(BranchPoint { cycle, parameter, is_smooth })
 }
 
+impl AssemblyCycleBranch {
+    /// The parameter at which the square of the amplitude comes to zero, straight on from the two cycles before the smallest, as it does at a Hopf point; of a branch that shrinks to steady sliding.
+    ///
+    /// What is left of the equations is so large beside the smallest one that it is known to fewer digits.
+    #[must_use]
+    pub fn vanishes_at(&self) -> Option<f64> {
+        let [.., before, last, _] = &self.cycles[..] else { return None };
+        let square = |cycle: &CycleAtKey| cycle.motion.amplitude * cycle.motion.amplitude;
+        let (there, falls) = (square(last), square(before) - square(last));
+        let shrinks = self.end == CycleBranchEnd::SteadySliding && falls > 0.0;
+        shrinks.then(|| last.parameter + there * (last.parameter - before.parameter) / falls)
+    }
+}
+
 impl CycleAtKey {
     fn of<S: BalanceSource>(
         equations: &mut ExtendedBalance<S>,

@@ -216,6 +216,7 @@ fn the_cycles_of_a_lumped_brake_begin_at_its_hopf_point() {
     assert_eq!(branch.end, CycleBranchEnd::SteadySliding);
     let [friction, frequency] = hopf_point();
     let last = branch.cycles.last().unwrap();
-    assert!((last.parameter / friction - 1.0).abs() < 1e-4, "{} {friction}", last.parameter);
+    let vanishes = branch.vanishes_at().unwrap();
+    assert!((vanishes / friction - 1.0).abs() < 1e-5, "{vanishes} {} {friction}", last.parameter);
     assert!((last.motion.turning.frequency / frequency - 1.0).abs() < 1e-4);
 }

@@ -27,9 +27,9 @@ const KINK: &str = KINDS[3];
 pub(super) struct NamedBifurcation {
     /// what it is
     pub(super) kind: &'static str,
-    /// the value of the key there, where it was searched for; amid the two below otherwise
+    /// the value of the key there, where it was searched for; of a Hopf point where the square of the amplitude vanishes; amid the two below otherwise
     pub(super) value: f64,
-    /// the values of the key at the cycles before and after it, in the order along the branch
+    /// the values of the key at the cycles before and after it, in the order along the branch; of a Hopf point that of the smallest cycle and its own
     pub(super) between: Vec<f64>,
     /// the first of these cycles, counted from 0
     pub(super) cycle: usize,
@@ -45,6 +45,12 @@ impl NamedBifurcation {
     pub(super) fn code(&self) -> u8 {
         KINDS.iter().position(|own| *own == self.kind).map_or(u8::MAX, |place| place as u8)
     }
+}
+
+/// Where a branch vanishes that shrinks to steady sliding, of which this is the smallest cycle.
+pub(super) fn hopf_point(smallest: &CycleAtKey, ways: [&AssemblyCycleBranch; 2]) -> f64 {
+    let own = ways.into_iter().find(|way| way.cycles.last() == Some(smallest));
+    own.and_then(AssemblyCycleBranch::vanishes_at).unwrap_or(smallest.parameter)
 }
 
 /// All of them, in the order along the branch, of which `known` are the cycles within the range.
@@ -65,7 +71,10 @@ pub(super) fn named(
     };
     let mut all = Vec::new();
     for cycle in hopf {
-        all.extend(place(cycle).map(|place| of(HOPF, cycle.parameter, [place, place])));
+        all.extend(place(cycle).map(|place| {
+            let value = hopf_point(cycle, ways);
+            NamedBifurcation { between: vec![cycle.parameter, value], ..of(HOPF, value, [place, place]) }
+        }));
     }
     for way in ways {
         let near = |cycle: usize, kind: &'static str, value: f64, after: usize| {
@@ -86,7 +95,7 @@ pub(super) fn named(
         let [before, after] = change.between;
         let is_there = |other: &NamedBifurcation| {
             let [from, to] = [other.cycle, other.cycle + 2];
-            other.kind != HOPF && from <= after && before <= to
+            [FOLD, BRANCH_POINT, KINK].contains(&other.kind) && from <= after && before <= to
         };
         // a fold or branch point that is located needs no second name
         if change.crossing == CircleCrossing::AtOne && all.iter().any(is_there) {

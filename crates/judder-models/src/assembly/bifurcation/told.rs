@@ -1,7 +1,7 @@
 //! What is told and stored of limit cycles along a key.
 
 use super::CycleDiagram;
-use super::named::{KINDS, NamedBifurcation, named};
+use super::named::{KINDS, NamedBifurcation, hopf_point, named};
 use crate::assembly::limit_cycle::stability::{KnownStability, with_multipliers};
 use crate::error::ModelError;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey, CycleBranchEnd};
@@ -107,7 +107,7 @@ impl ToldCycleBranch {
             open_share: all(|own| own.open),
             stable: known.iter().map(|own| own.stability.is_stable()).collect(),
             folds: ways.iter().flat_map(|way| way.folds.iter().map(|(_, value)| *value)).collect(),
-            hopf_points: hopf.iter().map(|own| own.parameter).collect(),
+            hopf_points: hopf.iter().map(|own| hopf_point(own, ways)).collect(),
             bifurcations: named(known, ways, hopf),
             ends: ways.map(|way| end(way, hopf)).to_vec(),
             left_out: all(|own| own.left_out).into_iter().reduce(f64::max),

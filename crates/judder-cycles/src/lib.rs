@@ -14,7 +14,7 @@
 //! - [`backbone`]: the periodic motions of a mode over their amplitude; those that need neither drive nor brake are limit cycles.
 //! - [`branch`]: limit cycles along a parameter.
 //! - [`forced`]: periodic motions that a force drives, over its frequency.
-//! - [`stability`]: Floquet multipliers by steps of small motions about a periodic one.
+//! - [`stability`]: Floquet multipliers by steps of small motions about a periodic one, and by Hill's method.
 //! - [`shooting`]: cycles by a march that comes back.
 //! - [`cycle`]: what is told of a limit cycle.
 //! - [`near`]: cycles near a periodic motion that is known from elsewhere. [`marched`]: the motion that a march comes to.

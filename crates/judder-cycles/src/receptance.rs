@@ -7,6 +7,7 @@
 
 mod at_harmonic;
 mod body_step;
+mod state_rates;
 
 use crate::CyclesError;
 use faer::{Mat, c64};

@@ -9,6 +9,7 @@
 //! unknown.
 
 mod change;
+mod hill;
 mod turn;
 
 use crate::CyclesError;
@@ -27,6 +28,7 @@ use std::f64::consts::TAU;
 use turn::SlipTurns;
 
 pub use change::{CircleCrossing, StabilityChange, stability_changes};
+pub use hill::{HillMultipliers, HillRefusal, hill_multipliers};
 
 /// The multipliers of a cycle.
 #[derive(Debug, Clone, PartialEq)]

@@ -8,6 +8,7 @@
 //! ẍ₂ + η₂ω₂ẋ₂ + ω₂²x₂ + φ₂x₂³ + μ (ω₁²x₁ + φ₁x₁³) = 0
 //! ```
 
+use super::own_engine::off_nearest;
 use crate::common::{assembly, diagonal, point_on_plane};
 use crate::growing;
 use faer::c64;
@@ -23,6 +24,7 @@ use judder_assembly::steady::steady_sliding;
 use judder_cycles::branch::{BranchSettings, CycleBranchEnd, cycle_branch};
 use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles};
 use judder_cycles::path::PathRule;
+use judder_cycles::stability::{floquet_multipliers, hill_multipliers};
 use judder_structure::complex_modes::{ComplexModeSettings, Region, complex_modes};
 use std::f64::consts::TAU;
 
@@ -219,4 +221,23 @@ fn the_cycles_of_a_lumped_brake_begin_at_its_hopf_point() {
     let vanishes = branch.vanishes_at().unwrap();
     assert!((vanishes / friction - 1.0).abs() < 1e-5, "{vanishes} {} {friction}", last.parameter);
     assert!((last.motion.turning.frequency / frequency - 1.0).abs() < 1e-4);
+}
+
+/// By steps and by Hill's method, which share the laws and nothing else. Of four states the product of the multipliers is that of the divergence, exp(−(η₁ω₁ + η₂ω₂) T)
+/// (J. Liouville).
+#[test]
+fn the_multipliers_of_a_lumped_brake_are_those_of_hills_method() {
+    const FRICTION: f64 = 0.35;
+    let case = brake(FRICTION);
+    let (steady, values) = growing(&case, [1.0, 1e3]);
+    let settings = CycleSettings { harmonics: HarmonicCount::Fixed(15), ..CycleSettings::default() };
+    let found = limit_cycles(&case, &steady, values[0], &settings, &|| true).unwrap();
+    let cycle = &found.cycles[0];
+    let hill = hill_multipliers(&cycle.balance, &cycle.motion).unwrap().unwrap();
+    assert!((hill.phase.unwrap() - 1.0).norm() < 1e-8 && hill.error < 1e-8, "{hill:?}");
+    let product: c64 = hill.values.iter().product();
+    let expected = (-damping().iter().sum::<f64>() * TAU / cycle.frequency()).exp();
+    assert!((product / expected - 1.0).norm() < 1e-8, "{product} {expected}");
+    let stepped = floquet_multipliers(&cycle.balance, &cycle.motion, &|| true).unwrap().unwrap();
+    assert!(off_nearest(&stepped.values, &hill.values) < 3e-4, "{hill:?} {stepped:?}");
 }

@@ -1,5 +1,6 @@
 //! Cycles of the event-driven engine of the oscillator, which assemblies are held against.
 
+use faer::c64;
 use judder_assembly::row::Row;
 use judder_cycles::cycle::AssemblyCycle;
 use judder_numerics::piecewise::{PiecewiseMarch, StepSettings};
@@ -62,6 +63,13 @@ impl Known {
 /// The largest error.
 pub(super) fn worst(errors: &[f64]) -> f64 {
     errors.iter().fold(0.0, |most, own| most.max(own.abs()))
+}
+
+/// How far the multiplier that is off most lies from the nearest of others, of which there are as many.
+pub(super) fn off_nearest(multipliers: &[c64], others: &[c64]) -> f64 {
+    assert_eq!(multipliers.len(), others.len());
+    let off = |own: &c64| others.iter().map(|other| (own - other).norm()).fold(f64::INFINITY, f64::min);
+    multipliers.iter().map(off).fold(0.0, f64::max)
 }
 
 /// p of errors that fall as n⁻ᵖ.

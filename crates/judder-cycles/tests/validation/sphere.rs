@@ -1,6 +1,6 @@
 //! A sphere on rubber that two springs carry, as an assembly: its cycles against those of the engine of the oscillator.
 
-use super::own_engine::{Known, known, order, settled, shooting, told, worst};
+use super::own_engine::{Known, known, off_nearest, order, settled, shooting, told, worst};
 use crate::common::{assembly, dense, diagonal, point_on_plane};
 use faer::c64;
 use judder_assembly::assembly::Assembly;
@@ -11,8 +11,9 @@ use judder_assembly::steady::{SteadySliding, steady_sliding};
 use judder_contact::{FittedLaw, Law};
 use judder_cycles::cycle::{AssemblyCycle, CycleSettings, HarmonicCount, limit_cycles};
 use judder_cycles::shooting::{ShootingSettings, shoot};
+use judder_cycles::stability::{HillMultipliers, hill_multipliers};
 use judder_oscillator::critical::{ParameterRange, RangeScale, thresholds};
-use judder_oscillator::cycle::{Continuation, global_margin};
+use judder_oscillator::cycle::{BranchPoint, Continuation, global_margin};
 use judder_oscillator::motion::{ContactState, SlidingSystem, StickSlip};
 use judder_oscillator::sphere::{SlidingSphere, SphereForce};
 use judder_oscillator::{Coefficients, Contact, FrictionLoad, Groups};
@@ -112,6 +113,12 @@ fn errors(case: &Assembly, expected: &Known, counts: &[[usize; 2]]) -> Vec<Vec<f
     counts.iter().map(of).collect()
 }
 
+/// By how much the multipliers of Hill's method, that of the phase among them, are off those of the engine.
+fn off_engine(hill: &HillMultipliers, expected: &[c64]) -> f64 {
+    let all: Vec<c64> = hill.phase.iter().chain(&hill.values).copied().collect();
+    off_nearest(expected, &all)
+}
+
 /// Where the sphere neither sticks nor lifts off its forces are analytic, and the error falls exponentially.
 #[test]
 fn a_sphere_that_slides_on_has_the_cycle_of_the_oscillator_to_all_digits() {
@@ -128,11 +135,27 @@ fn a_sphere_that_slides_on_has_the_cycle_of_the_oscillator_to_all_digits() {
     assert!(worst.windows(2).all(|pair| pair[1] < 0.1 * pair[0]), "{worst:?}");
 }
 
-/// Where it lifts off its normal force goes with y^{3/2} and its friction with its area, with y: friction has a kink. Its harmonics fall as h⁻², those of what
-/// the motion makes of a force as h⁻³, so that what H harmonics leave out falls as H⁻⁴; sums over N instants have the error of a kink, N⁻².
+/// Hill's method, whose error falls exponentially too.
 #[test]
-fn a_sphere_that_lifts_off_has_the_cycle_of_the_oscillator_with_enough_instants() {
-    let operation = Operation::at(1e-6, 1e-2);
+fn a_sphere_that_slides_on_has_the_multipliers_of_the_oscillator_by_hills_method() {
+    let operation = Operation::at(7.5e-4, 4e-4);
+    let system = operation.oscillator(1.1 * operation.threshold);
+    let mut start = system.steady_sliding();
+    start[0] *= 1.05;
+    let own = settled(&system, start);
+    let case = carried(system.coefficients());
+    let mode = slowest(&case);
+    let off = [8, 12, 16, 20].map(|harmonics| {
+        let cycle = with(&case, &mode, harmonics, 16);
+        let hill = hill_multipliers(&cycle.balance, &cycle.motion).unwrap().unwrap();
+        off_engine(&hill, &own.multipliers)
+    });
+    assert!(off[3] < 1e-8, "{off:?}");
+    assert!(off[1] < 0.1 * off[0] && off[2] < 0.1 * off[1], "{off:?}");
+}
+
+/// A cycle of the branch from the threshold that is in the air for a third of the time.
+fn lifting(operation: &Operation) -> BranchPoint<4> {
     let options = Continuation {
         shooting: shooting(&operation.oscillator(operation.threshold)),
         range: (1e-3, 1.0),
@@ -142,7 +165,30 @@ fn a_sphere_that_lifts_off_has_the_cycle_of_the_oscillator_with_enough_instants(
     };
     let at = |shear_strength: f64| Ok(operation.oscillator(shear_strength));
     let branch = global_margin(&at, operation.threshold, -1.0, &options).unwrap().branch.unwrap();
-    let lifts = branch.points.iter().find(|point| point.cycle.fraction(ContactState::LiftOff) > 0.3).unwrap();
+    branch.points.into_iter().find(|point| point.cycle.fraction(ContactState::LiftOff) > 0.3).unwrap()
+}
+
+/// Slopes jump where it lifts off, which sums over instants place between two of them.
+#[test]
+fn a_sphere_that_lifts_off_has_nearly_the_multipliers_of_the_oscillator_by_hills_method() {
+    let operation = Operation::at(1e-6, 1e-2);
+    let lifts = lifting(&operation);
+    let case = carried(operation.oscillator(lifts.parameter).coefficients());
+    let mode = slowest(&case);
+    for (samples, enough) in [(16, 5e-3), (64, 1e-3), (256, 5e-4)] {
+        let cycle = with(&case, &mode, 20, samples);
+        let hill = hill_multipliers(&cycle.balance, &cycle.motion).unwrap().unwrap();
+        let off = off_engine(&hill, &lifts.cycle.multipliers);
+        assert!(off < enough && off < 1.5 * hill.error, "{samples}: {off:e} {hill:?}");
+    }
+}
+
+/// Where it lifts off its normal force goes with y^{3/2} and its friction with its area, with y: friction has a kink. Its harmonics fall as h⁻², those of what
+/// the motion makes of a force as h⁻³, so that what H harmonics leave out falls as H⁻⁴; sums over N instants have the error of a kink, N⁻².
+#[test]
+fn a_sphere_that_lifts_off_has_the_cycle_of_the_oscillator_with_enough_instants() {
+    let operation = Operation::at(1e-6, 1e-2);
+    let lifts = lifting(&operation);
     assert_eq!(lifts.cycle.fraction(ContactState::Stick), 0.0);
     let system = operation.oscillator(lifts.parameter);
     let expected = known(&system, &lifts.cycle);

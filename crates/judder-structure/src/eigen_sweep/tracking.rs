@@ -71,7 +71,7 @@ impl SweepTracker {
     }
 }
 
-/// How much vectors of branches and modes are alike.
+/// How much vectors of branches and modes are alike: not at all where a key changes how many components they have, and eigenvalues alone tell.
 fn alike(
     branches: &[(usize, &SeenBranch)],
     modes: &[ComplexMode],
@@ -80,7 +80,11 @@ fn alike(
 ) -> Mat<f64> {
     let of_branches: Vec<&[c64]> = branches.iter().map(|(_, branch)| &of_branch(branch)[..]).collect();
     let of_modes: Vec<&[c64]> = modes.iter().map(|mode| &of_mode(mode)[..]).collect();
-    assurances(&of_branches, &of_modes)
+    let mut lengths = of_branches.iter().chain(&of_modes).map(|own| own.len());
+    match lengths.next().is_none_or(|first| lengths.all(|own| own == first)) {
+        true => assurances(&of_branches, &of_modes),
+        false => Mat::zeros(of_branches.len(), of_modes.len()),
+    }
 }
 
 impl SeenBranch {

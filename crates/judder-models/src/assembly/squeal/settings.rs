@@ -187,6 +187,7 @@ impl AssemblySqueal {
         match (self.margin_sweep(), section.get("margin")) {
             (Some(sweep), Some(node)) if sweep.path != ALL_FRICTION => {
                 sweep.admit(node, |value| case.at(&[(sweep, value)]))?;
+                sweep.admit_between(node, |value| case.at(&[(sweep, value)]))?;
                 given(case, &sweep.path, node)
             }
             _ => Ok(()),

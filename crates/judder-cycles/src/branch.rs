@@ -36,7 +36,7 @@ pub struct CycleAtKey {
 
 /// Where the determinant of the equations under the tangent changes its sign: cycles of another branch cross there, or points change what they do.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BranchPoint {
+pub struct CycleBranchPoint {
     /// The cycle before.
     pub cycle: usize,
     /// The parameter.
@@ -66,7 +66,7 @@ pub struct AssemblyCycleBranch {
     /// The cycle nearest to where the parameter turns, and the parameter there, by a search among the cycles between its neighbours.
     pub folds: Vec<(usize, f64)>,
     /// Where other cycles may branch off.
-    pub branch_points: Vec<BranchPoint>,
+    pub branch_points: Vec<CycleBranchPoint>,
     /// Why it ends.
     pub end: CycleBranchEnd,
 }
@@ -137,11 +137,11 @@ fn branch_point<S: BalanceSource>(
     newton: &mut Newton<'_>,
     between: [&PathPoint; 2],
     cycle: usize,
-) -> Result<BranchPoint, CyclesError> {
+) -> Result<CycleBranchPoint, CyclesError> {
     let [low, high] = sign_change(equations, newton, between)?;
     let parameter = 0.5 * (equations.parameter(&low.at) + equations.parameter(&high.at));
     let is_smooth = equations.states(&low.at)? == equations.states(&high.at)?;
-    Ok(BranchPoint { cycle, parameter, is_smooth })
+    Ok(CycleBranchPoint { cycle, parameter, is_smooth })
 }
 
 impl AssemblyCycleBranch {

@@ -80,7 +80,7 @@ fn the_margin_of_a_mass_on_a_belt_is_that_of_its_slip() {
     let slower = case("assembly/mass-on-falling-belt.toml", &["contact.belt.sliding.velocity=\"0.95 m/s\""]);
     let report = run_into(tempfile::tempdir().unwrap().path(), &slower, &["squeal"]);
     let told = &report.summary.results["squeal"];
-    assert!(told["unstable"] == 1 && told["margin"]["knock"] == false, "{told:?}");
+    assert!(told["unstable"] == 1 && told["margin"]["knock"].is_null(), "{told:?}");
     assert!(
         (number(&told["modes"][0]["margin"]) - margin).abs() < 1e-3
             && told["modes"][0]["rank_by_margin"] == 1

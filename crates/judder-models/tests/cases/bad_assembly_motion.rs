@@ -159,6 +159,11 @@ fn cycles_that_cannot_be() {
         "\"structure.block.reduction.count\"",
         "give a key that changes without steps, such as a friction coefficient",
     );
+    let by_count = "kind = \"squeal\"\nband = [\"1 kHz\", \"20 kHz\"]\nmargin = { key = \"structure.block.reduction.count\", from = 10, to = 20, points = 3 }";
+    let by_count =
+        with_analysis(by_count).replace("[[contact]]", "reduction = { count = 15 }\n\n[[contact]]");
+    let message = parse("case.toml", &by_count, &[]).expect_err("it is refused").to_string();
+    assert!(message.contains("what follows it needs every value between the ends"), "{message}");
     let (message, place) = unassembled(&cycle("harmonics = 500"));
     assert!(
         message.contains("500 harmonics of 42 components of contact forces are 42042 unknowns"),
@@ -167,6 +172,25 @@ fn cycles_that_cannot_be() {
     assert_eq!(place, "500");
     let (message, _) = unassembled(&with_analysis("kind = \"squeal\"\nband = [\"1 kHz\", \"20 kHz\"]"));
     assert!(message.contains("modes are ranked by the level of observed points"), "{message}");
+    let squeal =
+        |keys: &str| with_analysis(&format!("kind = \"squeal\"\nband = [\"1 kHz\", \"20 kHz\"]\n{keys}"));
+    let knocks = |rest: &str| {
+        squeal(&format!("knocks = {{ at = \"back.y\", impulse = [\"0 N s\", \"1 N s\"], {rest} }}"))
+    };
+    for (keys, says) in [
+        (knocks("step = \"2 s\", duration = \"1 s\""), "a step of 2 s is longer than the duration of 1 s"),
+        (knocks("step = \"5 us\", duration = \"1 s\""), "a step of 5e-6 s does not follow 20000 Hz"),
+        (knocks("step = \"1 us\", duration = \"10 ms\""), "there are no 5 periods of 1000 Hz"),
+        (
+            squeal("margin = { key = \"friction\", from = -1, to = 1, points = 5 }"),
+            "a factor on all friction is zero or positive",
+        ),
+        (squeal("margin = \"friction\""), "`margin` is a string, but must be true, or a table"),
+        (squeal("cures = \"all\""), "`cures` is a string, but must be true, or a list of dotted paths"),
+    ] {
+        let message = parse("case.toml", &keys, &[]).expect_err("it is refused").to_string();
+        assert!(message.contains(says), "{message}");
+    }
     let text = sole();
     let bodies = text.split("[[analysis]]").next().expect("it has bodies");
     let (message, _) = unassembled(&format!("{bodies}[[analysis]]\nkind = \"limit-cycle\"\n"));

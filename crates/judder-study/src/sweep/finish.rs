@@ -11,7 +11,7 @@ use crate::progress::Progress;
 use judder_numerics::words::plain;
 use judder_store::{StoredChunk, SweepStore, Table};
 use serde_json::{Map, Value, json};
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 /// Failures that the summary shows one by one.
 const SHOWN: usize = 20;
@@ -86,12 +86,12 @@ impl<'a> ChunkReading<'a> {
         }
         if !self.conditions.is_empty() {
             let failed = content.failures.iter().filter(|own| !own.reason.starts_with(DOUBTFUL));
-            let failed: BTreeSet<usize> = failed.map(|own| own.index).collect();
+            let failed: BTreeMap<usize, &str> = failed.map(|own| (own.index, own.reason.as_str())).collect();
             let row = self.plan.sweep().row();
             for (index, values) in content.values.chunks_exact(self.columns.len()).enumerate() {
                 let place = (self.plan.number(&points.position(index)) % row, row);
-                let has_failed = failed.contains(&index);
-                self.conditions.iter_mut().for_each(|own| own.take(place, values, has_failed));
+                let failure = failed.get(&index).copied();
+                self.conditions.iter_mut().for_each(|own| own.take(place, values, failure));
             }
         }
         if self.has_table() {

@@ -1,7 +1,7 @@
 //! How probable conditions on the quantities of a sweep are.
 
-use super::plan::SweepPlan;
-use crate::case::study_sweep::condition::{Bound, SweptCondition};
+use super::plan::{StoredColumn, SweepPlan};
+use crate::case::study_sweep::condition::{ConditionBound, SweptCondition};
 use judder_numerics::share::wilson;
 use serde_json::{Value, json};
 
@@ -11,6 +11,8 @@ pub(super) struct ConditionCount {
     condition: SweptCondition,
     /// The column of its quantity.
     column: usize,
+    /// The analysis of its quantity as reasons begin with it.
+    analysis: Option<String>,
     holds: usize,
     known: usize,
     unknown: usize,
@@ -23,22 +25,29 @@ impl ConditionCount {
     pub(super) fn all(plan: &SweepPlan) -> Vec<Self> {
         let (sweep, columns) = (plan.sweep(), plan.layout().quantities().len());
         let indicator = sweep.sensitivity.map(|_| Vec::new());
-        let new = |condition: &SweptCondition| Self {
-            condition: condition.clone(),
-            column: columns - sweep.quantities.len() + condition.quantity,
-            holds: 0,
-            known: 0,
-            unknown: 0,
-            indicator: indicator.clone(),
+        let new = |condition: &SweptCondition| {
+            let column = columns - sweep.quantities.len() + condition.quantity;
+            let analysis = match &plan.columns[column] {
+                StoredColumn::Scalar { name, .. } => Some(format!("{name}: ")),
+                _ => None,
+            };
+            let indicator = indicator.clone();
+            Self { condition: condition.clone(), column, analysis, holds: 0, known: 0, unknown: 0, indicator }
         };
         sweep.conditions.iter().map(new).collect()
     }
 
-    /// Takes a point in: its place in its row of points, its values, whether something of it is missing.
-    pub(super) fn take(&mut self, (member, row): (u64, u64), values: &[f64], has_failed: bool) {
+    /// Takes a point in: its place in its row of points, its values, why something of it is missing. What is missing may add to a count or be louder: of such a point it is known
+    /// alone that a bound from below holds.
+    pub(super) fn take(&mut self, (member, row): (u64, u64), values: &[f64], failure: Option<&str>) {
         let value = values[self.column];
-        let is_known = !(has_failed && value.is_nan());
-        let holds = is_known && self.condition.holds(value);
+        let holds = self.condition.holds(value);
+        let has_failed = failure.is_some_and(|reason| {
+            value.is_nan() || self.analysis.as_ref().is_some_and(|name| reason.contains(name))
+        });
+        let is_known =
+            !has_failed || (holds && matches!(self.condition.bound, ConditionBound::Within(_, None)));
+        let holds = is_known && holds;
         if let Some(indicator) = &mut self.indicator {
             indicator.push(if is_known { f64::from(u8::from(holds)) } else { f64::NAN });
         }
@@ -69,8 +78,8 @@ impl ConditionCount {
         let all = self.known + self.unknown;
         let [from, to] = [wilson(self.holds, all)[0], wilson(self.holds + self.unknown, all)[1]];
         let (above, below, is) = match &self.condition.bound {
-            Bound::Within(above, below) => (*above, *below, None),
-            Bound::Class(_, word) => (None, None, Some(word)),
+            ConditionBound::Within(above, below) => (*above, *below, None),
+            ConditionBound::Class(_, word) => (None, None, Some(word)),
         };
         json!({
             "quantity": plan.layout().quantities()[self.column].name, "above": above, "below": below, "is": is,

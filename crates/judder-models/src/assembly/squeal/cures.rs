@@ -84,15 +84,19 @@ pub(super) fn cures(
     };
     let sought = |path: &String| -> Result<Option<(ToldCure, KeySweep)>, ModelError> {
         progress.go_on()?;
-        let Some((value, dimension)) = of.case.number(path).filter(|(value, _)| *value != 0.0) else {
-            return Ok(None);
-        };
+        let Some((value, dimension)) = of.case.number(path) else { return Ok(None) };
         let ends = [1.0 - STEP, 1.0 + STEP].map(|factor| factor * value);
         let sweep = KeySweep { path: path.clone(), values: ends.to_vec(), dimension, scale: Spacing::Linear };
-        Ok(Some((cure(of, &sweep, value, mode), sweep)))
+        let found = match value == 0.0 {
+            true => ToldCure::none(&sweep, value, "it is zero, of which there is no relative change"),
+            false => cure(of, &sweep, value, mode),
+        };
+        Ok(Some((found, sweep)))
     };
-    let found: Vec<Option<(ToldCure, KeySweep)>> = paths.par_iter().map(sought).collect::<Result<_, _>>()?;
-    let mut found: Vec<(ToldCure, KeySweep)> = found.into_iter().flatten().collect();
+    // all of them, so that of several errors the first is told
+    let found: Vec<Result<Option<(ToldCure, KeySweep)>, ModelError>> = paths.par_iter().map(sought).collect();
+    let mut found: Vec<(ToldCure, KeySweep)> =
+        found.into_iter().filter_map(Result::transpose).collect::<Result<_, _>>()?;
     let size = |own: &ToldCure| own.change.map_or(f64::INFINITY, f64::abs);
     found.sort_by(|(a, _), (b, _)| size(a).total_cmp(&size(b)));
     let check = found.first().and_then(|(best, sweep)| checked(of, best, sweep, mode));
@@ -106,7 +110,9 @@ pub(super) fn cures(
 
 /// Dampings, moduli and stiffnesses.
 fn is_usual(path: &str) -> bool {
-    const NAMES: [&str; 8] = [
+    const NAMES: [&str; 10] = [
+        "cubic_stiffness",
+        "point_cubic_stiffness",
         "alpha",
         "beta",
         "loss_factor",
@@ -138,16 +144,7 @@ fn beside(
 }
 
 fn cure(of: &AssemblySubject<'_>, sweep: &KeySweep, value: f64, mode: Complex64) -> ToldCure {
-    let unit = any_key(&sweep.path, sweep.dimension).unit;
-    let none = ToldCure {
-        key: sweep.path.clone(),
-        value,
-        unit,
-        growth_by_change: None,
-        change: None,
-        smooth: None,
-        reason: String::new(),
-    };
+    let none = ToldCure::none(sweep, value, "");
     let ends = [sweep.values[0], sweep.values[1]].map(|end| beside(of, sweep, end, mode));
     let [low, high] = match ends {
         [Ok(low), Ok(high)] => [low, high],
@@ -161,6 +158,7 @@ fn cure(of: &AssemblySubject<'_>, sweep: &KeySweep, value: f64, mode: Complex64)
         (false, _) => {
             "derivatives upwards and downwards differ: contact points change, or another mode is near"
         }
+        _ if derivative == 0.0 => "the growth rate does not follow it",
         (_, None) => "it would have to fall below zero",
         _ => "",
     };
@@ -180,6 +178,21 @@ fn checked(
     let predicted = mode.re + derivative * change;
     let holds = (found - predicted).abs() <= HOLDS * (derivative * change).abs();
     Some(ToldCheck { key: best.key.clone(), change, predicted, found, holds })
+}
+
+impl ToldCure {
+    /// Of a number that nothing is known of, for a reason.
+    fn none(sweep: &KeySweep, value: f64, reason: &str) -> Self {
+        Self {
+            key: sweep.path.clone(),
+            value,
+            unit: any_key(&sweep.path, sweep.dimension).unit,
+            growth_by_change: None,
+            change: None,
+            smooth: None,
+            reason: reason.to_owned(),
+        }
+    }
 }
 
 impl ToldCures {

@@ -66,20 +66,20 @@ impl CycleInBand {
     }
 
     /// How loud that is, where it is anything.
-    pub(super) fn loudness(&self) -> Option<Loudness> {
-        self.level().map(|level| Loudness { level, is_left: self.stable == Some(false) })
+    pub(super) fn loudness(&self) -> Option<CycleLoudness> {
+        self.level().map(|level| CycleLoudness { level, is_left: self.stable == Some(false) })
     }
 }
 
 /// What cycles are ranked by.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Loudness {
+pub(super) struct CycleLoudness {
     level: f64,
     /// Whether motions nearby leave it, so that it is not heard.
     is_left: bool,
 }
 
-impl Loudness {
+impl CycleLoudness {
     /// Whether it stands before another.
     pub(super) fn is_ahead(self, other: Self) -> bool {
         match self.is_left == other.is_left {

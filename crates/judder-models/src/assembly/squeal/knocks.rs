@@ -27,7 +27,7 @@ const WINDOWS: [f64; 3] = [0.6, 0.8, 1.0];
 const KEEPS: f64 = 0.95;
 const GONE: f64 = 1e-6;
 /// Steps between two questions whether to go on.
-const PATIENCE: u64 = 1000;
+const PATIENCE: u64 = 100;
 
 /// A knock and what became of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,12 +73,21 @@ pub(super) struct ToldKnocks {
     largest_that_settles: Option<f64>,
 }
 
-/// Marches from every knock; `grows` says whether a mode about steady sliding does.
+/// What is known of small motions about steady sliding.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct KnockedMotions {
+    /// Whether some of the band grow.
+    pub(super) grows: bool,
+    /// Whether it is proven that the band has no other modes.
+    pub(super) complete: bool,
+}
+
+/// Marches from every knock.
 pub(super) fn knocked(
     of: &AssemblySubject<'_>,
     asked: &Knocks,
     steady: &SteadySliding,
-    grows: bool,
+    small: KnockedMotions,
     progress: &dyn Progress,
 ) -> Result<SampledKnocks, ModelError> {
     let watched = of.built.watched.iter().find(|own| own.name == asked.at);
@@ -88,17 +97,18 @@ pub(super) fn knocked(
     let mut march = NonsmoothMarch::new(&of.built.assembly, &[], settings)?;
     let largest = steady.points.iter().map(|point| point.normal_force.abs()).fold(0.0, f64::max);
     march.set_force_scale(if largest > 0.0 { largest } else { 1.0 });
-    let motions = (0..asked.samples)
+    // all of them, so that of several errors the first is told
+    let motions: Vec<Result<KnockedMotion, ModelError>> = (0..asked.samples)
         .into_par_iter()
         .map(|sample| {
             let [from, to] = asked.impulse;
             let size = from + (to - from) * uniform(asked.seed as u64, 2 * sample as u64);
             let is_back = uniform(asked.seed as u64, 2 * sample as u64 + 1) < 0.5;
             let impulse = if is_back { -size } else { size };
-            follow(&mut march.clone(), asked, steady, &unit, (impulse, grows), progress)
+            follow(&mut march.clone(), asked, steady, &unit, (impulse, small), progress)
         })
-        .collect::<Result<_, ModelError>>()?;
-    Ok(SampledKnocks { motions })
+        .collect();
+    Ok(SampledKnocks { motions: motions.into_iter().collect::<Result<_, _>>()? })
 }
 
 /// The velocities of the freedoms by an impulse of 1 N s along a form, M⁻¹ rᵀ.
@@ -117,7 +127,7 @@ fn follow(
     asked: &Knocks,
     steady: &SteadySliding,
     unit: &[f64],
-    (impulse, grows): (f64, bool),
+    (impulse, small): (f64, KnockedMotions),
     progress: &dyn Progress,
 ) -> Result<KnockedMotion, ModelError> {
     let velocity: Vec<f64> = unit.iter().map(|own| impulse * own).collect();
@@ -146,16 +156,18 @@ fn follow(
         }
     }
     let [earlier, last] = [sums[0] / (middle - from).max(1) as f64, sums[1] / (steps - middle).max(1) as f64];
+    let is_solved = march.record().unsolved == 0;
+    let decays = small.complete && !small.grows;
     let fate = match last >= KEEPS * earlier {
-        _ if !(earlier.is_finite() && last.is_finite()) => OPEN,
+        _ if !(is_solved && earlier.is_finite() && last.is_finite()) => OPEN,
         // nothing of the kind comes back
-        _ if last <= GONE * first && !grows => SETTLES,
-        true if has_changed || grows => VIBRATES,
+        _ if last <= GONE * first && decays => SETTLES,
+        true if has_changed || small.grows => VIBRATES,
         // small motions decay as their modes do
-        false if !has_changed && !grows => SETTLES,
+        false if !has_changed && decays => SETTLES,
         _ => OPEN,
     };
-    Ok(KnockedMotion { impulse, fate, energy: last, is_solved: march.record().unsolved == 0 })
+    Ok(KnockedMotion { impulse, fate, energy: last, is_solved })
 }
 
 impl SampledKnocks {
@@ -189,11 +201,16 @@ impl SampledKnocks {
         }
     }
 
+    /// Whether some keep vibrating.
+    pub(super) fn vibrates(&self) -> bool {
+        self.count(VIBRATES) > 0
+    }
+
     /// What is to be said of them.
     pub(super) fn warning(&self) -> Option<String> {
         let (undecided, all) = (self.count(OPEN), self.motions.len());
         (undecided > 0).then(|| {
-            format!("what becomes of {undecided} of {all} knocks is not clear after the duration: give them more of it")
+            format!("what becomes of {undecided} of {all} knocks is not clear: they need a longer duration, steps that are all solved, and a band that is proven to have no other modes")
         })
     }
 

@@ -15,7 +15,7 @@ use judder_assembly::steady::SteadySliding;
 use judder_cycles::CyclesError;
 use judder_cycles::backbone::{BackboneSettings, PeriodicMotion};
 use judder_cycles::balance::HarmonicBalance;
-use judder_cycles::branch::{AssemblyCycleBranch, BranchSettings, CycleBranchEnd, cycle_branch};
+use judder_cycles::branch::{AssemblyCycleBranch, BranchSettings, CycleAtKey, CycleBranchEnd, cycle_branch};
 use judder_cycles::cycle::{CycleSettings, HarmonicCount};
 use judder_cycles::path::PathRule;
 use judder_cycles::series::Series;
@@ -68,19 +68,21 @@ pub(super) fn margins(
     let family = SweptAssembly::new(of, vec![sweep], true);
     let region = band(asked.band[0], asked.band[1]);
     let solved = SolvedSweep::new(&family, &values, SweepMethod::Full, &region, &Untold(progress))?;
-    let along = AlongKey { progress, asked, sweep, family: &family, range, own };
+    let along = AlongMarginKey { progress, asked, sweep, family: &family, range, own };
     let branches = FollowedModes { values: &values, sweep: &solved.sweep, own, modes };
     let flutter = solved.onsets.onsets.iter().filter(|own| own.kind == OnsetKind::Flutter);
     let onsets: Vec<(&Onset, Option<usize>)> =
         flutter.map(|onset| (onset, branches.mode_of(onset))).collect();
-    let onsets: Vec<MarginOfOnset> = onsets
+    // all of them, so that of several errors the first is told
+    let onsets: Vec<Result<MarginOfOnset, ModelError>> = onsets
         .par_iter()
         .map(|(onset, mode)| {
             progress.go_on()?;
             let reach = along.reach(onset, mode.map(|mode| modes[mode]))?;
             Ok(MarginOfOnset::new(onset, *mode, reach, own))
         })
-        .collect::<Result<_, ModelError>>()?;
+        .collect();
+    let onsets = onsets.into_iter().collect::<Result<_, _>>()?;
     Ok(SoughtMargins { own, onsets, doubt: solved.onsets.warning() })
 }
 
@@ -121,7 +123,7 @@ impl FollowedModes<'_> {
 }
 
 /// What is followed along the key.
-struct AlongKey<'a> {
+struct AlongMarginKey<'a> {
     progress: &'a dyn Progress,
     asked: &'a AssemblySqueal,
     sweep: &'a KeySweep,
@@ -131,7 +133,7 @@ struct AlongKey<'a> {
 }
 
 /// Where a branch begins.
-struct FirstCycle {
+struct OnsetCycle {
     value: f64,
     assembly: Assembly,
     steady: SteadySliding,
@@ -139,7 +141,7 @@ struct FirstCycle {
     motion: PeriodicMotion,
 }
 
-impl AlongKey<'_> {
+impl AlongMarginKey<'_> {
     /// How far the cycles of the mode of an onset reach; that mode has this eigenvalue with the case as it is, where it grows there.
     fn reach(&self, onset: &Onset, mode: Option<Complex64>) -> Result<CycleReach, ModelError> {
         let grows_above = !onset.gains;
@@ -182,7 +184,7 @@ impl AlongKey<'_> {
         value: f64,
         frequency: f64,
         mode: Option<Complex64>,
-    ) -> Result<Result<FirstCycle, String>, ModelError> {
+    ) -> Result<Result<OnsetCycle, String>, ModelError> {
         let found = self.family.state(&[value]).and_then(|state| {
             let mode = match mode {
                 Some(own) => own,
@@ -208,11 +210,11 @@ impl AlongKey<'_> {
             Some(cycle) => cycle.motion.clone(),
         };
         drop(sought);
-        Ok(Ok(FirstCycle { value, assembly, steady, frequency: mode.im, motion }))
+        Ok(Ok(OnsetCycle { value, assembly, steady, frequency: mode.im, motion }))
     }
 
     /// The branch through a cycle towards the side on which steady sliding is stable.
-    fn followed(&self, onset: &Onset, first: &FirstCycle) -> Result<CycleReach, ModelError> {
+    fn followed(&self, onset: &Onset, first: &OnsetCycle) -> Result<CycleReach, ModelError> {
         let [from, to] = self.range;
         let harmonics = self.asked.margin_harmonics();
         let series = Series::new(harmonics, self.asked.solver.samples * harmonics);
@@ -241,6 +243,8 @@ impl AlongKey<'_> {
     fn read(&self, onset: &Onset, branch: &AssemblyCycleBranch) -> CycleReach {
         /// What the end of a branch may be off the onset, and what reaches beyond it at least, of the range.
         const SAME: f64 = 0.01;
+        /// What their frequencies may differ by, of that of the onset.
+        const ALIKE: f64 = 0.02;
         const SMALLEST: f64 = 1e-6;
         let [from, to] = self.range;
         // rising towards the side on which steady sliding is stable
@@ -249,8 +253,12 @@ impl AlongKey<'_> {
         let inside = branch.cycles.iter().map(|own| own.parameter).filter(|own| (from..=to).contains(own));
         let reaches = inside.max_by(|a, b| beyond(*a).total_cmp(&beyond(*b)));
         let last = branch.cycles.last().map_or(f64::NAN, |own| own.parameter);
+        let off = |own: &CycleAtKey| (own.motion.turning.frequency / (TAU * onset.frequency_hz) - 1.0).abs();
+        let is_alike = branch.cycles.last().is_some_and(|own| off(own) <= ALIKE);
         let end = match &branch.end {
-            CycleBranchEnd::SteadySliding if beyond(last).abs() <= SAME * (to - from) => MarginEnd::Onset,
+            CycleBranchEnd::SteadySliding if is_alike && beyond(last).abs() <= SAME * (to - from) => {
+                MarginEnd::Onset
+            }
             CycleBranchEnd::SteadySliding => MarginEnd::OtherOnset(last),
             CycleBranchEnd::Range if beyond(last) < 0.0 => match reaches.map(beyond) {
                 Some(most) if most > 0.0 => MarginEnd::Growing,
@@ -298,7 +306,6 @@ fn outermost(branch: &AssemblyCycleBranch, beyond: impl Fn(f64) -> f64) -> Optio
 mod tests {
     use super::*;
     use judder_cycles::balance::CycleRate;
-    use judder_cycles::branch::CycleAtKey;
 
     /// x = 0.3 + (a − 1.7)², whose turn is known.
     #[test]

@@ -129,17 +129,19 @@ pub(super) struct ToldMargins {
     largest: Option<f64>,
     /// onsets whose margin is not known
     unknown: usize,
-    /// whether at the value of the case a mode that does not grow has cycles, so that a knock may suffice; none where it is not known
+    /// whether a knock may suffice with the case as it is: a mode that does not grow has cycles there, or knocks keep vibrating where nothing grows; none where neither is known
     knock: Option<bool>,
+    /// why it is not known
+    knock_reason: &'static str,
     /// harmonics of the cycles
     harmonics: usize,
     /// each onset with its margin, by rising value
-    onsets: Vec<ToldMargin>,
+    onsets: Vec<MarginOfMode>,
 }
 
 /// An onset with its margin.
 #[derive(Clone, Results)]
-struct ToldMargin {
+struct MarginOfMode {
     /// value of the key at which the mode begins to grow
     onset: f64,
     /// how far the onset may be from it
@@ -181,7 +183,7 @@ impl ToldMargins {
         let margins = || found.onsets.iter().filter_map(|own| own.margin);
         let told = found.onsets.iter().map(|own| {
             let rank = own.margin.map(|margin| 1 + margins().filter(|other| *other > margin).count());
-            ToldMargin {
+            MarginOfMode {
                 onset: own.onset.value,
                 onset_error: own.onset.error,
                 frequency_hz: own.onset.frequency_hz,
@@ -196,25 +198,44 @@ impl ToldMargins {
                 end: own.reach.end.words(sweep),
             }
         });
-        let knocks = || found.onsets.iter().map(|own| own.is_within);
+        let is_within = found.onsets.iter().any(|own| own.is_within == Some(true));
         Self {
             key: sweep.path.clone(),
             unit: any_key(&sweep.path, sweep.dimension).unit,
             own: Some(found.own).filter(|own| own.is_finite()),
             largest: margins().reduce(f64::max),
             unknown: found.onsets.len() - margins().count(),
-            knock: match knocks().any(|own| own == Some(true)) {
-                true => Some(true),
-                false => knocks().all(|own| own.is_some()).then_some(false),
+            knock: is_within.then_some(true),
+            knock_reason: match (is_within, found.onsets.is_empty()) {
+                (true, _) => "",
+                (false, true) => {
+                    "no mode begins to grow within the range, and cycles are followed from onsets alone"
+                }
+                (false, false) => {
+                    "no cycles that begin at the onsets of the range are known to reach the case; others are not sought"
+                }
             },
             harmonics: asked.margin_harmonics(),
             onsets: told.collect(),
         }
     }
 
+    /// That knocks keep vibrating although nothing grows.
+    pub(super) fn set_knocked(&mut self) {
+        (self.knock, self.knock_reason) = (Some(true), "");
+    }
+
     /// What is to be said of margins that are not known.
     pub(super) fn doubts(sweep: &KeySweep, found: &SoughtMargins) -> Vec<String> {
-        found.onsets.iter().filter_map(|own| own.doubt(sweep)).chain(found.doubt.clone()).collect()
+        let none = || {
+            let path = &sweep.path;
+            format!(
+                "no mode begins to grow within the range of {path}, so that no cycles are followed along it"
+            )
+        };
+        let none = found.onsets.is_empty().then(none);
+        let of_onsets = found.onsets.iter().filter_map(|own| own.doubt(sweep));
+        of_onsets.chain(found.doubt.clone()).chain(none).collect()
     }
 
     /// Margins that should be known.

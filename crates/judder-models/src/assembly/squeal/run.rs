@@ -2,7 +2,7 @@
 
 use super::cures::cures;
 use super::cycle::{CycleInBand, SoughtMode};
-use super::knocks::knocked;
+use super::knocks::{KnockedMotions, knocked};
 use super::margin::margins;
 use super::margin_told::ToldMargins;
 use super::settings::AssemblySqueal;
@@ -19,6 +19,7 @@ use judder_assembly::steady::SteadySliding;
 use judder_structure::complex_modes::{ComplexMode, Verdict};
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Outcome};
+use judder_study::text::short;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
@@ -30,10 +31,10 @@ pub(super) fn run(
     let steady = of.steady_to_march()?;
     let about = Linearised::new(&of.built.assembly, &steady, LinearisedTerms::default())?;
     let all = found(&about.problem, &band(asked.band[0], asked.band[1]))?;
-    let grows = |mode: &&ComplexMode| {
+    let swings = |mode: &&ComplexMode| {
         mode.eigenvalue.verdict() == Verdict::Unstable && mode.eigenvalue.value.im > 0.0
     };
-    let values: Vec<Complex64> = all.modes.iter().filter(grows).map(|mode| mode.eigenvalue.value).collect();
+    let values: Vec<Complex64> = all.modes.iter().filter(swings).map(|mode| mode.eigenvalue.value).collect();
     let modes = sought(of, asked, &steady, &values, progress)?;
     let mut told = ToldSqueal::new(all.complete(), ranked(&modes));
     let mut warnings = of.doubts(&steady);
@@ -41,24 +42,33 @@ pub(super) fn run(
         warnings.push("it is not proven that the band has no other modes".to_owned());
     }
     for mode in told.modes.iter().filter(|mode| !mode.reason.is_empty()) {
-        warnings.push(format!("mode at {:.1} Hz: {}", mode.mode_frequency, mode.reason));
+        warnings.push(format!("mode at {} Hz: {}", short(mode.mode_frequency), mode.reason));
     }
-    warnings.extend(told.all_unstable());
-    let mut missing = told.unstable - told.found + usize::from(!told.complete);
+    let unheard = told.all_unstable();
+    // motions go somewhere, but how loud that is no cycle tells
+    let mut missing =
+        told.unstable - told.found + usize::from(!told.complete) + usize::from(unheard.is_some());
+    warnings.extend(unheard);
     if let Some(sweep) = asked.margin_sweep() {
         let found = margins(of, asked, sweep, &values, progress)?;
         warnings.extend(ToldMargins::doubts(sweep, &found));
         missing += ToldMargins::missing(&found);
         told = told.with_margins(asked, sweep, &found);
     }
+    // what creeps away without swinging grows as well
+    let grows = all.modes.iter().any(|mode| mode.eigenvalue.verdict() == Verdict::Unstable);
+    let small = KnockedMotions { grows, complete: told.complete };
     let knocks = match &asked.knocks {
-        Some(asked) => Some((asked, knocked(of, asked, &steady, told.unstable > 0, progress)?)),
+        Some(asked) => Some((asked, knocked(of, asked, &steady, small, progress)?)),
         None => None,
     };
     if let Some((asked, found)) = &knocks {
         warnings.extend(found.warning());
         missing += found.unsolved();
         told.knocks = Some(found.told(asked));
+        if let Some(margin) = told.margin.as_mut().filter(|_| !grows && found.vibrates()) {
+            margin.set_knocked();
+        }
     }
     if let (Some(asked), Some(leading)) = (&asked.cures, told.leading()) {
         let found = cures(of, asked, values[leading], progress)?;
@@ -91,7 +101,9 @@ fn sought(
         };
         Ok((*value, cycle))
     };
-    modes.par_iter().map(sought).collect()
+    // all of them, so that of several errors the first is told
+    let found: Vec<Result<SoughtMode, ModelError>> = modes.par_iter().map(sought).collect();
+    found.into_iter().collect()
 }
 
 /// What is checked of all cycles that were found.

@@ -1,6 +1,7 @@
 //! `squeal`: which modes, how their cycles are computed, what is asked of them besides.
 
 use crate::assembly::case::AssemblyCase;
+use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::eigen::BAND;
 use crate::assembly::limit_cycle::settings::CycleSolver;
 use crate::assembly::swept::{ALL_FRICTION, SWEPT};
@@ -12,10 +13,12 @@ use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
-use judder_keys::section::{Section, list};
+use judder_keys::section::{Section, list, wrong_type};
 use judder_study::case::scale::Spacing;
 use judder_study::case::study_sweep::SEEDS;
+use judder_study::text::short;
 use serde_json::{Value as Json, json};
+use std::f64::consts::TAU;
 
 /// The cycles of all modes that grow.
 #[derive(Debug, Clone, PartialEq, Settings)]
@@ -98,7 +101,11 @@ impl Setting for AskedCures {
         match node.data {
             Data::Boolean(true) => Ok(Self::Usual),
             Data::Boolean(false) => Ok(Self::Keys(Vec::new())),
-            _ => Vec::read(section, key, node, &PATHS).map(Self::Keys),
+            Data::List(_) => Vec::read(section, key, node, &PATHS).map(Self::Keys),
+            _ => {
+                let expected = "true, or a list of dotted paths of numbers of the case";
+                Err(wrong_type(&section.path(key), expected, node))
+            }
         }
     }
 
@@ -115,6 +122,11 @@ const PATHS: Several<()> = Several { of: (), length: [0, usize::MAX] };
 const HARMONICS: Whole = Whole { from: 1, to: 500 };
 /// Harmonics of the cycles of a margin where the case does not say.
 const USUAL_HARMONICS: usize = 7;
+/// Steps of a knock in a period of the upper end of the band, at least.
+const STEPS_A_PERIOD: f64 = 20.0;
+/// Which part of the duration of a knock has its energy compared with that of the part before, and periods of the lower end of the band in it, at least.
+const WINDOW: f64 = 0.2;
+const PERIODS_A_WINDOW: f64 = 5.0;
 /// Values of a factor on all friction.
 const FACTORS: usize = 41;
 
@@ -144,7 +156,11 @@ impl Setting for MarginSweep {
                 dimension: Dimension::NUMBER,
                 scale: Spacing::Linear,
             }),
-            _ => Some(KeySweep::read(section, key, node, &MARGIN)?),
+            Data::Table(_) => Some(KeySweep::read(section, key, node, &MARGIN)?),
+            _ => {
+                let expected = "true, or a table { key, from, to, points } whose key is a number of the case or \"friction\"";
+                return Err(wrong_type(&section.path(key), expected, node));
+            }
         }))
     }
 
@@ -155,10 +171,56 @@ impl Setting for MarginSweep {
 
 impl AssemblySqueal {
     fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        self.check_knocks(section)?;
+        self.check_factors(section)?;
         match section.get("margin_harmonics") {
             Some(node) if self.margin.is_none() => {
                 let with = "no `margin`".to_owned();
                 Err(Cause::Meaningless { key: "margin_harmonics", with }.at(node.place))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses knocks whose steps do not follow the band, or that are not followed long enough to tell.
+    fn check_knocks(&self, section: &Section<'_>) -> Result<(), Fault> {
+        let (Some(knocks), Some(node)) = (&self.knocks, section.get("knocks")) else { return Ok(()) };
+        let [longest, shortest] = self.band.map(|omega| TAU / omega);
+        let refuse = |key: &str, reason: String| {
+            let place = node.entry(key).unwrap_or(node).place;
+            Err(AssemblyProblem::Refused { reason }.at(place))
+        };
+        if knocks.step > knocks.duration {
+            let [step, duration] = [knocks.step, knocks.duration].map(short);
+            return refuse("step", format!("a step of {step} s is longer than the duration of {duration} s"));
+        }
+        let largest = shortest / STEPS_A_PERIOD;
+        if knocks.step > largest * (1.0 + 1e-9) {
+            let (own, largest, upper) = (short(knocks.step), short(largest), short(1.0 / shortest));
+            let reason = format!(
+                "a step of {own} s does not follow {upper} Hz, the upper end of `band`: give at most {largest} s, or a narrower band"
+            );
+            return refuse("step", reason);
+        }
+        let least = PERIODS_A_WINDOW * longest / WINDOW;
+        if knocks.duration < least * (1.0 - 1e-9) {
+            let (own, least, lower) = (short(knocks.duration), short(least), short(1.0 / longest));
+            let reason = format!(
+                "in a fifth of {own} s there are no {PERIODS_A_WINDOW} periods of {lower} Hz, the lower end of `band`, whose energies are compared: give at least {least} s, or a narrower band"
+            );
+            return refuse("duration", reason);
+        }
+        Ok(())
+    }
+
+    /// Refuses factors on friction below zero, which would have it drive.
+    fn check_factors(&self, section: &Section<'_>) -> Result<(), Fault> {
+        match (self.margin_sweep(), section.get("margin")) {
+            (Some(sweep), Some(node))
+                if sweep.path == ALL_FRICTION && sweep.values.iter().any(|factor| *factor < 0.0) =>
+            {
+                let reason = "a factor on all friction is zero or positive".to_owned();
+                Err(AssemblyProblem::Refused { reason }.at(node.place))
             }
             _ => Ok(()),
         }

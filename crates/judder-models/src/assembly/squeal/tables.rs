@@ -55,7 +55,7 @@ fn margins(results: &Map<String, Value>) -> Option<PageTable> {
     let margins = results.get("margin")?;
     let mut onsets: Vec<&Value> = margins["onsets"].as_array()?.iter().collect();
     onsets.sort_by_key(|own| own["rank"].as_u64().unwrap_or(u64::MAX));
-    let keys = ["onset", "frequency_hz", "mode", "fold", "reaches", "margin", "knock", "end"];
+    let keys = ["onset", "frequency_hz", "mode", "fold", "fold_error", "reaches", "margin", "knock", "end"];
     let row = |own: &&Value| keys.map(|key| words(&own[key])).to_vec();
     let [key, unit] = ["key", "unit"].map(|name| margins[name].as_str().unwrap_or_default());
     let heads = [
@@ -63,6 +63,7 @@ fn margins(results: &Map<String, Value>) -> Option<PageTable> {
         "frequency (Hz)",
         "mode",
         "fold",
+        "fold may be off",
         "cycles reach",
         "margin",
         "knock in the case",
@@ -88,7 +89,7 @@ fn words(own: &Value) -> String {
 fn knocks(results: &Map<String, Value>) -> Option<PageTable> {
     let knocks = results.get("knocks").filter(|own| own.is_object())?;
     let rows = [
-        ("impulses up to (N s)", words(&knocks["impulse"][1])),
+        ("impulses (N s)", format!("{} … {}", words(&knocks["impulse"][0]), words(&knocks["impulse"][1]))),
         ("knocks", words(&knocks["samples"])),
         ("settle to steady sliding", words(&knocks["settle"])),
         ("keep vibrating", words(&knocks["vibrate"])),

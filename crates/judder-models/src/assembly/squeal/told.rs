@@ -1,7 +1,7 @@
 //! What is told of modes that grow and of their cycles: in the summary, as arrays, as rows.
 
 use super::cures::ToldCures;
-use super::cycle::{CycleInBand, Loudness, SoughtMode};
+use super::cycle::{CycleInBand, CycleLoudness, SoughtMode};
 use super::knocks::ToldKnocks;
 use super::margin::SoughtMargins;
 use super::margin_told::ToldMargins;
@@ -137,7 +137,7 @@ pub(super) fn stabilities(modes: &[SquealingMode]) -> Variable {
 /// The modes with their places by loudness and by growth.
 pub(super) fn ranked(modes: &[SoughtMode]) -> Vec<SquealingMode> {
     let found = |own: &SoughtMode| own.1.as_ref().ok().and_then(CycleInBand::loudness);
-    let ahead = |of: Loudness| modes.iter().filter_map(found).filter(|own| own.is_ahead(of)).count();
+    let ahead = |of: CycleLoudness| modes.iter().filter_map(found).filter(|own| own.is_ahead(of)).count();
     let faster = |than: f64| modes.iter().filter(|(value, _)| value.re > than).count();
     let told = modes.iter().enumerate().map(|(k, own)| {
         let (value, cycle) = own;

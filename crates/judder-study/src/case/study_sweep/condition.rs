@@ -11,12 +11,12 @@ pub struct SweptCondition {
     /// The position of its quantity among those of the sweep.
     pub quantity: usize,
     /// What is asked of it.
-    pub bound: Bound,
+    pub bound: ConditionBound,
 }
 
 /// What is asked of a quantity.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Bound {
+pub enum ConditionBound {
     /// That it lies above the first and below the second, where they are given; that it is not zero where neither is.
     Within(Option<f64>, Option<f64>),
     /// That a class has this code, called so.
@@ -37,7 +37,7 @@ impl SweptCondition {
         };
         let bound = match (&asked.is, asked.above, asked.below) {
             (Some(word), None, None) if !flags.is_empty() => match flags.iter().position(|own| own == word) {
-                Some(code) => Bound::Class(code as u8, word.clone()),
+                Some(code) => ConditionBound::Class(code as u8, word.clone()),
                 None => return refuse(format!("it is one of {}, and never {word}", flags.join(", "))),
             },
             (Some(_), None, None) => return refuse("it is no class: give `above` or `below`".to_owned()),
@@ -48,7 +48,7 @@ impl SweptCondition {
             (None, Some(above), Some(below)) if above >= below => {
                 return refuse("nothing lies above `above` and below `below`".to_owned());
             }
-            (None, above, below) => Bound::Within(above, below),
+            (None, above, below) => ConditionBound::Within(above, below),
         };
         Ok(Self { quantity, bound })
     }
@@ -57,10 +57,10 @@ impl SweptCondition {
     pub(super) fn as_asked(&self, quantities: &[QuantityPath]) -> AskedCondition {
         let quantity = quantities[self.quantity].text.clone();
         match &self.bound {
-            Bound::Within(above, below) => {
+            ConditionBound::Within(above, below) => {
                 AskedCondition { quantity, above: *above, below: *below, is: None }
             }
-            Bound::Class(_, word) => {
+            ConditionBound::Class(_, word) => {
                 AskedCondition { quantity, above: None, below: None, is: Some(word.clone()) }
             }
         }
@@ -70,13 +70,13 @@ impl SweptCondition {
     #[must_use]
     pub fn holds(&self, value: f64) -> bool {
         match self.bound {
-            Bound::Within(None, None) => value != 0.0 && !value.is_nan(),
-            Bound::Within(above, below) => {
+            ConditionBound::Within(None, None) => value != 0.0 && !value.is_nan(),
+            ConditionBound::Within(above, below) => {
                 !value.is_nan()
                     && above.is_none_or(|bound| value > bound)
                     && below.is_none_or(|bound| value < bound)
             }
-            Bound::Class(code, _) => value == f64::from(code),
+            ConditionBound::Class(code, _) => value == f64::from(code),
         }
     }
 
@@ -84,13 +84,13 @@ impl SweptCondition {
     #[must_use]
     pub fn words(&self, quantity: &str) -> String {
         match &self.bound {
-            Bound::Within(None, None) => quantity.to_owned(),
-            Bound::Within(Some(above), None) => format!("{quantity} > {}", plain(*above)),
-            Bound::Within(None, Some(below)) => format!("{quantity} < {}", plain(*below)),
-            Bound::Within(Some(above), Some(below)) => {
+            ConditionBound::Within(None, None) => quantity.to_owned(),
+            ConditionBound::Within(Some(above), None) => format!("{quantity} > {}", plain(*above)),
+            ConditionBound::Within(None, Some(below)) => format!("{quantity} < {}", plain(*below)),
+            ConditionBound::Within(Some(above), Some(below)) => {
                 format!("{} < {quantity} < {}", plain(*above), plain(*below))
             }
-            Bound::Class(_, word) => format!("{quantity} is {word}"),
+            ConditionBound::Class(_, word) => format!("{quantity} is {word}"),
         }
     }
 }
@@ -101,7 +101,8 @@ mod tests {
 
     #[test]
     fn what_has_no_number_lies_within_no_bound() {
-        let condition = |above, below| SweptCondition { quantity: 0, bound: Bound::Within(above, below) };
+        let condition =
+            |above, below| SweptCondition { quantity: 0, bound: ConditionBound::Within(above, below) };
         for (above, below, words) in [
             (None, None, "level"),
             (Some(1.0), None, "level > 1"),
@@ -113,7 +114,7 @@ mod tests {
             assert_eq!(own.words("level"), words);
         }
         assert!(!condition(None, None).holds(0.0) && !condition(Some(2.0), None).holds(2.0));
-        let class = SweptCondition { quantity: 0, bound: Bound::Class(1, "unstable".to_owned()) };
+        let class = SweptCondition { quantity: 0, bound: ConditionBound::Class(1, "unstable".to_owned()) };
         assert!(class.holds(1.0) && !class.holds(0.0) && class.words("verdict") == "verdict is unstable");
     }
 }

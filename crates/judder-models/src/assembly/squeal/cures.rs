@@ -110,9 +110,8 @@ pub(super) fn cures(
 
 /// Dampings, moduli and stiffnesses.
 fn is_usual(path: &str) -> bool {
-    const NAMES: [&str; 10] = [
+    const NAMES: [&str; 9] = [
         "cubic_stiffness",
-        "point_cubic_stiffness",
         "alpha",
         "beta",
         "loss_factor",

@@ -96,7 +96,8 @@ impl MarginOfOnset {
         let is_stable_side = sign * (own - onset.value) > 0.0;
         let reached = reach.fold.map(|(fold, _)| fold).or(reach.reaches);
         let is_reached = reached.is_some_and(|value| sign * (value - own) > 0.0);
-        let is_known = own.is_finite() && (is_whole || is_reached || !is_stable_side);
+        // cycles of branches that do not begin at the onset are not sought
+        let is_known = own.is_finite() && (is_reached || !is_stable_side);
         Self {
             onset: *onset,
             mode,

@@ -5,12 +5,14 @@
 //! - `interface_error`: what interface modes cost.
 //! - `swept`: steady sliding and small motions about it at any values of keys.
 //! - `meant_mode`: which mode about steady sliding an analysis means.
+//! - `cycles_along_key`: the first cycle of a mode along a key, and the branch through it.
 //! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`, `spectrogram`, `limit_cycle`, `squeal`, `bifurcation`, `frequency_response`.
 
 pub mod bifurcation;
 pub(crate) mod build;
 pub mod case;
 mod check;
+mod cycles_along_key;
 pub mod eigen;
 pub mod eigen_sweep;
 pub mod frequency_response;

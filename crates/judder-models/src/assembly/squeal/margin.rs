@@ -3,22 +3,16 @@
 use super::margin_told::{CycleReach, MarginEnd, MarginOfOnset};
 use super::settings::AssemblySqueal;
 use crate::assembly::AssemblySubject;
+use crate::assembly::cycles_along_key::{CyclesAlongKey, FirstCycle, fold_with_error};
 use crate::assembly::eigen::band;
 use crate::assembly::eigen_sweep::solved::SolvedSweep;
-use crate::assembly::limit_cycle::search::CycleOfMode;
 use crate::assembly::meant_mode::near_frequency;
-use crate::assembly::swept::{ALL_FRICTION, SweptAssembly};
+use crate::assembly::swept::{ALL_FRICTION, SlidingState, SweptAssembly};
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
-use judder_assembly::assembly::Assembly;
-use judder_assembly::steady::SteadySliding;
 use judder_cycles::CyclesError;
-use judder_cycles::backbone::{BackboneSettings, PeriodicMotion};
-use judder_cycles::balance::HarmonicBalance;
-use judder_cycles::branch::{AssemblyCycleBranch, BranchSettings, CycleAtKey, CycleBranchEnd, cycle_branch};
-use judder_cycles::cycle::{CycleSettings, HarmonicCount};
-use judder_cycles::path::PathRule;
-use judder_cycles::series::Series;
+use judder_cycles::backbone::BackboneSettings;
+use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey, CycleBranchEnd};
 use judder_structure::complex_modes::Verdict;
 use judder_structure::eigen_sweep::{SweepMethod, SweptEigenvalues};
 use judder_structure::onset::{Onset, OnsetKind};
@@ -68,7 +62,16 @@ pub(super) fn margins(
     let family = SweptAssembly::new(of, vec![sweep], true);
     let region = band(asked.band[0], asked.band[1]);
     let solved = SolvedSweep::new(&family, &values, SweepMethod::Full, &region, &Untold(progress))?;
-    let along = AlongMarginKey { progress, asked, sweep, family: &family, range, own };
+    let along = CyclesAlongKey {
+        family: &family,
+        sweep,
+        harmonics: asked.margin_harmonics(),
+        samples: asked.solver.samples,
+        backbone: BackboneSettings { largest: asked.solver.largest_amplitude, ..BackboneSettings::default() },
+        most: CYCLES,
+        progress,
+    };
+    let along = AlongMarginKey { along, range, own };
     let branches = FollowedModes { values: &values, sweep: &solved.sweep, own, modes };
     let flutter = solved.onsets.onsets.iter().filter(|own| own.kind == OnsetKind::Flutter);
     let onsets: Vec<(&Onset, Option<usize>)> =
@@ -124,21 +127,9 @@ impl FollowedModes<'_> {
 
 /// What is followed along the key.
 struct AlongMarginKey<'a> {
-    progress: &'a dyn Progress,
-    asked: &'a AssemblySqueal,
-    sweep: &'a KeySweep,
-    family: &'a SweptAssembly<'a>,
+    along: CyclesAlongKey<'a>,
     range: [f64; 2],
     own: f64,
-}
-
-/// Where a branch begins.
-struct OnsetCycle {
-    value: f64,
-    assembly: Assembly,
-    steady: SteadySliding,
-    frequency: f64,
-    motion: PeriodicMotion,
 }
 
 impl AlongMarginKey<'_> {
@@ -157,7 +148,14 @@ impl AlongMarginKey<'_> {
                 continue;
             }
             let own = mode.filter(|_| share == 1.0);
-            match self.first(value, TAU * onset.frequency_hz, own)? {
+            let chosen = |state: &SlidingState| match own {
+                Some(own) => Ok(own),
+                None => {
+                    let about = self.along.family.about(state)?;
+                    Ok(near_frequency(&about, TAU * onset.frequency_hz)?.eigenvalue.value)
+                }
+            };
+            match self.along.of_mode(value, chosen)? {
                 Ok(first) => {
                     let reach = self.followed(onset, &first)?;
                     if reach.end.is_whole() {
@@ -166,9 +164,7 @@ impl AlongMarginKey<'_> {
                     // one that turns before the onset is not the branch that begins there
                     partly.get_or_insert(reach);
                 }
-                Err(reason) => {
-                    reasons.push(format!("{} = {}: {reason}", self.sweep.path, self.sweep.text(value)));
-                }
+                Err(reason) => reasons.push(self.along.told(value, &reason)),
             }
         }
         let none = || {
@@ -178,65 +174,14 @@ impl AlongMarginKey<'_> {
         Ok(partly.unwrap_or_else(none))
     }
 
-    /// The cycle at a value of the mode near a frequency, or of that with an eigenvalue; in words why there is none.
-    fn first(
-        &self,
-        value: f64,
-        frequency: f64,
-        mode: Option<Complex64>,
-    ) -> Result<Result<OnsetCycle, String>, ModelError> {
-        let found = self.family.state(&[value]).and_then(|state| {
-            let mode = match mode {
-                Some(own) => own,
-                None => near_frequency(&self.family.about(&state)?, frequency)?.eigenvalue.value,
-            };
-            Ok((state.steady, mode, self.family.assembly(&[value])?))
-        });
-        let (steady, mode, assembly) = match found {
-            Ok(found) => found,
-            Err(ModelError::Interrupted) => return Err(ModelError::Interrupted),
-            Err(error) => return Ok(Err(error.to_string())),
-        };
-        let backbone =
-            BackboneSettings { largest: self.asked.solver.largest_amplitude, ..BackboneSettings::default() };
-        let harmonics = HarmonicCount::Fixed(self.asked.margin_harmonics());
-        let settings = CycleSettings { harmonics, samples: self.asked.solver.samples, backbone };
-        let sought = CycleOfMode::new(&assembly, &steady, mode, &settings, self.progress)?;
-        let motion = match sought.cycle() {
-            None => return Ok(Err(sought.reason().unwrap_or_default())),
-            Some(_) if sought.held_back().is_some() => {
-                return Ok(Err(sought.held_back().unwrap_or_default()));
-            }
-            Some(cycle) => cycle.motion.clone(),
-        };
-        drop(sought);
-        Ok(Ok(OnsetCycle { value, assembly, steady, frequency: mode.im, motion }))
-    }
-
     /// The branch through a cycle towards the side on which steady sliding is stable.
-    fn followed(&self, onset: &Onset, first: &OnsetCycle) -> Result<CycleReach, ModelError> {
-        let [from, to] = self.range;
-        let harmonics = self.asked.margin_harmonics();
-        let series = Series::new(harmonics, self.asked.solver.samples * harmonics);
-        let balance = HarmonicBalance::new(&first.assembly, &first.steady, first.frequency, series, &[])?;
-        let at = |value: f64| {
-            let built = self.family.assembly(&[value]);
-            built.map_err(|error| CyclesError::NoAssembly { value, reason: error.to_string() })
-        };
-        let longest = 1.0 / self.sweep.values.len().max(10) as f64;
-        let rule = PathRule { steps: [0.2 * longest, longest, 1e-7], tolerance: 1e-8, ..PathRule::default() };
-        let settings =
-            BranchSettings { rule, range: [from, to], unit: to - from, rises: onset.gains, points: CYCLES };
-        let go_on = || !self.progress.interrupted();
-        let begins = (first.value, &first.motion);
-        let branch = match cycle_branch(&at, &balance, begins, &settings, &go_on) {
-            Ok(branch) => branch,
-            Err(CyclesError::Stopped) => return Err(ModelError::Interrupted),
-            Err(error) => {
-                return Ok(CycleReach::unknown(format!("the branch of cycles was not begun: {error}")));
-            }
-        };
-        Ok(self.read(onset, &branch))
+    fn followed(&self, onset: &Onset, first: &FirstCycle) -> Result<CycleReach, ModelError> {
+        let balance = self.along.balance(first)?;
+        match self.along.branch(first, &balance, onset.gains) {
+            Ok(branch) => Ok(self.read(onset, &branch)),
+            Err(CyclesError::Stopped) => Err(ModelError::Interrupted),
+            Err(error) => Ok(CycleReach::unknown(format!("the branch of cycles was not begun: {error}"))),
+        }
     }
 
     /// What a branch says of the margin.
@@ -270,60 +215,15 @@ impl AlongMarginKey<'_> {
         };
         let least = onset.error.max(SMALLEST * (to - from));
         let is_beyond = reaches.is_some_and(|value| beyond(value) > least);
-        let fold = if end.is_whole() && is_beyond { outermost(branch, beyond) } else { None };
+        let folds = branch.folds.iter().map(|own| fold_with_error(branch, *own));
+        let outermost = folds.max_by(|(a, _), (b, _)| beyond(*a).total_cmp(&beyond(*b)));
+        let fold = match reaches.filter(|_| end.is_whole() && is_beyond) {
+            // one that turns at its first cycle has no fold there
+            Some(reached) => outermost
+                .filter(|(fold, _)| beyond(*fold) >= beyond(reached) - least)
+                .or(Some((reached, f64::NAN))),
+            None => None,
+        };
         CycleReach { fold, reaches, end }
-    }
-}
-
-/// Where a branch reaches farthest beyond an onset, by a parabola over the amplitude through the cycles around the outermost one, and what that may be off. Where contact
-/// points change what they do the branch has kinks, at which its direction does not tell that it turns.
-fn outermost(branch: &AssemblyCycleBranch, beyond: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
-    /// Of the differences to both neighbours: what is less alike is no parabola.
-    const KINK: f64 = 20.0;
-    let value = |place: usize| branch.cycles[place].parameter;
-    let middle = (0..branch.cycles.len()).max_by(|a, b| beyond(value(*a)).total_cmp(&beyond(value(*b))))?;
-    let own = value(middle);
-    let (Some(before), Some(after)) = (middle.checked_sub(1), branch.cycles.get(middle + 1)) else {
-        return Some((own, f64::NAN));
-    };
-    let before = &branch.cycles[before];
-    let amplitude = branch.cycles[middle].motion.amplitude;
-    let [a, b] = [before, after].map(|own| own.motion.amplitude - amplitude);
-    let [p, q] = [before, after].map(|other| other.parameter - own);
-    // p(x) = s x + c x² through both neighbours
-    let curvature = (p / a - q / b) / (a - b);
-    let slope = p / a - curvature * a;
-    let rise = -0.25 * slope * slope / curvature;
-    let is_turn = rise.is_finite() && a * b < 0.0 && beyond(own + rise) >= beyond(own);
-    // at a kink the branch goes on from one side as a line at most to the amplitude of the other
-    let [least, most] = [p.abs().min(q.abs()), p.abs().max(q.abs())];
-    let line = (p / a * b).abs().min((q / b * a).abs());
-    Some(if is_turn && most < KINK * least { (own + rise, rise.abs()) } else { (own, line) })
-}
-
-#[cfg(test)]
-#[allow(clippy::unwrap_used)]
-mod tests {
-    use super::*;
-    use judder_cycles::balance::CycleRate;
-
-    /// x = 0.3 + (a − 1.7)², whose turn is known.
-    #[test]
-    fn a_turn_is_that_of_the_parabola() {
-        let at = |amplitude: f64| {
-            let parameter = 0.3 + (amplitude - 1.7) * (amplitude - 1.7);
-            let turning = CycleRate { frequency: 1.0, growth: 0.0 };
-            let motion = PeriodicMotion { unknown: Vec::new(), turning, amplitude, residual: 0.0 };
-            CycleAtKey { parameter, motion, rises: amplitude < 1.7 }
-        };
-        let cycles: Vec<CycleAtKey> = [2.4, 2.0, 1.8, 1.5, 1.0].map(at).to_vec();
-        let branch = AssemblyCycleBranch {
-            branch_points: Vec::new(),
-            folds: vec![(2, cycles[2].parameter)],
-            cycles,
-            end: CycleBranchEnd::Range,
-        };
-        let (fold, error) = outermost(&branch, |value| 0.5 - value).unwrap();
-        assert!((fold - 0.3).abs() < 1e-12 && (error - 0.01).abs() < 1e-12, "{fold} {error}");
     }
 }

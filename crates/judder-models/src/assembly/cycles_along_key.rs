@@ -1,0 +1,191 @@
+//! Cycles along a key: the first one, of a mode or near a march, and the branch through it.
+
+use super::limit_cycle::search::CycleOfMode;
+use super::limit_cycle::start::CycleStart;
+use super::swept::{SlidingState, SweptAssembly};
+use crate::error::ModelError;
+use crate::key_sweep::KeySweep;
+use judder_assembly::assembly::Assembly;
+use judder_assembly::steady::SteadySliding;
+use judder_cycles::CyclesError;
+use judder_cycles::backbone::{BackboneSettings, PeriodicMotion};
+use judder_cycles::balance::HarmonicBalance;
+use judder_cycles::branch::{AssemblyCycleBranch, BranchSettings, cycle_branch};
+use judder_cycles::cycle::{AssemblyCycle, CycleSettings, HarmonicCount};
+use judder_cycles::path::PathRule;
+use judder_cycles::series::Series;
+use judder_study::Progress;
+use judder_study::case::scale::Spacing;
+use num_complex::Complex64;
+
+/// What is followed along which key, and how.
+pub(super) struct CyclesAlongKey<'a> {
+    pub(super) family: &'a SweptAssembly<'a>,
+    pub(super) sweep: &'a KeySweep,
+    /// Harmonics of the cycles.
+    pub(super) harmonics: usize,
+    /// Instants of a period a harmonic.
+    pub(super) samples: usize,
+    /// How the motions of a mode are followed to its cycle.
+    pub(super) backbone: BackboneSettings,
+    /// The most cycles of a branch.
+    pub(super) most: usize,
+    pub(super) progress: &'a dyn Progress,
+}
+
+/// Where a branch begins.
+pub(super) struct FirstCycle {
+    value: f64,
+    assembly: Assembly,
+    steady: SteadySliding,
+    /// In rad/s, by which its equations are scaled.
+    frequency: f64,
+    motion: PeriodicMotion,
+}
+
+impl CyclesAlongKey<'_> {
+    fn settings(&self) -> CycleSettings {
+        let harmonics = HarmonicCount::Fixed(self.harmonics);
+        CycleSettings { harmonics, samples: self.samples, backbone: self.backbone }
+    }
+
+    /// The smallest and the largest value.
+    pub(super) fn range(&self) -> [f64; 2] {
+        let values = || self.sweep.values.iter().copied();
+        [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    /// What is to be said of a value.
+    pub(super) fn told(&self, value: f64, words: &str) -> String {
+        format!("{} = {}: {words}", self.sweep.path, self.sweep.text(value))
+    }
+
+    /// The assembly at a value.
+    pub(super) fn assembly(&self, value: f64) -> Result<Assembly, CyclesError> {
+        let built = self.family.assembly(&[value]);
+        built.map_err(|error| CyclesError::NoAssembly { value, reason: error.to_string() })
+    }
+
+    /// The cycle at a value of the mode with the eigenvalue that is chosen there; in words why there is none.
+    pub(super) fn of_mode(
+        &self,
+        value: f64,
+        chosen: impl FnOnce(&SlidingState) -> Result<Complex64, ModelError>,
+    ) -> Result<Result<FirstCycle, String>, ModelError> {
+        let found = self.family.state(&[value]).and_then(|state| {
+            let eigenvalue = chosen(&state)?;
+            Ok((state.steady, eigenvalue, self.family.assembly(&[value])?))
+        });
+        let (steady, eigenvalue, assembly) = match in_words(found)? {
+            Ok(found) => found,
+            Err(reason) => return Ok(Err(reason)),
+        };
+        let sought = CycleOfMode::new(&assembly, &steady, eigenvalue, &self.settings(), self.progress)?;
+        let none = || sought.reason().unwrap_or_default();
+        let motion = sought.cycle().ok_or_else(none).and_then(whole);
+        drop(sought);
+        Ok(motion.map(|motion| FirstCycle { value, assembly, steady, frequency: eigenvalue.im, motion }))
+    }
+
+    /// The cycle at a value to which a march leads; in words why there is none.
+    pub(super) fn near_march(
+        &self,
+        value: f64,
+        start: &CycleStart,
+    ) -> Result<Result<FirstCycle, String>, ModelError> {
+        let found = self.family.state(&[value]);
+        let found = found.and_then(|state| Ok((state.steady, self.family.built(&[value])?)));
+        let (steady, built) = match in_words(found)? {
+            Ok(found) => found,
+            Err(reason) => return Ok(Err(reason)),
+        };
+        let subject = self.family.subject(&built);
+        let found = start.cycle(&subject, &steady, &self.settings(), self.progress)?;
+        let motion = found.map_err(|error| error.to_string()).and_then(|cycle| whole(&cycle));
+        Ok(motion.map(|motion| {
+            let frequency = motion.turning.frequency;
+            FirstCycle { value, assembly: built.assembly, steady, frequency, motion }
+        }))
+    }
+
+    /// The equations of all cycles of the branch through the first.
+    pub(super) fn balance<'f>(&self, first: &'f FirstCycle) -> Result<HarmonicBalance<'f>, CyclesError> {
+        let series = Series::new(self.harmonics, self.samples * self.harmonics);
+        HarmonicBalance::new(&first.assembly, &first.steady, first.frequency, series, &[])
+    }
+
+    /// The branch through the first cycle, to where the key rises at first or falls.
+    pub(super) fn branch(
+        &self,
+        first: &FirstCycle,
+        balance: &HarmonicBalance<'_>,
+        rises: bool,
+    ) -> Result<AssemblyCycleBranch, CyclesError> {
+        let measure = KeyMeasure::of(self.sweep);
+        let range = self.range().map(|value| measure.of_value(value));
+        let longest = 1.0 / self.sweep.values.len().max(10) as f64;
+        let rule = PathRule { steps: [0.2 * longest, longest, 1e-7], tolerance: 1e-8, ..PathRule::default() };
+        let unit = range[1] - range[0];
+        let settings = BranchSettings { rule, range, unit, rises, points: self.most };
+        let begins = (measure.of_value(first.value), &first.motion);
+        let at = |measured: f64| self.assembly(measure.value(measured));
+        let go_on = || !self.progress.interrupted();
+        Ok(measure.in_values(cycle_branch(&at, balance, begins, &settings, &go_on)?))
+    }
+}
+
+/// What was found, or in words why it was not, which an interruption is not.
+fn in_words<T>(found: Result<T, ModelError>) -> Result<Result<T, String>, ModelError> {
+    match found {
+        Err(ModelError::Interrupted) => Err(ModelError::Interrupted),
+        found => Ok(found.map_err(|error| error.to_string())),
+    }
+}
+
+/// The motion of a cycle that has all harmonics.
+fn whole(cycle: &AssemblyCycle<'_>) -> Result<PeriodicMotion, String> {
+    match &cycle.held_back {
+        Some(error) => Err(format!("its cycle was not found with all harmonics: {error}")),
+        None => Ok(cycle.motion.clone()),
+    }
+}
+
+/// The fold of a branch at this place of its list, and what it may be off.
+///
+/// It is known to a thousandth of the way between the cycles around it: where the branch turns smoothly that is far more than it is off, at a kink its sides are no steeper than
+/// ten times as steep as they are on average.
+pub(super) fn fold_with_error(branch: &AssemblyCycleBranch, (cycle, fold): (usize, f64)) -> (f64, f64) {
+    const WAY: f64 = 0.01;
+    let around = branch.cycles.iter().skip(cycle.saturating_sub(1)).take(3);
+    let off = around.map(|own| (own.parameter - fold).abs()).fold(0.0, f64::max);
+    (fold, WAY * off)
+}
+
+/// How lengths along a key are measured: by its logarithm where its `scale` is that.
+#[derive(Clone, Copy)]
+struct KeyMeasure {
+    is_log: bool,
+}
+
+impl KeyMeasure {
+    fn of(sweep: &KeySweep) -> Self {
+        Self { is_log: sweep.scale == Spacing::Log && sweep.values.iter().all(|own| *own > 0.0) }
+    }
+
+    fn of_value(self, value: f64) -> f64 {
+        if self.is_log { value.ln() } else { value }
+    }
+
+    fn value(self, measured: f64) -> f64 {
+        if self.is_log { measured.exp() } else { measured }
+    }
+
+    /// A branch with the values of the key in place of their measures.
+    fn in_values(self, mut branch: AssemblyCycleBranch) -> AssemblyCycleBranch {
+        let cycles = branch.cycles.iter_mut().map(|own| &mut own.parameter);
+        let folds = branch.folds.iter_mut().map(|(_, own)| own);
+        let points = branch.branch_points.iter_mut().map(|own| &mut own.parameter);
+        cycles.chain(folds).chain(points).for_each(|own| *own = self.value(*own));
+        branch
+    }
+}

@@ -91,7 +91,7 @@ pub fn backbone(
     let reference = Some(start.reference.clone());
     let mut equations = ExtendedBalance::new(balance, balance, eigenvalue.im, Free::Growth, reference);
     equations.weigh_swing(&start.direction);
-    let mut newton = Newton::new(settings.rule, go_on);
+    let mut newton = Newton::new(settings.rule, go_on).without_branches();
     let closing = ClosingEquation::across(&start.direction, equations.weights(), &start.at);
     let first = newton.corrected(&mut equations, &start.at, &closing, &start.direction)?;
     equations.accept(&first.at)?;

@@ -65,12 +65,16 @@ pub struct AssemblyCycle<'a> {
 pub struct CycleSearch<'a> {
     /// Its motions over their amplitude, with few harmonics.
     pub backbone: Backbone,
+    /// With how many they were followed, one count after the other: those of the backbone come last.
+    pub followed_with: Vec<usize>,
     /// Its cycles, in order of their amplitude along the backbone.
     pub cycles: Vec<AssemblyCycle<'a>>,
 }
 
-/// Harmonics with which the motions of a mode are followed.
-const FEW: usize = 3;
+/// Harmonics with which the motions of a mode are followed, with more of them where fewer lead to no cycle.
+const FEW: [usize; 3] = [3, 7, 15];
+/// Unknowns up to which they are followed once more: some hundred steps with as large a dense matrix take seconds.
+const FOLLOWED_AGAIN: usize = 500;
 
 /// The limit cycles of the mode with this eigenvalue about steady sliding.
 ///
@@ -83,16 +87,31 @@ pub fn limit_cycles<'a>(
     settings: &CycleSettings,
     go_on: &GoOn<'_>,
 ) -> Result<CycleSearch<'a>, CyclesError> {
-    let asked = settings.most();
-    let balance =
-        HarmonicBalance::new(assembly, steady, eigenvalue.im, settings.series(FEW.min(asked)), &[])?;
-    let backbone = backbone(&balance, steady, eigenvalue, &settings.backbone, go_on)?;
+    let [few, more @ ..] = FEW.map(|count| count.min(settings.most()));
+    let mut balance = HarmonicBalance::new(assembly, steady, eigenvalue.im, settings.series(few), &[])?;
+    let follow =
+        |balance: &HarmonicBalance<'_>| backbone(balance, steady, eigenvalue, &settings.backbone, go_on);
+    let mut found = follow(&balance)?;
+    let mut followed_with = vec![few];
+    for count in more {
+        let next = balance.with_series(settings.series(count));
+        let is_known = followed_with.last() == Some(&count);
+        if !found.cycles.is_empty() || is_known || next.unknowns() > FOLLOWED_AGAIN {
+            break;
+        }
+        match follow(&next) {
+            Ok(backbone) => (balance, found) = (next, backbone),
+            Err(error) if error.is_of_the_motion() => break,
+            Err(error) => return Err(error),
+        }
+        followed_with.push(count);
+    }
     let mut cycles = Vec::new();
-    for (motion, attracts) in &backbone.cycles {
+    for (motion, attracts) in &found.cycles {
         let cycle = AssemblyCycle::of(balance.clone(), motion.clone(), Some(*attracts))?;
         cycles.push(cycle.with_enough(settings, go_on)?);
     }
-    Ok(CycleSearch { backbone, cycles })
+    Ok(CycleSearch { backbone: found, followed_with, cycles })
 }
 
 impl CycleSettings {

@@ -99,6 +99,8 @@ pub(crate) struct Newton<'g> {
     rule: PathRule,
     /// After how many steps that do not halve what is left it gives up.
     patience: usize,
+    /// Whether a path keeps the sign of the determinant at sharp turns: there are no branch points on it.
+    keeps_orientation: bool,
     /// The derivative, and the closing equation in its last row.
     matrix: Mat<f64>,
     right: Mat<f64>,
@@ -106,7 +108,13 @@ pub(crate) struct Newton<'g> {
 
 impl<'g> Newton<'g> {
     pub(crate) fn new(rule: PathRule, go_on: &'g GoOn<'g>) -> Self {
-        Self { go_on, rule, patience: rule.iterations, matrix: Mat::new(), right: Mat::new() }
+        let [matrix, right] = [(); 2].map(|()| Mat::new());
+        Self { go_on, rule, patience: rule.iterations, keeps_orientation: false, matrix, right }
+    }
+
+    /// The same along paths without branch points.
+    pub(crate) fn without_branches(self) -> Self {
+        Self { keeps_orientation: true, ..self }
     }
 
     /// The linear system at a place, of so many right sides that are zero but for the closing equation, which is one.
@@ -212,11 +220,15 @@ impl<'g> Newton<'g> {
     }
 }
 
+/// Σ a b w.
+fn weighted(a: &[f64], b: &[f64], weights: &[f64]) -> f64 {
+    (0..a.len()).map(|k| a[k] * weights[k] * b[k]).sum()
+}
+
 /// A direction of length one in the weights that points as another does, and −1 where that turned it.
 fn unit(direction: &[f64], weights: &[f64], towards: &[f64]) -> (Vec<f64>, f64) {
-    let weighted =
-        |other: &[f64]| -> f64 { (0..direction.len()).map(|k| direction[k] * weights[k] * other[k]).sum() };
-    let (length, sign) = (weighted(direction).sqrt(), if weighted(towards) < 0.0 { -1.0 } else { 1.0 });
+    let length = weighted(direction, direction, weights).sqrt();
+    let sign = if weighted(direction, towards, weights) < 0.0 { -1.0 } else { 1.0 };
     (direction.iter().map(|own| sign * own / length).collect(), sign)
 }
 
@@ -225,6 +237,9 @@ const PATIENCE: usize = 6;
 
 /// A step that fails below it stands before a kink of the path.
 const KINK: f64 = 1e-4;
+
+/// The cosine below which a path turns sharply.
+const SHARP: f64 = 0.5;
 
 /// How far two places lie apart.
 pub(crate) fn distance(a: &[f64], b: &[f64], weights: &[f64]) -> f64 {
@@ -358,8 +373,7 @@ impl Path {
         const NARROW: f64 = 0.2;
         let PathPoint { at, tangent, .. } = &self.point;
         let way: Vec<f64> = other.iter().zip(at).map(|(a, b)| a - b).collect();
-        let weighted = |a: &[f64], b: &[f64]| -> f64 { (0..a.len()).map(|k| a[k] * b[k] * weights[k]).sum() };
-        let (along, length) = (weighted(&way, tangent), weighted(&way, &way).sqrt());
+        let (along, length) = (weighted(&way, tangent, weights), weighted(&way, &way, weights).sqrt());
         along < 0.0 && (length * length - along * along).max(0.0).sqrt() < NARROW * length
     }
 
@@ -374,11 +388,17 @@ impl Path {
         newton.patience = PATIENCE;
         let found = newton.corrected(equations, &guess, &closing, tangent);
         newton.patience = newton.rule.iterations;
-        let found = found?;
+        let mut found = found?;
         // a solution far off the guess is one of another path
         let off = distance(&found.at, &guess, equations.weights());
         if off > self.step || !equations.is_sought(&found.at)? {
             return Err(CyclesError::NotConverged { iterations: found.iterations, residual: off });
+        }
+        // behind a kink at which a path turns sharply it goes on the way that keeps the sign of the determinant
+        let ahead = weighted(tangent, &found.tangent, equations.weights());
+        if newton.keeps_orientation && ahead < SHARP && found.orientation * self.point.orientation < 0.0 {
+            found.tangent.iter_mut().for_each(|own| *own = -*own);
+            found.orientation = -found.orientation;
         }
         Ok(found)
     }

@@ -124,3 +124,23 @@ fn a_mass_sticks_and_slips_as_the_motion_itself_does() {
     assert!(largest[1] < 5e-4 && largest[2] < 2e-4, "{errors:?}");
     assert!(largest[1] < 0.1 * largest[0], "{errors:?}");
 }
+
+/// At 0.9 m/s, a little below the speed from which on steady sliding is stable, three harmonics turn back where the mass first sticks, and more lead on to the cycle.
+#[test]
+fn a_cycle_is_found_with_more_harmonics_where_few_turn_back() {
+    let belt = BeltOscillator::new(0.025, 1.0, 0.9, FALLING).unwrap();
+    let expected = known(&belt, &settled(&belt, [0.3, 0.9]));
+    let case = assembly(
+        [diagonal(&[1.0; 2]), diagonal(&[0.05, 0.0]), diagonal(&[1.0, 0.0])],
+        vec![0.0, -1.0],
+        vec![point_on_plane(&[0, 1], 0.9, 0.0)],
+        InterfaceLaw::Rigid(Friction::Falling(FALLING)),
+    );
+    let (steady, values) = growing(&case, [0.5, 2.0]);
+    let found = limit_cycles(&case, &steady, values[0], &CycleSettings::default(), &|| true).unwrap();
+    assert_eq!(found.followed_with, [3, 7, 15]);
+    assert_eq!(found.cycles[0].attracts, Some(true));
+    let errors = expected.errors(&found.cycles[0]);
+    println!("{}", told(&errors));
+    assert!(worst(&errors) < 2e-3, "{errors:?}");
+}

@@ -118,10 +118,8 @@ impl<'a> CycleOfMode<'a> {
         let backbone = &found.backbone;
         let reached = backbone.motions.iter().map(|own| own.amplitude / backbone.first_change);
         let reached = reached.fold(0.0, f64::max);
-        let all = match self.eigenvalue.re > 0.0 {
-            true => "grow, with three harmonics, at every amplitude",
-            false => "decay, with three harmonics, at every amplitude",
-        };
+        let does = if self.eigenvalue.re > 0.0 { "grow" } else { "decay" };
+        let all = format!("{does}, {}, at every amplitude", with_harmonics(&found.followed_with));
         Some(match &backbone.end {
             BackboneEnd::Found | BackboneEnd::Largest => format!(
                 "motions of the mode {all} up to {:.3} times that at which the contact first changes its state",
@@ -138,6 +136,17 @@ impl<'a> CycleOfMode<'a> {
                 "motions of the mode {all} up to {reached:.3} times that at which the contact first changes its state, and were lost there: {error}"
             ),
         })
+    }
+}
+
+/// With how many harmonics motions were followed last, and with how many before.
+fn with_harmonics(counts: &[usize]) -> String {
+    let told: Vec<String> = counts.iter().map(ToString::to_string).collect();
+    match told.as_slice() {
+        [before @ .., last] if !before.is_empty() => {
+            format!("with {last} harmonics (no cycle with {} either)", before.join(" and "))
+        }
+        all => format!("with {} harmonics", all.concat()),
     }
 }
 

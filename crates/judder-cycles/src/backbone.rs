@@ -9,10 +9,9 @@ mod mode;
 
 use crate::CyclesError;
 use crate::balance::{CycleRate, HarmonicBalance};
+use crate::crossing::{between, sign_change};
 use crate::extended::{ExtendedBalance, Free};
-use crate::path::{
-    ClosingEquation, GoOn, Newton, PathEquations, PathPoint, PathRule, between, ended, follow, sign_change,
-};
+use crate::path::{ClosingEquation, GoOn, Newton, PathEquations, PathPoint, PathRule, ended, follow};
 use faer::c64;
 use judder_assembly::steady::SteadySliding;
 

@@ -8,6 +8,7 @@
 //! - [`balance`]: the balance of harmonics on the contact points, with its derivatives.
 //! - `reduced`: linear systems some of whose unknowns stand alone in a row.
 //! - [`path`]: solutions of equations with one unknown more, one after the other.
+//! - `crossing`: where an unknown of a path changes its sign.
 //! - `turning`: where paths turn, and where others may branch off.
 //! - `extended`: the balance with unknowns beside the forces: the frequency, and what else is free.
 //! - `phase`: where the period of a motion begins that nothing drives.
@@ -23,6 +24,7 @@
 pub mod backbone;
 pub mod balance;
 pub mod branch;
+mod crossing;
 pub mod cycle;
 mod error;
 mod extended;

@@ -3,9 +3,12 @@
 //! Pseudo-arclength continuation (H. B. Keller, 1977): a step along the tangent, then Newton's method on the equations and the plane that the
 //! step ends in.
 
+mod newton;
+
 use crate::CyclesError;
-use crate::reduced::solve;
-use faer::{Mat, MatMut};
+use faer::MatMut;
+
+pub(crate) use newton::Newton;
 
 /// n equations of n + 1 unknowns, which are of the order of one.
 pub(crate) trait PathEquations {
@@ -80,156 +83,24 @@ impl ClosingEquation {
         let value = dot(&row, place);
         Self { row, value }
     }
-}
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |most, own| if own.is_nan() { f64::INFINITY } else { most.max(own.abs()) })
+    /// r·z − c.
+    fn left(&self, at: &[f64]) -> f64 {
+        dot(&self.row, at) - self.value
+    }
 }
 
 /// Asked again and again by what takes long: where it says no, that ends as [`CyclesError::Stopped`].
 pub type GoOn<'g> = dyn Fn() -> bool + Sync + 'g;
 
-/// Newton's method, with what it works in: assembled, solved and written over again in the same place.
-pub(crate) struct Newton<'g> {
-    go_on: &'g GoOn<'g>,
-    rule: PathRule,
-    /// After how many steps that do not halve what is left it gives up.
-    patience: usize,
-    /// Whether a path keeps the sign of the determinant at sharp turns: there are no branch points on it.
-    keeps_orientation: bool,
-    /// The derivative, and the closing equation in its last row.
-    matrix: Mat<f64>,
-    right: Mat<f64>,
-}
-
-impl<'g> Newton<'g> {
-    pub(crate) fn new(rule: PathRule, go_on: &'g GoOn<'g>) -> Self {
-        let [matrix, right] = [(); 2].map(|()| Mat::new());
-        Self { go_on, rule, patience: rule.iterations, keeps_orientation: false, matrix, right }
-    }
-
-    /// The same along paths without branch points.
-    pub(crate) fn without_branches(self) -> Self {
-        Self { keeps_orientation: true, ..self }
-    }
-
-    /// The linear system at a place, of so many right sides that are zero but for the closing equation, which is one.
-    fn assemble<E: PathEquations>(
-        &mut self,
-        equations: &mut E,
-        at: &[f64],
-        closing: &[f64],
-        sides: usize,
-    ) -> Result<(), CyclesError> {
-        let size = at.len();
-        if self.matrix.nrows() != size {
-            self.matrix = Mat::zeros(size, size);
-        }
-        equations.derivative(at, self.matrix.as_mut().submatrix_mut(0, 0, size - 1, size))?;
-        closing.iter().enumerate().for_each(|(j, own)| self.matrix[(size - 1, j)] = *own);
-        self.right.resize_with(size, sides, |_, _| 0.0);
-        self.right.fill(0.0);
-        (0..sides).for_each(|side| self.right[(size - 1, side)] = 1.0);
-        Ok(())
-    }
-
-    /// In place of the right sides the solutions; the sign of the determinant.
-    fn solve(&mut self) -> Result<f64, CyclesError> {
-        solve(self.matrix.as_mut(), self.right.as_mut()).ok_or(CyclesError::Singular)
-    }
-
-    /// The solution near a guess on which the closing equation holds; the tangent points as `towards` does.
-    ///
-    /// # Errors
-    /// [`CyclesError::NotConverged`], [`CyclesError::Singular`], and what the equations say.
-    pub(crate) fn corrected<E: PathEquations>(
-        &mut self,
-        equations: &mut E,
-        guess: &[f64],
-        closing: &ClosingEquation,
-        towards: &[f64],
-    ) -> Result<PathPoint, CyclesError> {
-        /// The step of Newton's method, and the tangent.
-        const SIDES: usize = 2;
-        let size = guess.len();
-        let mut at = guess.to_vec();
-        let closed = |at: &[f64]| dot(&closing.row, at) - closing.value;
-        let left = |equations: &mut E, at: &[f64]| -> Result<[f64; 2], CyclesError> {
-            let (residual, own) = (equations.residual(at)?, closed(at));
-            Ok([largest(residual).max(largest(&[own])), (dot(residual, residual) + own * own).sqrt()])
-        };
-        let [mut most, mut norm] = left(equations, &at)?;
-        let (mut tried, mut least, mut since) = (at.clone(), norm, 0);
-        let mut iteration = 0;
-        while iteration < self.rule.iterations && since < self.patience {
-            iteration += 1;
-            if !(self.go_on)() {
-                return Err(CyclesError::Stopped);
-            }
-            self.assemble(equations, &at, &closing.row, SIDES)?;
-            let step = self.right.col_as_slice_mut(0);
-            step.iter_mut().zip(equations.residual(&at)?).for_each(|(own, residual)| *own = -residual);
-            step[size - 1] = -closed(&at);
-            let sign = self.solve()?;
-            // the part of a step that leaves least: none need leave less where points change their states
-            let mut best: Option<(f64, f64, f64)> = None;
-            let step = self.right.col_as_slice(0);
-            let along = |share: f64, tried: &mut Vec<f64>| {
-                tried.clear();
-                tried.extend(at.iter().zip(step).map(|(own, step)| own + share * step));
-            };
-            for share in [1.0, 0.5, 0.25, 0.1] {
-                along(share, &mut tried);
-                let Ok([now_most, now_norm]) = left(equations, &tried) else { continue };
-                if best.is_none_or(|best| now_norm < best.2) {
-                    best = Some((share, now_most, now_norm));
-                }
-                if now_norm < (1.0 - 0.3 * share) * norm {
-                    break;
-                }
-            }
-            let share;
-            (share, most, norm) = best.ok_or(CyclesError::Singular)?;
-            along(share, &mut tried);
-            std::mem::swap(&mut at, &mut tried);
-            if most <= self.rule.tolerance {
-                let (tangent, turned) = unit(self.right.col_as_slice(1), equations.weights(), towards);
-                let orientation = sign * turned;
-                return Ok(PathPoint { at, tangent, orientation, residual: most, iterations: iteration });
-            }
-            (least, since) = if norm < 0.5 * least { (norm, 0) } else { (least, since + 1) };
-        }
-        Err(CyclesError::NotConverged { iterations: iteration, residual: most })
-    }
-
-    /// The tangent that the equations have at a place.
-    fn tangent_at<E: PathEquations>(
-        &mut self,
-        equations: &mut E,
-        at: &[f64],
-        towards: &[f64],
-    ) -> Result<Vec<f64>, CyclesError> {
-        let closing = ClosingEquation::across(towards, equations.weights(), at);
-        self.assemble(equations, at, &closing.row, 1)?;
-        self.solve()?;
-        Ok(unit(self.right.col_as_slice(0), equations.weights(), towards).0)
-    }
+/// Σ a b.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Σ a b w.
 fn weighted(a: &[f64], b: &[f64], weights: &[f64]) -> f64 {
     (0..a.len()).map(|k| a[k] * weights[k] * b[k]).sum()
-}
-
-/// A direction of length one in the weights that points as another does, and −1 where that turned it.
-fn unit(direction: &[f64], weights: &[f64], towards: &[f64]) -> (Vec<f64>, f64) {
-    let length = weighted(direction, direction, weights).sqrt();
-    let sign = if weighted(direction, towards, weights) < 0.0 { -1.0 } else { 1.0 };
-    (direction.iter().map(|own| sign * own / length).collect(), sign)
 }
 
 /// Steps of Newton's method that do not halve what is left after which a shorter step along the path is the better one.
@@ -245,17 +116,6 @@ const SHARP: f64 = 0.5;
 pub(crate) fn distance(a: &[f64], b: &[f64], weights: &[f64]) -> f64 {
     let squares = a.iter().zip(b).zip(weights).map(|((a, b), weight)| (a - b) * (a - b) * weight);
     squares.sum::<f64>().sqrt()
-}
-
-/// A guess of the solution at a share of the way between two: Hermite's cubic, with the directions in which the path leaves one and comes to the other.
-pub(crate) fn between([first, last]: [&PathPoint; 2], share: f64, weights: &[f64]) -> Vec<f64> {
-    let (way, back) = (distance(&first.at, &last.at, weights), 1.0 - share);
-    let of = |k: usize| {
-        let [from, to] = [back * back * (1.0 + 2.0 * share), share * share * (3.0 - 2.0 * share)];
-        let [leaving, coming] = [way * share * back * back, -way * share * share * back];
-        from * first.at[k] + to * last.at[k] + leaving * first.tangent[k] + coming * last.tangent[k]
-    };
-    (0..first.at.len()).map(of).collect()
 }
 
 /// Follows a path from a solution on until a judge, who sees the last solution and the next one, ends it; nothing where there are as many solutions as were asked for.
@@ -385,10 +245,7 @@ impl Path {
         let PathPoint { at, tangent, .. } = &self.point;
         let guess: Vec<f64> = at.iter().zip(tangent).map(|(own, t)| own + self.step * t).collect();
         let closing = ClosingEquation::across(tangent, equations.weights(), &guess);
-        newton.patience = PATIENCE;
-        let found = newton.corrected(equations, &guess, &closing, tangent);
-        newton.patience = newton.rule.iterations;
-        let mut found = found?;
+        let mut found = newton.corrected_within(equations, &guess, &closing, tangent, PATIENCE)?;
         // a solution far off the guess is one of another path
         let off = distance(&found.at, &guess, equations.weights());
         if off > self.step || !equations.is_sought(&found.at)? {
@@ -402,26 +259,4 @@ impl Path {
         }
         Ok(found)
     }
-}
-
-/// The solutions between which an unknown changes its sign, on the path from one to another that is followed in steps of a sixteenth of the way.
-///
-/// # Errors
-/// Why no next solution was found; [`CyclesError::NotConverged`] where the unknown keeps its sign.
-pub(crate) fn sign_change<E: PathEquations>(
-    equations: &mut E,
-    newton: &mut Newton<'_>,
-    [first, last]: [&PathPoint; 2],
-    unknown: usize,
-) -> Result<[PathPoint; 2], CyclesError> {
-    const STEPS: usize = 16;
-    let step = distance(&first.at, &last.at, equations.weights()) / STEPS as f64;
-    let rule = PathRule { steps: [step, step, newton.rule.steps[2].min(1e-3 * step)], ..newton.rule };
-    let mut newton = Newton::new(rule, newton.go_on);
-    equations.accept(&first.at)?;
-    let found = follow(&mut newton, equations, first.clone(), 4 * STEPS, |_, _, [before, next]| {
-        let changes = before.at[unknown] * next.at[unknown] <= 0.0;
-        Ok(changes.then(|| [before.clone(), next.clone()]))
-    })?;
-    found.ok_or(CyclesError::NotConverged { iterations: 4 * STEPS, residual: last.at[unknown].abs() })
 }

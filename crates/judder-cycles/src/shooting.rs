@@ -132,24 +132,34 @@ pub fn shoot(
             break;
         }
         let later = coordinates(&around.from(&freedoms(&x), (1.0 + DIFFERENCE) * period)?.0);
-        let by_period = |k: usize| (later[k] - end[k]) / DIFFERENCE;
-        // the last row keeps the phase
-        let bordered =
-            Mat::from_fn(2 * size + 1, 2 * size + 1, |i, j| match (i == 2 * size, j == 2 * size) {
-                (false, false) => matrix[(i, j)] - f64::from(u8::from(i == j)),
-                (false, true) => by_period(i),
-                (true, false) => direction[j],
-                (true, true) => 0.0,
-            });
-        let mut right = Mat::from_fn(2 * size + 1, 1, |i, _| if i < 2 * size { -missed[i] } else { 0.0 });
-        solve(bordered, &mut right).ok_or(CyclesError::Singular)?;
-        x.iter_mut().enumerate().for_each(|(k, own)| *own += right[(k, 0)]);
-        period *= 1.0 + right[(2 * size, 0)];
+        let by_period: Vec<f64> = later.iter().zip(&end).map(|(a, b)| (a - b) / DIFFERENCE).collect();
+        let (step, longer) = returning(&matrix, [&by_period, &direction, &missed])?;
+        x.iter_mut().zip(step).for_each(|(own, step)| *own += step);
+        period *= 1.0 + longer;
         if !(period.is_finite() && period > 0.0) {
             break;
         }
     }
     Err(CyclesError::NotReturned { iterations: settings.iterations, missed: left })
+}
+
+/// A step of Newton's method towards a state that comes back, and that of the period, of itself: from the derivatives of the state a period later by the state and by
+/// the period, and the direction along which no step goes, so that the phase stays.
+fn returning(
+    by_state: &Mat<f64>,
+    [by_period, direction, missed]: [&[f64]; 3],
+) -> Result<(Vec<f64>, f64), CyclesError> {
+    let size = missed.len();
+    let bordered = Mat::from_fn(size + 1, size + 1, |i, j| match (i == size, j == size) {
+        (false, false) => by_state[(i, j)] - f64::from(u8::from(i == j)),
+        (false, true) => by_period[i],
+        (true, false) => direction[j],
+        (true, true) => 0.0,
+    });
+    let mut right = Mat::from_fn(size + 1, 1, |i, _| if i < size { -missed[i] } else { 0.0 });
+    solve(bordered, &mut right).ok_or(CyclesError::Singular)?;
+    let right = right.col_as_slice(0);
+    Ok((right[..size].to_vec(), right[size]))
 }
 
 fn length(values: &[f64]) -> f64 {

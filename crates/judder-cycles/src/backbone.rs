@@ -86,16 +86,23 @@ pub fn backbone(
     settings: &BackboneSettings,
     go_on: &GoOn<'_>,
 ) -> Result<Backbone, CyclesError> {
-    let start = mode::smallest(balance, steady, eigenvalue)?;
-    let reference = Some(start.reference.clone());
-    let mut equations = ExtendedBalance::new(balance, balance, eigenvalue.im, Free::Growth, reference);
-    equations.weigh_swing(&start.direction);
     let mut newton = Newton::new(settings.rule, go_on).without_branches();
-    let closing = ClosingEquation::across(&start.direction, equations.weights(), &start.at);
-    let first = newton.corrected(&mut equations, &start.at, &closing, &start.direction)?;
-    equations.accept(&first.at)?;
+    let begins = |share: f64, newton: &mut Newton<'_>| begins(balance, steady, eigenvalue, share, newton);
+    let (mut equations, mut first) = begins(SHARES[0], &mut newton)?;
+    let mut share = SHARES[0];
+    for smaller in &SHARES[1..] {
+        // where σ has changed its sign already there is a cycle below
+        if first.at[first.at.len() - 1] * eigenvalue.re >= 0.0 {
+            break;
+        }
+        match begins(*smaller, &mut newton) {
+            Ok(found) => ((equations, first), share) = (found, *smaller),
+            Err(CyclesError::Stopped) => return Err(CyclesError::Stopped),
+            Err(_) => break,
+        }
+    }
     let smallest = equations.motion(&first)?;
-    let first_change = smallest.amplitude / mode::SHARE;
+    let (least, first_change) = (0.5 * smallest.amplitude, smallest.amplitude / share);
     let (mut motions, mut cycles) = (vec![smallest], Vec::new());
     let growth = first.at.len() - 1;
     let end =
@@ -112,7 +119,7 @@ pub fn backbone(
                 Some(BackboneEnd::Found)
             } else if amplitude > settings.largest * first_change {
                 Some(BackboneEnd::Largest)
-            } else if amplitude < 0.5 * mode::SHARE * first_change {
+            } else if amplitude < least {
                 Some(BackboneEnd::Shrunk)
             } else {
                 None
@@ -120,6 +127,27 @@ pub fn backbone(
         });
     let end = ended(end, BackboneEnd::Points, BackboneEnd::Lost)?;
     Ok(Backbone { motions, cycles, first_change, end })
+}
+
+/// The smallest amplitude, of that at which the contact first changes its state, and those from which on motions are followed where a cycle lies below it.
+const SHARES: [f64; 3] = [0.5, 0.1, 0.02];
+
+/// The equations of the motions of a mode, and the motion at a share of the amplitude at which the contact first changes its state.
+fn begins<'b, 'a>(
+    balance: &'b HarmonicBalance<'a>,
+    steady: &SteadySliding,
+    eigenvalue: c64,
+    share: f64,
+    newton: &mut Newton<'_>,
+) -> Result<(ExtendedBalance<&'b HarmonicBalance<'a>>, PathPoint), CyclesError> {
+    let start = mode::smallest(balance, steady, eigenvalue, share)?;
+    let mut equations =
+        ExtendedBalance::new(balance, balance, eigenvalue.im, Free::Growth, Some(start.reference));
+    equations.weigh_swing(&start.direction);
+    let closing = ClosingEquation::across(&start.direction, equations.weights(), &start.at);
+    let first = newton.corrected(&mut equations, &start.at, &closing, &start.direction)?;
+    equations.accept(&first.at)?;
+    Ok((equations, first))
 }
 
 /// A limit cycle near another that is known with as many harmonics or fewer.

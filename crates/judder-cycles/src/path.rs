@@ -129,7 +129,8 @@ pub(crate) fn follow<E: PathEquations, End>(
     most: usize,
     mut judge: impl FnMut(&mut E, &mut Newton<'_>, [&PathPoint; 2]) -> Result<Option<End>, CyclesError>,
 ) -> Result<Option<End>, CyclesError> {
-    let mut path = Path { point: first, step: newton.rule.steps[0] };
+    let mut path =
+        Path { point: first, step: newton.rule.steps[0], keeps_orientation: newton.keeps_orientation };
     for _ in 1..most {
         let next = path.next(newton, equations)?;
         equations.accept(&next.at)?;
@@ -158,14 +159,34 @@ pub(crate) fn ended<End>(
 struct Path {
     point: PathPoint,
     step: f64,
+    /// Whether the next solution has the same sign of the determinant.
+    keeps_orientation: bool,
 }
 
 impl Path {
-    /// The next solution; the step shortens until one is found. Where equations have kinks, the path may turn at one.
+    /// The next solution; where none keeps the sign of the determinant as it should, there is a branch point after all.
     ///
     /// # Errors
     /// The last reason where none is found with the shortest step.
     fn next<E: PathEquations>(
+        &mut self,
+        newton: &mut Newton<'_>,
+        equations: &mut E,
+    ) -> Result<PathPoint, CyclesError> {
+        let begun = self.step;
+        match self.found(newton, equations) {
+            Err(error) if self.keeps_orientation && error.is_of_the_motion() => {
+                (self.step, self.keeps_orientation) = (begun, false);
+                let found = self.found(newton, equations);
+                self.keeps_orientation = true;
+                found
+            }
+            found => found,
+        }
+    }
+
+    /// The next solution; the step shortens until one is found. Where equations have kinks, the path may turn at one.
+    fn found<E: PathEquations>(
         &mut self,
         newton: &mut Newton<'_>,
         equations: &mut E,
@@ -215,9 +236,9 @@ impl Path {
             for step in [first, 0.1 * first, 0.01 * first, 10.0 * KINK] {
                 for sign in [1.0, -1.0] {
                     let tangent: Vec<f64> = behind.iter().map(|own| sign * own).collect();
-                    let there = Self { point: PathPoint { tangent, ..self.point.clone() }, step };
+                    let there = Self { point: PathPoint { tangent, ..self.point.clone() }, step, ..*self };
                     if let Ok(next) = there.tried(newton, equations)
-                        && !self.lies_behind(&next.at, equations.weights())
+                        && !self.lies_behind(&next, &behind, equations.weights())
                     {
                         return Ok(Some((next, step)));
                     }
@@ -227,14 +248,19 @@ impl Path {
         Ok(None)
     }
 
-    /// Whether a solution is one of those that the path came by.
-    fn lies_behind(&self, other: &[f64], weights: &[f64]) -> bool {
+    /// Whether a solution is one of those that the path came by: one that lies on the line back, along which the path does not run as it does beyond the kink.
+    fn lies_behind(&self, other: &PathPoint, beyond: &[f64], weights: &[f64]) -> bool {
         /// How far from the line back, of the way.
         const NARROW: f64 = 0.2;
+        let off_line = |of: &[f64], line: &[f64]| {
+            let (along, length) = (weighted(of, line, weights), weighted(of, of, weights));
+            (length - along * along).max(0.0).sqrt()
+        };
         let PathPoint { at, tangent, .. } = &self.point;
-        let way: Vec<f64> = other.iter().zip(at).map(|(a, b)| a - b).collect();
-        let (along, length) = (weighted(&way, tangent, weights), weighted(&way, &way, weights).sqrt());
-        along < 0.0 && (length * length - along * along).max(0.0).sqrt() < NARROW * length
+        let way: Vec<f64> = other.at.iter().zip(at).map(|(a, b)| a - b).collect();
+        let is_back = weighted(&way, tangent, weights) < 0.0
+            && off_line(&way, tangent) < NARROW * weighted(&way, &way, weights).sqrt();
+        is_back && off_line(&other.tangent, beyond) >= 0.5 * off_line(&other.tangent, tangent)
     }
 
     fn tried<E: PathEquations>(
@@ -252,8 +278,10 @@ impl Path {
             return Err(CyclesError::NotConverged { iterations: found.iterations, residual: off });
         }
         // behind a kink at which a path turns sharply it goes on the way that keeps the sign of the determinant
-        let ahead = weighted(tangent, &found.tangent, equations.weights());
-        if newton.keeps_orientation && ahead < SHARP && found.orientation * self.point.orientation < 0.0 {
+        if self.keeps_orientation && found.orientation != self.point.orientation {
+            if weighted(tangent, &found.tangent, equations.weights()) > SHARP {
+                return Err(CyclesError::NotConverged { iterations: found.iterations, residual: off });
+            }
             found.tangent.iter_mut().for_each(|own| *own = -*own);
             found.orientation = -found.orientation;
         }

@@ -7,9 +7,6 @@ use faer::{Mat, c64};
 use judder_assembly::steady::SteadySliding;
 use judder_dense::general::solve_complex;
 
-/// The smallest amplitude, of that at which the contact first changes its state.
-pub(super) const SHARE: f64 = 0.5;
-
 /// How far beside the eigenvalue its vector is sought.
 const BESIDE: f64 = 1e-7;
 
@@ -23,11 +20,14 @@ pub(super) struct ModeStart {
     pub(super) reference: Vec<f64>,
 }
 
+/// The guess at a share of the amplitude at which the contact first changes its state.
+///
 /// About steady sliding the forces of the points are (1 − ∂π/∂λ − ∂π/∂y Γ(λ)) δλ = 0 with the eigenvalue: its null vector, by inverse iteration.
 pub(super) fn smallest(
     balance: &HarmonicBalance<'_>,
     steady: &SteadySliding,
     eigenvalue: c64,
+    share: f64,
 ) -> Result<ModeStart, CyclesError> {
     let size = balance.series().coefficients();
     let about = about(balance, steady)?;
@@ -38,7 +38,7 @@ pub(super) fn smallest(
     let motion =
         |component: usize| -> c64 { (0..forces.len()).map(|k| receptance[(component, k)] * forces[k]).sum() };
     let motions: Vec<c64> = (0..forces.len()).map(motion).collect();
-    let factor = SHARE * first_change(balance, steady, &forces, &motions);
+    let factor = share * first_change(balance, steady, &forces, &motions);
     let unknowns = balance.unknowns();
     let mut direction = vec![0.0; unknowns + 2];
     for (component, force) in forces.iter().enumerate() {

@@ -268,7 +268,7 @@ fn on_belt(speed: &str, analysis: &str) -> RunReport {
 
 const FROM_MARCH: &str = "start = { march = { step = \"10 ms\", duration = \"1000 s\", start = { mode = 1, amplitude = \"1 m\" } } }";
 
-/// Above 1.0397 m/s the mass slides steadily, and yet a march that begins far enough comes to a cycle; below it the mode leads to none.
+/// Above 1.0397 m/s the mass slides steadily, and yet a march that begins far enough comes to a cycle, as below it.
 #[test]
 fn a_march_leads_to_cycles_that_no_mode_leads_to() {
     for (speed, grows) in [("1.2 m/s", false), ("0.9 m/s", true)] {

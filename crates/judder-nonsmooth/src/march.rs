@@ -339,6 +339,19 @@ impl<'a> NonsmoothMarch<'a> {
         self.bodies.energy(&self.z, &self.v, self.acting.full())
     }
 
+    /// Where it is, on its own coordinates.
+    #[must_use]
+    pub fn place(&self) -> &[f64] {
+        &self.z
+    }
+
+    /// The energy of the bodies about a place of this march, ½ vᵀ M v and ½ δzᵀ K δz, without that of contacts.
+    #[must_use]
+    pub fn energy_about(&self, place: &[f64]) -> BodyEnergy {
+        let off: Vec<f64> = self.z.iter().zip(place).map(|(own, other)| own - other).collect();
+        self.bodies.energy(&off, &self.v, &vec![0.0; off.len()])
+    }
+
     /// Where work went since the start.
     #[must_use]
     pub fn works(&self) -> Works {

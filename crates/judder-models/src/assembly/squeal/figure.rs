@@ -47,7 +47,7 @@ fn knocks(dataset: &Dataset) -> Option<Panel> {
             [impulse, energy].map(|values| own.iter().map(|knock| values[*knock]).collect::<Vec<f64>>());
         (!x.is_empty()).then(|| Layer::points(*words, x, y, Role::Series(k)))
     });
-    let axes = [Axis::linear("Impulse of the knock (N s)"), Axis::linear("Kinetic energy at the end (J)")];
+    let axes = [Axis::linear("Impulse of the knock (N s)"), Axis::linear("Energy at the end (J)")];
     let [across, up] = axes;
     Some(
         Panel::new(across, up, layers.collect())

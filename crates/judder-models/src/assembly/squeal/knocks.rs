@@ -1,5 +1,6 @@
 //! The basin of steady sliding by knocks: impulses at an observed point, marched until it is clear what becomes of them.
 
+use super::knock_energy::EnergyAboutSliding;
 use super::settings::Knocks;
 use crate::assembly::AssemblySubject;
 use crate::assembly::march::settings::SchemeWord;
@@ -12,7 +13,10 @@ use judder_numerics::share::wilson;
 use judder_store::{Dataset, Results, Variable};
 use judder_structure::factor::SymmetricFactor;
 use judder_study::Progress;
+use judder_study::kept::KeptLines;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// What becomes of a knock, by its code, in the order in which they are drawn.
 pub(super) const FATES: [(u8, &str); 3] =
@@ -30,12 +34,13 @@ const GONE: f64 = 1e-6;
 const PATIENCE: u64 = 100;
 
 /// A knock and what became of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct KnockedMotion {
+    sample: usize,
     /// In N s.
     impulse: f64,
     fate: u8,
-    /// The mean kinetic energy in the last window, in J.
+    /// The mean energy about steady sliding in the last window, in J.
     energy: f64,
     /// Whether every step was solved.
     is_solved: bool,
@@ -75,20 +80,20 @@ pub(super) struct ToldKnocks {
 
 /// What is known of small motions about steady sliding.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct KnockedMotions {
+pub(super) struct SmallMotions {
     /// Whether some of the band grow.
     pub(super) grows: bool,
     /// Whether it is proven that the band has no other modes.
     pub(super) complete: bool,
 }
 
-/// Marches from every knock.
+/// Marches from every knock; those of an interrupted run are known.
 pub(super) fn knocked(
     of: &AssemblySubject<'_>,
     asked: &Knocks,
     steady: &SteadySliding,
-    small: KnockedMotions,
-    progress: &dyn Progress,
+    small: SmallMotions,
+    (kept, progress): (KeptLines<'_>, &dyn Progress),
 ) -> Result<SampledKnocks, ModelError> {
     let watched = of.built.watched.iter().find(|own| own.name == asked.at);
     let unknown = || ModelError::Unsupported(format!("there is no observed point `{}`", asked.at));
@@ -97,15 +102,21 @@ pub(super) fn knocked(
     let mut march = NonsmoothMarch::new(&of.built.assembly, &[], settings)?;
     let largest = steady.points.iter().map(|point| point.normal_force.abs()).fold(0.0, f64::max);
     march.set_force_scale(if largest > 0.0 { largest } else { 1.0 });
+    march.start(&steady.displacement, &vec![0.0; steady.displacement.len()]);
+    let energy = EnergyAboutSliding::new(&of.built.assembly, steady, &march)?;
+    let follower = KnockFollower { asked, steady, unit, energy, small, progress };
+    let known: BTreeMap<usize, KnockedMotion> =
+        kept.known::<KnockedMotion>().into_iter().map(|motion| (motion.sample, motion)).collect();
     // all of them, so that of several errors the first is told
     let motions: Vec<Result<KnockedMotion, ModelError>> = (0..asked.samples)
         .into_par_iter()
-        .map(|sample| {
-            let [from, to] = asked.impulse;
-            let size = from + (to - from) * uniform(asked.seed as u64, 2 * sample as u64);
-            let is_back = uniform(asked.seed as u64, 2 * sample as u64 + 1) < 0.5;
-            let impulse = if is_back { -size } else { size };
-            follow(&mut march.clone(), asked, steady, &unit, (impulse, small), progress)
+        .map(|sample| match known.get(&sample) {
+            Some(motion) => Ok(*motion),
+            None => {
+                let motion = follower.follow(&mut march.clone(), sample)?;
+                kept.add(&motion);
+                Ok(motion)
+            }
         })
         .collect();
     Ok(SampledKnocks { motions: motions.into_iter().collect::<Result<_, _>>()? })
@@ -122,52 +133,76 @@ fn knock(of: &AssemblySubject<'_>, row: &Row) -> Result<Vec<f64>, ModelError> {
     }
 }
 
-fn follow(
-    march: &mut NonsmoothMarch<'_>,
-    asked: &Knocks,
-    steady: &SteadySliding,
-    unit: &[f64],
-    (impulse, small): (f64, KnockedMotions),
-    progress: &dyn Progress,
-) -> Result<KnockedMotion, ModelError> {
-    let velocity: Vec<f64> = unit.iter().map(|own| impulse * own).collect();
-    march.start(&steady.displacement, &velocity);
-    let forces: Vec<[f64; 2]> =
-        steady.points.iter().map(|point| [point.normal_force, point.friction_force]).collect();
-    march.guess(&forces);
-    let first = march.energy().kinetic;
-    let steps = (asked.duration / asked.step).ceil().max(1.0) as u64;
-    let [from, middle, _] = WINDOWS.map(|share| (share * steps as f64) as u64);
-    let (mut sums, mut motion, mut has_changed) = ([0.0; 2], Vec::new(), false);
-    for step in 0..steps {
-        if step % PATIENCE == 0 {
-            progress.go_on()?;
+/// What follows the motions after knocks.
+struct KnockFollower<'a> {
+    asked: &'a Knocks,
+    steady: &'a SteadySliding,
+    /// Velocities by 1 N s.
+    unit: Vec<f64>,
+    energy: EnergyAboutSliding,
+    small: SmallMotions,
+    progress: &'a dyn Progress,
+}
+
+impl KnockFollower<'_> {
+    /// The impulse of a sample, which depends on the seed and on the sample alone.
+    fn impulse(&self, sample: usize) -> f64 {
+        let ([from, to], seed) = (self.asked.impulse, self.asked.seed as u64);
+        let size = from + (to - from) * uniform(seed, 2 * sample as u64);
+        if uniform(seed, 2 * sample as u64 + 1) < 0.5 { -size } else { size }
+    }
+
+    fn follow(&self, march: &mut NonsmoothMarch<'_>, sample: usize) -> Result<KnockedMotion, ModelError> {
+        let (impulse, points) = (self.impulse(sample), &self.steady.points);
+        let velocity: Vec<f64> = self.unit.iter().map(|own| impulse * own).collect();
+        march.start(&self.steady.displacement, &velocity);
+        let forces: Vec<[f64; 2]> =
+            points.iter().map(|point| [point.normal_force, point.friction_force]).collect();
+        march.guess(&forces);
+        let first = self.energy.of(march);
+        let steps = (self.asked.duration / self.asked.step).ceil().max(1.0) as u64;
+        let [from, middle, _] = WINDOWS.map(|share| (share * steps as f64) as u64);
+        let (mut sums, mut motion, mut has_changed) = ([0.0; 2], Vec::new(), false);
+        for step in 0..steps {
+            if step % PATIENCE == 0 {
+                self.progress.go_on()?;
+            }
+            march.advance()?;
+            if step < from {
+                continue;
+            }
+            sums[usize::from(step >= middle)] += self.energy.of(march);
+            let now = (0..points.len()).map(|point| march.motion(point));
+            if step == from {
+                motion = now.collect();
+            } else {
+                has_changed |= now.zip(&motion).any(|(now, before)| now != *before);
+            }
         }
-        march.advance()?;
-        if step < from {
-            continue;
-        }
-        sums[usize::from(step >= middle)] += march.energy().kinetic;
-        let now = (0..steady.points.len()).map(|point| march.motion(point));
-        if step == from {
-            motion = now.collect();
-        } else {
-            has_changed |= now.zip(&motion).any(|(now, before)| now != *before);
+        let earlier = sums[0] / (middle - from).max(1) as f64;
+        let last = sums[1] / (steps - middle).max(1) as f64;
+        let is_solved = march.record().unsolved == 0;
+        let fate = match is_solved && earlier.is_finite() && last.is_finite() {
+            true => self.small.fate([first, earlier, last], has_changed),
+            false => OPEN,
+        };
+        Ok(KnockedMotion { sample, impulse, fate, energy: last, is_solved })
+    }
+}
+
+impl SmallMotions {
+    /// What becomes of a motion by its energy at first and in both windows, and whether points change what they do in these.
+    fn fate(self, [first, earlier, last]: [f64; 3], has_changed: bool) -> u8 {
+        let decays = self.complete && !self.grows;
+        match last >= KEEPS * earlier {
+            // nothing of the kind comes back
+            _ if last <= GONE * first && decays => SETTLES,
+            true if has_changed || self.grows => VIBRATES,
+            // small motions decay as their modes do
+            false if !has_changed && decays => SETTLES,
+            _ => OPEN,
         }
     }
-    let [earlier, last] = [sums[0] / (middle - from).max(1) as f64, sums[1] / (steps - middle).max(1) as f64];
-    let is_solved = march.record().unsolved == 0;
-    let decays = small.complete && !small.grows;
-    let fate = match last >= KEEPS * earlier {
-        _ if !(is_solved && earlier.is_finite() && last.is_finite()) => OPEN,
-        // nothing of the kind comes back
-        _ if last <= GONE * first && decays => SETTLES,
-        true if has_changed || small.grows => VIBRATES,
-        // small motions decay as their modes do
-        false if !has_changed && decays => SETTLES,
-        _ => OPEN,
-    };
-    Ok(KnockedMotion { impulse, fate, energy: last, is_solved })
 }
 
 impl SampledKnocks {
@@ -224,10 +259,10 @@ impl SampledKnocks {
         let impulse = along("impulse", |own| own.impulse).units("N s").long_name("impulse of the knock");
         let energy = along("knock_energy", |own| own.energy)
             .units("J")
-            .long_name("mean kinetic energy in the last fifth of the motion after the knock");
+            .long_name("mean energy about steady sliding in the last fifth of the motion after the knock");
         Ok(dataset
             .with(impulse.attribute("label", "Impulse of the knock (N s)"))?
-            .with(energy.attribute("label", "Kinetic energy at the end (J)"))?
+            .with(energy.attribute("label", "Energy at the end (J)"))?
             .with(
                 Variable::classes("knock_fate", &["knock"], &[fates.len()], fates, &FATES)
                     .long_name("what becomes of the knock"),

@@ -1,11 +1,12 @@
 //! `squeal`: the cycles of all modes of a band that grow, ranked by how loud they are.
 //!
-//! - [`settings`]: the keys. `cycle`: the cycle of a mode. `margin`, `margin_told`: how far beyond its onset cycles reach. `knocks`: what becomes of impulses.
+//! - [`settings`]: the keys. `cycle`: the cycle of a mode. `margin`, `margin_told`: how far beyond its onset cycles reach. `knocks`, `knock_energy`: what becomes of impulses.
 //!   `cures`: what the growth rate follows. `run`, `told`: what is computed and told of all of them. `figure`, `tables`: how it is shown.
 
 mod cures;
 mod cycle;
 mod figure;
+mod knock_energy;
 mod knocks;
 mod margin;
 mod margin_told;
@@ -64,7 +65,7 @@ impl Analysis<AssemblyCase> for AssemblySqueal {
     }
 
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run(of, self, task.progress)
+        run::run(of, self, task.own, task.progress)
     }
 
     fn summary_keys(&self) -> Vec<Declared> {

@@ -2,7 +2,7 @@
 
 use super::cures::cures;
 use super::cycle::{CycleInBand, SoughtMode};
-use super::knocks::{KnockedMotions, knocked};
+use super::knocks::{SmallMotions, knocked};
 use super::margin::margins;
 use super::margin_told::ToldMargins;
 use super::settings::AssemblySqueal;
@@ -18,6 +18,7 @@ use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::SteadySliding;
 use judder_structure::complex_modes::{ComplexMode, Verdict};
 use judder_study::Progress;
+use judder_study::kept::KeptLines;
 use judder_study::outcome::{CheckRecord, Outcome};
 use judder_study::text::short;
 use num_complex::Complex64;
@@ -26,6 +27,7 @@ use rayon::prelude::*;
 pub(super) fn run(
     of: &AssemblySubject<'_>,
     asked: &AssemblySqueal,
+    kept: KeptLines<'_>,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
     let steady = of.steady_to_march()?;
@@ -57,9 +59,9 @@ pub(super) fn run(
     }
     // what creeps away without swinging grows as well
     let grows = all.modes.iter().any(|mode| mode.eigenvalue.verdict() == Verdict::Unstable);
-    let small = KnockedMotions { grows, complete: told.complete };
+    let small = SmallMotions { grows, complete: told.complete };
     let knocks = match &asked.knocks {
-        Some(asked) => Some((asked, knocked(of, asked, &steady, small, progress)?)),
+        Some(asked) => Some((asked, knocked(of, asked, &steady, small, (kept, progress))?)),
         None => None,
     };
     if let Some((asked, found)) = &knocks {

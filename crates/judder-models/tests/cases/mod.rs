@@ -9,6 +9,7 @@ mod bad_contacts;
 mod bad_family;
 mod bad_key;
 mod bad_motion;
+mod bad_probabilities;
 mod bad_quantity;
 mod bad_sliding;
 mod bad_sliding_analysis;

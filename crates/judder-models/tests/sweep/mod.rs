@@ -1,14 +1,16 @@
 //! Sweeps of whole studies: what a point holds, what fails, what parts and processes make of it.
 
+mod parts;
+mod probabilities;
+
 use crate::{number, run_into};
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::point;
-use judder_store::{StoreError, StoredChunk};
+use judder_store::StoredChunk;
 use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, SweepWork, plans, run};
 use judder_study::sweep::{Evaluator, SweepPlan};
 use judder_study::{Silent, StudyError};
-use std::collections::BTreeMap;
 use std::path::Path;
 
 const HEAD: &str = "model = \"oscillator\"\n[operation]\nvelocity = 1e-3\nnormal_load = 1e-4\n[contact]\nshear_strength = 0.05\n";
@@ -32,24 +34,6 @@ fn computed(file: &CaseFile) -> (SweepPlan, Vec<StoredChunk>) {
 
 fn oscillator(file: &CaseFile) -> &OscillatorCase {
     file.case.of::<OscillatorCase>().unwrap()
-}
-
-/// Every file of the results, by its path.
-fn stored(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let mut found = BTreeMap::new();
-    let mut folders = vec![folder.join("results.zarr")];
-    while let Some(next) = folders.pop() {
-        for entry in std::fs::read_dir(next).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-            } else {
-                let name = path.strip_prefix(folder).unwrap().display().to_string();
-                found.insert(name, std::fs::read(&path).unwrap());
-            }
-        }
-    }
-    found
 }
 
 const GRID: &str = r#"
@@ -319,97 +303,6 @@ fn a_dry_run_tells_of_points_that_fail() {
     assert!(told[0].failed == told[0].tried && text.contains("no steady sliding"), "{text}");
 }
 
-#[test]
-fn parts_in_any_order_make_the_whole() {
-    let (whole, parts) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
-    let file = file(GRID);
-    let report = run_into(whole.path(), &file, &[]);
-    assert!(report.complete && report.report.is_some(), "{:?}", report.messages);
-    for part in ["3/3", "1/3", "2/3"] {
-        let sweeps = SweepWork::Part(part.parse().unwrap());
-        let options = RunOptions { sweeps, ..RunOptions::default() };
-        let report = run(&file, parts.path(), &options, &Silent).unwrap();
-        assert!(report.complete && report.report.is_none());
-    }
-    let options = RunOptions { sweeps: SweepWork::Merge, ..RunOptions::default() };
-    let merged = run(&file, parts.path(), &options, &Silent).unwrap();
-    assert!(merged.complete && merged.report.is_some(), "{:?}", merged.notes);
-    assert_eq!(stored(whole.path()), stored(parts.path()));
-    assert_eq!(report.summary.results, merged.summary.results);
-}
-
-#[test]
-fn a_merge_before_its_time_says_what_is_missing() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = file(GRID);
-    let options = RunOptions { sweeps: SweepWork::Part("2/4".parse().unwrap()), ..RunOptions::default() };
-    run(&file, folder.path(), &options, &Silent).unwrap();
-    let options = RunOptions { sweeps: SweepWork::Merge, ..RunOptions::default() };
-    let merged = run(&file, folder.path(), &options, &Silent).unwrap();
-    assert!(!merged.complete && merged.report.is_none());
-    assert!(merged.notes.iter().any(|note| note.contains("3 of 4 chunks are missing")), "{:?}", merged.notes);
-}
-
-#[test]
-fn a_second_run_computes_no_chunk_and_a_damaged_one_is_computed_anew() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = file(GRID);
-    run_into(folder.path(), &file, &[]);
-    let before = stored(folder.path());
-    let again = run_into(folder.path(), &file, &[]);
-    assert!(again.complete && again.skipped == ["grid"], "{:?}", again.skipped);
-    let chunk = folder.path().join("results.zarr/grid/values/c.2.0.0");
-    let bytes = std::fs::read(&chunk).unwrap();
-    std::fs::write(&chunk, &bytes[..bytes.len() - 7]).unwrap();
-    assert!(!folder.path().join(".sweep-grid").exists(), "a study that is done stays as it is");
-    let mended = run_into(folder.path(), &file, &[]);
-    assert!(mended.notes.iter().any(|note| note.contains("1 damaged chunk")), "{:?}", mended.notes);
-    assert_eq!(stored(folder.path()), before);
-}
-
-#[test]
-fn a_merge_and_a_part_find_a_damaged_chunk() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = file(GRID);
-    let options = RunOptions { sweeps: SweepWork::Merge, ..RunOptions::default() };
-    let nowhere = folder.path().join("nowhere");
-    let refused = run(&file, &nowhere, &options, &Silent).unwrap_err();
-    assert!(
-        matches!(refused, StudyError::Store(StoreError::NoStudy { .. })) && !nowhere.exists(),
-        "{refused}"
-    );
-    run_into(folder.path(), &file, &[]);
-    let before = stored(folder.path());
-    let chunk = folder.path().join("results.zarr/grid/values/c.2.0.0");
-    std::fs::write(&chunk, "").unwrap();
-    let options = RunOptions { sweeps: SweepWork::Merge, ..RunOptions::default() };
-    let merged = run(&file, folder.path(), &options, &Silent).unwrap();
-    assert!(!merged.complete && merged.report.is_none());
-    assert!(merged.notes.iter().any(|note| note.contains("1 chunk is damaged")), "{:?}", merged.notes);
-    let part =
-        |part: &str| RunOptions { sweeps: SweepWork::Part(part.parse().unwrap()), ..RunOptions::default() };
-    run(&file, folder.path(), &part("1/4"), &Silent).unwrap();
-    assert_eq!(std::fs::read(&chunk).unwrap(), b"", "not of this part");
-    run(&file, folder.path(), &part("3/4"), &Silent).unwrap();
-    assert_eq!(stored(folder.path()), before);
-}
-
-#[test]
-fn a_folder_with_a_sweep_of_another_case_is_refused() {
-    let folder = tempfile::tempdir().unwrap();
-    run_into(folder.path(), &file(GRID), &[]);
-    let summary = std::fs::read(folder.path().join("summary.json")).unwrap();
-    let other =
-        judder_models::parse("sweeps.toml", &format!("{HEAD}{GRID}"), &["oscillator.damping_x=0.02".into()]);
-    let refused = run(&other.unwrap(), folder.path(), &RunOptions::default(), &Silent).unwrap_err();
-    assert!(matches!(refused, StudyError::Store(StoreError::ForeignSweep { .. })), "{refused}");
-    assert_eq!(std::fs::read(folder.path().join("summary.json")).unwrap(), summary, "left as it is");
-    let fresh = RunOptions { fresh: true, ..RunOptions::default() };
-    let other =
-        judder_models::parse("sweeps.toml", &format!("{HEAD}{GRID}"), &["oscillator.damping_x=0.02".into()]);
-    assert!(run(&other.unwrap(), folder.path(), &fresh, &Silent).unwrap().complete);
-}
-
 /// Growth of the minimal model depends on μ alone when c2 = 0: its index is one, that of the other parameter zero.
 #[test]
 fn sensitivity_finds_the_key_that_decides() {
@@ -434,49 +327,4 @@ sensitivity = true
         assert!((number(&told[order]["parameters.mu"]["value"]) - 1.0).abs() < 0.02, "{told}");
         assert!(number(&told[order]["parameters.idle"]["value"]).abs() < 1e-12, "{told}");
     }
-}
-
-/// Modes of the minimal model couple above μ = 3/4, so that a quarter of what is evenly distributed between 0 and 1 does; the idle key has nothing to do with it.
-#[test]
-fn a_probability_is_that_of_the_known_share() {
-    let text = std::fs::read_to_string(
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/benchmarks/minimal-mode-coupling.toml"),
-    );
-    let text = text.unwrap().replace("[parameters]", "[parameters]\nidle = 1.0");
-    let sweep = |more: &str| {
-        format!(
-            r#"{text}
-[[sweep]]
-name = "how-probable"
-method = "sobol"
-points = 512
-over = [{{ key = "parameters.mu", from = 0.0, to = 1.0 }}, {{ key = "parameters.idle", from = 0.0, to = 1.0 }}]
-quantities = ["growth_rate", "verdict"]
-probabilities = [
-  {{ quantity = "growth_rate", above = 1e-6 }},
-  {{ quantity = "growth_rate", above = -1.0, below = 1e-6 }},
-  {{ quantity = "verdict", is = "unstable" }},
-]
-{more}"#
-        )
-    };
-    let told = |more: &str| {
-        let file = judder_models::parse("how.toml", &sweep(more), &[]).unwrap();
-        run_into(tempfile::tempdir().unwrap().path(), &file, &["how-probable"]).summary.results["how-probable"].clone()
-    };
-    let plain = told("");
-    let listed = plain["probabilities"].as_array().unwrap();
-    for (own, share) in listed.iter().zip([0.25, 0.75, 0.25]) {
-        let [value, from, to] = ["value", "from", "to"].map(|key| number(&own[key]));
-        assert!((value - share).abs() < 2e-3 && from <= share && share <= to, "{own}");
-        assert!(own["count"] == 512 && own["unknown"] == 0, "{own}");
-    }
-    assert_eq!(listed[1]["condition"], "-1 < growth_rate < 1e-6");
-    // of rows of sensitivity the independent points count, two of each; what holds is decided by μ alone
-    let rows = told("sensitivity = true");
-    let own = &rows["probabilities"][0];
-    assert!(own["count"] == 1024 && (number(&own["value"]) - 0.25).abs() < 4e-3, "{own}");
-    let indices = &rows["sensitivity"]["growth_rate > 1e-6"];
-    assert!((number(&indices["first"]["parameters.mu"]["value"]) - 1.0).abs() < 0.05, "{indices}");
-    assert!(number(&indices["total"]["parameters.idle"]["value"]) == 0.0, "{indices}");
 }

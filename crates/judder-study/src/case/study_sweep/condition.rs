@@ -26,8 +26,13 @@ pub enum ConditionBound {
 impl SweptCondition {
     /// Finds the quantity of a condition, and whether it can be asked that.
     pub(super) fn new(asked: &AskedCondition, quantities: &[QuantityPath]) -> Result<Self, SweepProblem> {
-        let refuse =
-            |reason: String| Err(SweepProblem::Condition { quantity: asked.quantity.clone(), reason });
+        let known = || quantities.iter().map(|own| own.text.clone()).collect();
+        if asked.quantity.is_empty() {
+            return Err(SweepProblem::NoQuantity { known: known() });
+        }
+        let refuse = |reason: String| {
+            Err(SweepProblem::Condition { quantity: asked.quantity.clone(), reason, known: known() })
+        };
         let Some(quantity) = quantities.iter().position(|own| own.text == asked.quantity) else {
             return refuse("it is not among the `quantities` of this sweep".to_owned());
         };

@@ -125,6 +125,14 @@ pub enum SweepProblem {
         quantity: String,
         /// What is wrong with it.
         reason: String,
+        /// The quantities of the sweep.
+        known: Vec<String>,
+    },
+    /// A condition on nothing.
+    #[error("an entry of `probabilities` names no `quantity`")]
+    NoQuantity {
+        /// The quantities of the sweep.
+        known: Vec<String>,
     },
     /// A text that does not lead to a number.
     #[error("`{path}` is not the path of a quantity: {reason}")]
@@ -208,7 +216,7 @@ impl Problem for SweepProblem {
             Self::PointsOfGrid | Self::SensitivityOf { .. } | Self::ProbabilityOf { .. } => "without meaning",
             Self::Lengths { .. } => "of another length",
             Self::TooManyKeys { .. } | Self::TooManyPoints { .. } => "too many",
-            Self::Condition { .. } => "this condition",
+            Self::Condition { .. } | Self::NoQuantity { .. } => "this condition",
             Self::QuantityPath { .. } => "no path",
             Self::NoNumber { .. } => "no number",
             Self::UnknownAnalysis { .. } | Self::UnknownQuantity { .. } | Self::UnknownResult { .. } => {
@@ -259,9 +267,7 @@ impl SweepProblem {
             Self::QuantityPath { .. } => {
                 "write a name such as growth_rate, or ANALYSIS.PATH: cycle.rms, thresholds.full.0.min, modes.frequencies_hz.0"
             }
-            Self::Condition { .. } => {
-                "name one of the `quantities` with a bound: { quantity = \"squeal.level_db\", above = 100 }"
-            }
+            Self::Condition { known, .. } | Self::NoQuantity { known } => return condition(known),
             Self::QuantityTwice { .. } => "ask for each quantity once",
             Self::UnknownQuantity { name, known } if !known.is_empty() => {
                 return did_you_mean(name, known, "quantities");
@@ -280,4 +286,13 @@ impl SweepProblem {
         };
         help.to_owned()
     }
+}
+
+/// How a condition on one of these quantities is written.
+fn condition(known: &[String]) -> String {
+    let first = known.first().map_or("ANALYSIS.PATH", String::as_str);
+    let list = known.join(", ");
+    format!(
+        "name one of the `quantities` of this sweep, {list}, with a bound, {{ quantity = \"{first}\", above = 0 }}, or of a class which it is"
+    )
 }

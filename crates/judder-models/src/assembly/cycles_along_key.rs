@@ -10,7 +10,7 @@ use judder_assembly::steady::SteadySliding;
 use judder_cycles::CyclesError;
 use judder_cycles::backbone::{BackboneSettings, PeriodicMotion};
 use judder_cycles::balance::HarmonicBalance;
-use judder_cycles::branch::{AssemblyCycleBranch, BranchSettings, cycle_branch};
+use judder_cycles::branch::{AssemblyCycleBranch, BranchSettings, CycleBranchPoint, cycle_branch};
 use judder_cycles::cycle::{AssemblyCycle, CycleSettings, HarmonicCount};
 use judder_cycles::path::PathRule;
 use judder_cycles::series::Series;
@@ -124,7 +124,8 @@ impl CyclesAlongKey<'_> {
         let measure = KeyMeasure::of(self.sweep);
         let range = self.range().map(|value| measure.of_value(value));
         let longest = 1.0 / self.sweep.values.len().max(10) as f64;
-        let rule = PathRule { steps: [0.2 * longest, longest, 1e-7], tolerance: 1e-8, ..PathRule::default() };
+        let rule =
+            PathRule { steps: [0.2 * longest, longest, 1e-7], tolerance: SOLVED, ..PathRule::default() };
         let unit = range[1] - range[0];
         let settings = BranchSettings { rule, range, unit, rises, points: self.most };
         let begins = (measure.of_value(first.value), &first.motion);
@@ -150,15 +151,26 @@ fn whole(cycle: &AssemblyCycle<'_>) -> Result<PeriodicMotion, String> {
     }
 }
 
-/// The fold of a branch at this place of its list, and what it may be off.
-///
-/// It is known to a thousandth of the way between the cycles around it: where the branch turns smoothly that is far more than it is off, at a kink its sides are no steeper than
-/// ten times as steep as they are on average.
-pub(super) fn fold_with_error(branch: &AssemblyCycleBranch, (cycle, fold): (usize, f64)) -> (f64, f64) {
-    const WAY: f64 = 0.01;
-    let around = branch.cycles.iter().skip(cycle.saturating_sub(1)).take(3);
-    let off = around.map(|own| (own.parameter - fold).abs()).fold(0.0, f64::max);
-    (fold, WAY * off)
+/// How well the equations of cycles are solved, over the largest normal force.
+pub(super) const SOLVED: f64 = 1e-8;
+/// What a place of a branch may be off, of the way of the key to the cycles around it: it is known to a thousandth of the way along the branch, which at a kink is no steeper than ten
+/// times as steep as it is on average; where it turns smoothly that is far more than it is off.
+const WAY: f64 = 0.01;
+
+/// A place of a branch near so many of its cycles from one on, and what it may be off.
+fn with_error(branch: &AssemblyCycleBranch, value: f64, first: usize, count: usize) -> [f64; 2] {
+    let around = branch.cycles.iter().skip(first).take(count);
+    [value, WAY * around.map(|own| (own.parameter - value).abs()).fold(0.0, f64::max)]
+}
+
+/// A fold of the list of a branch, and what it may be off.
+pub(super) fn fold_with_error(branch: &AssemblyCycleBranch, (cycle, fold): (usize, f64)) -> [f64; 2] {
+    with_error(branch, fold, cycle.saturating_sub(1), 3)
+}
+
+/// Where cycles of another branch may cross, and what that may be off.
+pub(super) fn branch_point_with_error(branch: &AssemblyCycleBranch, point: &CycleBranchPoint) -> [f64; 2] {
+    with_error(branch, point.parameter, point.cycle, 2)
 }
 
 /// How lengths along a key are measured: by its logarithm where its `scale` is that.

@@ -226,6 +226,7 @@ pub(crate) const MODEL: ModelKind = ModelKind {
         },
         KindTables { kind: eigen::KIND.name, report: eigen::tables::report, terminal: |_| None },
         KindTables { kind: march::KIND.name, report: march::tables::report, terminal: |_| None },
+        KindTables { kind: bifurcation::KIND.name, report: bifurcation::tables::report, terminal: |_| None },
         KindTables { kind: squeal::KIND.name, report: squeal::tables::report, terminal: |_| None },
         KindTables {
             kind: frequency_response::KIND.name,

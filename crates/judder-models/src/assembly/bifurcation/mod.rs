@@ -1,10 +1,11 @@
 //! `bifurcation`: limit cycles of a mode along any key, through folds, to where they shrink to steady sliding.
 //!
-//! - `run`: the first cycle, the branch through it both ways. `named`: its bifurcations, by name. `told`: what is told and stored of it. `figure`: how it is shown.
+//! - `run`: the first cycle, the branch through it both ways. `named`: its bifurcations, by name. `told`: what is told and stored of it. `figure`, `tables`: how it is shown.
 
 mod figure;
 mod named;
 mod run;
+pub(super) mod tables;
 mod told;
 
 use super::AssemblySubject;

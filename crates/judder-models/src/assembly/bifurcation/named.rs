@@ -1,10 +1,12 @@
 //! The bifurcations of a branch, by name.
 
 use super::told::KnownCycle;
+use crate::assembly::cycles_along_key::{SOLVED, branch_point_with_error, fold_with_error};
 use crate::assembly::limit_cycle::stability::crossing_words;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey};
 use judder_cycles::stability::{CircleCrossing, stability_changes};
 use judder_store::Results;
+use std::f64::consts::TAU;
 
 /// How bifurcations are called; their places here are their codes.
 pub(super) const KINDS: [&str; 8] = [
@@ -29,6 +31,12 @@ pub(super) struct NamedBifurcation {
     pub(super) kind: &'static str,
     /// the value of the key there, where it was searched for; of a Hopf point where the square of the amplitude vanishes; amid the two below otherwise
     pub(super) value: f64,
+    /// what that may be off: of a Hopf point how far it lies from the smallest cycle, and no less than cycles are solved to, of what lies amid two cycles half the way between them
+    pub(super) error: f64,
+    /// frequency of the first of the cycles below, in Hz
+    pub(super) frequency_hz: f64,
+    /// its root mean square over all contact points of the velocity along the slip about its mean, in m/s
+    pub(super) rms: f64,
     /// the values of the key at the cycles before and after it, in the order along the branch; of a Hopf point that of the smallest cycle and its own
     pub(super) between: Vec<f64>,
     /// the first of these cycles, counted from 0
@@ -59,9 +67,12 @@ pub(super) fn named(
     ways: [&AssemblyCycleBranch; 2],
     hopf: &[&CycleAtKey],
 ) -> Vec<NamedBifurcation> {
-    let of = |kind: &'static str, value: f64, [before, after]: [usize; 2]| NamedBifurcation {
+    let of = |kind: &'static str, [value, error]: [f64; 2], [before, after]: [usize; 2]| NamedBifurcation {
         kind,
         value,
+        error,
+        frequency_hz: known[before].frequency / TAU,
+        rms: known[before].rms,
         between: vec![known[before].value, known[after].value],
         cycle: before,
     };
@@ -73,21 +84,26 @@ pub(super) fn named(
     for cycle in hopf {
         all.extend(place(cycle).map(|place| {
             let value = hopf_point(cycle, ways);
-            NamedBifurcation { between: vec![cycle.parameter, value], ..of(HOPF, value, [place, place]) }
+            let off = (value - cycle.parameter).abs().max(SOLVED * value.abs());
+            NamedBifurcation {
+                between: vec![cycle.parameter, value],
+                ..of(HOPF, [value, off], [place, place])
+            }
         }));
     }
     for way in ways {
-        let near = |cycle: usize, kind: &'static str, value: f64, after: usize| {
+        let near = |cycle: usize, kind: &'static str, value: [f64; 2], after: usize| {
             let own = place(&way.cycles[cycle])?;
             let other = way.cycles.get(after).and_then(place)?;
             Some(of(kind, value, [own.min(other), own.max(other)]))
         };
-        for (cycle, value) in &way.folds {
-            all.extend(near(cycle - 1, FOLD, *value, cycle + 1));
+        for fold in &way.folds {
+            all.extend(near(fold.0 - 1, FOLD, fold_with_error(way, *fold), fold.0 + 1));
         }
         for own in &way.branch_points {
             let kind = if own.is_smooth { BRANCH_POINT } else { KINK };
-            all.extend(near(own.cycle, kind, own.parameter, own.cycle + 1));
+            let place = branch_point_with_error(way, own);
+            all.extend(near(own.cycle, kind, place, own.cycle + 1));
         }
     }
     let multipliers: Vec<_> = known.iter().map(|own| own.stability.known()).collect();
@@ -101,8 +117,9 @@ pub(super) fn named(
         if change.crossing == CircleCrossing::AtOne && all.iter().any(is_there) {
             continue;
         }
-        let value = 0.5 * (known[before].value + known[after].value);
-        all.push(of(crossing_words(change.crossing), value, [before, after]));
+        let [from, to] = [known[before].value, known[after].value];
+        let amid = [0.5 * (from + to), 0.5 * (to - from).abs()];
+        all.push(of(crossing_words(change.crossing), amid, [before, after]));
     }
     all.sort_by_key(|own| own.cycle);
     all

@@ -181,15 +181,11 @@ pub(super) fn dataset(
                 .long_name("share of the swing of the contact forces that harmonics leave out"),
         )?;
     let stabilities: Vec<&KnownStability> = known.iter().map(|own| &own.stability).collect();
-    with_bifurcations(with_multipliers(dataset, "cycle", &stabilities)?, known, bifurcations)
+    with_bifurcations(with_multipliers(dataset, "cycle", &stabilities)?, bifurcations)
 }
 
 /// Where bifurcations lie in the figure.
-fn with_bifurcations(
-    dataset: Dataset,
-    known: &[KnownCycle],
-    bifurcations: &[NamedBifurcation],
-) -> Result<Dataset, ModelError> {
+fn with_bifurcations(dataset: Dataset, bifurcations: &[NamedBifurcation]) -> Result<Dataset, ModelError> {
     let along = |name: &str, of: &dyn Fn(&NamedBifurcation) -> f64| {
         let values: Vec<f64> = bifurcations.iter().map(of).collect();
         Variable::new(name, &["bifurcation"], &[values.len()], values)
@@ -198,13 +194,9 @@ fn with_bifurcations(
     let words: Vec<String> = KINDS.iter().enumerate().map(|(code, kind)| format!("{code} {kind}")).collect();
     Ok(dataset
         .with(along("bifurcation_value", &|own| own.value).long_name("value of the key at each bifurcation"))?
+        .with(along("bifurcation_rms", &|own| own.rms).units("m/s").long_name("rms of the cycle before it"))?
         .with(
-            along("bifurcation_rms", &|own| known[own.cycle].rms)
-                .units("m/s")
-                .long_name("rms of the cycle before it"),
-        )?
-        .with(
-            along("bifurcation_frequency", &|own| known[own.cycle].frequency / TAU)
+            along("bifurcation_frequency", &|own| own.frequency_hz)
                 .units("Hz")
                 .long_name("frequency of the cycle before it"),
         )?

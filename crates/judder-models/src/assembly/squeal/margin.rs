@@ -216,12 +216,12 @@ impl AlongMarginKey<'_> {
         let least = onset.error.max(SMALLEST * (to - from));
         let is_beyond = reaches.is_some_and(|value| beyond(value) > least);
         let folds = branch.folds.iter().map(|own| fold_with_error(branch, *own));
-        let outermost = folds.max_by(|(a, _), (b, _)| beyond(*a).total_cmp(&beyond(*b)));
+        let outermost = folds.max_by(|[a, _], [b, _]| beyond(*a).total_cmp(&beyond(*b)));
         let fold = match reaches.filter(|_| end.is_whole() && is_beyond) {
             // one that turns at its first cycle has no fold there
             Some(reached) => outermost
-                .filter(|(fold, _)| beyond(*fold) >= beyond(reached) - least)
-                .or(Some((reached, f64::NAN))),
+                .filter(|[fold, _]| beyond(*fold) >= beyond(reached) - least)
+                .or(Some([reached, f64::NAN])),
             None => None,
         };
         CycleReach { fold, reaches, end }

@@ -11,7 +11,7 @@ use judder_study::labels::any_key;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct CycleReach {
     /// Where their branch turns farthest beyond, and what that may be off; none where it does not.
-    pub(super) fold: Option<(f64, f64)>,
+    pub(super) fold: Option<[f64; 2]>,
     /// The value farthest on the side of stable steady sliding at which a cycle is known.
     pub(super) reaches: Option<f64>,
     /// How the branch ends.
@@ -89,12 +89,12 @@ impl MarginOfOnset {
         let is_whole = reach.end.is_whole();
         let off = |value: f64| (value - onset.value).abs() / onset.value.abs();
         let margin = match reach.fold {
-            Some((fold, _)) => Some(off(fold)),
+            Some([fold, _]) => Some(off(fold)),
             None => is_whole.then_some(0.0),
         };
         let sign = if onset.gains { 1.0 } else { -1.0 };
         let is_stable_side = sign * (own - onset.value) > 0.0;
-        let reached = reach.fold.map(|(fold, _)| fold).or(reach.reaches);
+        let reached = reach.fold.map(|[fold, _]| fold).or(reach.reaches);
         let is_reached = reached.is_some_and(|value| sign * (value - own) > 0.0);
         // cycles of branches that do not begin at the onset are not sought
         let is_known = own.is_finite() && (is_reached || !is_stable_side);
@@ -190,8 +190,8 @@ impl ToldMargins {
                 frequency_hz: own.onset.frequency_hz,
                 grows_above: !own.onset.gains,
                 mode: own.mode.map(|mode| mode + 1),
-                fold: own.reach.fold.map(|(value, _)| value),
-                fold_error: own.reach.fold.map(|(_, error)| error),
+                fold: own.reach.fold.map(|[value, _]| value),
+                fold_error: own.reach.fold.map(|[_, error]| error),
                 reaches: own.reach.reaches,
                 margin: own.margin,
                 rank,

@@ -1,0 +1,31 @@
+//! The bifurcations of a branch in the report.
+
+use judder_report::page::PageTable;
+use judder_study::report_tables::{listed, short};
+use serde_json::{Map, Value};
+
+/// A row a bifurcation, in the order along the branch.
+pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
+    let told = |key: &str| results.get(key).and_then(Value::as_str).unwrap_or_default();
+    let Some(all) = results.get("bifurcations").and_then(Value::as_array).filter(|all| !all.is_empty())
+    else {
+        return Vec::new();
+    };
+    let key = match told("unit") {
+        "" | "1" => told("key").to_owned(),
+        unit => format!("{} ({unit})", told("key")),
+    };
+    let heads = ["", &key, "may be off", "between", "frequency (Hz)", "velocity along the slip, rms (m/s)"];
+    let harmonics = short(results.get("harmonics").unwrap_or(&Value::Null));
+    let caption = format!(
+        "Bifurcations, in the order along the branch, of cycles with {harmonics} harmonics; frequency and velocity are those of the cycle before"
+    );
+    let row = |_, own: &Value| {
+        let kind = own["kind"].as_str().unwrap_or_default().to_owned();
+        let [value, error, frequency, rms] =
+            ["value", "error", "frequency_hz", "rms"].map(|name| short(&own[name]));
+        let between = format!("{} … {}", short(&own["between"][0]), short(&own["between"][1]));
+        vec![kind, value, error, between, frequency, rms]
+    };
+    vec![listed(&caption, &heads, all, row)]
+}

@@ -15,26 +15,33 @@ pub(super) fn squeal(dataset: &Dataset) -> Option<Vec<Panel>> {
         ["mode_frequency", "growth_rate", "frequency", "level"].map(|name| reals(dataset, name));
     let codes = codes(dataset, "stability")?;
     let across = across(of_modes?, of_cycles?);
-    let panel = |up: Axis, place: [&[f64]; 2]| {
+    // nothing where no mode has such a value
+    let panel = |up: Axis, place: [&[f64]; 2], title: &str| {
         let layers = STABILITIES.iter().enumerate().filter_map(|(k, (code, words))| {
             let own: Vec<usize> = (0..codes.len()).filter(|mode| codes[*mode] == *code).collect();
-            let [x, y] = place.map(|values| own.iter().map(|mode| values[*mode]).collect::<Vec<f64>>());
-            let is_shown = x.iter().chain(&y).any(|value| value.is_finite());
+            let at = |values: &[f64]| {
+                own.iter().map(|mode| values.get(*mode).copied().unwrap_or(f64::NAN)).collect()
+            };
+            let [x, y]: [Vec<f64>; 2] = place.map(at);
+            let is_shown = x.iter().zip(&y).any(|(x, y)| x.is_finite() && y.is_finite());
             is_shown.then(|| Layer::points(*words, x, y, Role::Series(k)))
         });
-        Panel::new(across.clone(), up, layers.collect()).with_legend(Legend::Below)
+        let layers: Vec<Layer> = layers.collect();
+        (!layers.is_empty())
+            .then(|| Panel::new(across.clone(), up, layers).with_legend(Legend::Below).with_title(title))
     };
-    let levels = panel(Axis::linear("Level of the cycle (dB re 1 µm/s^{2})"), [of_cycles?, level?]);
-    let growths = panel(Axis::linear("Growth rate of the mode (1/s)"), [of_modes?, growth?]);
-    let mut panels = vec![levels.with_title("how loud"), growths.with_title("how fast they grow")];
-    let margins = reals(dataset, "margin").filter(|own| own.iter().any(|margin| margin.is_finite()));
-    panels.extend(margins.map(|own| {
-        let margins =
-            panel(Axis::linear("Margin, of the value at the onset (1)"), [of_modes.unwrap_or_default(), own]);
-        margins.with_title("how far before their onset a knock suffices")
-    }));
-    panels.extend(knocks(dataset));
-    Some(panels)
+    let margins = reals(dataset, "margin").unwrap_or_default();
+    let asked = [
+        panel(Axis::linear("Level of the cycle (dB re 1 µm/s^{2})"), [of_cycles?, level?], "how loud"),
+        panel(Axis::linear("Growth rate of the mode (1/s)"), [of_modes?, growth?], "how fast they grow"),
+        panel(
+            Axis::linear("Margin, of the value at the onset (1)"),
+            [of_modes?, margins],
+            "how far before their onset a knock suffices",
+        ),
+        knocks(dataset),
+    ];
+    Some(asked.into_iter().flatten().collect())
 }
 
 /// The energy that is left of knocks over their impulse.

@@ -6,8 +6,19 @@ use crate::measured_growth::{FAR, MeantMode, SOUGHT, near};
 use crate::structure::eigen::run::found;
 use judder_assembly::linearised::Linearised;
 use judder_structure::complex_modes::ComplexMode;
+use judder_study::text::short;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
+
+/// A mode that swings with so many Hz, in words.
+pub(super) fn mode_at(hz: f64) -> String {
+    format!("mode at {} Hz", short(hz))
+}
+
+/// The mode that is meant by a frequency in rad/s, in words.
+pub(super) fn mode_near(frequency: f64) -> String {
+    format!("mode near {} Hz", short(frequency / TAU))
+}
 
 /// The mode near a frequency in rad/s: of those close to it the one that grows fastest.
 pub(super) fn near_frequency(about: &Linearised, frequency: f64) -> Result<ComplexMode, ModelError> {

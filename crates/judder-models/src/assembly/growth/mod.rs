@@ -6,6 +6,7 @@ use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::march::settings::SchemeWord;
+use crate::assembly::meant_mode::mode_near;
 use crate::error::ModelError;
 use crate::sliding::growth::figure::growth_of;
 use judder_keys::Settings;
@@ -19,10 +20,8 @@ use judder_store::{Dataset, Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
-use judder_study::text::short;
 use run::ToldMarchGrowth;
 use serde_json::{Map, Value as Json};
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// A march that is started in a mode, against the eigenvalue.
@@ -83,7 +82,7 @@ impl Analysis<AssemblyCase> for AssemblyGrowth {
     }
 
     fn estimate(&self, _: &AssemblySubject<'_>) -> Result<String, ModelError> {
-        Ok(format!("a march in the mode near {} Hz", short(self.frequency / TAU)))
+        Ok(format!("a march in the {}", mode_near(self.frequency)))
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -16,16 +16,15 @@ pub(super) mod told;
 
 use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
+use crate::assembly::meant_mode::mode_near;
 use crate::error::ModelError;
 use judder_keys::declared::Settings;
 use judder_store::Declared;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
-use judder_study::text::short;
 use serde_json::{Map, Value as Json};
 use settings::{LOWEST, ModeCycle};
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// The kind.
@@ -60,7 +59,7 @@ impl Analysis<AssemblyCase> for ModeCycle {
             return Ok(format!("the limit cycle near the motion of a march with {points} contact points"));
         }
         let mode = match self.frequency {
-            Some(frequency) => format!("the mode near {} Hz", short(frequency / TAU)),
+            Some(frequency) => format!("the {}", mode_near(frequency)),
             None => format!("the fastest growing of the lowest {} modes", self.modes.unwrap_or(LOWEST)),
         };
         Ok(format!("the limit cycle of {mode} with {points} contact points"))

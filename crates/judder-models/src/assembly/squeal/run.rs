@@ -12,6 +12,7 @@ use crate::assembly::eigen::band;
 use crate::assembly::limit_cycle::checks::checks;
 use crate::assembly::limit_cycle::search::CycleOfMode;
 use crate::assembly::limit_cycle::settings::components;
+use crate::assembly::meant_mode::mode_at;
 use crate::error::ModelError;
 use crate::structure::eigen::run::found;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
@@ -20,7 +21,6 @@ use judder_structure::complex_modes::{ComplexMode, Verdict};
 use judder_study::Progress;
 use judder_study::kept::KeptLines;
 use judder_study::outcome::{CheckRecord, Outcome};
-use judder_study::text::short;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
@@ -44,7 +44,7 @@ pub(super) fn run(
         warnings.push("it is not proven that the band has no other modes".to_owned());
     }
     for mode in told.modes.iter().filter(|mode| !mode.reason.is_empty()) {
-        warnings.push(format!("mode at {} Hz: {}", short(mode.mode_frequency), mode.reason));
+        warnings.push(format!("{}: {}", mode_at(mode.mode_frequency), mode.reason));
     }
     let unheard = told.all_unstable();
     // motions go somewhere, but how loud that is no cycle tells

@@ -1,5 +1,6 @@
 //! The ranking of modes that grow in the report.
 
+use crate::assembly::meant_mode::mode_at;
 use judder_report::page::PageTable;
 use judder_study::report_tables::short;
 use serde_json::{Map, Value};
@@ -120,8 +121,8 @@ fn cures(results: &Map<String, Value>) -> Option<PageTable> {
     let heads =
         ["number", "value", "unit", "change that suffices", "growth rate by relative change (1/s)", ""];
     let caption = format!(
-        "What would keep the mode at {} Hz from growing, at first order{}",
-        words(&cures["frequency_hz"]),
+        "What would keep the {} from growing, at first order{}",
+        mode_at(cures["frequency_hz"].as_f64().unwrap_or(f64::NAN)),
         match cures["check"]["holds"].as_bool() {
             Some(true) => ", which a small change of the first confirms",
             Some(false) => ", which a small change of the first does not confirm",

@@ -31,7 +31,7 @@ fn run_only(name: &str, study: &Path) -> RunReport {
 }
 
 /// Arrays and sounds of a study.
-fn left(study: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+pub(super) fn left(study: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     let all = contents(study).into_iter();
     all.filter(|(path, _)| {
         path.starts_with("results.zarr") || path.extension().is_some_and(|own| own == "wav")

@@ -1,6 +1,10 @@
 //! What is asked of modes that grow, against what is known of them by other means.
 
+use super::marches::left;
+use crate::stopping::Stopping;
 use crate::{case, number, run_into};
+use judder_study::run::{RunOptions, run};
+use judder_study::{Silent, StudyError};
 
 /// μ(s) N of the belt, with the friction that would go on beyond the speed of the belt.
 const FRICTION: [f64; 3] = [0.4, 0.2, 0.5];
@@ -86,6 +90,9 @@ fn the_margin_of_a_mass_on_a_belt_is_that_of_its_slip() {
             && told["modes"][0]["rank_by_margin"] == 1
     );
     assert!(told["margin"]["onsets"][0]["mode"] == 1);
+    let reason =
+        "no cycles that begin at the onsets of the range are known to reach the case; others are not sought";
+    assert_eq!(told["margin"]["knock_reason"], reason);
 }
 
 /// A range that ends before the cycles do leaves the margin unknown, which is said.
@@ -149,4 +156,160 @@ fn cures_are_what_other_numbers_of_the_case_do() {
     );
     let all = report.summary.results["squeal"]["cures"]["keys"].as_array().unwrap();
     assert_eq!(all.len(), 4, "{all:?}");
+}
+
+const BELT: &str = "assembly/mass-on-falling-belt.toml";
+
+/// Overrides that leave no onset in the range, and knocks that are few and small.
+const NO_ONSET: [&str; 5] = [
+    "analysis.squeal.margin.from=\"1.1 m/s\"",
+    "analysis.squeal.margin.to=\"1.3 m/s\"",
+    "analysis.squeal.margin.points=3",
+    "analysis.squeal.knocks.impulse=[\"0 N s\", \"0.1 N s\"]",
+    "analysis.squeal.knocks.samples=4",
+];
+
+/// Where no mode begins to grow nothing is known of knocks that small ones do not show, and of cures that there are none to be had.
+#[test]
+fn without_an_onset_and_a_mode_that_grows_it_is_told_why_nothing_is_listed() {
+    let file = case(BELT, &[&NO_ONSET[..], &["analysis.squeal.cures=true"]].concat());
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &file, &["squeal"]);
+    let told = &report.summary.results["squeal"];
+    let margin = &told["margin"];
+    assert!(margin["knock"].is_null() && margin["onsets"].as_array().unwrap().is_empty(), "{margin}");
+    let reason = "no mode begins to grow within the range, and cycles are followed from onsets alone";
+    assert_eq!(margin["knock_reason"], reason);
+    assert!(told["knocks"]["settle"] == 4 && told["knocks"]["undecided"] == 0, "{told:?}");
+    let cures = &told["cures"];
+    assert!(cures["frequency_hz"].is_null() && cures["keys"].as_array().unwrap().is_empty(), "{cures}");
+    assert_eq!(cures["reason"], "no mode of the band grows");
+    let said = "no cures are listed: no mode of the band grows";
+    assert!(report.messages.iter().any(|own| own.contains(said)), "{:?}", report.messages);
+    let page = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
+    assert!(page.contains("none is listed: no mode of the band grows"));
+    // of panels there is that of the knocks alone
+    let picture = std::fs::read_to_string(folder.path().join("figures/squeal.svg")).unwrap();
+    assert!(picture.contains("what becomes of knocks") && !picture.contains("how loud"));
+    assert!(!picture.contains("how fast they grow") && !picture.contains("before their onset"));
+}
+
+/// A case of matrices has no dampings and moduli to be named, but entries.
+#[test]
+fn a_case_of_matrices_tells_which_numbers_can_be_named() {
+    let slower = "contact.belt.sliding.velocity=\"0.95 m/s\"";
+    let told = |cures: &str| {
+        let cures = format!("analysis.squeal.cures={cures}");
+        let file = case(BELT, &[&NO_ONSET[..], &[slower, cures.as_str()]].concat());
+        let report = run_into(tempfile::tempdir().unwrap().path(), &file, &["squeal"]);
+        report.summary.results["squeal"]["cures"].clone()
+    };
+    let usual = told("true");
+    let reason = usual["reason"].as_str().unwrap();
+    assert!(reason.starts_with("the case gives none of cubic_stiffness, alpha"), "{reason}");
+    let named = reason.split('"').nth(1).unwrap();
+    assert!(named.starts_with("structure.block.matrices"), "{reason}");
+    assert!(number(&usual["growth_rate"]) > 0.0 && usual["keys"].as_array().unwrap().is_empty());
+    // σ = (N Δμ/v₀ exp(−v/v₀) − c)/2m: its derivative by the relative change of c is −c/2
+    let own = told("[\"structure.block.matrices.damping.0.0\"]");
+    assert!((number(&own["keys"][0]["growth_by_change"]) + 0.5 * DAMPING).abs() < 1e-6, "{own}");
+}
+
+/// A number that moves nothing of the mode is told to do so, and no change of it as a cure.
+#[test]
+fn a_number_of_another_body_is_no_cure() {
+    let small =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small/assembly-cycle.toml"))
+            .unwrap();
+    let other = "[[structure]]\nname = \"other\"\nmatrices = { mass = [[1]], stiffness = [[\"idle\"]], freedoms = [[\"mass\", \"x\"]] }\n";
+    let text = small
+        .replacen("[[structure]]", &format!("[parameters]\nidle = 4.0\n\n{other}\n[[structure]]"), 1)
+        .replace("cures = [", "cures = [\"parameters.idle\", ");
+    let without: String = text
+        .lines()
+        .filter(|line| !line.starts_with("margin") && !line.starts_with("knocks"))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    let file = judder_models::parse("case.toml", &without, &[]).unwrap();
+    let report = run_into(tempfile::tempdir().unwrap().path(), &file, &["squeal"]);
+    let cures = &report.summary.results["squeal"]["cures"];
+    let keys = cures["keys"].as_array().unwrap();
+    let own = keys.iter().find(|own| own["key"] == "parameters.idle").unwrap();
+    assert!(own["growth_by_change"] == 0.0 && own["change"].is_null() && own["smooth"] == true, "{own}");
+    assert_eq!(own["reason"], "the growth rate does not follow it");
+    assert!(keys.last() == Some(own) && cures["check"]["key"] != "parameters.idle", "{cures}");
+}
+
+/// Two masses on one belt begin to grow at speeds of their own; each onset is that of the mode which swings as fast.
+#[test]
+fn each_onset_is_that_of_the_mode_with_its_frequency() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/assembly/mass-on-falling-belt.toml");
+    let text = std::fs::read_to_string(path).unwrap();
+    let block = &text[text.find("[[structure]]").unwrap()..text.find("[[load]]").unwrap()];
+    let load = &text[text.find("[[load]]").unwrap()..text.find("[observe]").unwrap()];
+    let other = |part: &str| {
+        part.replace("block", "other")
+            .replace("\"belt\"", "\"second-belt\"")
+            .replace("stiffness = [[1,", "stiffness = [[2,")
+            .replace("damping = [[0.05,", "damping = [[0.04,")
+            .replace("\"1.2 m/s\"", "\"0.9 m/s\"")
+    };
+    let text = text
+        .replace("[observe]", &format!("{}{}[observe]", other(block), other(load)))
+        .replace("\"1.2 m/s\"", "\"0.9 m/s\"")
+        .replace("margin_harmonics = 25", "margin_harmonics = 7");
+    let along = "margin = { key = \"friction\", from = 0.4, to = 1.2, points = 9 }\n";
+    let lines = text.lines().filter(|line| !line.starts_with("knocks") && !line.starts_with("margin ="));
+    let text: String = lines.map(|line| format!("{line}\n")).collect::<String>() + along;
+    let file = judder_models::parse("case.toml", &text, &[]).unwrap();
+    let report = run_into(tempfile::tempdir().unwrap().path(), &file, &["squeal"]);
+    let told = &report.summary.results["squeal"];
+    let onsets = told["margin"]["onsets"].as_array().unwrap();
+    assert!(told["unstable"] == 2 && onsets.len() == 2, "{told:?}");
+    // N Δμ/v₀ exp(−v/v₀) factor = c
+    let [at_rest, at_speed, decay] = FRICTION;
+    let fall = (at_rest - at_speed) / decay * (-0.9 / decay).exp();
+    for (own, (damping, stiffness, mode)) in onsets.iter().zip([(0.04, 2.0_f64, 2), (0.05, 1.0, 1)]) {
+        assert!((number(&own["onset"]) - damping / fall).abs() < 1e-6, "{own}");
+        let frequency = stiffness.sqrt() / std::f64::consts::TAU;
+        assert!((number(&own["frequency_hz"]) - frequency).abs() < 1e-6 && own["mode"] == mode, "{own}");
+    }
+}
+
+/// Modes are followed along the cells of a mesh, but no cycles, which need every value between.
+#[test]
+fn cells_of_a_mesh_are_swept_by_modes_and_refused_for_margins() {
+    let small =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small/assembly-cycle.toml"))
+            .unwrap();
+    let key = "{ key = \"structure.foot.block.cells.0\", values = [4, 5, 6] }";
+    let sweep = format!(
+        "\n[[analysis]]\nname = \"finer\"\nkind = \"eigen-sweep\"\nband = [\"1 kHz\", \"8 kHz\"]\nsweep = {key}\n"
+    );
+    let file = judder_models::parse("case.toml", &format!("{small}{sweep}"), &[]).unwrap();
+    let report = run_into(tempfile::tempdir().unwrap().path(), &file, &["finer"]);
+    assert!(report.complete, "{:?}", report.messages);
+    let margin = small.replace(
+        "margin = { key = \"friction\", from = 0.2, to = 1.2, points = 11 }",
+        &format!("margin = {key}"),
+    );
+    let refused = judder_models::parse("case.toml", &margin, &[]).unwrap_err().to_string();
+    assert!(refused.contains("what follows it needs every value between the ends"), "{refused}");
+}
+
+/// Knocks that were followed before an interruption are kept, and what is stored in the end is the same to the bit.
+#[test]
+fn interrupted_knocks_go_on_to_the_bit() {
+    let file = case(BELT, &[]);
+    let options = RunOptions { only: vec!["squeal".to_owned()], ..RunOptions::default() };
+    let (whole, study) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let patient = Stopping::at(usize::MAX);
+    let at_once = run(&file, whole.path(), &options, &patient).unwrap();
+    let stopping = Stopping::at(2 * patient.looks() / 3);
+    assert!(matches!(run(&file, study.path(), &options, &stopping), Err(StudyError::Interrupted)));
+    let kept = std::fs::read_to_string(study.path().join(".scratch-of-squeal")).unwrap();
+    assert!(kept.lines().count() > 5 && kept.lines().count() < 41, "{kept}");
+    let resumed = run(&file, study.path(), &options, &Silent).unwrap();
+    assert_eq!(resumed.summary.results, at_once.summary.results);
+    assert!(left(study.path()) == left(whole.path()));
 }

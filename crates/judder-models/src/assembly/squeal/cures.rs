@@ -21,20 +21,24 @@ const ALIKE: f64 = 0.1;
 /// By how much of itself the best number is changed to see whether the first order holds, at most, and what the change of the growth rate may be off then.
 const TRIED: f64 = 0.05;
 const HOLDS: f64 = 0.2;
+/// What rounding may change of the growth rate, of the modulus of the eigenvalue.
+const ROUNDING: f64 = 1e-11;
 /// Frequencies around the mode in which it is sought again.
 const AROUND: [f64; 2] = [0.97, 1.03];
 
 /// How the growth rate of a mode follows the numbers of the case.
 #[derive(Clone, Results)]
 pub(super) struct ToldCures {
-    /// frequency of the mode about steady sliding
-    frequency_hz: f64,
+    /// frequency of the mode about steady sliding; none where none grows
+    frequency_hz: Option<f64>,
     /// its growth rate, in 1/s
-    growth_rate: f64,
+    growth_rate: Option<f64>,
     /// each number of the case, the one that has to change least first
     keys: Vec<ToldCure>,
     /// the first of them changed a little, and the mode computed anew
     check: Option<ToldCheck>,
+    /// why there are none
+    reason: String,
 }
 
 /// What a number of the case does to the growth rate.
@@ -71,17 +75,24 @@ struct ToldCheck {
     holds: bool,
 }
 
-/// The cures of a mode with this eigenvalue.
+/// The cures of the mode with this eigenvalue, which leads those that grow.
 pub(super) fn cures(
     of: &AssemblySubject<'_>,
     asked: &AskedCures,
-    mode: Complex64,
+    mode: Option<Complex64>,
     progress: &dyn Progress,
 ) -> Result<ToldCures, ModelError> {
-    let paths = match asked {
+    let Some(mode) = mode else {
+        return Ok(ToldCures::none("no mode of the band grows".to_owned()));
+    };
+    let paths: Vec<String> = match asked {
         AskedCures::Keys(paths) => paths.clone(),
         AskedCures::Usual => of.case.numbers().into_iter().filter(|path| is_usual(path)).collect(),
     };
+    if paths.is_empty() {
+        let (frequency_hz, growth_rate) = (Some(mode.im / TAU), Some(mode.re));
+        return Ok(ToldCures { frequency_hz, growth_rate, ..ToldCures::none(without_usual(of)) });
+    }
     let sought = |path: &String| -> Result<Option<(ToldCure, KeySweep)>, ModelError> {
         progress.go_on()?;
         let Some((value, dimension)) = of.case.number(path) else { return Ok(None) };
@@ -101,28 +112,53 @@ pub(super) fn cures(
     found.sort_by(|(a, _), (b, _)| size(a).total_cmp(&size(b)));
     let check = found.first().and_then(|(best, sweep)| checked(of, best, sweep, mode));
     Ok(ToldCures {
-        frequency_hz: mode.im / TAU,
-        growth_rate: mode.re,
+        frequency_hz: Some(mode.im / TAU),
+        growth_rate: Some(mode.re),
+        reason: String::new(),
         keys: found.into_iter().map(|(own, _)| own).collect(),
         check,
     })
 }
 
+/// How dampings, moduli and stiffnesses are called.
+const USUAL: [&str; 9] = [
+    "cubic_stiffness",
+    "alpha",
+    "beta",
+    "loss_factor",
+    "ratio",
+    "damping",
+    "youngs_modulus",
+    "stiffness",
+    "point_stiffness",
+];
+
+/// Whether a number is of a section that can vary.
+fn is_of_bodies(path: &str) -> bool {
+    SWEPT.names.iter().any(|section| path.split('.').next() == Some(section))
+}
+
 /// Dampings, moduli and stiffnesses.
 fn is_usual(path: &str) -> bool {
-    const NAMES: [&str; 9] = [
-        "cubic_stiffness",
-        "alpha",
-        "beta",
-        "loss_factor",
-        "ratio",
-        "damping",
-        "youngs_modulus",
-        "stiffness",
-        "point_stiffness",
-    ];
-    let is_of = SWEPT.names.iter().any(|section| path.split('.').next() == Some(section));
-    is_of && path.rsplit('.').next().is_some_and(|last| NAMES.contains(&last))
+    is_of_bodies(path) && path.rsplit('.').next().is_some_and(|last| USUAL.contains(&last))
+}
+
+/// That `true` means none of the numbers of the case, and what can be named in its place.
+fn without_usual(of: &AssemblySubject<'_>) -> String {
+    /// Numbers that are named.
+    const NAMED: usize = 6;
+    let others: Vec<String> = of.case.numbers().into_iter().filter(|path| is_of_bodies(path)).collect();
+    let named = others.iter().take(NAMED).map(|path| format!("\"{path}\"")).collect::<Vec<_>>().join(", ");
+    let more = if others.len() > NAMED { ", …" } else { "" };
+    let usual = USUAL.join(", ");
+    match others.is_empty() {
+        true => format!("the case gives no number of its bodies, contacts, springs and loads ({usual}, …)"),
+        false => {
+            format!(
+                "the case gives none of {usual}; name numbers that it gives, such as cures = [{named}{more}]"
+            )
+        }
+    }
 }
 
 /// The eigenvalue nearest to that of a mode, with a number at another value; in words why there is none.
@@ -149,6 +185,11 @@ fn cure(of: &AssemblySubject<'_>, sweep: &KeySweep, value: f64, mode: Complex64)
         [Ok(low), Ok(high)] => [low, high],
         [Err(reason), _] | [_, Err(reason)] => return ToldCure { reason, ..none },
     };
+    let is_moved = [low, high].iter().any(|end| (end.re - mode.re).abs() > ROUNDING * mode.norm());
+    if !is_moved {
+        let reason = "the growth rate does not follow it".to_owned();
+        return ToldCure { growth_by_change: Some(0.0), smooth: Some(true), reason, ..none };
+    }
     let derivative = (high.re - low.re) / (2.0 * STEP);
     let [down, up] = [(mode.re - low.re) / STEP, (high.re - mode.re) / STEP];
     let change = Some(-mode.re / derivative).filter(|change| change.is_finite() && *change > -1.0);
@@ -157,7 +198,6 @@ fn cure(of: &AssemblySubject<'_>, sweep: &KeySweep, value: f64, mode: Complex64)
         (false, _) => {
             "derivatives upwards and downwards differ: contact points change, or another mode is near"
         }
-        _ if derivative == 0.0 => "the growth rate does not follow it",
         (_, None) => "it would have to fall below zero",
         _ => "",
     };
@@ -195,8 +235,16 @@ impl ToldCure {
 }
 
 impl ToldCures {
+    /// None, for a reason.
+    fn none(reason: String) -> Self {
+        Self { frequency_hz: None, growth_rate: None, keys: Vec::new(), check: None, reason }
+    }
+
     /// What is to be said of them.
     pub(super) fn doubt(&self) -> Option<String> {
+        if !self.reason.is_empty() {
+            return Some(format!("no cures are listed: {}", self.reason));
+        }
         let check = self.check.as_ref().filter(|own| !own.holds)?;
         Some(format!(
             "with `{}` changed by {:.1} % the mode grows with {:.4} 1/s and not {:.4}: the first order does not hold so far",

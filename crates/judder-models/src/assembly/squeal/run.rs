@@ -72,8 +72,8 @@ pub(super) fn run(
             margin.set_knocked();
         }
     }
-    if let (Some(asked), Some(leading)) = (&asked.cures, told.leading()) {
-        let found = cures(of, asked, values[leading], progress)?;
+    if let Some(asked) = asked.cures.as_ref().filter(|own| own.asks()) {
+        let found = cures(of, asked, told.leading().map(|leading| values[leading]), progress)?;
         warnings.extend(found.doubt());
         told.cures = Some(found);
     }

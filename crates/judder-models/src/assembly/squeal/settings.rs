@@ -90,6 +90,13 @@ pub enum AskedCures {
     Keys(Vec<String>),
 }
 
+impl AskedCures {
+    /// Whether any are asked for.
+    pub(super) fn asks(&self) -> bool {
+        !matches!(self, Self::Keys(paths) if paths.is_empty())
+    }
+}
+
 impl Setting for AskedCures {
     type Rule = ();
 

@@ -111,6 +111,11 @@ fn knocks(results: &Map<String, Value>) -> Option<PageTable> {
 /// What would keep the leading mode from growing.
 fn cures(results: &Map<String, Value>) -> Option<PageTable> {
     let cures = results.get("cures").filter(|own| own.is_object())?;
+    if let Some(reason) = cures["reason"].as_str().filter(|own| !own.is_empty()) {
+        let caption = "What would keep a mode from growing".to_owned();
+        let rows = vec![vec![format!("none is listed: {reason}")]];
+        return Some(PageTable { caption, head: vec![String::new()], rows });
+    }
     let row = |own: &Value| {
         let change = own["change"].as_f64();
         let change =

@@ -313,3 +313,28 @@ fn interrupted_knocks_go_on_to_the_bit() {
     assert_eq!(resumed.summary.results, at_once.summary.results);
     assert!(left(study.path()) == left(whole.path()));
 }
+
+/// A body that swings on without damping, below the band and once in 200 s: in windows of 80 s its kinetic energies are as 0.76 to 1, its whole energy is the same, so that it is not told to settle.
+#[test]
+fn a_slow_motion_that_does_not_decay_is_not_told_to_settle() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/assembly/mass-on-falling-belt.toml");
+    let turn = std::f64::consts::TAU / 200.0;
+    let slow = format!(
+        "[[structure]]\nname = \"slow\"\nmatrices = {{ mass = [[1]], stiffness = [[{}]], freedoms = [[\"mass\", \"x\"]] }}\n",
+        turn * turn
+    );
+    let text = std::fs::read_to_string(path)
+        .unwrap()
+        .replace("[observe]", &format!("{slow}\n[observe]"))
+        .replace("points = [{", "points = [{ name = \"slow\", structure = \"slow\", set = \"mass\" }, {")
+        .replace("at = \"mass.x\"", "at = \"slow.x\"")
+        .replace("samples = 40", "samples = 2");
+    let lines = text.lines().filter(|line| !line.starts_with("margin"));
+    let text: String = lines.map(|line| format!("{line}\n")).collect();
+    let file = judder_models::parse("case.toml", &text, &[]).unwrap();
+    let report = run_into(tempfile::tempdir().unwrap().path(), &file, &["squeal"]);
+    let knocks = &report.summary.results["squeal"]["knocks"];
+    assert!(knocks["undecided"] == 2 && knocks["settle"] == 0, "{knocks}");
+    let said = "what becomes of 2 of 2 knocks is not clear";
+    assert!(report.messages.iter().any(|own| own.contains(said)), "{:?}", report.messages);
+}

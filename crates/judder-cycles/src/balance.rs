@@ -44,6 +44,8 @@ pub struct HarmonicBalance<'a> {
     bodies: HarmonicBodies,
     series: Series,
     scales: Vec<PointScales>,
+    /// In rad/s, at which the scales are taken.
+    scaled_at: f64,
     /// In N: unknowns and residuals are shares of it.
     force: f64,
     /// f on the freedoms, and what it does.
@@ -126,7 +128,8 @@ impl<'a> HarmonicBalance<'a> {
                 *load = Some(re.into_iter().zip(im).map(|(re, im)| c64::new(re, im)).collect());
             }
         }
-        Ok(Self { contact, bodies, series, scales, force, load, statics, forcing: loads })
+        let scaled_at = frequency;
+        Ok(Self { contact, bodies, series, scales, scaled_at, force, load, statics, forcing: loads })
     }
 
     /// The same equations, with the same scales, of another assembly of as many points.
@@ -154,6 +157,7 @@ impl<'a> HarmonicBalance<'a> {
             bodies,
             series: self.series.clone(),
             scales: self.scales.clone(),
+            scaled_at: self.scaled_at,
             force: self.force,
             statics,
             forcing: self.forcing.clone(),
@@ -250,6 +254,12 @@ impl<'a> HarmonicBalance<'a> {
     #[must_use]
     pub fn scales(&self) -> &[PointScales] {
         &self.scales
+    }
+
+    /// The frequency in rad/s at which those are taken: what harmonics leave out of a motion depends on it.
+    #[must_use]
+    pub fn scaled_at(&self) -> f64 {
+        self.scaled_at
     }
 
     /// Components of all points.

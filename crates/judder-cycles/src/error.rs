@@ -96,6 +96,16 @@ pub enum CyclesError {
         /// Before.
         expected: usize,
     },
+    /// A motion that is known from elsewhere is one of other contact points.
+    #[error(
+        "the motion near which a cycle is sought has {found} components of contact forces, the assembly has {expected}: it is one of other contact points"
+    )]
+    ForeignPoints {
+        /// Components of the motion.
+        found: usize,
+        /// Of the assembly.
+        expected: usize,
+    },
     /// There are no contact points.
     #[error("nothing touches")]
     NothingTouches,

@@ -125,7 +125,7 @@ fn once(
             gaps[point] += march.gap(point) / instants as f64;
         }
     }
-    Ok(ForcesOverPeriod { frequency: TAU / (period * march.settings().step), forces, gaps })
+    Ok(ForcesOverPeriod { frequency: TAU / (period * march.settings().step), forces, gaps, balanced: None })
 }
 
 /// How far a motion is from where it was.

@@ -59,6 +59,20 @@ pub fn read_file_reference(section: &Section<'_>, key: &str, folder: &Path) -> R
     Err(refused(name, path, what, node))
 }
 
+/// The folder that a path under a key names, relative to `folder`; one of a `--set` option is sought where the program runs first, as whoever types it there means it.
+///
+/// # Errors
+/// Where it was sought, and what is wrong with it.
+pub fn find_folder(given: &str, node: &Node, folder: &Path) -> Result<PathBuf, (PathBuf, &'static str)> {
+    let here = PathBuf::from(given);
+    let path = if node.place.is_option() && here.is_dir() { here } else { folder.join(given) };
+    match std::fs::metadata(&path) {
+        Ok(metadata) if metadata.is_dir() => Ok(path),
+        Ok(_) => Err((path, "is not a folder")),
+        Err(_) => Err((path, "does not exist")),
+    }
+}
+
 fn refused(key: String, path: PathBuf, what: &'static str, node: &Node) -> Fault {
     Cause::File { key, path, what }.at(node.place)
 }

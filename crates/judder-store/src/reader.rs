@@ -106,6 +106,25 @@ impl StudyReader {
         Ok(DatasetHead { variables: variables.collect::<Result<_, StoreError>>()?, attributes })
     }
 
+    /// The files in which variables that are stored under a name lie with the attributes of the whole, sorted; of variables that are not there none.
+    ///
+    /// # Errors
+    /// As [`head`](Self::head).
+    pub fn files_of(&self, name: &str, variables: &[&str]) -> Result<Vec<PathBuf>, StoreError> {
+        let StoredGroup { path: group, members, .. } = self.group(name)?;
+        let is_wanted = |member: &&String| variables.contains(&member.as_str());
+        let mut folders: Vec<PathBuf> =
+            members.iter().filter(is_wanted).map(|member| group.join(member)).collect();
+        let mut found = vec![group.join(metadata::FILE)];
+        while let Some(folder) = folders.pop() {
+            for (path, kind) in entries(&folder)? {
+                if kind.is_dir() { folders.push(path) } else { found.push(self.inside(&path)?) }
+            }
+        }
+        found.sort();
+        Ok(found)
+    }
+
     /// Rows of a stored variable: values whose index along the first dimension is in `rows`, as far as there are such; of a scalar its
     /// value. The shape is that of what is read.
     ///

@@ -16,7 +16,7 @@ fn numbers(list: &Value) -> Vec<f64> {
     list.as_array().unwrap().iter().map(number).collect()
 }
 
-fn array(dataset: &judder_store::Dataset, name: &str) -> Vec<f64> {
+pub(super) fn array(dataset: &judder_store::Dataset, name: &str) -> Vec<f64> {
     match &dataset.variable(name).unwrap_or_else(|| panic!("no {name}")).data {
         VariableValues::F64(values) => values.clone(),
         _ => panic!("{name}"),

@@ -13,6 +13,7 @@ mod printed;
 mod responses;
 mod sphere;
 mod squeal;
+mod stored_cycles;
 mod turning;
 
 use crate::{case, number, run_into};

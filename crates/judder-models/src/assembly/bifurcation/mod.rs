@@ -19,6 +19,7 @@ use judder_keys::Settings;
 use judder_keys::declared::{Number, Settings, Whole};
 use judder_keys::dimension::Dimension;
 use judder_keys::error::Fault;
+use judder_keys::file_reference::FileReference;
 use judder_keys::section::Section;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
@@ -74,7 +75,8 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
     doc: "limit cycles of a mode along any key, stable or not, through folds to where they shrink to steady sliding",
     declared: CycleDiagram::declarations,
     read: |case, section| {
-        let own = CycleDiagram::read_table(section)?;
+        let mut own = CycleDiagram::read_table(section)?;
+        own.start.as_mut().map_or(Ok(()), |start| start.find(section, case.as_ref()))?;
         if let (Some(case), Some(node)) = (case, section.get("sweep")) {
             own.sweep.admit(node, |value| case.at(&[(&own.sweep, value)]))?;
             own.sweep.admit_between(node, |value| case.at(&[(&own.sweep, value)]))?;
@@ -90,7 +92,14 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 
 impl Analysis<AssemblyCase> for CycleDiagram {
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
-        admits_cycles(of, Some(self.harmonics))
+        match admits_cycles(of, Some(self.harmonics))? {
+            Ok(()) => self.start.as_ref().map_or(Ok(Ok(())), |start| start.fits(of)),
+            refused => Ok(refused),
+        }
+    }
+
+    fn files(&self) -> Vec<&FileReference> {
+        self.start.iter().flat_map(CycleStart::files).collect()
     }
 
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

@@ -2,6 +2,7 @@
 
 use super::checks::INSTANTS;
 use super::search::{CycleOfMode, differentiated};
+use super::stored::{FREQUENCY, GAP, SCALED_AT, force_harmonics};
 use crate::assembly::AssemblySubject;
 use crate::assembly::march::arrays::contact_points;
 use crate::assembly::march::recorded::named_state;
@@ -75,7 +76,8 @@ fn period(
     let time = phase.iter().map(|share| share * TAU / cycle.frequency()).collect();
     let mut dataset = dataset
         .attribute("cycle_amplitude", sought.amplitude())?
-        .attribute("frequency_hz", cycle.frequency() / TAU)?
+        .attribute(FREQUENCY, cycle.frequency() / TAU)?
+        .attribute(SCALED_AT, cycle.balance.scaled_at() / TAU)?
         .attribute("attracts", cycle.attracts)?
         .with(
             Variable::coordinate("phase", phase)
@@ -85,7 +87,8 @@ fn period(
         )?
         .with(signal("time", "s", "time since the start of the period", "Time $t$ (s)", time))?;
     dataset = contact_points(dataset, of)?;
-    for variable in of_points(cycle, &over).into_iter().chain(of_contacts(of, cycle, &over)) {
+    let of_points = force_harmonics(cycle)?.into_iter().chain(of_points(cycle, &over));
+    for variable in of_points.chain(of_contacts(of, cycle, &over)) {
         dataset = dataset.with(variable)?;
     }
     for variable in observed(of, cycle, instants)? {
@@ -118,7 +121,7 @@ fn of_points(cycle: &AssemblyCycle<'_>, over: &PointsOverPeriod) -> [Variable; 6
             &over.forces,
             1,
         ),
-        of("gap", "m", "gap of each contact point", &over.motions, 0),
+        of(GAP, "m", "gap of each contact point", &over.motions, 0),
         of("slip_velocity", "m/s", slip, &over.motions, 1),
         of(
             "slip_displacement",

@@ -1,6 +1,6 @@
 //! `limit-cycle`: the periodic motion that an unstable mode grows to.
 //!
-//! - [`settings`]: the keys. `start`: where no mode leads. `search`: the cycles of a mode, and in words why there is none. `stability`: whether motions nearby are drawn to one.
+//! - [`settings`]: the keys. `start`: where no mode leads, `stored`: at the cycle of another study. `search`: the cycles of a mode, and in words why there is none. `stability`: whether motions nearby are drawn to one.
 //! - `run`, `told`, `arrays`: what is computed, told and stored. `checks`: what is checked. `figure`, `tables`: how it is shown.
 
 mod arrays;
@@ -11,6 +11,7 @@ pub(super) mod search;
 pub mod settings;
 pub(super) mod stability;
 pub mod start;
+mod stored;
 pub(super) mod tables;
 pub(super) mod told;
 
@@ -19,12 +20,14 @@ use crate::assembly::case::AssemblyCase;
 use crate::assembly::meant_mode::mode_near;
 use crate::error::ModelError;
 use judder_keys::declared::Settings;
+use judder_keys::file_reference::FileReference;
 use judder_store::Declared;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use settings::{LOWEST, ModeCycle};
+use start::CycleStart;
 use std::sync::Arc;
 
 /// The kind.
@@ -32,7 +35,7 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
     name: "limit-cycle",
     doc: "the periodic motion through stick, slip and lift-off that a mode grows to, without a march",
     declared: ModeCycle::declarations,
-    read: |_, section| Ok(Arc::new(ModeCycle::read_table(section)?)),
+    read: |case, section| Ok(Arc::new(ModeCycle::of(case.as_ref(), section)?)),
     picture: Some(Picture {
         draw: figure::limit_cycle,
         caption: "How fast the periodic motions of the mode would grow, over their amplitude: where that passes through zero is the limit cycle. Over one period of it forces of each contact, \
@@ -42,7 +45,14 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 
 impl Analysis<AssemblyCase> for ModeCycle {
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
-        self.solver.fits(of)
+        match self.solver.fits(of)? {
+            Ok(()) => self.start.as_ref().map_or(Ok(Ok(())), |start| start.fits(of)),
+            refused => Ok(refused),
+        }
+    }
+
+    fn files(&self) -> Vec<&FileReference> {
+        self.start.iter().flat_map(CycleStart::files).collect()
     }
 
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
@@ -55,8 +65,8 @@ impl Analysis<AssemblyCase> for ModeCycle {
 
     fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {
         let points: usize = of.built.nodes.iter().map(Vec::len).sum();
-        if self.start.is_some() {
-            return Ok(format!("the limit cycle near the motion of a march with {points} contact points"));
+        if let Some(start) = &self.start {
+            return Ok(format!("the limit cycle {} with {points} contact points", start.words()));
         }
         let mode = match self.frequency {
             Some(frequency) => format!("the {}", mode_near(frequency)),

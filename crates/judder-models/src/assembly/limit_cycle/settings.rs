@@ -2,13 +2,14 @@
 
 use super::start::CycleStart;
 use crate::assembly::AssemblySubject;
+use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::error::ModelError;
 use judder_cycles::backbone::BackboneSettings;
 use judder_cycles::cycle::{CycleSettings, HarmonicCount};
 use judder_cycles::receptance::check_size;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Number, Whole};
+use judder_keys::declared::{Number, Settings as _, Whole};
 use judder_keys::dimension::Dimension;
 use judder_keys::error::Fault;
 use judder_keys::memory::Memory;
@@ -94,6 +95,13 @@ const MATRICES: usize = 5;
 const LIMIT: Memory = Memory::DEFAULT;
 
 impl ModeCycle {
+    /// Reads a cycle of a case, whose folder is known where it is.
+    pub(super) fn of(case: Option<&AssemblyCase>, section: &Section<'_>) -> Result<Self, Fault> {
+        let mut own = Self::read_table(section)?;
+        own.start.as_mut().map_or(Ok(()), |start| start.find(section, case))?;
+        Ok(own)
+    }
+
     fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
         no_mode_is_meant(section, self.start.as_ref())?;
         meaningless(section, "modes", self.frequency.is_some(), "frequency")?;

@@ -9,7 +9,7 @@ use judder_keys::declared::{Allowed, Setting, Several, all, both};
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::expression::Expression;
-use judder_keys::file_reference::{FileReference, read_file_reference};
+use judder_keys::file_reference::{FileReference, find_folder, read_file_reference};
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, finite_number, list, wrong_type};
 use judder_keys::{Choice, Settings};
@@ -183,19 +183,14 @@ impl MatrixSums {
 }
 
 impl MatrixSums {
-    /// The folder of the files; one of a `--set` option is sought where the program runs first, as whoever types it there means it.
+    /// The folder of the files.
     fn find_folder(&self, section: &Section<'_>, folder: &Path) -> Result<PathBuf, Fault> {
         let (Some(given), Some(node)) = (&self.folder, section.get("folder")) else {
             return Ok(folder.to_owned());
         };
-        let here = PathBuf::from(given);
-        let path = if node.place.is_option() && here.is_dir() { here } else { folder.join(given) };
-        let what = match std::fs::metadata(&path) {
-            Ok(metadata) if metadata.is_dir() => return Ok(path),
-            Ok(_) => "is not a folder",
-            Err(_) => "does not exist",
-        };
-        Err(StructureProblem::Folder { key: section.path("folder"), path, what }.at(node.place))
+        find_folder(given, node, folder).map_err(|(path, what)| {
+            StructureProblem::Folder { key: section.path("folder"), path, what }.at(node.place)
+        })
     }
 }
 

@@ -28,7 +28,7 @@ use std::f64::consts::TAU;
 use turn::SlipTurns;
 
 pub use change::{CircleCrossing, StabilityChange, stability_changes};
-pub use hill::{HillMultipliers, HillRefusal, hill_multipliers};
+pub use hill::{HILL_ROWS, HillMultipliers, HillRefusal, hill_multipliers};
 
 /// The multipliers of a cycle.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,7 +50,7 @@ pub enum CycleStability {
     Stable,
     /// One lies outside, by more than its error.
     Unstable,
-    /// The largest lies on the unit circle, as far as it is known.
+    /// The largest lies on the unit circle, as far as it is known, or two ways disagree.
     Undecided,
     /// A rigid point opens and closes.
     Impacts,
@@ -61,7 +61,7 @@ pub enum CycleStability {
 /// Coordinates up to which there is a monodromy matrix: its eigenvalues cost as the cube of twice as many.
 const MOST: usize = 400;
 /// Steps of a period at first, and at most.
-const STEPS: [usize; 2] = [256, 4096];
+pub const FLOQUET_STEPS: [usize; 2] = [256, 4096];
 /// How many times the harmonics of a driven motion its multipliers are looked at with besides.
 const WIDER: usize = 4;
 /// A change from half as many steps that is small enough.
@@ -77,24 +77,42 @@ impl FloquetMultipliers {
     /// What they say; nothing where another multiplier may be that of the phase, and would let them say something else.
     #[must_use]
     pub fn verdict(&self) -> CycleStability {
-        /// A multiplier so many errors from 1 may be that of the phase.
-        const NEAR: f64 = 3.0;
-        let said = |largest: f64, error: f64| match largest - 1.0 {
-            beyond if beyond > error => CycleStability::Unstable,
-            beyond if beyond < -error => CycleStability::Stable,
-            _ => CycleStability::Undecided,
-        };
-        let own = said(self.largest(), self.error);
-        let off = |value: c64| (value - 1.0).norm();
-        let has_phase = self.phase.is_some();
-        let near = (0..self.values.len()).filter(|k| has_phase && off(self.values[*k]) <= NEAR * self.error);
-        let as_others = near.map(|chosen| {
-            let others = (0..self.values.len()).filter(|k| *k != chosen).map(|k| self.values[k].norm());
-            let phase = self.phase.map_or(0.0, c64::norm);
-            said(others.fold(phase, f64::max), self.error.max(off(self.values[chosen])))
-        });
-        if as_others.into_iter().all(|other| other == own) { own } else { CycleStability::Undecided }
+        verdict(&self.values, self.phase, self.error)
     }
+
+    /// How far the largest of them and of those by Hill's method lie from the nearest of the other.
+    #[must_use]
+    pub fn apart_from(&self, hill: &HillMultipliers) -> f64 {
+        apart(&self.values, &hill.values)
+    }
+}
+
+impl CycleStability {
+    /// What two ways say together: the same, or nothing.
+    #[must_use]
+    pub fn agreed(self, other: Self) -> Self {
+        if self == other { self } else { Self::Undecided }
+    }
+}
+
+/// What multipliers say that are known to an error, the largest first, beside that of the phase.
+fn verdict(values: &[c64], phase: Option<c64>, error: f64) -> CycleStability {
+    /// A multiplier so many errors from 1 may be that of the phase.
+    const NEAR: f64 = 3.0;
+    let said = |largest: f64, error: f64| match largest - 1.0 {
+        beyond if beyond > error => CycleStability::Unstable,
+        beyond if beyond < -error => CycleStability::Stable,
+        _ => CycleStability::Undecided,
+    };
+    let own = said(values.first().map_or(0.0, |own| own.norm()), error);
+    let off = |value: c64| (value - 1.0).norm();
+    let near = (0..values.len()).filter(|k| phase.is_some() && off(values[*k]) <= NEAR * error);
+    let as_others = near.map(|chosen| {
+        let others = (0..values.len()).filter(|k| *k != chosen).map(|k| values[k].norm());
+        let phase = phase.map_or(0.0, c64::norm);
+        said(others.fold(phase, f64::max), error.max(off(values[chosen])))
+    });
+    if as_others.into_iter().all(|other| other == own) { own } else { CycleStability::Undecided }
 }
 
 /// The multipliers of a periodic motion, driven or not, with as many steps as they take to settle; what hinders them otherwise.
@@ -112,7 +130,7 @@ pub fn floquet_multipliers(
     if has_impacts(balance, cycle)? {
         return Ok(Err(CycleStability::Impacts));
     }
-    let [first, most] = STEPS;
+    let [first, most] = FLOQUET_STEPS;
     let mut found = with_steps(balance, cycle, first, go_on)?;
     loop {
         let mut finer = with_steps(balance, cycle, 2 * found.steps, go_on)?;
@@ -342,6 +360,22 @@ mod tests {
         let phase = c64::new(phase, 0.0);
         let error = (phase - 1.0).norm();
         FloquetMultipliers { values, phase: Some(phase), steps: 1, error }.verdict()
+    }
+
+    /// Two ways that do not say the same say nothing.
+    #[test]
+    fn stability_is_what_two_ways_agree_on() {
+        use CycleStability::{Stable, Undecided, Unstable};
+        assert_eq!(Stable.agreed(Stable), Stable);
+        assert_eq!(Unstable.agreed(Unstable), Unstable);
+        for [own, other] in [[Stable, Unstable], [Unstable, Undecided], [Undecided, Stable]] {
+            assert_eq!(own.agreed(other), Undecided);
+        }
+        let one = |value: f64| vec![c64::new(value, 0.0)];
+        let steps = FloquetMultipliers { values: one(0.9), phase: None, steps: 1, error: 1e-3 };
+        let hill = HillMultipliers { values: one(-1.1), phase: None, error: 1e-3 };
+        assert!(steps.verdict() == Stable && hill.verdict() == Unstable);
+        assert!((steps.apart_from(&hill) - 2.0).abs() < 1e-12);
     }
 
     /// Of two multipliers as far from 1 neither is known to be that of the phase.

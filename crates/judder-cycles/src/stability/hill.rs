@@ -10,10 +10,11 @@
 //! harmonics know best has its harmonics about the mean: those are taken whose weighted mean harmonic Σ h |x_h|² / Σ |x_h|² is nearest zero (G. Moore, SIAM J. Numer. Anal. 42, 2005;
 //! A. Lazarus, O. Thomas, C. R. Mécanique 338, 2010).
 
-use super::apart;
+use super::{CycleStability, apart, verdict};
 use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
 use crate::balance::HarmonicBalance;
+use crate::path::GoOn;
 use crate::point_law::ProjectedForce;
 use faer::{Mat, c64};
 use judder_dense::general::{PickedEigenvalues, real_eigen, solve};
@@ -36,9 +37,9 @@ pub struct HillMultipliers {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum HillRefusal {
     /// The force of a point does not follow from its motion.
-    #[error("point {point} sticks, turns, or is rigid: its force does not follow smoothly from its motion")]
+    #[error("contact point {} sticks, turns, or is rigid: its force does not follow smoothly from its motion", point + 1)]
     NotSmooth {
-        /// The point.
+        /// The point, counted from 0.
         point: usize,
     },
     /// A coordinate has no mass.
@@ -64,30 +65,42 @@ pub enum HillRefusal {
     },
 }
 
-/// Rows of the eigenvalue problem, which costs as their cube.
-const MOST: usize = 1000;
+/// Rows of the eigenvalue problem, which costs as their cube: some seconds.
+pub const HILL_ROWS: usize = 1000;
 
-/// The multipliers of a periodic motion, driven or not, whose contact forces follow smoothly from its motion.
+impl HillMultipliers {
+    /// What they say; nothing where another multiplier may be that of the phase, and would let them say something else.
+    #[must_use]
+    pub fn verdict(&self) -> CycleStability {
+        verdict(&self.values, self.phase, self.error)
+    }
+}
+
+/// The multipliers of a periodic motion, driven or not, whose contact forces follow smoothly from its motion, where the eigenvalue problem has no more than `most` rows.
 ///
 /// # Errors
-/// [`CyclesError::Singular`].
+/// [`CyclesError::Singular`], [`CyclesError::Stopped`].
 pub fn hill_multipliers(
     balance: &HarmonicBalance<'_>,
     cycle: &PeriodicMotion,
+    most: usize,
+    go_on: &GoOn<'_>,
 ) -> Result<Result<HillMultipliers, HillRefusal>, CyclesError> {
     let harmonics = balance.series().harmonics();
     let rows = 2 * balance.bodies().coordinates() * balance.series().coefficients();
-    if rows > MOST {
-        return Ok(Err(HillRefusal::TooLarge { rows, most: MOST }));
+    if rows > most {
+        return Ok(Err(HillRefusal::TooLarge { rows, most }));
     }
-    let problem = match SmallMotions::about(balance, cycle)? {
+    let problem = match SmallMotions::about(balance, cycle, go_on)? {
         Ok(problem) => problem,
         Err(refusal) => return Ok(Err(refusal)),
     };
+    asked(go_on)?;
     let found = match problem.exponents(harmonics)? {
         Ok(found) => found,
         Err(refusal) => return Ok(Err(refusal)),
     };
+    asked(go_on)?;
     let fewer = match problem.exponents((3 * harmonics).div_ceil(4))? {
         Ok(fewer) => fewer,
         Err(refusal) => return Ok(Err(refusal)),
@@ -97,6 +110,10 @@ pub fn hill_multipliers(
     let (values, phase) = told(&found);
     let error = apart(&values, &told(&fewer).0).max(phase.map_or(0.0, |phase| (phase - 1.0).norm()));
     Ok(Ok(HillMultipliers { values, phase, error }))
+}
+
+fn asked(go_on: &GoOn<'_>) -> Result<(), CyclesError> {
+    if go_on() { Ok(()) } else { Err(CyclesError::Stopped) }
 }
 
 /// Small motions about a cycle.
@@ -122,6 +139,7 @@ impl SmallMotions {
     fn about(
         balance: &HarmonicBalance<'_>,
         cycle: &PeriodicMotion,
+        go_on: &GoOn<'_>,
     ) -> Result<Result<Self, HillRefusal>, CyclesError> {
         let (bodies, series) = (balance.bodies(), balance.series());
         let (Some(rates), Some(pushes)) = (bodies.free_rates(), bodies.mobility()) else {
@@ -136,6 +154,7 @@ impl SmallMotions {
         let mut contact = [Mat::zeros(size, size), Mat::zeros(size, size)];
         let mut block = vec![0.0; coefficients * coefficients];
         for point in 0..balance.contact().points.len() {
+            asked(go_on)?;
             let Some(mut slopes) = smooth_slopes(projected.of_point(point), dimension) else {
                 return Ok(Err(HillRefusal::NotSmooth { point }));
             };
@@ -307,5 +326,29 @@ fn add_block(matrix: &mut Mat<f64>, pushes: &[f64], motion: &[f64], block: &[f64
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    /// Of a mass that swings freely with half of the frequency of the cycle both exponents, ± i ω/2, are one: the multiplier −1 is twofold, and one vector of two is told.
+    #[test]
+    fn exponents_that_cannot_be_told_apart_are_refused() {
+        let one = |value: f64| Mat::from_fn(1, 1, |_, _| value);
+        let none = || Mat::zeros(7, 7);
+        let at = |stiffness: f64| SmallMotions {
+            omega: 2.0,
+            coordinates: 1,
+            coefficients: 7,
+            bodies: [one(0.0), one(stiffness)],
+            contact: [none(), none()],
+        };
+        assert_eq!(at(1.3).exponents(3).unwrap().unwrap().values.len(), 2);
+        let Err(refusal) = at(1.0).exponents(3).unwrap() else { panic!("it is told") };
+        assert_eq!(refusal, HillRefusal::FewHarmonics { harmonics: 3, found: 1, expected: 2 });
+        assert_eq!(refusal.to_string(), "with 3 harmonics 1 of 2 exponents are found: take more harmonics");
     }
 }

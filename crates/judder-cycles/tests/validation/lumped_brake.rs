@@ -24,7 +24,7 @@ use judder_assembly::steady::steady_sliding;
 use judder_cycles::branch::{BranchSettings, CycleBranchEnd, cycle_branch};
 use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles};
 use judder_cycles::path::PathRule;
-use judder_cycles::stability::{floquet_multipliers, hill_multipliers};
+use judder_cycles::stability::{HILL_ROWS, floquet_multipliers, hill_multipliers};
 use judder_structure::complex_modes::{ComplexModeSettings, Region, complex_modes};
 use std::f64::consts::TAU;
 
@@ -233,7 +233,7 @@ fn the_multipliers_of_a_lumped_brake_are_those_of_hills_method() {
     let settings = CycleSettings { harmonics: HarmonicCount::Fixed(15), ..CycleSettings::default() };
     let found = limit_cycles(&case, &steady, values[0], &settings, &|| true).unwrap();
     let cycle = &found.cycles[0];
-    let hill = hill_multipliers(&cycle.balance, &cycle.motion).unwrap().unwrap();
+    let hill = hill_multipliers(&cycle.balance, &cycle.motion, HILL_ROWS, &|| true).unwrap().unwrap();
     assert!((hill.phase.unwrap() - 1.0).norm() < 1e-8 && hill.error < 1e-8, "{hill:?}");
     let product: c64 = hill.values.iter().product();
     let expected = (-damping().iter().sum::<f64>() * TAU / cycle.frequency()).exp();

@@ -4,6 +4,7 @@ mod belt;
 mod block;
 mod branch;
 mod forced;
+mod hill;
 mod lumped_brake;
 mod near;
 mod own_engine;

@@ -11,7 +11,7 @@ use judder_assembly::steady::{SteadySliding, steady_sliding};
 use judder_contact::{FittedLaw, Law};
 use judder_cycles::cycle::{AssemblyCycle, CycleSettings, HarmonicCount, limit_cycles};
 use judder_cycles::shooting::{ShootingSettings, shoot};
-use judder_cycles::stability::{HillMultipliers, hill_multipliers};
+use judder_cycles::stability::{HILL_ROWS, HillMultipliers, hill_multipliers};
 use judder_oscillator::critical::{ParameterRange, RangeScale, thresholds};
 use judder_oscillator::cycle::{BranchPoint, Continuation, global_margin};
 use judder_oscillator::motion::{ContactState, SlidingSystem, StickSlip};
@@ -147,7 +147,7 @@ fn a_sphere_that_slides_on_has_the_multipliers_of_the_oscillator_by_hills_method
     let mode = slowest(&case);
     let off = [8, 12, 16, 20].map(|harmonics| {
         let cycle = with(&case, &mode, harmonics, 16);
-        let hill = hill_multipliers(&cycle.balance, &cycle.motion).unwrap().unwrap();
+        let hill = hill_multipliers(&cycle.balance, &cycle.motion, HILL_ROWS, &|| true).unwrap().unwrap();
         off_engine(&hill, &own.multipliers)
     });
     assert!(off[3] < 1e-8, "{off:?}");
@@ -177,7 +177,7 @@ fn a_sphere_that_lifts_off_has_nearly_the_multipliers_of_the_oscillator_by_hills
     let mode = slowest(&case);
     for (samples, enough) in [(16, 5e-3), (64, 1e-3), (256, 5e-4)] {
         let cycle = with(&case, &mode, 20, samples);
-        let hill = hill_multipliers(&cycle.balance, &cycle.motion).unwrap().unwrap();
+        let hill = hill_multipliers(&cycle.balance, &cycle.motion, HILL_ROWS, &|| true).unwrap().unwrap();
         let off = off_engine(&hill, &lifts.cycle.multipliers);
         assert!(off < enough && off < 1.5 * hill.error, "{samples}: {off:e} {hill:?}");
     }

@@ -234,6 +234,33 @@ fn shooting_agrees_with_harmonics() {
     }
 }
 
+/// Where contact is smooth two ways say it; where the problem is too large for the second, that is told.
+#[test]
+fn stability_has_a_second_opinion() {
+    let report =
+        run_into(tempfile::tempdir().unwrap().path(), &case("assembly/lumped-brake.toml", &[]), &["cycle"]);
+    let told = &report.summary.results["cycle"];
+    assert!(told["stable"] == true && told["second_opinion"] == "Hill's method says the same", "{told:?}");
+    // steps are off by their scheme
+    let [apart, hill, steps] =
+        ["multipliers_apart", "hill_error", "floquet_error"].map(|key| number(&told[key]));
+    assert!(apart < steps && hill < 1e-6 && steps < 1e-2, "{apart} {hill} {steps}");
+    assert_eq!(
+        told["hill_multipliers"].as_array().unwrap().len(),
+        told["floquet_multipliers"].as_array().unwrap().len()
+    );
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small/assembly-cycle.toml");
+    let file = judder_models::read(path, &[]).unwrap();
+    let report = run_into(tempfile::tempdir().unwrap().path(), &file, &["cycle"]);
+    let told = &report.summary.results["cycle"];
+    assert_eq!(told["stable"], true);
+    assert_eq!(
+        told["second_opinion"],
+        "steps alone: 1240 harmonics of coordinates and velocities: eigenvalues are computed of up to 1000"
+    );
+    assert!(told["hill_multipliers"].is_null() && told["multipliers_apart"].is_null());
+}
+
 /// Where the mode grows nowhere there is nothing to begin with.
 #[test]
 fn a_key_along_which_nothing_grows_says_so() {

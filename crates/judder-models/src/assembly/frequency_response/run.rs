@@ -23,6 +23,8 @@ use std::f64::consts::TAU;
 const INSTANTS: usize = 4000;
 /// What the balance of energy may be off, over what goes in and out.
 const BALANCE: f64 = 1e-3;
+/// Rows of the eigenvalue problem of Hill's method up to which every motion has its opinion: hundredths of a second each.
+pub(super) const ROWS: usize = 200;
 /// What harmonics may leave out of the swing of the contact forces before it is told.
 const TOLD: f64 = 0.1;
 
@@ -41,8 +43,11 @@ pub(super) fn run(
     let found = forced_response(&balance, &guess, &asked.settings(), &|| !progress.interrupted())
         .map_err(unanswered)?;
     progress.go_on()?;
-    let of_motion = |motion| KnownStability::of(&balance, motion, asked.stability, progress);
-    let stabilities = found.motions.iter().map(of_motion).collect::<Result<Vec<_>, _>>()?;
+    let of_motion = |motion| {
+        KnownStability::of(&balance, motion, asked.stability, progress)?
+            .and_by_hill(&balance, motion, ROWS, progress)
+    };
+    let stabilities = found.motions.iter().map(of_motion).collect::<Result<Vec<_>, ModelError>>()?;
     let coordinates = FollowedCoordinate::all(&of.built.watched, &balance, &found)?;
     let (mut peaks, mut disagreement) = (Vec::new(), Disagreement::default());
     for own in &coordinates {

@@ -28,6 +28,8 @@ pub(super) struct ToldResponse {
     force_scale: f64,
     /// how many motions are stable, in words
     stability: String,
+    /// at how many of them Hill's method says the same, in words
+    second_opinion: String,
     /// where the stability changes, and how, as far as Floquet multipliers were asked for
     stability_changes: Vec<ToldStabilityChange>,
 }
@@ -135,6 +137,7 @@ impl ToldResponse {
             residual: found.motions.iter().map(|own| own.residual).fold(0.0, f64::max),
             force_scale,
             stability: how_many(stabilities),
+            second_opinion: second_opinions(stabilities),
             stability_changes: changes.collect(),
         }
     }
@@ -147,6 +150,21 @@ fn how_many(stabilities: &[KnownStability]) -> String {
         true => {
             format!("{} stable, {} unstable, {} unknown", count(Some(true)), count(Some(false)), count(None))
         }
+        false => "not asked for".to_owned(),
+    }
+}
+
+/// At how many motions Hill's method says the same of the stability, in words.
+fn second_opinions(stabilities: &[KnownStability]) -> String {
+    let both = stabilities.iter().filter_map(KnownStability::is_confirmed);
+    let (same, other): (Vec<bool>, Vec<bool>) = both.partition(|own| *own);
+    match stabilities.iter().any(KnownStability::is_asked) {
+        true => format!(
+            "Hill's method says the same of {}, otherwise of {}, and does not apply to {}",
+            same.len(),
+            other.len(),
+            stabilities.len() - same.len() - other.len()
+        ),
         false => "not asked for".to_owned(),
     }
 }

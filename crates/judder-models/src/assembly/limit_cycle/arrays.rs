@@ -2,6 +2,7 @@
 
 use super::checks::INSTANTS;
 use super::search::{CycleOfMode, differentiated};
+use super::stability::KnownStability;
 use super::stored::{FREQUENCY, GAP, SCALED_AT, force_harmonics};
 use crate::assembly::AssemblySubject;
 use crate::assembly::march::arrays::contact_points;
@@ -12,23 +13,29 @@ use judder_cycles::cycle::{AssemblyCycle, PointsOverPeriod};
 use judder_cycles::series::Series;
 use judder_numerics::contact_state::ContactState;
 use judder_store::{Dataset, Variable};
-use num_complex::Complex64;
 use std::f64::consts::TAU;
 
 /// The motions of the mode, and where there is a cycle one period of it.
 pub(super) fn dataset(
     of: &AssemblySubject<'_>,
     sought: &CycleOfMode<'_>,
-    multipliers: Option<Vec<Complex64>>,
+    stability: Option<&KnownStability>,
 ) -> Result<Dataset, ModelError> {
     let mut dataset = Dataset::new();
     if sought.follows_a_mode() {
         dataset = motions(dataset, sought)?;
     }
-    if let Some(all) = multipliers {
-        let variable = Variable::new("floquet_multipliers", &["multiplier"], &[all.len()], all);
-        let words = "Floquet multipliers, that of the phase among them, the largest first";
-        dataset = dataset.with(variable.units("1").long_name(words))?;
+    let by_steps = stability.and_then(KnownStability::multipliers);
+    let by_hill = stability.and_then(KnownStability::hill_multipliers);
+    let words = "Floquet multipliers, that of the phase among them, the largest first";
+    for (name, all, words) in [
+        ("floquet_multipliers", by_steps, words.to_owned()),
+        ("hill_multipliers", by_hill, format!("{words}, by Hill's method")),
+    ] {
+        if let Some(all) = all {
+            let variable = Variable::new(name, &["multiplier"], &[all.len()], all);
+            dataset = dataset.with(variable.units("1").long_name(&words))?;
+        }
     }
     match sought.cycle() {
         Some(cycle) => period(dataset, of, sought, cycle),

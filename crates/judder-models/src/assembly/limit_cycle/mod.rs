@@ -19,6 +19,7 @@ use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::meant_mode::mode_near;
 use crate::error::ModelError;
+use judder_cycles::stability::HILL_ROWS;
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
 use judder_store::Declared;
@@ -27,6 +28,7 @@ use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use settings::{LOWEST, ModeCycle};
+use stability::multipliers_estimated;
 use start::CycleStart;
 use std::sync::Arc;
 
@@ -65,14 +67,16 @@ impl Analysis<AssemblyCase> for ModeCycle {
 
     fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {
         let points: usize = of.built.nodes.iter().map(Vec::len).sum();
+        let multipliers = multipliers_estimated(of, self.solver.stability, HILL_ROWS);
         if let Some(start) = &self.start {
-            return Ok(format!("the limit cycle {} with {points} contact points", start.words()));
+            let words = start.words();
+            return Ok(format!("the limit cycle {words} with {points} contact points{multipliers}"));
         }
         let mode = match self.frequency {
             Some(frequency) => format!("the {}", mode_near(frequency)),
             None => format!("the fastest growing of the lowest {} modes", self.modes.unwrap_or(LOWEST)),
         };
-        Ok(format!("the limit cycle of {mode} with {points} contact points"))
+        Ok(format!("the limit cycle of {mode} with {points} contact points{multipliers}"))
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -16,6 +16,7 @@ use judder_assembly::steady::SteadySliding;
 use judder_cycles::CyclesError;
 use judder_cycles::cycle::AssemblyCycle;
 use judder_cycles::shooting::{ShootingSettings, ShotCycle, shoot};
+use judder_cycles::stability::HILL_ROWS;
 use judder_structure::complex_modes::{ComplexMode, Verdict};
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Outcome};
@@ -43,8 +44,9 @@ pub(super) fn run(
         }
         Some(cycle) => {
             let stability =
-                KnownStability::of(&cycle.balance, &cycle.motion, asked.solver.stability, progress)?;
-            outcome.dataset = dataset(of, &sought, stability.multipliers())?;
+                KnownStability::of(&cycle.balance, &cycle.motion, asked.solver.stability, progress)?
+                    .and_by_hill(&cycle.balance, &cycle.motion, HILL_ROWS, progress)?;
+            outcome.dataset = dataset(of, &sought, Some(&stability))?;
             warnings.extend(words_of(&sought, cycle).into_iter().chain(stability.doubt()));
             let power = cycle.power(INSTANTS)?;
             let (harmonics, points) = (cycle.balance.series().harmonics(), cycle.points.len());

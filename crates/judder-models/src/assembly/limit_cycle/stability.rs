@@ -1,15 +1,24 @@
 //! Whether a cycle draws all motions nearby, by its Floquet multipliers.
 
+use crate::assembly::AssemblySubject;
 use crate::error::ModelError;
 use judder_cycles::backbone::PeriodicMotion;
 use judder_cycles::balance::HarmonicBalance;
-use judder_cycles::stability::{CircleCrossing, CycleStability, FloquetMultipliers, floquet_multipliers};
+use judder_cycles::stability::{
+    CircleCrossing, CycleStability, FLOQUET_STEPS, FloquetMultipliers, HillMultipliers, HillRefusal,
+    floquet_multipliers, hill_multipliers,
+};
 use judder_store::{Dataset, Variable};
 use judder_study::Progress;
 use num_complex::Complex64;
 
 /// What is known of it; nothing where it was not asked for.
-pub(in crate::assembly) struct KnownStability(Option<Result<FloquetMultipliers, CycleStability>>);
+pub(in crate::assembly) struct KnownStability {
+    /// By steps.
+    by_steps: Option<Result<FloquetMultipliers, CycleStability>>,
+    /// By Hill's method, where it was asked.
+    by_hill: Option<Result<HillMultipliers, HillRefusal>>,
+}
 
 impl KnownStability {
     /// That of a cycle, where it is asked for.
@@ -20,28 +29,51 @@ impl KnownStability {
         progress: &dyn Progress,
     ) -> Result<Self, ModelError> {
         let found = is_asked.then(|| floquet_multipliers(balance, motion, &|| !progress.interrupted()));
-        Ok(Self(found.transpose()?))
+        Ok(Self { by_steps: found.transpose()?, by_hill: None })
+    }
+
+    /// With the opinion of Hill's method, up to so many rows of its eigenvalue problem; where stability was asked for.
+    pub(in crate::assembly) fn and_by_hill(
+        mut self,
+        balance: &HarmonicBalance<'_>,
+        motion: &PeriodicMotion,
+        rows: usize,
+        progress: &dyn Progress,
+    ) -> Result<Self, ModelError> {
+        if self.is_asked() {
+            self.by_hill = Some(hill_multipliers(balance, motion, rows, &|| !progress.interrupted())?);
+        }
+        Ok(self)
     }
 
     /// Whether it was asked for.
     pub(in crate::assembly) fn is_asked(&self) -> bool {
-        self.0.is_some()
+        self.by_steps.is_some()
     }
 
     /// The multipliers with their error, where they are known.
     pub(in crate::assembly) fn known(&self) -> Option<&FloquetMultipliers> {
-        self.0.as_ref()?.as_ref().ok()
+        self.by_steps.as_ref()?.as_ref().ok()
+    }
+
+    /// Those by Hill's method, where they are known.
+    pub(in crate::assembly) fn by_hill(&self) -> Option<&HillMultipliers> {
+        self.by_hill.as_ref()?.as_ref().ok()
     }
 
     /// All multipliers, that of the phase among them, the largest first.
     pub(in crate::assembly) fn multipliers(&self) -> Option<Vec<Complex64>> {
-        let known = self.known()?;
-        let mut all = known.values.clone();
-        if let Some(phase) = known.phase {
-            let place = all.partition_point(|own| own.norm() > phase.norm());
-            all.insert(place, phase);
-        }
-        Some(all)
+        self.known().map(|own| with_phase(&own.values, own.phase))
+    }
+
+    /// The same by Hill's method.
+    pub(in crate::assembly) fn hill_multipliers(&self) -> Option<Vec<Complex64>> {
+        self.by_hill().map(|own| with_phase(&own.values, own.phase))
+    }
+
+    /// How far the largest by either way lie from the nearest by the other.
+    pub(in crate::assembly) fn apart(&self) -> Option<f64> {
+        Some(self.known()?.apart_from(self.by_hill()?))
     }
 
     /// What the largest but that of the phase may be off.
@@ -50,10 +82,35 @@ impl KnownStability {
     }
 
     fn verdict(&self) -> Option<CycleStability> {
-        self.0.as_ref().map(|found| match found {
+        let by_steps = match self.by_steps.as_ref()? {
             Ok(known) => known.verdict(),
-            Err(hindered) => *hindered,
-        })
+            Err(hindered) => return Some(*hindered),
+        };
+        Some(self.by_hill().map_or(by_steps, |hill| by_steps.agreed(hill.verdict())))
+    }
+
+    /// Whether Hill's method says what steps say, where both apply.
+    pub(in crate::assembly) fn is_confirmed(&self) -> Option<bool> {
+        Some(self.known()?.verdict() == self.by_hill()?.verdict())
+    }
+
+    /// What steps and Hill's method say, where that is not the same.
+    fn disagreement(&self) -> Option<[CycleStability; 2]> {
+        let both = [self.known()?.verdict(), self.by_hill()?.verdict()];
+        (both[0] != both[1]).then_some(both)
+    }
+
+    /// What Hill's method adds to what steps say, in words.
+    pub(in crate::assembly) fn second_opinion(&self) -> String {
+        match (&self.by_steps, &self.by_hill) {
+            (Some(Ok(_)), Some(Ok(hill))) => match self.disagreement() {
+                None => "Hill's method says the same".to_owned(),
+                Some(_) => format!("Hill's method says otherwise: {}", said(hill.verdict())),
+            },
+            (Some(Ok(_)), Some(Err(refusal))) => format!("steps alone: {refusal}"),
+            (Some(Err(_)), _) => "neither steps nor Hill's method apply".to_owned(),
+            _ => "not asked for".to_owned(),
+        }
     }
 
     /// Whether it is stable, where that is known.
@@ -83,6 +140,17 @@ impl KnownStability {
         }
     }
 
+    /// The same with what steps and Hill's method say where they disagree.
+    pub(in crate::assembly) fn in_full(&self) -> String {
+        match self.disagreement() {
+            None => self.words().to_owned(),
+            Some(both) => {
+                let [steps, hill] = both.map(said);
+                format!("undecided: by steps the cycle is {steps}, by Hill's method {hill}")
+            }
+        }
+    }
+
     /// What has to be said of it.
     pub(in crate::assembly) fn doubt(&self) -> Option<String> {
         match self.verdict()? {
@@ -93,8 +161,43 @@ impl KnownStability {
                     "motions nearby leave the cycle, with a Floquet multiplier of modulus {largest:.4}: no march comes to it"
                 ))
             }
-            _ => Some(format!("whether motions nearby are drawn to the cycle is {}", self.words())),
+            _ => Some(format!("whether motions nearby are drawn to the cycle is {}", self.in_full())),
         }
+    }
+}
+
+/// What a way says of a cycle.
+fn said(stability: CycleStability) -> &'static str {
+    match stability {
+        CycleStability::Stable => "stable",
+        CycleStability::Unstable => "unstable",
+        _ => "on the unit circle, as far as it is known",
+    }
+}
+
+/// All multipliers, the largest first, that of the phase among them.
+fn with_phase(values: &[Complex64], phase: Option<Complex64>) -> Vec<Complex64> {
+    let mut all = values.to_vec();
+    if let Some(phase) = phase {
+        let place = all.partition_point(|own| own.norm() > phase.norm());
+        all.insert(place, phase);
+    }
+    all
+}
+
+/// What the multipliers of a motion are reckoned from, in words; nothing where they are not asked for.
+pub(in crate::assembly) fn multipliers_estimated(
+    of: &AssemblySubject<'_>,
+    is_asked: bool,
+    rows: usize,
+) -> String {
+    let ([least, most], motions) = (FLOQUET_STEPS, 2 * of.built.assembly.size());
+    match is_asked {
+        true => format!(
+            ", Floquet multipliers by {} to {most} steps of up to {motions} small motions and by Hill's method up to {rows} rows",
+            2 * least,
+        ),
+        false => String::new(),
     }
 }
 
@@ -120,6 +223,15 @@ pub(in crate::assembly) fn with_multipliers(
         (0..most).map(|k| own.as_ref().and_then(|own| own.get(k)).copied().unwrap_or(missing)).collect()
     };
     let values: Vec<Complex64> = all.iter().flat_map(of).collect();
+    let apart: Vec<f64> = stabilities.iter().map(|own| own.apart().unwrap_or(f64::NAN)).collect();
+    let dataset = match apart.iter().any(|own| own.is_finite()) {
+        true => dataset.with(
+            Variable::new("multipliers_apart", &[along], &[count], apart).units("1").long_name(
+                "how far the largest by steps and by Hill's method lie from the nearest of the other",
+            ),
+        )?,
+        false => dataset,
+    };
     let errors: Vec<f64> = stabilities.iter().map(|own| own.error().unwrap_or(f64::NAN)).collect();
     Ok(dataset
         .with(
@@ -143,5 +255,47 @@ pub(in crate::assembly) fn crossing_words(crossing: CircleCrossing) -> &'static 
         CircleCrossing::AtMinusOne => "period doubling",
         CircleCrossing::Pair => "Neimark–Sacker bifurcation",
         CircleCrossing::Unknown => "change of stability of unknown kind",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn known(steps: f64, hill: Result<f64, HillRefusal>) -> KnownStability {
+        let values = |own: f64| vec![Complex64::new(own, 0.0)];
+        let by_steps = FloquetMultipliers { values: values(steps), phase: None, steps: 512, error: 1e-2 };
+        let by_hill = hill.map(|own| HillMultipliers { values: values(own), phase: None, error: 1e-4 });
+        KnownStability { by_steps: Some(Ok(by_steps)), by_hill: Some(by_hill) }
+    }
+
+    #[test]
+    fn two_ways_say_it_together_or_not_at_all() {
+        let same = known(-1.2, Ok(-1.199));
+        assert_eq!((same.is_stable(), same.is_confirmed()), (Some(false), Some(true)));
+        assert_eq!(same.second_opinion(), "Hill's method says the same");
+        let other = known(0.98, Ok(1.01));
+        assert_eq!((other.is_stable(), other.is_confirmed()), (None, Some(false)));
+        assert_eq!(other.in_full(), "undecided: by steps the cycle is stable, by Hill's method unstable");
+        assert_eq!(other.second_opinion(), "Hill's method says otherwise: unstable");
+        let finer = known(0.995, Ok(0.995));
+        assert_eq!(
+            finer.in_full(),
+            "undecided: by steps the cycle is on the unit circle, as far as it is known, by Hill's method stable"
+        );
+        assert!((other.apart().unwrap_or_default() - 0.03).abs() < 1e-12);
+    }
+
+    /// Where one of them does not apply the other says it, and why it is alone.
+    #[test]
+    fn steps_alone_say_why() {
+        let alone = known(0.9, Err(HillRefusal::NotSmooth { point: 2 }));
+        assert_eq!((alone.is_stable(), alone.apart()), (Some(true), None));
+        assert_eq!(
+            alone.second_opinion(),
+            "steps alone: contact point 3 sticks, turns, or is rigid: its force does not follow smoothly from its motion"
+        );
+        let hindered = KnownStability { by_steps: Some(Err(CycleStability::Impacts)), by_hill: None };
+        assert_eq!(hindered.second_opinion(), "neither steps nor Hill's method apply");
     }
 }

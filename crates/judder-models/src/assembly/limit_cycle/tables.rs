@@ -29,6 +29,8 @@ fn cycle(results: &Map<String, Value>) -> Option<PageTable> {
         ("growth rate of the mode (1/s)", "mode_growth_rate"),
         ("motions of this shape are drawn to it", "attracts"),
         ("motions nearby, by the Floquet multipliers", "stability"),
+        ("Floquet multipliers, second opinion", "second_opinion"),
+        ("largest multipliers apart by both", "multipliers_apart"),
         ("harmonics", "harmonics"),
         ("left out of the swing of the forces", "left_out"),
         ("largest difference from a contact law, over the largest normal force", "between_samples"),

@@ -46,11 +46,19 @@ pub(super) struct ToldModeCycle {
     /// whether all motions nearby are, where that is known
     stable: Option<bool>,
     /// the same in words, or why it is not known
-    stability: &'static str,
+    stability: String,
     /// the ten largest Floquet multipliers, the one at 1 that belongs to the phase among them
     floquet_multipliers: Option<Vec<Complex64>>,
     /// what the largest but that one may be off
     floquet_error: Option<f64>,
+    /// the same multipliers by Hill's method, where it applies
+    hill_multipliers: Option<Vec<Complex64>>,
+    /// what the largest of them but the one at 1 may be off
+    hill_error: Option<f64>,
+    /// how far the largest by steps and by Hill's method lie from the nearest of the other
+    multipliers_apart: Option<f64>,
+    /// whether Hill's method says the same of the stability, or why steps alone say it
+    second_opinion: String,
     /// harmonics that it has
     harmonics: usize,
     /// instants of a period at which points stick, slide or lift off
@@ -222,9 +230,13 @@ impl ToldModeCycle {
             amplitude: sought.amplitude(),
             attracts: cycle.attracts,
             stable: stability.is_stable(),
-            stability: stability.words(),
+            stability: stability.in_full(),
             floquet_multipliers: stability.multipliers().map(|all| all.into_iter().take(LARGEST).collect()),
             floquet_error: stability.error(),
+            hill_multipliers: stability.hill_multipliers().map(|all| all.into_iter().take(LARGEST).collect()),
+            hill_error: stability.by_hill().map(|own| own.error),
+            multipliers_apart: stability.apart(),
+            second_opinion: stability.second_opinion(),
             harmonics: cycle.balance.series().harmonics(),
             samples: cycle.balance.series().samples(),
             residual: cycle.motion.residual,

@@ -13,6 +13,7 @@ mod told;
 
 use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
+use crate::assembly::limit_cycle::stability::multipliers_estimated;
 use crate::error::ModelError;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
@@ -55,7 +56,14 @@ impl Analysis<AssemblyCase> for FrequencyResponse {
     fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {
         let points: usize = of.built.nodes.iter().map(Vec::len).sum();
         let [from, to] = self.frequency.map(|own| short(own / TAU));
-        Ok(format!("motions from {from} to {to} Hz, {} harmonics of {points} contact points", self.harmonics))
+        let multipliers = match multipliers_estimated(of, self.stability, run::ROWS) {
+            words if words.is_empty() => words,
+            words => format!("{words} for each of up to {} motions", self.points),
+        };
+        Ok(format!(
+            "motions from {from} to {to} Hz, {} harmonics of {points} contact points{multipliers}",
+            self.harmonics
+        ))
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

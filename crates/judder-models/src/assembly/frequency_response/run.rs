@@ -17,6 +17,7 @@ use judder_cycles::power::power;
 use judder_store::Results;
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
+use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// Instants at which the energy over a period is looked at, at least.
@@ -47,7 +48,8 @@ pub(super) fn run(
         KnownStability::of(&balance, motion, asked.stability, progress)?
             .and_by_hill(&balance, motion, ROWS, progress)
     };
-    let stabilities = found.motions.iter().map(of_motion).collect::<Result<Vec<_>, ModelError>>()?;
+    let stabilities: Vec<Result<_, ModelError>> = found.motions.par_iter().map(of_motion).collect();
+    let stabilities = stabilities.into_iter().collect::<Result<Vec<_>, _>>()?;
     let coordinates = FollowedCoordinate::all(&of.built.watched, &balance, &found)?;
     let (mut peaks, mut disagreement) = (Vec::new(), Disagreement::default());
     for own in &coordinates {

@@ -150,3 +150,75 @@ fn a_peak_between_long_steps_is_doubted() {
     assert!((fine / exact - 1.0).abs() < 1e-3 && !is_fine_doubted, "{fine} {exact}");
     assert!(coarse < 0.9 * exact && is_doubted, "{coarse} {exact}");
 }
+
+/// 1 + tr Φ + det Φ of the monodromy matrix Φ of the motion with the period of the force, which vanishes where a multiplier is −1; det Φ = e^{−cT} (J. Liouville). By the
+/// method of Runge and Kutta and Newton's, from a state on that becomes that of the motion.
+fn off_doubling(omega: f64, state: &mut [f64; 2]) -> f64 {
+    const STEPS: usize = 20_000;
+    let step = TAU / omega / STEPS as f64;
+    let rate = |t: f64, [x, v, a, b, c, d]: [f64; 6]| {
+        let (stop, stiffness) = if x > 0.05 { (8.0 * (x - 0.05), 9.0) } else { (0.0, 1.0) };
+        let force = (omega * t).cos() - 0.3 * v - x - stop;
+        [v, force, c, d, -0.3 * c - stiffness * a, -0.3 * d - stiffness * b]
+    };
+    let ahead = |state: [f64; 6], slope: [f64; 6], by: f64| -> [f64; 6] {
+        std::array::from_fn(|k| state[k] + by * slope[k])
+    };
+    for _ in 0..50 {
+        let begin = [state[0], state[1], 1.0, 0.0, 0.0, 1.0];
+        let [x, v, a, b, c, d] = (0..STEPS).fold(begin, |own, k| {
+            let t = k as f64 * step;
+            let first = rate(t, own);
+            let second = rate(t + 0.5 * step, ahead(own, first, 0.5 * step));
+            let third = rate(t + 0.5 * step, ahead(own, second, 0.5 * step));
+            let fourth = rate(t + step, ahead(own, third, step));
+            std::array::from_fn(|k| {
+                own[k] + step / 6.0 * (first[k] + 2.0 * (second[k] + third[k]) + fourth[k])
+            })
+        });
+        let [missed_x, missed_v] = [x - state[0], v - state[1]];
+        let determinant = (1.0 - a) * (1.0 - d) - b * c;
+        state[0] += ((1.0 - d) * missed_x + b * missed_v) / determinant;
+        state[1] += (c * missed_x + (1.0 - a) * missed_v) / determinant;
+        if missed_x.abs() + missed_v.abs() < 1e-10 {
+            return 1.0 + a + d + (-0.3 * TAU / omega).exp();
+        }
+    }
+    panic!("no motion at {omega}")
+}
+
+/// A mass between a spring and one that only pushes: between both frequencies at which a multiplier passes −1 every second swing differs.
+#[test]
+fn a_spring_that_only_pushes_doubles_the_period() {
+    let file = case("assembly/period-doubling.toml", &[]);
+    let (told, dataset) = responded(&file);
+    let changes = told["stability_changes"].as_array().unwrap();
+    assert_eq!(changes.len(), 2, "{changes:?}");
+    let sought = [([-0.08, 0.022], [4.0, 3.9], 3.9305), ([-0.43, 0.12], [2.35, 2.25], 2.2949)];
+    for (change, (mut state, [mut above, mut below], printed)) in changes.iter().zip(sought) {
+        assert_eq!(change["kind"], "period doubling");
+        let at_above = off_doubling(above, &mut state);
+        for _ in 0..16 {
+            let middle = 0.5 * (above + below);
+            let is_above = off_doubling(middle, &mut state) * at_above > 0.0;
+            if is_above { above = middle } else { below = middle }
+        }
+        assert!((above - printed).abs() < 1e-4, "{above}");
+        let [before, after] = [0, 1].map(|k| TAU * number(&change["between_hz"][k]));
+        // what 15 harmonics leave out moves it
+        assert!(before + 2e-3 > above && below > after - 2e-3, "{before} {above} {after}");
+    }
+    let [frequency, apart] = ["frequency", "multipliers_apart"].map(|name| array(&dataset, name));
+    assert!(apart.iter().all(|own| *own < 0.02), "{apart:?}");
+    let VariableValues::U8(stable) = &dataset.variable("stable").unwrap().data else { panic!() };
+    let unstable = frequency.iter().zip(stable).filter(|(_, code)| **code == 0);
+    assert!(
+        unstable.clone().count() > 60 && unstable.clone().all(|(own, _)| (2.28..3.95).contains(&(TAU * own)))
+    );
+    let opinion = told["second_opinion"].as_str().unwrap();
+    assert!(opinion.starts_with("Hill's method says the same of"), "{opinion}");
+    // on one thread the same, to the last byte
+    let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let again = alone.install(|| responded(&file));
+    assert!(again.0 == told && again.1 == dataset);
+}

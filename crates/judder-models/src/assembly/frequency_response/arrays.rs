@@ -2,9 +2,10 @@
 
 use super::followed::{FollowedCoordinate, MEASURES};
 use super::settings::FrequencyResponse;
-use crate::assembly::limit_cycle::stability::{KnownStability, with_multipliers};
+use crate::assembly::limit_cycle::stability::{KnownStability, crossing_words, with_multipliers};
 use crate::error::ModelError;
 use judder_cycles::forced::ForcedResponse;
+use judder_cycles::stability::stability_changes;
 use judder_store::{Dataset, Table, Variable};
 use std::f64::consts::TAU;
 
@@ -39,7 +40,7 @@ pub(super) fn dataset(
         )?;
     if asked.stability {
         let all: Vec<&KnownStability> = stabilities.iter().collect();
-        dataset = with_multipliers(dataset, "motion", &all)?;
+        dataset = with_changes(with_multipliers(dataset, "motion", &all)?, stabilities)?;
     }
     for own in coordinates {
         for (k, (measure, words, label)) in MEASURES.into_iter().enumerate() {
@@ -51,6 +52,23 @@ pub(super) fn dataset(
         }
     }
     Ok(dataset)
+}
+
+/// Where multipliers cross the unit circle, and how.
+fn with_changes(dataset: Dataset, stabilities: &[KnownStability]) -> Result<Dataset, ModelError> {
+    let multipliers: Vec<_> = stabilities.iter().map(KnownStability::known).collect();
+    let changes = stability_changes(&multipliers);
+    let motions: Vec<i64> = changes.iter().map(|own| own.between[0] as i64).collect();
+    let kinds: Vec<String> = changes.iter().map(|own| crossing_words(own.crossing).to_owned()).collect();
+    let along = ["stability_change"];
+    Ok(dataset
+        .with(
+            Variable::new("change_motion", &along, &[changes.len()], motions)
+                .long_name("the last motion before the stability changes, counted from 0"),
+        )?
+        .with(
+            Variable::new("change_kind", &along, &[changes.len()], kinds).long_name("how it changes there"),
+        )?)
 }
 
 /// The same as a table, a row a motion.

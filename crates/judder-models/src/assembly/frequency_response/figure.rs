@@ -18,6 +18,7 @@ fn panel(dataset: &Dataset, measure: &str) -> Option<Panel> {
     let across = reals(dataset, "frequency")?;
     let own = || dataset.variables().iter().filter(|own| own.name.ends_with(&ending));
     let (mut layers, mut folds) = (Vec::new(), [Vec::new(), Vec::new()]);
+    let mut changes: Vec<(&str, [Vec<f64>; 2])> = Vec::new();
     for (k, variable) in own().enumerate() {
         let values = reals(dataset, &variable.name)?;
         let name = variable.name.trim_end_matches(&ending);
@@ -28,10 +29,23 @@ fn panel(dataset: &Dataset, measure: &str) -> Option<Panel> {
         for (all, marked) in [across, values].into_iter().zip(&mut folds) {
             marked.extend(turns(dataset).iter().filter_map(|at| all.get(*at)));
         }
+        for (kind, at) in stability_changes(dataset) {
+            let place = changes.iter().position(|(known, _)| *known == kind).unwrap_or_else(|| {
+                changes.push((kind, Default::default()));
+                changes.len() - 1
+            });
+            for (all, marked) in [across, values].into_iter().zip(&mut changes[place].1) {
+                marked.extend(all.get(at));
+            }
+        }
     }
     let [x, y] = folds;
     if !x.is_empty() {
         layers.push(Layer::points("fold", x, y, Role::Reference));
+    }
+    let coordinates = own().count();
+    for (k, (kind, [x, y])) in changes.into_iter().enumerate() {
+        layers.push(Layer::points(kind, x, y, Role::Series(coordinates + k).solid()));
     }
     let up = axis(own().next()?);
     Some(
@@ -54,6 +68,18 @@ fn by_stability(name: &str, series: usize, [across, up]: [&[f64]; 2], stable: &[
         (!x.is_empty()).then(|| Layer::line(label, x, y, style))
     };
     styles.into_iter().filter_map(layer).collect()
+}
+
+/// How the stability changes, and the last motion before.
+fn stability_changes(dataset: &Dataset) -> Vec<(&str, usize)> {
+    let of = |name: &str| dataset.variable(name).map(|own| &own.data);
+    match (of("change_kind"), of("change_motion")) {
+        (Some(VariableValues::Text(kinds)), Some(VariableValues::I64(motions))) => {
+            let places = motions.iter().map(|own| usize::try_from(*own).unwrap_or(usize::MAX));
+            kinds.iter().map(String::as_str).zip(places).collect()
+        }
+        _ => Vec::new(),
+    }
 }
 
 /// The motions nearest to where the frequency turns.

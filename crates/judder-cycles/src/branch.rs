@@ -48,7 +48,7 @@ pub struct CycleBranchPoint {
 /// Why a branch ends.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CycleBranchEnd {
-    /// It left the range of the parameter.
+    /// It came to an end of the range of the parameter, where its last cycle lies.
     Range,
     /// It has as many cycles as were asked for.
     Points,
@@ -84,8 +84,6 @@ pub fn cycle_branch<F: Fn(f64) -> Result<Assembly, CyclesError>>(
 ) -> Result<AssemblyCycleBranch, CyclesError> {
     /// Of the largest amplitude: what is smaller has shrunk to its Hopf point.
     const SHRUNK: f64 = 0.02;
-    /// Of the unit, by how much the parameter goes back beyond a fold, at least: small cycles all have that of their Hopf point.
-    const ROUNDING: f64 = 1e-6;
     let source = KeyedBalance::new(assembly_at, balance);
     let reference = Some(vec![1.0; 2 * balance.components()]);
     let frequency = cycle.turning.frequency;
@@ -93,43 +91,72 @@ pub fn cycle_branch<F: Fn(f64) -> Result<Assembly, CyclesError>>(
         ExtendedBalance::new(source, balance, frequency, Free::Parameter(settings.unit), reference);
     let at = equations.place(cycle, parameter);
     equations.weigh_swing(&at);
+    equations.keep_within(settings.range);
     equations.accept(&at)?;
     let last = at.len() - 1;
     let closing = ClosingEquation::fixed(last, at.len(), at[last]);
     let towards: Vec<f64> = closing.row.iter().map(|own| if settings.rises { *own } else { -own }).collect();
     let mut newton = Newton::new(settings.rule, go_on);
-    let first = newton.corrected(&mut equations, &at, &closing, &towards)?;
+    let mut first = newton.corrected(&mut equations, &at, &closing, &towards)?;
+    first.at[last] = at[last];
     let mut cycles = vec![CycleAtKey::of(&mut equations, &first)?];
     let mut branch_points = Vec::new();
     let mut largest = cycles[0].motion.amplitude;
-    let end =
-        follow(&mut newton, &mut equations, first, settings.points, |equations, newton, [before, next]| {
-            if before.orientation != next.orientation {
-                branch_points.push(branch_point(equations, newton, [before, next], cycles.len() - 1)?);
-            }
-            let next = CycleAtKey::of(equations, next)?;
-            let (parameter, amplitude) = (next.parameter, next.motion.amplitude);
-            largest = largest.max(amplitude);
-            cycles.push(next);
-            let [from, to] = settings.range;
-            Ok(if parameter < from || parameter > to {
-                Some(CycleBranchEnd::Range)
-            } else if amplitude < SHRUNK * largest {
-                Some(CycleBranchEnd::SteadySliding)
-            } else {
-                None
-            })
-        });
+    let end = match leaves(&first, equations.ends()) {
+        true => Ok(Some(CycleBranchEnd::Range)),
+        false => follow(
+            &mut newton,
+            &mut equations,
+            first,
+            settings.points,
+            |equations, newton, [before, next]| {
+                if before.orientation != next.orientation {
+                    branch_points.push(branch_point(equations, newton, [before, next], cycles.len() - 1)?);
+                }
+                cycles.push(CycleAtKey::of(equations, next)?);
+                let amplitude = cycles[cycles.len() - 1].motion.amplitude;
+                largest = largest.max(amplitude);
+                Ok(if amplitude < SHRUNK * largest {
+                    Some(CycleBranchEnd::SteadySliding)
+                } else if equations.ends().contains(&next.at[last]) {
+                    Some(CycleBranchEnd::Range)
+                } else {
+                    None
+                })
+            },
+        ),
+    };
     let end = ended(end, CycleBranchEnd::Points, CycleBranchEnd::Lost)?;
+    let folds = folds(&mut equations, &mut newton, &cycles, settings)?;
+    Ok(AssemblyCycleBranch { cycles, folds, branch_points, end })
+}
+
+/// Whether a path that begins at an end goes beyond it.
+fn leaves(first: &PathPoint, [low, high]: [f64; 2]) -> bool {
+    let last = first.at.len() - 1;
+    let (at, rises) = (first.at[last], first.tangent[last] > 0.0);
+    if rises { at >= high } else { at <= low }
+}
+
+/// Where the parameter turns.
+fn folds<S: BalanceSource>(
+    equations: &mut ExtendedBalance<S>,
+    newton: &mut Newton<'_>,
+    cycles: &[CycleAtKey],
+    settings: &BranchSettings,
+) -> Result<Vec<(usize, f64)>, CyclesError> {
+    /// Of the unit, by how much the parameter goes back beyond a fold, at least: small cycles all have that of their Hopf point.
+    const ROUNDING: f64 = 1e-6;
     let parameters: Vec<f64> = cycles.iter().map(|own| own.parameter).collect();
     let mut folds = Vec::new();
     for (cycle, rose) in turns(&parameters, settings.rises, ROUNDING * settings.unit) {
         let near = [cycle - 1, cycle, cycle + 1].map(|k| equations.place(&cycles[k].motion, parameters[k]));
         equations.accept(&near[1])?;
         let near = near.each_ref().map(Vec::as_slice);
-        folds.push((cycle, settings.unit * extreme(&mut equations, &mut newton, near, (last, rose))?));
+        let last = near[1].len() - 1;
+        folds.push((cycle, settings.unit * extreme(equations, newton, near, (last, rose))?));
     }
-    Ok(AssemblyCycleBranch { cycles, folds, branch_points, end })
+    Ok(folds)
 }
 
 fn branch_point<S: BalanceSource>(

@@ -110,6 +110,8 @@ pub(crate) struct ExtendedBalance<S> {
     components: usize,
     /// Where the largest forces so far count as one: the mean square of them.
     largest: Option<f64>,
+    /// Where the parameter may lie.
+    range: [f64; 2],
     /// What was evaluated last, and where.
     place: Vec<f64>,
     evaluated: Evaluated,
@@ -137,10 +139,16 @@ impl<S: BalanceSource> ExtendedBalance<S> {
             unknowns,
             components,
             largest: None,
+            range: [f64::NEG_INFINITY, f64::INFINITY],
             place: Vec::new(),
             evaluated: Evaluated::new(),
             residual: Vec::new(),
         }
+    }
+
+    /// Lets paths end where the parameter comes to an end of a range.
+    pub(crate) fn keep_within(&mut self, range: [f64; 2]) {
+        self.range = range;
     }
 
     /// What forces and the frequency count in the length of a step, of what they are measured by; whether the largest forces so far count as one.
@@ -181,10 +189,14 @@ impl<S: BalanceSource> ExtendedBalance<S> {
         CycleRate { frequency: self.frequency * at[self.unknowns], growth }
     }
 
-    /// The parameter where it is free.
+    /// The parameter where it is free: at an end of its range that itself.
     pub(crate) fn parameter(&self, at: &[f64]) -> f64 {
         match self.free {
-            Free::Parameter(unit) => unit * at[self.unknowns + 1],
+            Free::Parameter(unit) => {
+                let own = at[self.unknowns + 1];
+                let end = self.range.into_iter().find(|end| own == end / unit);
+                end.unwrap_or(unit * own)
+            }
             _ => 0.0,
         }
     }
@@ -226,11 +238,13 @@ impl<S: BalanceSource> ExtendedBalance<S> {
         const DIFFERENCE: f64 = 1e-6;
         let (rate, unknowns) = (self.rate(at), self.unknowns);
         let mut beside = Evaluated::new();
-        let parameter = self.parameter(at) + DIFFERENCE * unit;
+        let here = self.parameter(at);
+        let difference = if here + DIFFERENCE * unit > self.range[1] { -DIFFERENCE } else { DIFFERENCE };
+        let parameter = here + difference * unit;
         self.source.beside(parameter, |balance| balance.evaluate(&at[..unknowns], rate, &mut beside))?;
         let mut own = beside.residual;
         own.extend(self.phase.as_ref().map(|phase| phase.of(&beside.signals.motions)));
-        own.iter_mut().zip(&self.residual).for_each(|(own, here)| *own = (*own - here) / DIFFERENCE);
+        own.iter_mut().zip(&self.residual).for_each(|(own, here)| *own = (*own - here) / difference);
         Ok(own)
     }
 }
@@ -276,6 +290,13 @@ impl<S: BalanceSource> PathEquations for ExtendedBalance<S> {
 
     fn weights(&self) -> &[f64] {
         &self.weights
+    }
+
+    fn ends(&self) -> [f64; 2] {
+        match self.free {
+            Free::Parameter(unit) => self.range.map(|end| end / unit),
+            _ => [f64::NEG_INFINITY, f64::INFINITY],
+        }
     }
 
     fn is_sought(&mut self, at: &[f64]) -> Result<bool, CyclesError> {

@@ -21,6 +21,11 @@ pub(crate) trait PathEquations {
     /// What each unknown counts in the length of a step.
     fn weights(&self) -> &[f64];
 
+    /// Between which values the last unknown stays: a path that comes to one of them ends there.
+    fn ends(&self) -> [f64; 2] {
+        [f64::NEG_INFINITY, f64::INFINITY]
+    }
+
     /// Whether a solution is of the kind that is sought, beside one that is.
     fn is_sought(&mut self, at: &[f64]) -> Result<bool, CyclesError>;
 
@@ -263,15 +268,14 @@ impl Path {
         is_back && off_line(&other.tangent, beyond) >= 0.5 * off_line(&other.tangent, tangent)
     }
 
+    /// The solution a step ahead.
     fn tried<E: PathEquations>(
         &self,
         newton: &mut Newton<'_>,
         equations: &mut E,
     ) -> Result<PathPoint, CyclesError> {
-        let PathPoint { at, tangent, .. } = &self.point;
-        let guess: Vec<f64> = at.iter().zip(tangent).map(|(own, t)| own + self.step * t).collect();
-        let closing = ClosingEquation::across(tangent, equations.weights(), &guess);
-        let mut found = newton.corrected_within(equations, &guess, &closing, tangent, PATIENCE)?;
+        let tangent = &self.point.tangent;
+        let (guess, mut found) = self.solved(newton, equations)?;
         // a solution far off the guess is one of another path
         let off = distance(&found.at, &guess, equations.weights());
         if off > self.step || !equations.is_sought(&found.at)? {
@@ -286,5 +290,45 @@ impl Path {
             found.orientation = -found.orientation;
         }
         Ok(found)
+    }
+    /// A guess a step ahead and the solution near it; a step that leads beyond an end of the last unknown is shortened onto that.
+    fn solved<E: PathEquations>(
+        &self,
+        newton: &mut Newton<'_>,
+        equations: &mut E,
+    ) -> Result<(Vec<f64>, PathPoint), CyclesError> {
+        let PathPoint { at, tangent, .. } = &self.point;
+        let last = at.len() - 1;
+        let ends = equations.ends();
+        let ahead =
+            |step: f64| -> Vec<f64> { at.iter().zip(tangent).map(|(own, t)| own + step * t).collect() };
+        let guess = ahead(self.step);
+        let end = match beyond(guess[last], ends) {
+            Some(end) => end,
+            None => {
+                let closing = ClosingEquation::across(tangent, equations.weights(), &guess);
+                let found = newton.corrected_within(equations, &guess, &closing, tangent, PATIENCE)?;
+                match beyond(found.at[last], ends) {
+                    Some(end) => end,
+                    None => return Ok((guess, found)),
+                }
+            }
+        };
+        let guess = ahead((end - at[last]) / tangent[last]);
+        let closing = ClosingEquation::fixed(last, guess.len(), end);
+        let mut found = newton.corrected_within(equations, &guess, &closing, tangent, PATIENCE)?;
+        found.at[last] = end;
+        Ok((guess, found))
+    }
+}
+
+/// The end beyond which a value lies.
+fn beyond(value: f64, [low, high]: [f64; 2]) -> Option<f64> {
+    if value < low {
+        Some(low)
+    } else if value > high {
+        Some(high)
+    } else {
+        None
     }
 }

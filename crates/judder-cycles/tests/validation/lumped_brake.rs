@@ -21,6 +21,8 @@ use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::pressure::{CubicPointForce, Pressure};
 use judder_assembly::row::Row;
 use judder_assembly::steady::steady_sliding;
+use judder_cycles::CyclesError;
+use judder_cycles::backbone::PeriodicMotion;
 use judder_cycles::branch::{BranchSettings, CycleBranchEnd, cycle_branch};
 use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles};
 use judder_cycles::path::PathRule;
@@ -221,6 +223,36 @@ fn the_cycles_of_a_lumped_brake_begin_at_its_hopf_point() {
     let vanishes = branch.vanishes_at().unwrap();
     assert!((vanishes / friction - 1.0).abs() < 1e-5, "{vanishes} {} {friction}", last.parameter);
     assert!((last.motion.turning.frequency / frequency - 1.0).abs() < 1e-4);
+}
+
+/// A branch comes to the ends of its range and no farther, where the bodies cannot be built beyond them as well; at an end that it begins at it has no more than that cycle.
+#[test]
+fn the_cycles_of_a_lumped_brake_reach_both_ends_of_a_range() {
+    const RANGE: [f64; 2] = [0.31, 0.37];
+    let case = brake(RANGE[1]);
+    let (steady, values) = growing(&case, [1.0, 1e3]);
+    let settings = CycleSettings { harmonics: HarmonicCount::Fixed(5), ..CycleSettings::default() };
+    let found = limit_cycles(&case, &steady, values[0], &settings, &|| true).unwrap();
+    let cycle = &found.cycles[0];
+    let rule = PathRule { steps: [0.02, 0.2, 1e-6], ..PathRule::default() };
+    let at = |value: f64| match (RANGE[0]..=RANGE[1]).contains(&value) {
+        true => Ok(brake(value)),
+        false => Err(CyclesError::NoAssembly { value, reason: "out of range".to_owned() }),
+    };
+    let branch = |motion: &PeriodicMotion, from: f64, rises: bool| {
+        let settings = BranchSettings { rule, range: RANGE, unit: 0.35, rises, points: 200 };
+        cycle_branch(&at, &cycle.balance, (from, motion), &settings, &|| true).unwrap()
+    };
+    let down = branch(&cycle.motion, RANGE[1], false);
+    let last = down.cycles.last().unwrap();
+    assert_eq!((&down.end, last.parameter), (&CycleBranchEnd::Range, RANGE[0]));
+    let up = branch(&last.motion, RANGE[0], true);
+    let again = up.cycles.last().unwrap();
+    assert_eq!((&up.end, again.parameter), (&CycleBranchEnd::Range, RANGE[1]));
+    let off = again.motion.turning.frequency / cycle.frequency() - 1.0;
+    assert!(off.abs() < 1e-9, "{off:e}");
+    let beyond = branch(&again.motion, RANGE[1], true);
+    assert_eq!((beyond.end, beyond.cycles.len()), (CycleBranchEnd::Range, 1));
 }
 
 /// By steps and by Hill's method, which share the laws and nothing else. Of four states the product of the multipliers is that of the divergence, exp(−(η₁ω₁ + η₂ω₂) T)

@@ -131,7 +131,7 @@ impl CyclesAlongKey<'_> {
         let begins = (measure.of_value(first.value), &first.motion);
         let at = |measured: f64| self.assembly(measure.value(measured));
         let go_on = || !self.progress.interrupted();
-        Ok(measure.in_values(cycle_branch(&at, balance, begins, &settings, &go_on)?))
+        Ok(measure.in_values(cycle_branch(&at, balance, begins, &settings, &go_on)?, self.range()))
     }
 }
 
@@ -192,12 +192,15 @@ impl KeyMeasure {
         if self.is_log { measured.exp() } else { measured }
     }
 
-    /// A branch with the values of the key in place of their measures.
-    fn in_values(self, mut branch: AssemblyCycleBranch) -> AssemblyCycleBranch {
-        let cycles = branch.cycles.iter_mut().map(|own| &mut own.parameter);
+    /// A branch with the values of the key in place of their measures; those of cycles at an end of the range are that itself.
+    fn in_values(self, mut branch: AssemblyCycleBranch, [from, to]: [f64; 2]) -> AssemblyCycleBranch {
         let folds = branch.folds.iter_mut().map(|(_, own)| own);
         let points = branch.branch_points.iter_mut().map(|own| &mut own.parameter);
-        cycles.chain(folds).chain(points).for_each(|own| *own = self.value(*own));
+        folds.chain(points).for_each(|own| *own = self.value(*own));
+        for cycle in &mut branch.cycles {
+            let end = [from, to].into_iter().find(|end| self.of_value(*end) == cycle.parameter);
+            cycle.parameter = end.unwrap_or_else(|| self.value(cycle.parameter));
+        }
         branch
     }
 }

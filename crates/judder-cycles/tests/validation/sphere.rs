@@ -198,7 +198,9 @@ fn a_sphere_that_lifts_off_has_the_cycle_of_the_oscillator_with_enough_instants(
     let found = errors(&case, &expected, &counts.map(|harmonics| [harmonics, MANY / harmonics]));
     let of: Vec<f64> = found.iter().map(|own| worst(own)).collect();
     assert!(of[3] < 1e-6 && of[4] < 5e-7, "{of:?}");
-    assert!(order([(counts[1], of[1]), (counts[4], of[4])]) > 3.5, "{of:?}");
+    let found = order([(counts[1], of[1]), (counts[4], of[4])]);
+    println!("order from {} to {} harmonics: {found:.2}", counts[1], counts[4]);
+    assert!((3.5..4.5).contains(&found), "{of:?}");
     let counts = [[20, 16], [20, 32], [20, 64], [20, 128], [20, 256]];
     for ([harmonics, samples], own) in counts.iter().zip(errors(&case, &expected, &counts)) {
         let instants = (harmonics * samples) as f64;

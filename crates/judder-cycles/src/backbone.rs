@@ -160,13 +160,7 @@ pub fn refined(
     rule: &PathRule,
     go_on: &GoOn<'_>,
 ) -> Result<PeriodicMotion, CyclesError> {
-    let size = balance.series().coefficients();
-    let known = near.unknown.len() / balance.components();
-    let mut at = vec![0.0; balance.unknowns()];
-    for (own, from) in at.chunks_exact_mut(size).zip(near.unknown.chunks_exact(known)) {
-        let kept = known.min(size);
-        own[..kept].copy_from_slice(&from[..kept]);
-    }
+    let mut at = balance.with_its_harmonics(&near.unknown);
     at.extend([1.0, 0.0]);
     let reference = Some(vec![1.0; 2 * balance.components()]);
     let mut equations =

@@ -216,6 +216,17 @@ impl<'a> HarmonicBalance<'a> {
         self.unknown_of(self.series.of_period(forces.as_ref()), moved)
     }
 
+    /// The unknowns of the same forces with more or fewer harmonics than those have.
+    pub(crate) fn with_its_harmonics(&self, unknown: &[f64]) -> Vec<f64> {
+        let (size, known) = (self.series.coefficients(), unknown.len() / self.components());
+        let mut own = vec![0.0; self.unknowns()];
+        for (own, from) in own.chunks_exact_mut(size).zip(unknown.chunks_exact(known)) {
+            let kept = known.min(size);
+            own[..kept].copy_from_slice(&from[..kept]);
+        }
+        own
+    }
+
     /// The harmonics.
     #[must_use]
     pub fn series(&self) -> &Series {

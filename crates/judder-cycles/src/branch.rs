@@ -4,8 +4,9 @@ use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
 use crate::balance::HarmonicBalance;
 use crate::extended::{BalanceSource, ExtendedBalance, Free, KeyedBalance};
+use crate::fold::folds;
 use crate::path::{ClosingEquation, GoOn, Newton, PathEquations, PathPoint, PathRule, ended, follow};
-use crate::turning::{extreme, sign_change, turns};
+use crate::turning::sign_change;
 use judder_assembly::assembly::Assembly;
 
 /// How a branch is followed.
@@ -136,27 +137,6 @@ fn leaves(first: &PathPoint, [low, high]: [f64; 2]) -> bool {
     let last = first.at.len() - 1;
     let (at, rises) = (first.at[last], first.tangent[last] > 0.0);
     if rises { at >= high } else { at <= low }
-}
-
-/// Where the parameter turns.
-fn folds<S: BalanceSource>(
-    equations: &mut ExtendedBalance<S>,
-    newton: &mut Newton<'_>,
-    cycles: &[CycleAtKey],
-    settings: &BranchSettings,
-) -> Result<Vec<(usize, f64)>, CyclesError> {
-    /// Of the unit, by how much the parameter goes back beyond a fold, at least: small cycles all have that of their Hopf point.
-    const ROUNDING: f64 = 1e-6;
-    let parameters: Vec<f64> = cycles.iter().map(|own| own.parameter).collect();
-    let mut folds = Vec::new();
-    for (cycle, rose) in turns(&parameters, settings.rises, ROUNDING * settings.unit) {
-        let near = [cycle - 1, cycle, cycle + 1].map(|k| equations.place(&cycles[k].motion, parameters[k]));
-        equations.accept(&near[1])?;
-        let near = near.each_ref().map(Vec::as_slice);
-        let last = near[1].len() - 1;
-        folds.push((cycle, settings.unit * extreme(equations, newton, near, (last, rose))?));
-    }
-    Ok(folds)
 }
 
 fn branch_point<S: BalanceSource>(

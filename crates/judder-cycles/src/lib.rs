@@ -14,6 +14,7 @@
 //! - `phase`: where the period of a motion begins that nothing drives.
 //! - [`backbone`]: the periodic motions of a mode over their amplitude; those that need neither drive nor brake are limit cycles.
 //! - [`branch`]: limit cycles along a parameter.
+//! - [`fold`]: where the parameter of a branch turns, and how well that is known.
 //! - [`forced`]: periodic motions that a force drives, over its frequency.
 //! - [`stability`]: Floquet multipliers by steps of small motions about a periodic one, and by Hill's method.
 //! - [`shooting`]: cycles by a march that comes back.
@@ -28,6 +29,7 @@ mod crossing;
 pub mod cycle;
 mod error;
 mod extended;
+pub mod fold;
 pub mod forced;
 pub mod marched;
 pub mod near;

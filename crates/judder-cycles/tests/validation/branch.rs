@@ -1,19 +1,25 @@
 //! Cycles along the friction coefficient.
 
+use super::belt::{FALLING, slow_mass_on_belt};
+use super::own_engine::shooting;
 use crate::common::block::block_held;
 use crate::growing;
 use faer::c64;
 use judder_assembly::assembly::Assembly;
 use judder_assembly::compliance::Compliance;
-use judder_assembly::friction::Friction;
+use judder_assembly::friction::{FallingFriction, Friction};
 use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::pressure::Pressure;
 use judder_assembly::steady::steady_sliding;
 use judder_cycles::CyclesError;
-use judder_cycles::branch::{BranchSettings, CycleBranchEnd, cycle_branch};
+use judder_cycles::balance::HarmonicBalance;
+use judder_cycles::branch::{AssemblyCycleBranch, BranchSettings, CycleBranchEnd, cycle_branch};
 use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles};
+use judder_cycles::fold::refined_fold;
 use judder_cycles::path::PathRule;
+use judder_oscillator::cycle::{Continuation, global_margin};
+use judder_oscillator::motion::BeltOscillator;
 use judder_structure::complex_modes::{ComplexModeSettings, Region, complex_modes};
 
 fn with_friction(coefficient: f64) -> Assembly {
@@ -76,4 +82,59 @@ fn a_branch_tells_where_no_assembly_is() {
     let branch = cycle_branch(&at, &cycle.balance, (0.3, &cycle.motion), &settings, &|| true).unwrap();
     assert!(matches!(branch.end, CycleBranchEnd::Lost(CyclesError::NoAssembly { .. })), "{:?}", branch.end);
     assert!(branch.cycles.last().unwrap().parameter < 0.282);
+}
+
+/// The smallest value at which a branch turns, and what it is told to be off.
+fn least_fold<F: Fn(f64) -> Result<Assembly, CyclesError>>(
+    at: &F,
+    balance: &HarmonicBalance<'_>,
+    branch: &AssemblyCycleBranch,
+    settings: &BranchSettings,
+) -> [f64; 2] {
+    let folds = branch.folds.iter().enumerate();
+    let (place, (own, fold)) = folds.min_by(|a, b| a.1.1.total_cmp(&b.1.1)).unwrap();
+    let around = [own - 1, *own, own + 1].map(|k| &branch.cycles[k]);
+    let refined = refined_fold(at, balance, around, settings, &|| true).unwrap();
+    [*fold, branch.fold_error(place, refined)]
+}
+
+/// The stick-slip cycles of a mass on a belt turn where the mass that leaves the belt just comes back to it, which the engine of the oscillator knows; what the fold of
+/// harmonics is told to be off holds that, of two masses. Along −v the largest speed is the smallest value.
+#[test]
+fn the_fold_of_a_mass_on_a_belt_is_known_to_what_twice_the_harmonics_say() {
+    let literature = FallingFriction { at_rest: 1.0, at_speed: 0.5, decay_speed: 0.5 };
+    for (damping, falling) in [(0.025, FALLING), (0.05, literature)] {
+        let engine = |speed: f64| BeltOscillator::new(damping, 1.0, speed, falling).unwrap();
+        let slope = (falling.at_rest - falling.at_speed) / falling.decay_speed;
+        let onset = falling.decay_speed * (slope / (2.0 * damping)).ln();
+        let options = Continuation {
+            shooting: shooting(&engine(onset)),
+            range: (0.5, 2.5),
+            steps: (0.01, 0.1),
+            points: 200,
+            parameter_scale: 1.0,
+        };
+        let margin = global_margin(&|speed: f64| Ok(engine(speed)), onset, 1.0, &options).unwrap();
+        let expected = margin.fold.unwrap();
+        let at = |value: f64| Ok(slow_mass_on_belt([2.0 * damping, -value], falling));
+        let begin = -0.85 * onset;
+        let case = at(begin).unwrap();
+        let (steady, values) = growing(&case, [0.5, 2.0]);
+        for harmonics in [9, 13, 25] {
+            let settings =
+                CycleSettings { harmonics: HarmonicCount::Fixed(harmonics), ..CycleSettings::default() };
+            let found = limit_cycles(&case, &steady, values[0], &settings, &|| true).unwrap();
+            let cycle = &found.cycles[0];
+            let rule = PathRule { steps: [0.01, 0.05, 1e-7], tolerance: 1e-8, ..PathRule::default() };
+            let settings = BranchSettings { rule, range: [-2.5, -0.5], unit: 1.5, rises: false, points: 400 };
+            let branch =
+                cycle_branch(&at, &cycle.balance, (begin, &cycle.motion), &settings, &|| true).unwrap();
+            let [fold, error] = least_fold(&at, &cycle.balance, &branch, &settings);
+            println!("{harmonics}: {:.5} ± {error:.5}, off by {:.5}", -fold, -fold - expected);
+            assert!(
+                (fold + expected).abs() < error && error < 0.02,
+                "{harmonics}: {fold} {error} {expected}"
+            );
+        }
+    }
 }

@@ -126,22 +126,11 @@ fn beyond_the_fold<E: PathEquations>(
 }
 
 impl AssemblyCycleBranch {
-    /// To what a fold of this place of the list is known by the search among its cycles: a thousandth of the way between those around it. Where the branch turns smoothly that
-    /// is far more than it is off, at a kink its sides are no steeper than ten times as steep as they are on average.
-    #[must_use]
-    pub fn fold_search_error(&self, place: usize) -> f64 {
-        const WAY: f64 = 0.01;
-        let Some((cycle, fold)) = self.folds.get(place) else { return f64::NAN };
-        let around = self.cycles.iter().skip(cycle.saturating_sub(1)).take(3);
-        WAY * around.map(|own| (own.parameter - fold).abs()).fold(0.0, f64::max)
-    }
-
-    /// What a fold is off, from the same one with twice the harmonics as [`refined_fold`] has it: an error of which twice the harmonics leave two thirds or less is at most
-    /// three times the difference. It is no less than [`Self::fold_search_error`].
+    /// What the harmonics leave out of a fold of this place of the list, from the same one with twice as many as [`refined_fold`] has it: an error of which twice the
+    /// harmonics leave two thirds or less is at most three times the difference.
     #[must_use]
     pub fn fold_error(&self, place: usize, refined: f64) -> f64 {
         const TIMES: f64 = 3.0;
-        let Some((_, fold)) = self.folds.get(place) else { return f64::NAN };
-        (TIMES * (refined - fold).abs()).max(self.fold_search_error(place))
+        self.folds.get(place).map_or(f64::NAN, |(_, fold)| TIMES * (refined - fold).abs())
     }
 }

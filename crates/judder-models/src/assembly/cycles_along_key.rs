@@ -10,8 +10,11 @@ use judder_assembly::steady::SteadySliding;
 use judder_cycles::CyclesError;
 use judder_cycles::backbone::{BackboneSettings, PeriodicMotion};
 use judder_cycles::balance::HarmonicBalance;
-use judder_cycles::branch::{AssemblyCycleBranch, BranchSettings, CycleBranchPoint, cycle_branch};
+use judder_cycles::branch::{
+    AssemblyCycleBranch, BranchSettings, CycleAtKey, CycleBranchPoint, cycle_branch,
+};
 use judder_cycles::cycle::{AssemblyCycle, CycleSettings, HarmonicCount};
+use judder_cycles::fold::refined_fold;
 use judder_cycles::path::PathRule;
 use judder_cycles::series::Series;
 use judder_study::Progress;
@@ -114,6 +117,37 @@ impl CyclesAlongKey<'_> {
         HarmonicBalance::new(&first.assembly, &first.steady, first.frequency, series, &[])
     }
 
+    fn branch_settings(&self, rises: bool) -> BranchSettings {
+        let measure = KeyMeasure::of(self.sweep);
+        let range = self.range().map(|value| measure.of_value(value));
+        let longest = 1.0 / self.sweep.values.len().max(10) as f64;
+        let rule =
+            PathRule { steps: [0.2 * longest, longest, 1e-7], tolerance: SOLVED, ..PathRule::default() };
+        BranchSettings { rule, range, unit: range[1] - range[0], rises, points: self.most }
+    }
+
+    /// What the harmonics leave out of a fold of this place of the list; not a number where it is not found with twice as many.
+    pub(super) fn left_out_of_fold(
+        &self,
+        balance: &HarmonicBalance<'_>,
+        branch: &AssemblyCycleBranch,
+        place: usize,
+    ) -> Result<f64, CyclesError> {
+        let measure = KeyMeasure::of(self.sweep);
+        let (cycle, _) = branch.folds[place];
+        let around = [cycle - 1, cycle, cycle + 1].map(|k| {
+            let own = &branch.cycles[k];
+            CycleAtKey { parameter: measure.of_value(own.parameter), ..own.clone() }
+        });
+        let at = |measured: f64| self.assembly(measure.value(measured));
+        let (settings, go_on) = (self.branch_settings(true), || !self.progress.interrupted());
+        match refined_fold(&at, balance, around.each_ref(), &settings, &go_on) {
+            Ok(refined) => Ok(branch.fold_error(place, measure.value(refined))),
+            Err(CyclesError::Stopped) => Err(CyclesError::Stopped),
+            Err(_) => Ok(f64::NAN),
+        }
+    }
+
     /// The branch through the first cycle, to where the key rises at first or falls.
     pub(super) fn branch(
         &self,
@@ -121,13 +155,7 @@ impl CyclesAlongKey<'_> {
         balance: &HarmonicBalance<'_>,
         rises: bool,
     ) -> Result<AssemblyCycleBranch, CyclesError> {
-        let measure = KeyMeasure::of(self.sweep);
-        let range = self.range().map(|value| measure.of_value(value));
-        let longest = 1.0 / self.sweep.values.len().max(10) as f64;
-        let rule =
-            PathRule { steps: [0.2 * longest, longest, 1e-7], tolerance: SOLVED, ..PathRule::default() };
-        let unit = range[1] - range[0];
-        let settings = BranchSettings { rule, range, unit, rises, points: self.most };
+        let (measure, settings) = (KeyMeasure::of(self.sweep), self.branch_settings(rises));
         let begins = (measure.of_value(first.value), &first.motion);
         let at = |measured: f64| self.assembly(measure.value(measured));
         let go_on = || !self.progress.interrupted();

@@ -12,6 +12,7 @@ use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
 use judder_cycles::CyclesError;
 use judder_cycles::backbone::BackboneSettings;
+use judder_cycles::balance::HarmonicBalance;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey, CycleBranchEnd};
 use judder_structure::complex_modes::Verdict;
 use judder_structure::eigen_sweep::{SweepMethod, SweptEigenvalues};
@@ -178,10 +179,28 @@ impl AlongMarginKey<'_> {
     fn followed(&self, onset: &Onset, first: &FirstCycle) -> Result<CycleReach, ModelError> {
         let balance = self.along.balance(first)?;
         match self.along.branch(first, &balance, onset.gains) {
-            Ok(branch) => Ok(self.read(onset, &branch)),
+            Ok(branch) => self.with_left_out(&balance, &branch, self.read(onset, &branch)),
             Err(CyclesError::Stopped) => Err(ModelError::Interrupted),
             Err(error) => Ok(CycleReach::unknown(format!("the branch of cycles was not begun: {error}"))),
         }
+    }
+
+    /// What the harmonics leave out of the fold, as part of its error.
+    fn with_left_out(
+        &self,
+        balance: &HarmonicBalance<'_>,
+        branch: &AssemblyCycleBranch,
+        mut reach: CycleReach,
+    ) -> Result<CycleReach, ModelError> {
+        let Some([fold, error]) = &mut reach.fold else { return Ok(reach) };
+        if let Some(place) = branch.folds.iter().position(|(_, own)| own == fold) {
+            match self.along.left_out_of_fold(balance, branch, place) {
+                Ok(left_out) if left_out.is_nan() => *error = f64::NAN,
+                Ok(left_out) => *error = error.max(left_out),
+                Err(_) => return Err(ModelError::Interrupted),
+            }
+        }
+        Ok(reach)
     }
 
     /// What a branch says of the margin.

@@ -22,6 +22,60 @@ CONTACT_MEMORY: Final = 4294967296
 LOCUS_CONFIGURATION: Final = "undeformed"
 LOCUS_COUNT: Final = 20
 LOCUS_DAMPING: Final = True
+FILES: Final[dict[str, dict[str, tuple[str, ...]]]] = {
+    "oscillator": {
+        "contact.law.file": ("accuracy", "computed"),
+        "substrate.dma.file": ("terms",),
+    },
+    "contact": {
+        "indenter.shape.heights": (),
+        "substrate.dma.file": ("terms",),
+    },
+    "belt": {},
+    "two-degrees": {},
+    "structure": {
+        "matrices.damping.*.file": ("factor", "triangle"),
+        "matrices.freedoms": (),
+        "matrices.mass.*.file": ("factor", "triangle"),
+        "matrices.stiffness.*.file": ("factor", "triangle"),
+        "structure.mesh": (),
+    },
+    "sliding": {
+        "structure.*.matrices.damping.*.file": ("factor", "triangle"),
+        "structure.*.matrices.freedoms": (),
+        "structure.*.matrices.mass.*.file": ("factor", "triangle"),
+        "structure.*.matrices.stiffness.*.file": ("factor", "triangle"),
+        "structure.*.mesh": (),
+    },
+    "assembly": {
+        "analysis.*.base.*.acceleration.file": ("amplitude", "band", "frequency", "from", "phase", "rms", "scale", "seed", "sweep", "to"),
+        "analysis.*.course.friction.file": ("factors", "rise", "times"),
+        "analysis.*.course.load.file": ("factors", "rise", "times"),
+        "analysis.*.course.speed.file": ("factors", "rise", "times"),
+        "analysis.*.forces.*.force.file": ("amplitude", "band", "frequency", "from", "phase", "rms", "scale", "seed", "sweep", "to"),
+        "analysis.*.friction_over_temperature.file": ("factors", "temperatures"),
+        "analysis.*.start.study": (),
+        "analysis.*.temperature.file": ("temperatures", "times"),
+        "contact.*.asperity.law.file": ("accuracy", "computed"),
+        "structure.*.matrices.damping.*.file": ("factor", "triangle"),
+        "structure.*.matrices.freedoms": (),
+        "structure.*.matrices.mass.*.file": ("factor", "triangle"),
+        "structure.*.matrices.stiffness.*.file": ("factor", "triangle"),
+        "structure.*.mesh": (),
+        "substrate.dma.file": ("terms",),
+    },
+}
+"""The keys of each model that name a file, by their dotted paths, ``*`` for an item or a name; and what may stand beside a key ``file``."""
+ROWS: Final[dict[str, tuple[str, ...]]] = {
+    "oscillator": ("substrate.continuous.samples", "substrate.prony", "substrate.relaxation"),
+    "contact": ("substrate.continuous.samples", "substrate.prony", "substrate.relaxation"),
+    "belt": (),
+    "two-degrees": (),
+    "structure": ("damping.rayleigh.ratios",),
+    "sliding": ("structure.*.damping.rayleigh.ratios",),
+    "assembly": ("structure.*.damping.rayleigh.ratios", "substrate.continuous.samples", "substrate.prony", "substrate.relaxation"),
+}
+"""Lists of tables of nothing but numbers, by their dotted paths."""
 
 
 class Keys(TypedDict, total=False):

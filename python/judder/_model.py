@@ -10,9 +10,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from judder import _judder, _toml
+from judder._objects import CaseSource
 from judder.errors import JudderWarning, StudyError
 from judder.progress import Progress
-from judder.study import CaseLike, Study, check, source
+from judder.study import CaseLike, Study, check
 
 if TYPE_CHECKING:
     import xarray
@@ -44,18 +45,24 @@ class Model:
     _name: ClassVar[str]
 
     def __init__(self, case: CaseLike | None, set: Mapping[str, Any] | None, keys: Mapping[str, Any]) -> None:
-        changes = {**dict(_flat(_given(keys))), **(set or {})}
-        begun = f'model = "{self._name}"\n' if case is None else case
-        self._case = source(begun), self._name, _toml.overrides(changes)
+        self._source = CaseSource(f'model = "{self._name}"\n' if case is None else case)
+        changes = {**dict(_flat(self._source.whole(keys, self._name, without_none=True))), **self._source.whole(set or {}, self._name)}
+        self._case = self._source.given, self._name, _toml.overrides(changes)
 
     @property
     def text(self) -> str:
-        """The case as the text of a case file, which :func:`judder.run` takes; the files that it names stand in it by their whole paths.
+        """The case as the text of a case file, which :func:`judder.run` takes; the files that it names stand in it by their whole paths, those of objects
+        in memory as long as this process goes on.
 
         Raises:
             CaseError: the case is wrong, or of another model.
         """
-        return _judder.text_of_case(self._case)
+        self._source.hold()
+        return self._text()
+
+    def _text(self) -> str:
+        with self._source.told():
+            return _judder.text_of_case(self._case)
 
     def check(self) -> dict[str, Any]:
         """What the case means, as of :func:`judder.check`.
@@ -63,7 +70,7 @@ class Model:
         Raises:
             CaseError: the case is wrong, or of another model.
         """
-        return check(self.text)
+        return check(self._text())
 
     def _computed(self, kind: str, keys: Mapping[str, Any], threads: int | None, progress: Progress | None) -> Result:
         """Computes an analysis of this kind; keys that are ``None`` are left out, those of its tables too.
@@ -73,9 +80,9 @@ class Model:
             KeyboardInterrupt: Ctrl-C.
             JudderError: there is no result.
         """
-        given = _toml.document(_given(keys))
-        with tempfile.TemporaryDirectory(prefix="judder-") as place:
+        with tempfile.TemporaryDirectory(prefix="judder-") as place, self._source.told():
             folder = Path(place) / "study"
+            given = _toml.document(self._source.whole(keys, self._name, ("analysis", kind), without_none=True))
             name, messages = _judder.computed_analysis(
                 self._case, kind, given, folder=str(folder), threads=threads, progress=progress
             )
@@ -83,7 +90,7 @@ class Model:
             if name in study.failures:
                 raise StudyError(study.failures[name], "NoResult", {"name": name})
             for message in messages:
-                warnings.warn(message, JudderWarning, stacklevel=3)
+                warnings.warn(self._source.plain(message), JudderWarning, stacklevel=3)
             return Result(
                 data=study[name].load(),
                 numbers=study.results[name],
@@ -91,21 +98,6 @@ class Model:
                 warnings=tuple(study.warnings[name]),
                 files=dict(_files(folder)),
             )
-
-
-def _given(keys: Mapping[str, Any]) -> dict[str, Any]:
-    """The keys that are not ``None``, those of tables and of lists of tables too."""
-    return {key: _without_none(own) for key, own in keys.items() if own is not None}
-
-
-def _without_none(value: Any) -> Any:
-    """A value without the keys that are ``None``."""
-    match value:
-        case Mapping():
-            return _given(value)
-        case list() | tuple():
-            return [_without_none(item) for item in value]
-    return value
 
 
 def _flat(keys: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:

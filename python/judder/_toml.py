@@ -8,12 +8,23 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+import numpy as np
+
 from judder.errors import InputError
 
 
-def value(name: str, given: Any) -> str:
+MOST_DEEP = 64
+"""How deep lists and tables may lie in each other."""
+
+
+def value(name: str, given: Any, deep: int = 0) -> str:
     """``given`` as a TOML value on one line; NumPy scalars and arrays count as numbers and lists."""
+    if deep > MOST_DEEP:
+        raise InputError(f"{name}: lies deeper than {MOST_DEEP} lists and tables, or contains itself", "Input", {"argument": name})
     if hasattr(given, "tolist"):
+        # finite numbers are the same in JSON
+        if isinstance(given, np.ndarray) and given.dtype.kind in "fiub" and np.isfinite(given).all():
+            return json.dumps(given.tolist())
         given = given.tolist()
     match given:
         case bool():
@@ -25,10 +36,10 @@ def value(name: str, given: Any) -> str:
         case float():
             return repr(given) if math.isfinite(given) else str(given)
         case Mapping():
-            entries = (f"{_key(key)} = {value(f'{name}.{key}', own)}" for key, own in given.items())
+            entries = (f"{_key(key)} = {value(f'{name}.{key}', own, deep + 1)}" for key, own in given.items())
             return "{ " + ", ".join(entries) + " }"
         case Iterable():
-            return "[" + ", ".join(value(name, item) for item in given) + "]"
+            return "[" + ", ".join(value(name, item, deep + 1) for item in given) + "]"
     message = f"{name}: a case holds texts, numbers, booleans, lists and tables, not {type(given).__name__}"
     raise InputError(message, "Input", {"argument": name})
 

@@ -6,22 +6,39 @@ comes from a sliding case.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
-from judder import _judder, _toml
+from judder import _judder
 from judder._judder import Pair
 from judder._keys import LOCUS_CONFIGURATION, LOCUS_COUNT, LOCUS_DAMPING, Configuration, MarchMethod, Predictor
+from judder._objects import CaseSource
+from judder._sampled import sampled
 from judder.progress import Progress
-from judder.study import CaseLike, source
+from judder.study import CaseLike
 
 if TYPE_CHECKING:
     import numpy as np
     import xarray
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Configuration", "Locus", "March", "Method", "Observed", "Pair", "Predictor", "Slider", "Track", "Zone", "load_pair", "locus", "march"]
+__all__ = [
+    "Configuration",
+    "Locus",
+    "March",
+    "Method",
+    "Observed",
+    "Pair",
+    "Predictor",
+    "Slider",
+    "Track",
+    "Zone",
+    "friction_table",
+    "load_pair",
+    "locus",
+    "march",
+]
 
 Method: TypeAlias = MarchMethod | Literal["subs-static-slope"]
 """How a march finds the contact and its force, see the beams paper; ``"film"`` knows stick and lift-off."""
@@ -75,6 +92,30 @@ class Observed:
     """What a unit displacement of the slider's frame along the track adds to it; 0 on the track."""
 
 
+def friction_table(
+    function: Callable[[NDArray[np.float64]], Any], *, velocity: tuple[float, float], tolerance: float = 1e-4
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """A friction law of one's own as the table of sliding speeds and coefficients that pairs and cases take: ``Pair(..., friction=table)``, or
+    ``{"velocity [m/s]": table[0], "coefficient": table[1]}`` as ``friction_coefficient`` of a case.
+
+    Args:
+        function: coefficients at an array of speeds, m/s.
+        velocity: the lowest and the highest speed, m/s; beyond them the coefficient stays as it is there.
+        tolerance: how far straight lines between the points may be off, of the largest coefficient.
+
+    Raises:
+        InputError: a function whose values are not finite, or that jumps.
+
+    >>> import numpy as np
+    >>> def stribeck(velocity):
+    ...     return 0.2 + 0.2 * np.exp(-velocity / 0.05) + 0.1 * velocity
+    >>> velocity, coefficient = judder.sliding.friction_table(stribeck, velocity=(0.0, 1.0))
+    >>> round(float(coefficient[0]), 3), velocity.size < 200
+    (0.4, True)
+    """
+    return sampled("function", function, velocity, tolerance)
+
+
 def load_pair(case: CaseLike, *, set: Mapping[str, Any] | None = None) -> Pair:
     """The pair of a sliding case: its structures built, reduced and coupled.
 
@@ -88,7 +129,9 @@ def load_pair(case: CaseLike, *, set: Mapping[str, Any] | None = None) -> Pair:
         CaseError: the case is wrong.
         StructureError, SlidingError: its structures cannot be built or coupled.
     """
-    return Pair.from_source(source(case), _toml.overrides(set))
+    source = CaseSource(case, set)
+    with source.told():
+        return Pair.from_source(source.given, source.overrides)
 
 
 @dataclass(frozen=True, eq=False)

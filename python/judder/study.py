@@ -10,7 +10,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from judder import _interchange, _judder, _places, _swept, _toml
+from judder import _interchange, _judder, _places, _swept
+from judder._objects import CaseSource
 from judder._places import RemotePath
 from judder.contact import Law
 from judder.errors import JudderWarning, RewrittenError, StoreError, StudyError, rewritten
@@ -23,16 +24,10 @@ if TYPE_CHECKING:
 __all__ = ["CaseLike", "RemotePath", "Study", "check", "load_study", "run"]
 
 CaseLike: TypeAlias = str | os.PathLike[str] | Mapping[str, Any]
-"""A case: the path of its file, its text (a ``str`` with a line break), or its tables as a mapping."""
+"""A case: the path of its file, its text (a ``str`` with a line break), or its tables as a mapping.
 
-
-def source(case: CaseLike) -> tuple[str, str] | str:
-    """A case as the compiled part takes it: a name and a text, or a path."""
-    if isinstance(case, Mapping):
-        return "case.toml", _toml.document(case)
-    if isinstance(case, str) and "\n" in case:
-        return "case.toml", case
-    return os.fspath(case)
+Where a case file names another file, a mapping may have an object: a sparse matrix, an array, a mesh of meshio, columns of numbers, a law.
+"""
 
 
 def check(case: CaseLike, *, set: Mapping[str, Any] | None = None) -> dict[str, Any]:
@@ -51,7 +46,9 @@ def check(case: CaseLike, *, set: Mapping[str, Any] | None = None) -> dict[str, 
     >>> judder.check({"model": "oscillator"})["groups"]["v_d τ/R"]
     0.0001
     """
-    document: dict[str, Any] = json.loads(_judder.checked_case(source(case), _toml.overrides(set)))
+    source = CaseSource(case, set)
+    with source.told():
+        document: dict[str, Any] = json.loads(_judder.checked_case(source.given, source.overrides))
     return document
 
 
@@ -92,19 +89,23 @@ def run(
         Interrupted: Ctrl-C.
         JudderError: an analysis was refused for another wrong input; the others have run.
     """
-    told = _judder.run_case(
-        source(case),
-        output=None if output is None else _places.writable(output),
-        only=list(only),
-        overrides=_toml.overrides(set),
-        fresh=fresh,
-        law=law,
-        threads=threads,
-        progress=progress,
-    )
+    source = CaseSource(case, set)
+    with source.told():
+        told = _judder.run_case(
+            source.given,
+            output=None if output is None else _places.writable(output),
+            only=list(only),
+            overrides=source.overrides,
+            fresh=fresh,
+            law=law,
+            threads=threads,
+            progress=progress,
+        )
+    source.keep(told["folder"])
     for message in [*told["messages"], *told["notes"]]:
-        warnings.warn(message, JudderWarning, stacklevel=2)
-    for name, error in told["refused"]:
+        warnings.warn(source.plain(message), JudderWarning, stacklevel=2)
+    for name, refused in told["refused"]:
+        error = source.plain_error(refused)
         error.add_note(f"analysis `{name}`; what the others left is in {told['folder']}")
         raise error
     return Study(told["folder"])

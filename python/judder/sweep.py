@@ -13,11 +13,12 @@ import warnings
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from judder import _judder, _places, _toml
+from judder import _judder, _places
+from judder._objects import CaseSource
 from judder.contact import Law
 from judder.errors import InputError, JudderWarning, StudyError
 from judder.progress import Progress
-from judder.study import CaseLike, Study, source
+from judder.study import CaseLike, Study
 
 if TYPE_CHECKING:
     import numpy as np
@@ -62,7 +63,9 @@ def plan(case: CaseLike, name: str | None = None, *, set: Mapping[str, Any] | No
 def plans(case: CaseLike, set: Mapping[str, Any] | None = None, law: Law | None = None) -> list[Sweep]:
     """The plans of all sweeps of a case, in their order."""
     kept = None if law is None else (law, _folder())
-    return [Sweep(compiled) for compiled in _judder.Sweep.all(source(case), _toml.overrides(set), law=kept)]
+    source = CaseSource(case, set)
+    with source.told():
+        return [Sweep(compiled, source) for compiled in _judder.Sweep.all(source.given, source.overrides, law=kept)]
 
 
 def _folder() -> str:
@@ -88,8 +91,10 @@ class Sweep:
     same ones twice.
     """
 
-    def __init__(self, compiled: _judder.Sweep) -> None:
+    def __init__(self, compiled: _judder.Sweep, source: CaseSource) -> None:
         self._compiled = compiled
+        # points read the files of its objects
+        self._source = source
 
     @property
     def name(self) -> str:
@@ -193,6 +198,7 @@ class Sweep:
             Interrupted: Ctrl-C; the same call goes on from there.
         """
         self._compiled.run(_places.writable(folder), shard=shard, threads=threads, progress=progress)
+        self._source.keep(folder)
 
     def merge(self, folder: str | os.PathLike[str]) -> Study:
         """Completes a study folder in which all chunks are: summary, report, metadata.
@@ -207,6 +213,7 @@ class Sweep:
             raise StudyError(message, "MissingChunks", {"folder": path, "missing": len(self.missing(path))})
         for note in notes:
             warnings.warn(note, JudderWarning, stacklevel=2)
+        self._source.keep(path)
         return Study(path)
 
     def __repr__(self) -> str:

@@ -1,0 +1,280 @@
+"""Objects of Python where a case names a file: matrices, meshes, tables, heights and laws in memory.
+
+A case is walked before it becomes TOML. What stands at a key of a file and is no path is written into a folder of its own, whose files go by the dotted
+keys; the case names them relative to itself, so that its hash is that of what they hold, whatever the folder is called. A study folder keeps them.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import tempfile
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from judder import _columns, _toml, _written
+from judder._columns import wrong
+from judder._keys import FILES, ROWS
+from judder.errors import JudderError
+
+_INPUTS = "inputs"
+"""The folder of the files, beside the case and in a study."""
+_WITH_UNIT = re.compile(r"(?P<key>[^\[\]]*[^\[\]\s])\s*\[(?P<unit>[^\[\]]+)\]")
+_MATRICES = ("mass", "damping", "stiffness")
+
+KeyPath: TypeAlias = tuple[str, ...]
+"""The steps of a dotted key; ``*`` is any item of a list, or any name."""
+
+
+class CaseSource:
+    """A case as the compiled part takes it, with the files of its objects, which are there as long as this is."""
+
+    given: tuple[str, str] | str
+    """A name and a text, or a path."""
+    overrides: list[str]
+    """The changed keys."""
+
+    def __init__(self, case: str | os.PathLike[str] | Mapping[str, Any], set: Mapping[str, Any] | None = None) -> None:
+        self._files = _InputFiles()
+        if isinstance(case, Mapping):
+            model = str(case.get("model"))
+            tables, changes = (_Walk(self._files, model).of_table(own) for own in (case, set or {}))
+            if self._files.folder is not None:
+                tables, changes = (_settled(own, model, self._files.names) for own in (tables, changes))
+            self.given = os.path.join(self._files.folder or "", "case.toml"), _toml.document(tables)
+        else:
+            self.given = ("case.toml", case) if isinstance(case, str) and "\n" in case else os.fspath(case)
+            changes = self.whole(set or {})
+        self.overrides = _toml.overrides(changes)
+
+    def whole(self, tables: Mapping[str, Any], model: str | None = None, at: KeyPath = (), *, without_none: bool = False) -> dict[str, Any]:
+        """More tables, without objects, that name files by their whole paths; keys that are ``None`` may count as not given."""
+        return _Walk(self._files, model, whole=True, without_none=without_none).of_table(tables, at)
+
+    def hold(self) -> None:
+        """Keeps the files until this process ends."""
+        if self._files.held is not None:
+            _held.append(self._files.held)
+
+    def keep(self, folder: str | os.PathLike[str]) -> None:
+        """Copies the files into a study folder, which then has all that its case needs."""
+        if self._files.folder is not None:
+            shutil.copytree(os.path.join(self._files.folder, _INPUTS), os.path.join(folder, _INPUTS), dirs_exist_ok=True)
+
+    def plain(self, text: str) -> str:
+        """A text without the folder of the files: the names of these are those of keys."""
+        return text if self._files.folder is None else text.replace(self._files.folder + os.sep, "")
+
+    def plain_error(self, error: JudderError) -> JudderError:
+        """An error without the folder of the files."""
+        if self._files.folder is None or self._files.folder not in f"{error}{error.fields}":
+            return error
+        fields = {name: type(own)(self.plain(str(own))) if isinstance(own, str | Path) else own for name, own in error.fields.items()}
+        return type(error)(self.plain(str(error)), error.cause, fields)
+
+    @contextmanager
+    def told(self) -> Iterator[None]:
+        """Errors tell of the files by their keys."""
+        try:
+            yield
+        except JudderError as error:
+            plain = self.plain_error(error)
+            if plain is error:
+                raise
+            raise plain from None
+
+
+_held: list[tempfile.TemporaryDirectory[str]] = []
+
+
+class _InputFiles:
+    """A folder that is made when the first file is written."""
+
+    def __init__(self) -> None:
+        self.held: tempfile.TemporaryDirectory[str] | None = None
+        self.names: set[str] = set()
+        """The paths of the files in it."""
+
+    @property
+    def folder(self) -> str | None:
+        """The folder; none before there is a file."""
+        return None if self.held is None else self.held.name
+
+    def write(self, key: str, ending: str, content: bytes) -> str:
+        """Writes a file that goes by a key; gives back its path in the folder."""
+        if self.held is None:
+            self.held = tempfile.TemporaryDirectory(prefix="judder-")
+            Path(self.held.name, _INPUTS).mkdir()
+        plain = re.sub(r"[^\w.-]+", "-", key).strip(".-") or "input"
+        name, count = f"{_INPUTS}/{plain}{ending}", 1
+        while name in self.names:
+            count += 1
+            name = f"{_INPUTS}/{plain}-{count}{ending}"
+        self.names.add(name)
+        Path(self.held.name, name).write_bytes(content)
+        return name
+
+
+class _Walk:
+    """A way through the tables of a case on which objects become names of files."""
+
+    def __init__(self, files: _InputFiles, model: str | None, *, whole: bool = False, without_none: bool = False) -> None:
+        self._files = files
+        self._declared = Declared(model)
+        self._whole, self._without_none = whole, without_none
+        self._above: list[int] = []
+
+    def of_table(self, table: Mapping[str, Any], at: KeyPath = ()) -> dict[str, Any]:
+        """A table, its keys spelled out: those with a unit, dotted ones as paths."""
+        found: dict[str, Any] = {}
+        for given, value in table.items():
+            if value is None and self._without_none:
+                continue
+            key = str(given)
+            if split := _WITH_UNIT.fullmatch(key):
+                key, value = split["key"], _columns.quantities(".".join((*at, key)), value, split["unit"])
+            if key in found:
+                raise wrong(".".join((*at, key)), f"is given twice: `{key}` and `{given}`")
+            found[key] = self._value(value, (*at, *key.split(".")), table)
+        return found
+
+    def _value(self, value: Any, at: KeyPath, beside: Mapping[str, Any]) -> Any:
+        """What the case says for a value; the table in which it stands is `beside` it."""
+        declared = self._declared
+        if isinstance(value, str | int | float) or value is None:
+            return value
+        if id(value) in self._above or len(self._above) > _toml.MOST_DEEP:
+            raise wrong(".".join(at), "contains itself, or lies too deep")
+        self._above.append(id(value))
+        try:
+            if callable(value):
+                raise wrong(".".join(at), "is a function; give values of it, such as those of judder.sliding.friction_table")
+            if declared.is_file(at):
+                return self._file(value, at, beside)
+            if declared.is_file((*at, "file")) and not isinstance(value, list | tuple):
+                return self._table_with_file(value, at)
+            if declared.is_file((*at, "*", "file")):
+                return self._terms(value, at)
+            if declared.has_rows(at) and (columns := _columns.of(".".join(at), value)) is not None:
+                return self._items(_columns.rows(".".join(at), columns), at)
+            if _written.is_sparse(value):
+                raise wrong(".".join(at), "is a sparse matrix, which this key does not take")
+            if isinstance(value, Mapping):
+                return self.of_table(self._named(value, at), at)
+            return self._items(value, at)
+        finally:
+            self._above.pop()
+
+    def _items(self, value: Any, at: KeyPath) -> Any:
+        """A list, whose items may be tables; anything else as it is."""
+        if isinstance(value, os.PathLike):
+            return os.fspath(value)
+        if not isinstance(value, list | tuple) or not value or isinstance(value[0], str | int | float):
+            return value
+        return [self._value(item, (*at, str(index)), {}) for index, item in enumerate(value)]
+
+    def _file(self, value: Any, at: KeyPath, beside: Mapping[str, Any]) -> Any:
+        """The name of a file with what an object holds."""
+        if isinstance(value, os.PathLike):
+            return os.fspath(value)
+        if at[-1] == "freedoms" and _columns.are_names(value):
+            return value
+        key = ".".join(at)
+        ending, content = _written.content(key, at, value, beside)
+        name = self._files.write(key.removesuffix(".file"), ending, content)
+        return os.path.join(self._files.folder or "", name) if self._whole else name
+
+    def _table_with_file(self, value: Any, at: KeyPath) -> Any:
+        """A table with a key `file`; columns of numbers that it has in place of one, or an object in place of the table, go into a file."""
+        key = (*at, "file")
+        if not isinstance(value, Mapping) or hasattr(value, "data_vars"):
+            return {"file": self._file(value, key, {})}
+        if "file" in value:
+            return self.of_table(value, at)
+        own = self._declared.beside_file(key)
+        columns = {str(name): column for name, column in value.items() if _WITH_UNIT.sub(r"\g<key>", str(name)) not in own}
+        if not columns or not all(_columns.is_column(column) for column in columns.values()):
+            return self.of_table(value, at)
+        rest = {name: own for name, own in value.items() if str(name) not in columns}
+        return {"file": self._file(columns, key, {}), **self.of_table(rest, at)}
+
+    def _terms(self, value: Any, at: KeyPath) -> Any:
+        """The terms of a sum of matrices: one matrix, several, those with factors, with names that their files go by."""
+        if _written.is_matrix(value) or isinstance(value, Mapping) and "file" in value:
+            value = [value]
+        if isinstance(value, Mapping):
+            return [self._term(term, (*at, str(name))) for name, term in value.items()]
+        if isinstance(value, list | tuple) and any(isinstance(term, Mapping) or _written.is_matrix(term) for term in value):
+            return [self._term(term, (*at, str(index)) if len(value) > 1 else at) for index, term in enumerate(value)]
+        return self._items(value, at)
+
+    def _term(self, value: Any, name: KeyPath) -> Any:
+        """A term of a sum, whose file goes by a name; what was dense may have anything on either side of its diagonal."""
+        term = {"file": value} if _written.is_matrix(value) or not isinstance(value, Mapping) else dict(value)
+        matrix = term.get("file")
+        if not isinstance(matrix, str | None):
+            if isinstance(matrix, np.ndarray):
+                term.setdefault("triangle", "as-stored")
+            term["file"] = self._file(matrix, (*name, "file"), term)
+        return self.of_table(term, name)
+
+    def _named(self, table: Mapping[str, Any], at: KeyPath) -> Mapping[str, Any]:
+        """Matrices whose freedoms have names stand in the case itself; all others as they are."""
+        if not self._declared.is_file((*at, "mass", "*", "file")) or not _columns.are_names(table.get("freedoms")):
+            return table
+        matrices = {name: table[name] for name in _MATRICES if name in table}
+        if not any(_written.is_matrix(matrix) for matrix in matrices.values()):
+            return table
+        return {**table, **{name: _written.rows(".".join((*at, name)), matrix) for name, matrix in matrices.items()}}
+
+
+class Declared:
+    """The keys of files of a model, or of any where it is not known."""
+
+    def __init__(self, model: str | None) -> None:
+        own = [model] if model in FILES else [*FILES]
+        self._files = {path: beside for name in own for path, beside in FILES[name].items()}
+        self._rows = [path for name in own for path in ROWS[name]]
+
+    def is_file(self, at: KeyPath) -> bool:
+        """Whether a key names a file."""
+        return any(_is(at, path) for path in self._files)
+
+    def beside_file(self, at: KeyPath) -> Sequence[str]:
+        """The keys that stand beside that of a file."""
+        return [key for path, beside in self._files.items() if _is(at, path) for key in beside]
+
+    def has_rows(self, at: KeyPath) -> bool:
+        """Whether a key is a list of tables of numbers."""
+        return any(_is(at, path) for path in self._rows)
+
+
+def _is(at: KeyPath, path: str) -> bool:
+    """Whether a key is one of a declared path, in which `*` is an item of a list or a name."""
+    steps = path.split(".")
+    return len(steps) == len(at) and all(step in (own, "*") for step, own in zip(steps, at, strict=True))
+
+
+def _settled(tables: Mapping[str, Any], model: str, own_names: Collection[str]) -> dict[str, Any]:
+    """The same tables with whole paths of the files that were given by their names, since the case now lies beside files of its own."""
+    declared = Declared(model)
+
+    def settled(value: Any, at: KeyPath, base: str) -> Any:
+        if isinstance(value, str) and declared.is_file(at):
+            return value if value in own_names else os.path.abspath(os.path.join(base, value))
+        if isinstance(value, Mapping):
+            own = value.get("folder")
+            inside = isinstance(own, str) and declared.is_file((*at, "mass", "*", "file"))
+            below = os.path.join(base, own) if inside and isinstance(own, str) else base
+            return {key: settled(item, (*at, *str(key).split(".")), below) for key, item in value.items() if not (inside and key == "folder")}
+        if isinstance(value, list) and value and isinstance(value[0], Mapping):
+            return [settled(item, (*at, str(index)), base) for index, item in enumerate(value)]
+        return value
+
+    found: dict[str, Any] = settled(tables, (), "")
+    return found

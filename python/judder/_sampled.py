@@ -1,0 +1,51 @@
+"""Functions of one variable as tables that are read with straight lines between their points."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from judder._columns import wrong
+
+_FIRST = 9
+_MOST = 10_000
+"""Points of a table; the curves of friction need some hundreds at a tolerance of 1e-6."""
+
+
+def sampled(
+    argument: str, function: Callable[[NDArray[np.float64]], Any], span: tuple[float, float], tolerance: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Points and values such that straight lines are off by no more than a tolerance of the largest value, looked at within all intervals.
+
+    Raises:
+        InputError: values that are not finite, or not as many as points; a function that would need too many points.
+    """
+    begin, end = map(float, span)
+    if not (0.0 <= begin < end < np.inf and 0.0 < tolerance < 1.0):
+        needed = "a range that rises from 0 or more, and a tolerance between 0 and 1 are needed"
+        raise wrong(argument, f"goes from {begin:g} to {end:g} with a tolerance of {tolerance:g}; {needed}")
+
+    def values(at: NDArray[np.float64]) -> NDArray[np.float64]:
+        found = np.asarray(function(at), dtype=np.float64)
+        found = np.full(at.shape, float(found)) if found.ndim == 0 else found
+        if found.shape != at.shape:
+            raise wrong(argument, f"gives an array of the shape {found.shape} for one of the shape {at.shape}")
+        if not np.isfinite(found).all():
+            raise wrong(argument, f"is not finite at {at[~np.isfinite(found)][0]:g}")
+        return found
+
+    points = np.linspace(begin, end, _FIRST)
+    known = values(points)
+    while True:
+        within = points[:-1, None] + np.diff(points)[:, None] * np.array([0.25, 0.5, 0.75])
+        there = values(within.ravel()).reshape(within.shape)
+        off = np.abs(there - np.interp(within, points, known)).max(axis=1) > tolerance * np.abs(known).max()
+        if not off.any():
+            return points, known
+        if points.size + off.sum() > _MOST or np.diff(points)[off].min() < 1e-9 * (end - begin):
+            raise wrong(argument, f"would need more than {_MOST} points, the closest near {within[off][0, 1]:g}; has it a jump there?")
+        order = np.argsort(np.concatenate([points, within[off, 1]]), kind="stable")
+        points, known = np.concatenate([points, within[off, 1]])[order], np.concatenate([known, there[off, 1]])[order]

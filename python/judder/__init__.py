@@ -22,6 +22,7 @@ from judder.errors import (
     StoreError,
     StructureError,
     StudyError,
+    UnknownResultError,
 )
 from judder.progress import Progress, tqdm_progress
 from judder.study import CaseLike, RemotePath, Study, check, load_study, run
@@ -45,6 +46,7 @@ __all__ = [
     "StructureError",
     "Study",
     "StudyError",
+    "UnknownResultError",
     "__version__",
     "check",
     "contact",

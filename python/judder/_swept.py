@@ -50,6 +50,8 @@ def dataset(folder: Path | RemotePath, name: str, expected: str | None = None, *
     variables = {quantity: stored["values"].variable[..., index] for index, quantity in enumerate(names)}
     for index, variable in enumerate(variables.values()):
         variable.attrs = _attributes(stored, index)
+        # that of the array of all quantities has a dimension more
+        variable.encoding = {"preferred_chunks": dict(zip(variable.dims, stored["values"].encoding["chunks"], strict=False))}
     if importlib.util.find_spec("dask") is not None if dask is None else dask:
         variables = {quantity: variable.chunk(_dask_chunks(stored)) for quantity, variable in variables.items()}
     coordinates = {key: stored[key].variable for key in keys if key in stored.variables}

@@ -20,6 +20,7 @@ __all__ = [
     "StoreError",
     "StructureError",
     "StudyError",
+    "UnknownResultError",
 ]
 
 
@@ -145,6 +146,18 @@ def rewritten(folder: str, name: str, expected: str, found: str | None) -> Rewri
 
 class StudyError(JudderError):
     """A study without a result."""
+
+
+class UnknownResultError(StudyError, KeyError):
+    """A name under which a study has no result: a ``KeyError`` too, as of any mapping."""
+
+    name: str
+    """The name."""
+    known: list[str]
+    """The names of the results that there are."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
 
 
 class PackageError(JudderError, ImportError):

@@ -14,7 +14,7 @@ from judder import _interchange, _judder, _places, _swept
 from judder._objects import CaseSource
 from judder._places import RemotePath
 from judder.contact import Law
-from judder.errors import JudderWarning, RewrittenError, StoreError, StudyError, rewritten
+from judder.errors import JudderWarning, RewrittenError, StoreError, StudyError, UnknownResultError, rewritten
 from judder.progress import Progress
 
 if TYPE_CHECKING:
@@ -223,13 +223,25 @@ class Study(Mapping[str, "xarray.Dataset"]):
 
     def __getitem__(self, name: str) -> xarray.Dataset:
         if name not in self.analyses or name in self.failures:
-            raise KeyError(name)
+            raise self._unknown(name, "result", list(self))
         place = self.folder, name, self.hashes.get(name)
         with _places.reading(self.folder, name):
             if name not in self.sweeps:
                 return _places.group(*place)
             _swept.whole(self.folder, name)
             return _swept.dataset(*place)
+
+    def _unknown(self, name: object, what: str, known: list[str]) -> UnknownResultError:
+        """The error of a name that is no result, or none of this sort."""
+        if isinstance(name, str) and name in self.failures:
+            message = f"`{name}` has no result: {self.failures[name]}"
+        else:
+            message = f"the study has no {what} `{name}`; there are {', '.join(f'`{own}`' for own in known) or 'none'}"
+        return UnknownResultError(message, "UnknownResult", {"name": name, "known": known})
+
+    def _ipython_key_completions_(self) -> list[str]:
+        """What completes ``study["``."""
+        return list(self)
 
     def failed_points(self, name: str) -> pandas.DataFrame:
         """The points of a sweep that have no answer, or a doubtful one.
@@ -239,12 +251,12 @@ class Study(Mapping[str, "xarray.Dataset"]):
             a point that has values, which a check doubts, begins with ``doubtful``.
 
         Raises:
-            KeyError: there is no such sweep.
+            UnknownResultError: there is no such sweep.
             RewrittenError: another run has replaced the sweep.
             StoreError: a chunk is not there, damaged, or of another sweep.
         """
         if name not in self.sweeps or name not in self:
-            raise KeyError(name)
+            raise self._unknown(name, "sweep", [own for own in self.sweeps if own in self])
         with _places.reading(self.folder, name):
             _swept.whole(self.folder, name)
             numbers = self.results[name]
@@ -326,7 +338,8 @@ class Study(Mapping[str, "xarray.Dataset"]):
         return found
 
     def __iter__(self) -> Iterator[str]:
-        return (name for name in self.analyses if name not in self.failures)
+        failures = self.failures
+        return (name for name in self.analyses if name not in failures)
 
     def __len__(self) -> int:
         return sum(1 for _ in self)

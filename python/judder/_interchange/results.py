@@ -179,7 +179,8 @@ class Result:
         """Blocks of variables of the same dimensions, in the order of their rows; tells the values of those that are done."""
         first = variables[0].stored
         encoding = first.encoding
-        chunk = encoding.get("shards") or encoding.get("chunks") or first.shape
+        preferred = encoding.get("preferred_chunks", {})
+        chunk = encoding.get("shards") or encoding.get("chunks") or [preferred.get(name, size) for name, size in first.sizes.items()]
         for block in blocks(first.shape, tuple(chunk)[: first.ndim], ROWS):
             yield block
             self.tell(len(variables) * math.prod(steps.stop - steps.start for steps in block))

@@ -55,8 +55,10 @@ def test_a_study_is_a_mapping_of_labelled_datasets(map_case, tmp_path):
     assert "<svg" in page and "unstable_fraction" in page
     again = judder.load_study(tmp_path / "study")
     assert list(again) == list(study)
-    with pytest.raises(KeyError):
+    assert study._ipython_key_completions_() == list(study) and "none" not in study and study.get("none") is None
+    with pytest.raises(KeyError, match="^the study has no result `none`; there are `map`, `spectrum`$") as caught:
         study["none"]
+    assert isinstance(caught.value, judder.UnknownResultError) and caught.value.known == ["map", "spectrum"]
     assert judder.run(map_case, output=tmp_path / "study").summary["analyses"] == study.summary["analyses"]
 
 

@@ -120,7 +120,7 @@ def test_a_sweep_is_a_dataset(quick, maps, tmp_path):
     samples = judder.load_study(maps[0].parent / "serial")["maps"]
     assert dict(samples.sizes) == {"sample": 89} and set(samples.coords) == {"oscillator.damping_x", "oscillator.damping_y"}
     assert set(samples.data_vars) == {"map.unstable_fraction", "growth_rate"}
-    with pytest.raises(KeyError):
+    with pytest.raises(KeyError, match="no sweep `maps`"):
         study.failed_points("maps")
 
 
@@ -150,6 +150,14 @@ over = [
 quantities = ["growth_rate"]
 chunk = 3
 """
+
+
+def test_a_sweep_goes_on_to_zarr_whatever_is_made_of_it(quick, tmp_path):
+    data = judder.load_study(quick[0].parent / "serial")["quick_map"]
+    part = {data.growth_rate.dims[0]: slice(3, 9)}
+    for index, own in enumerate((data, data.load(), data.isel(part), data.mean(keep_attrs=True))):
+        own.to_zarr(tmp_path / f"{index}.zarr", consolidated=False)
+        assert xarray.open_zarr(tmp_path / f"{index}.zarr", consolidated=False).load().equals(own.load())
 
 
 def test_failed_points_are_a_table(tmp_path):

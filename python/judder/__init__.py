@@ -5,7 +5,10 @@ Whole cases: :func:`run`, :func:`check`, :func:`load_study`. Every analysis as a
 Errors: :class:`JudderError` and its subclasses.
 """
 
-from judder import contact, distributed, errors, models, oscillator, plot, sliding, sweep
+import importlib
+from typing import TYPE_CHECKING, Any
+
+from judder import contact, errors, oscillator, plot, sliding, sweep
 from judder._judder import VERSION as __version__
 from judder.errors import (
     CaseError,
@@ -26,6 +29,9 @@ from judder.errors import (
 )
 from judder.progress import Progress, tqdm_progress
 from judder.study import CaseLike, RemotePath, Study, check, load_study, run
+
+if TYPE_CHECKING:
+    from judder import distributed, models
 
 __all__ = [
     "CaseError",
@@ -61,3 +67,14 @@ __all__ = [
     "sweep",
     "tqdm_progress",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """What is imported when it is used, since it takes as long as all else that is ours."""
+    if name in ("distributed", "models"):
+        return importlib.import_module(f"judder.{name}")
+    raise AttributeError(f"module 'judder' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

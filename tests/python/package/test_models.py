@@ -57,6 +57,15 @@ def test_every_declared_kind_and_key_is_reached(schema):
     assert kinds > 25
 
 
+def test_classes_are_made_when_they_are_used():
+    script = (
+        "import sys, judder; before = {*sys.modules}; assert {'models', 'distributed'} <= {*dir(judder)}; judder.models.Belt; judder.distributed.run; "
+        "print(*({*sys.modules} - before) & {'judder.models', 'judder.distributed', 'asyncio'}, 'xarray' in before)"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert {*done.stdout.split()} >= {"judder.models", "judder.distributed", "False"}
+
+
 def test_the_keys_of_a_point_are_those_of_a_case():
     with pytest.raises(judder.InputError) as caught:
         judder.oscillator.point(nothing=1.0)

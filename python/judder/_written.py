@@ -24,6 +24,8 @@ def content(key: str, at: tuple[str, ...], value: Any, beside: Mapping[str, Any]
             return ".inp", _mesh.deck(key, value, beside.get("materials")).encode()
         case "heights":
             return ".npy", _saved(numbers(key, getattr(value, "values", value), dimensions=2))
+        case "study":
+            raise wrong(key, f"is {described(value)}, and a judder.Study or the path of its folder is needed")
         case "freedoms":
             return ".csv", _columns.freedoms(key, value).encode()
     if len(at) > 2 and at[-3] in ("mass", "damping", "stiffness") or at[-2] in ("mass", "damping", "stiffness"):

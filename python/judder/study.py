@@ -149,6 +149,10 @@ class Study(Mapping[str, "xarray.Dataset"]):
         self.folder = _places.place(folder, storage_options)
         self.summary = _summary(self.folder)
 
+    def __fspath__(self) -> str:
+        """The path of its folder, so that a case can begin where this study ended: ``start = {"study": study, ...}``."""
+        return _places.writable(self.folder)
+
     @property
     def analyses(self) -> tuple[str, ...]:
         """The names of the analyses that have run, then of the sweeps, in the order of the case, with or without a result."""

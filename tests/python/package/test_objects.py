@@ -284,6 +284,14 @@ def test_errors_name_the_key_and_no_folder_of_ours():
     assert told.value.file == "case.toml"
 
 
+def test_a_study_is_the_path_of_its_folder(map_case, tmp_path):
+    study = judder.run(map_case, output=tmp_path / "study", only=["spectrum"])
+    given = {"model": "assembly", "analysis": [{"kind": "limit-cycle", "start": {"study": study, "analysis": "cycle"}}]}
+    assert f'study = "{tmp_path / "study"}"' in _objects.CaseSource(given).given[1]
+    with pytest.raises(judder.InputError, match="judder.Study or the path"):
+        judder.check({"model": "assembly", "analysis": [{"kind": "limit-cycle", "start": {"study": SQUARE}}]})
+
+
 def test_every_key_of_a_file_takes_an_object():
     endings = {"mesh": ".inp", "heights": ".npy", "freedoms": ".csv", "matrices": ".npz", "law": ".json"}
     points, squares, _, _ = plate(1)
@@ -295,7 +303,8 @@ def test_every_key_of_a_file_takes_an_object():
     }
     for model, paths in _keys.FILES.items():
         assert model in _keys.ROWS
-        for path in paths:
+        # a study is in its folder already
+        for path in paths.keys() - {"analysis.*.start.study"}:
             at = tuple(path.split("."))
             ending = endings.get(at[-1]) or next((own for part, own in endings.items() if part in at), ".csv")
             value = objects.get(ending, {"node": [1], "direction": ["x"]} if at[-1] == "freedoms" else {"time [s]": [0.0, 1.0], "factor": [1.0, 2.0]})

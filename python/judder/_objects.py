@@ -10,6 +10,7 @@ import os
 import re
 import shutil
 import tempfile
+import weakref
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -58,8 +59,8 @@ class CaseSource:
 
     def hold(self) -> None:
         """Keeps the files until this process ends."""
-        if self._files.held is not None:
-            _held.append(self._files.held)
+        if self._files not in _held:
+            _held.append(self._files)
 
     def keep(self, folder: str | os.PathLike[str]) -> None:
         """Copies the files into a study folder, which then has all that its case needs."""
@@ -89,35 +90,32 @@ class CaseSource:
             raise plain from None
 
 
-_held: list[tempfile.TemporaryDirectory[str]] = []
-
-
 class _InputFiles:
-    """A folder that is made when the first file is written."""
+    """A folder that is made when the first file is written, and goes with this."""
 
     def __init__(self) -> None:
-        self.held: tempfile.TemporaryDirectory[str] | None = None
+        self.folder: str | None = None
+        """Where it is; none before there is a file."""
         self.names: set[str] = set()
         """The paths of the files in it."""
 
-    @property
-    def folder(self) -> str | None:
-        """The folder; none before there is a file."""
-        return None if self.held is None else self.held.name
-
     def write(self, key: str, ending: str, content: bytes) -> str:
         """Writes a file that goes by a key; gives back its path in the folder."""
-        if self.held is None:
-            self.held = tempfile.TemporaryDirectory(prefix="judder-")
-            Path(self.held.name, _INPUTS).mkdir()
+        if self.folder is None:
+            self.folder = tempfile.mkdtemp(prefix="judder-")
+            weakref.finalize(self, shutil.rmtree, self.folder, ignore_errors=True)
+            Path(self.folder, _INPUTS).mkdir()
         plain = re.sub(r"[^\w.-]+", "-", key).strip(".-") or "input"
         name, count = f"{_INPUTS}/{plain}{ending}", 1
         while name in self.names:
             count += 1
             name = f"{_INPUTS}/{plain}-{count}{ending}"
         self.names.add(name)
-        Path(self.held.name, name).write_bytes(content)
+        Path(self.folder, name).write_bytes(content)
         return name
+
+
+_held: list[_InputFiles] = []
 
 
 class _Walk:

@@ -23,7 +23,7 @@ from judder._columns import wrong
 from judder._keys import FILES, ROWS
 from judder.errors import JudderError
 
-_INPUTS = "inputs"
+INPUTS = "inputs"
 """The folder of the files, beside the case and in a study."""
 _WITH_UNIT = re.compile(r"(?P<key>[^\[\]]*[^\[\]\s])\s*\[(?P<unit>[^\[\]]+)\]")
 _MATRICES = ("mass", "damping", "stiffness")
@@ -65,7 +65,7 @@ class CaseSource:
     def keep(self, folder: str | os.PathLike[str]) -> None:
         """Copies the files into a study folder, which then has all that its case needs."""
         if self._files.folder is not None:
-            shutil.copytree(os.path.join(self._files.folder, _INPUTS), os.path.join(folder, _INPUTS), dirs_exist_ok=True)
+            shutil.copytree(os.path.join(self._files.folder, INPUTS), os.path.join(folder, INPUTS), dirs_exist_ok=True)
 
     def plain(self, text: str) -> str:
         """A text without the folder of the files: the names of these are those of keys."""
@@ -104,12 +104,12 @@ class _InputFiles:
         if self.folder is None:
             self.folder = tempfile.mkdtemp(prefix="judder-")
             weakref.finalize(self, shutil.rmtree, self.folder, ignore_errors=True)
-            Path(self.folder, _INPUTS).mkdir()
+            Path(self.folder, INPUTS).mkdir()
         plain = re.sub(r"[^\w.-]+", "-", key).strip(".-") or "input"
-        name, count = f"{_INPUTS}/{plain}{ending}", 1
+        name, count = f"{INPUTS}/{plain}{ending}", 1
         while name in self.names:
             count += 1
-            name = f"{_INPUTS}/{plain}-{count}{ending}"
+            name = f"{INPUTS}/{plain}-{count}{ending}"
         self.names.add(name)
         Path(self.folder, name).write_bytes(content)
         return name

@@ -10,10 +10,11 @@ import json
 import os
 import tempfile
 import warnings
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from judder import _judder, _places
+from judder._cluster.package import Package
 from judder._objects import CaseSource
 from judder.contact import Law
 from judder.errors import InputError, JudderWarning, StudyError
@@ -65,7 +66,7 @@ def plans(case: CaseLike, set: Mapping[str, Any] | None = None, law: Law | None 
     kept = None if law is None else (law, _folder())
     source = CaseSource(case, set)
     with source.told():
-        return [Sweep(compiled, source) for compiled in _judder.Sweep.all(source.given, source.overrides, law=kept)]
+        return [Sweep(compiled, source.keep) for compiled in _judder.Sweep.all(source.given, source.overrides, law=kept)]
 
 
 def _folder() -> str:
@@ -88,13 +89,13 @@ class Sweep:
     """A sweep of a case: its points, cut into chunks.
 
     What a chunk holds is the same whoever computes it, to the last bit, so that any number of processes may do different chunks, or the
-    same ones twice.
+    same ones twice. It can be pickled, with its case and the files that it names.
     """
 
-    def __init__(self, compiled: _judder.Sweep, source: CaseSource) -> None:
+    def __init__(self, compiled: _judder.Sweep, keep: Callable[[str], None]) -> None:
         self._compiled = compiled
-        # points read the files of its objects
-        self._source = source
+        # copies the objects of the case into a study folder, and holds their files, which points read
+        self._keep = keep
 
     @property
     def name(self) -> str:
@@ -198,7 +199,7 @@ class Sweep:
             Interrupted: Ctrl-C; the same call goes on from there.
         """
         self._compiled.run(_places.writable(folder), shard=shard, threads=threads, progress=progress)
-        self._source.keep(folder)
+        self._keep(_places.writable(folder))
 
     def merge(self, folder: str | os.PathLike[str]) -> Study:
         """Completes a study folder in which all chunks are: summary, report, metadata.
@@ -213,8 +214,22 @@ class Sweep:
             raise StudyError(message, "MissingChunks", {"folder": path, "missing": len(self.missing(path))})
         for note in notes:
             warnings.warn(note, JudderWarning, stacklevel=2)
-        self._source.keep(path)
+        self._keep(path)
         return Study(path)
+
+    def __reduce__(self) -> tuple[Callable[[Package, str, str], Sweep], tuple[Package, str, str]]:
+        return _unpacked, (Package.of(self._compiled), self.name, self._compiled.hash)
+
+    def __copy__(self) -> Sweep:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Sweep:
+        return self
 
     def __repr__(self) -> str:
         return f"Sweep({self.name!r}: {self.points} points in {self.chunks} chunks)"
+
+
+def _unpacked(package: Package, name: str, expected: str) -> Sweep:
+    """A sweep that came from another process with all that its case needs."""
+    return Sweep(package.sweep(name, expected, None), package.keep_inputs)

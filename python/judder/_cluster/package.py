@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from judder import _judder
+from judder._objects import INPUTS
 from judder.errors import StudyError
 
 _KEPT = 4
@@ -68,6 +69,14 @@ class Package:
             )
             raise StudyError(message, "OtherSweep", {"name": name, "version": _judder.VERSION})
         return sweep
+
+    def keep_inputs(self, folder: str) -> None:
+        """Writes what the case had in memory into a study folder."""
+        for given, content in self.files:
+            if given.startswith(f"{INPUTS}/"):
+                place = Path(folder, given)
+                place.parent.mkdir(exist_ok=True)
+                place.write_bytes(content)
 
     def _unpacked(self) -> str:
         """The path that the case has here: in a folder beside which its files lie as it names them."""

@@ -1,6 +1,10 @@
 """Objects in the place of files: what they leave is what the files leave, and what is wrong with one is told by its key."""
 
+import copy
 import json
+import pickle
+import subprocess
+import sys
 
 import meshio
 import numpy as np
@@ -217,11 +221,19 @@ def test_sweeps_have_their_objects_wherever_they_run(tmp_path):
     dma = {"frequency [Hz]": frequency, "E [Pa]": modulus}
     case = {"model": "oscillator", "contact": {"law": "hertz"}, "substrate": {"dma": dma}, "sweep": [sweep]}
     plan = judder.sweep.plan(case)
+    assert copy.copy(plan) is plan and copy.deepcopy([plan])[0] is plan
     for chunk in plan.missing(tmp_path / "by-hand"):
         plan.write(tmp_path / "by-hand", chunk, plan.compute(chunk))
     by_hand = plan.merge(tmp_path / "by-hand")
     assert by_hand["speeds"].load().equals(judder.run(case, output=tmp_path / "run")["speeds"].load())
     assert (by_hand.folder / "inputs" / "substrate.dma.csv").exists()
+    # elsewhere: all that it needs travels with it
+    script = "import pathlib, pickle, sys; sweep = pickle.loads(pathlib.Path('sweep').read_bytes()); sweep.run('elsewhere'); sweep.merge('elsewhere')"
+    (tmp_path / "sweep").write_bytes(pickle.dumps(plan))
+    del plan
+    subprocess.run([sys.executable, "-W", "ignore", "-c", script], cwd=tmp_path, check=True)
+    assert judder.load_study(tmp_path / "elsewhere").hashes == by_hand.hashes
+    assert files(tmp_path / "elsewhere" / "inputs") == files(by_hand.folder / "inputs")
 
 
 ENDLESS = []

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from judder import contact, errors, oscillator, plot, sliding, sweep
 from judder._judder import VERSION as __version__
 from judder.errors import (
+    ArgumentError,
     CaseError,
     ContactError,
     InputError,
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     from judder import distributed, models
 
 __all__ = [
+    "ArgumentError",
     "CaseError",
     "CaseLike",
     "ContactError",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import inspect
 import json
 from collections.abc import Callable, Iterator, Mapping
@@ -10,6 +11,7 @@ from typing import Any
 
 from judder import _judder
 from judder._model import Model, Result
+from judder.errors import ArgumentError
 
 _SELF = Parameter("self", Parameter.POSITIONAL_OR_KEYWORD)
 _CASE = Parameter("case", Parameter.POSITIONAL_OR_KEYWORD, default=None, annotation="CaseLike | None")
@@ -68,7 +70,10 @@ def _bound(name: str, signature: Signature, given: tuple[Any, ...], keys: Mappin
     try:
         bound = signature.bind(*given, **keys)
     except TypeError as error:
-        raise TypeError(f"{name}() {error}") from None
+        unknown = next((key for key in keys if key not in signature.parameters), "")
+        close = difflib.get_close_matches(unknown, signature.parameters, 1) if unknown else []
+        hint = f"; is `{close[0]}` meant?" if close else ""
+        raise ArgumentError(f"{name}() {error}{hint}", "Argument", {"argument": unknown}) from None
     bound.apply_defaults()
     return bound.arguments
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from judder import _judder, _toml
 from judder._objects import CaseSource
+from judder._shown import Shown
 from judder.errors import JudderWarning, StudyError
 from judder.progress import Progress
 from judder.study import CaseLike, Study, check
@@ -19,8 +20,12 @@ if TYPE_CHECKING:
     import xarray
 
 
-@dataclass(frozen=True, eq=False)
-class Result:
+_MOST_SHOWN = 200
+"""Letters of a case in the words for it."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Result(Shown):
     """What an analysis leaves."""
 
     data: xarray.Dataset
@@ -48,6 +53,12 @@ class Model:
         self._source = CaseSource(f'model = "{self._name}"\n' if case is None else case)
         changes = {**dict(_flat(self._source.whole(keys, self._name, without_none=True))), **self._source.whole(set or {}, self._name)}
         self._case = self._source.given, self._name, _toml.overrides(changes)
+
+    def __repr__(self) -> str:
+        case, _, changes = self._case
+        begun = [case] if isinstance(case, str) else []
+        text = self._source.plain(", ".join([*begun, *changes]))
+        return f"{type(self).__name__}({text if len(text) <= _MOST_SHOWN else text[:_MOST_SHOWN] + '…'})"
 
     @property
     def text(self) -> str:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 from judder import _judder
 from judder._judder import Law
 from judder._keys import CONTACT_ACCURACY, CONTACT_MEMORY
+from judder._shown import Shown
 
 if TYPE_CHECKING:
     import numpy as np
@@ -21,8 +22,8 @@ if TYPE_CHECKING:
 __all__ = ["ContactSolution", "Law", "LawResponse", "Level", "Shape", "Substrate", "solve"]
 
 
-@dataclass(frozen=True, eq=False)
-class LawResponse:
+@dataclass(frozen=True, eq=False, repr=False)
+class LawResponse(Shown):
     """What a law gives at points: values and exact first derivatives, arrays of the points' shape."""
 
     force: NDArray[np.float64]
@@ -82,8 +83,8 @@ class Level:
     """y/R."""
 
 
-@dataclass(frozen=True, eq=False)
-class ContactSolution:
+@dataclass(frozen=True, eq=False, repr=False)
+class ContactSolution(Shown):
     """The contact of steady sliding with its estimated relative errors, and the fields on the finest grid.
 
     Of a cylinder force and area are per length: F/(E0* R), a width over R.

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 __all__ = [
+    "ArgumentError",
     "CaseError",
     "ContactError",
     "InputError",
@@ -63,6 +64,10 @@ class InputError(JudderError, ValueError):
 
     argument: str
     """The name of the argument."""
+
+
+class ArgumentError(InputError, TypeError):
+    """An argument that a function does not know, or one that it lacks; a ``TypeError`` too, as of any function."""
 
 
 class CaseError(JudderError, ValueError):

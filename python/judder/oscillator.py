@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias, Unpack
 from judder import _judder
 from judder._judder import OscillatorPoint, point
 from judder._keys import FrictionLoad, Keys, LawName
+from judder._shown import Shown
 from judder.contact import Law
 from judder.progress import Progress
 
@@ -41,8 +42,8 @@ _OTHER_CLASSES = ("stable", "marginal", "unresolved")
 """Those that are no mechanism."""
 
 
-@dataclass(frozen=True, eq=False)
-class Axis:
+@dataclass(frozen=True, eq=False, repr=False)
+class Axis(Shown):
     """One side of a map."""
 
     name: str
@@ -55,8 +56,8 @@ class Axis:
     """Its unit, ``"1"`` for a group."""
 
 
-@dataclass(frozen=True, eq=False)
-class StabilityMap:
+@dataclass(frozen=True, eq=False, repr=False)
+class StabilityMap(Shown):
     """Verdict, mechanism and growth rate over two keys; arrays are [y, x]."""
 
     x: Axis

@@ -15,6 +15,7 @@ from judder._judder import Pair
 from judder._keys import LOCUS_CONFIGURATION, LOCUS_COUNT, LOCUS_DAMPING, Configuration, MarchMethod, Predictor
 from judder._objects import CaseSource
 from judder._sampled import sampled
+from judder._shown import Shown
 from judder.progress import Progress
 from judder.study import CaseLike
 
@@ -134,8 +135,8 @@ def load_pair(case: CaseLike, *, set: Mapping[str, Any] | None = None) -> Pair:
         return Pair.from_source(source.given, source.overrides)
 
 
-@dataclass(frozen=True, eq=False)
-class March:
+@dataclass(frozen=True, eq=False, repr=False)
+class March(Shown):
     """The signals of a march, arrays of n steps."""
 
     step: float
@@ -269,8 +270,8 @@ class Zone:
     """The frequency there, Hz."""
 
 
-@dataclass(frozen=True, eq=False)
-class Locus:
+@dataclass(frozen=True, eq=False, repr=False)
+class Locus(Shown):
     """Eigenvalues against the position of the contact."""
 
     positions: NDArray[np.float64]

@@ -151,6 +151,17 @@ def test_keys_that_are_none_are_not_given_in_tables_too():
 
 
 @pytest.mark.filterwarnings("ignore::judder.JudderWarning")
+@pytest.mark.filterwarnings("ignore::judder.JudderWarning")
+def test_results_and_models_show_themselves_in_a_few_words():
+    model = judder.models.Oscillator(operation={"velocity": 0.02})
+    found = model.spectrum(sweep=SWEEP)
+    assert repr(model) == "Oscillator(operation.velocity=0.02)"
+    area = judder.oscillator.stability_map(("velocity", [1e-3, 1e-2]), ("shear_strength", [0.0, 0.1, 0.2]))
+    response = judder.contact.Law("hertz").evaluate(0.1, [1e-3])
+    for own, words in ((found, "eigenvalues(velocity: 5, mode: 4)"), (area, "classes=uint8[3, 2]"), (response, "force=float64[1]")):
+        assert words in repr(own) and len(repr(own)) < 1000 and len(own._repr_html_()) < 2000
+
+
 def test_an_analysis_takes_up_others_of_the_case():
     model = judder.models.Sliding(SMALL / "sliding.toml", analysis=[{"name": "marched", "kind": "march", "method": "film", "predictor": "printed"}])
     levels = model.spectrogram(of="marched", length="1 ms")
@@ -172,6 +183,9 @@ def test_what_is_wrong_has_its_place(tmp_path):
         judder.models.Belt(model.text).motion()
     with pytest.raises(TypeError, match="sweep"):
         model.spectrum()
+    with pytest.raises(judder.ArgumentError, match="'operaton'; is `operation` meant") as caught:
+        judder.models.Oscillator(operaton={})
+    assert caught.value.argument == "operaton"
     # only the run sees it: the place is that of the analysis
     with pytest.raises(judder.CaseError) as caught:
         judder.models.Sliding(SMALL / "sliding.toml").march(method="ensubs", step="1 s")

@@ -1,0 +1,45 @@
+"""How results show themselves: numbers as they are, arrays by their kind and shape."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Iterator, Mapping
+from dataclasses import fields
+from typing import Any, ClassVar
+
+
+class Shown:
+    """A dataclass that shows its fields in a line, and in a notebook in a table."""
+
+    __dataclass_fields__: ClassVar[dict[str, Any]]
+
+    def _told(self) -> Iterator[tuple[str, str]]:
+        """The names of the fields, and what is shown of each."""
+        for field in fields(self):
+            yield field.name, told(getattr(self, field.name))
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{name}={own}' for name, own in self._told())})"
+
+    def _repr_html_(self) -> str:
+        rows = "".join(f"<tr><th>{html.escape(name)}</th><td>{html.escape(own)}</td></tr>" for name, own in self._told())
+        return f"<h4>{type(self).__name__}</h4><table>{rows}</table>"
+
+
+def told(value: Any) -> str:
+    """A value in a few words."""
+    if hasattr(value, "data_vars"):
+        return ", ".join(f"{name}({', '.join(f'{dim}: {size}' for dim, size in own.sizes.items())})" for name, own in value.data_vars.items())
+    if hasattr(value, "dtype") and getattr(value, "shape", None):
+        return f"{value.dtype}{[*value.shape]}"
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{name}: {told(own)}" for name, own in value.items()) + "}"
+    if isinstance(value, bytes):
+        return f"{len(value)} bytes"
+    if isinstance(value, str | int) or value is None:
+        return str(value)
+    if isinstance(value, tuple | list):
+        return f"[{', '.join(map(told, value))}]" if len(value) <= 2 else f"{len(value)} of {type(value[0]).__name__}"
+    return repr(value)

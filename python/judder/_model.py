@@ -43,7 +43,8 @@ class Result(Shown):
 class Model:
     """A case of a model: what all classes of :mod:`judder.models` have in common.
 
-    The keys of a case file are keyword arguments: tables are mappings, lists are sequences, quantities are texts with their units. What is given
+    The keys of a case file are keyword arguments: tables are mappings, lists are sequences, quantities are texts with their units, and where a key names a
+    file, an object may stand: a sparse matrix, an array, a mesh of meshio, columns of numbers, a law. What is given
     is put over ``case``, key by key. An analysis is a method; what the case has of analyses stays as it is, and is computed where it is taken up.
     """
 

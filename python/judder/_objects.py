@@ -20,6 +20,7 @@ import numpy as np
 
 from judder import _columns, _toml, _written
 from judder._columns import wrong
+from judder._judder import Law
 from judder._keys import FILES, ROWS
 from judder.errors import JudderError
 
@@ -190,6 +191,8 @@ class _Walk:
     def _table_with_file(self, value: Any, at: KeyPath) -> Any:
         """A table with a key `file`; columns of numbers that it has in place of one, or an object in place of the table, go into a file."""
         key = (*at, "file")
+        if isinstance(value, Law) and value.to_json() is None:
+            return value.name
         if not isinstance(value, Mapping) or hasattr(value, "data_vars"):
             return {"file": self._file(value, key, {})}
         if "file" in value:

@@ -97,7 +97,7 @@ def _law(key: str, value: Any) -> bytes:
         raise wrong(key, f"is {described(value)}, and a judder.contact.Law, its name or the path of its file is needed")
     text = value.to_json()
     if text is None:
-        raise wrong(key, f"is a law that has a name; give the name: {value.name!r}")
+        raise wrong(key, f"is a law with the name {value.name!r}, which no file holds; give it in place of the table with a file")
     return text.encode()
 
 

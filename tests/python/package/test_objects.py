@@ -166,6 +166,19 @@ def test_laws_are_objects_too(tmp_path):
     law.save(tmp_path / "law.json")
     in_memory, in_file = ({"model": "oscillator", "contact": {"law": own}} for own in (law, {"file": str(tmp_path / "law.json")}))
     assert judder.check(in_memory)["groups"] == judder.check(in_file)["groups"]
+    assert judder.check({"model": "oscillator"}, set={"contact.law": judder.contact.Law("hertz")})["case"]["contact"]["law"] == "hertz"
+
+
+def test_objects_go_over_a_case_file(tmp_path):
+    mass, stiffness = chain(10)
+    case = {"model": "structure", "matrices": {"mass": mass, "stiffness": stiffness}, "analysis": [MODES]}
+    study = judder.run(case, output=tmp_path / "study")
+    (tmp_path / "study" / "case.toml").write_text(study.summary["study"]["source"], "utf-8")
+    path = tmp_path / "study" / "case.toml"
+    twice = judder.models.Structure(path, matrices={"stiffness": 4 * stiffness}).modes(count=3).numbers["frequencies_hz"]
+    assert np.allclose(twice, 2 * np.array(study.results["modes"]["frequencies_hz"]))
+    run = judder.run(path, set={"matrices.stiffness": 4 * stiffness}, output=tmp_path / "twice")
+    assert run.results["modes"]["frequencies_hz"] == twice
 
 
 def test_friction_laws_are_sampled_as_finely_as_they_ask():

@@ -127,11 +127,29 @@ impl Dimension {
             return (*unit).to_owned();
         }
         let factors =
-            self.powers().into_iter().filter(|(power, _)| *power != 0).map(|(power, unit)| match power {
-                1 => unit.to_owned(),
-                _ => format!("{unit}^{power}"),
-            });
-        factors.collect::<Vec<_>>().join(" ")
+            self.in_newtons().unwrap_or_else(|| self.powers().map(|(p, u)| (i16::from(p), u)).to_vec());
+        let [above, below]: [Vec<String>; 2] = [1, -1].map(|sign| {
+            let of_sign = factors.iter().filter(|(power, _)| power.signum() == sign);
+            of_sign.map(|(power, unit)| factor(power.abs(), unit)).collect()
+        });
+        let above = if above.is_empty() { "1".to_owned() } else { above.join(" ") };
+        [vec![above], below].concat().join("/")
+    }
+
+    /// The powers with forces in place of masses, where something moves: `N`, then all but the kilogram.
+    fn in_newtons(self) -> Option<Vec<(i16, &'static str)>> {
+        if self.mass == 0 || self.time == 0 || self.mass.signum() == self.time.signum() {
+            return None;
+        }
+        let newtons = i16::from(self.mass);
+        let powers = self.powers().map(|(power, unit)| match unit {
+            "m" => (i16::from(power) - newtons, unit),
+            "kg" => (newtons, "N"),
+            "s" => (i16::from(power) + 2 * newtons, unit),
+            _ => (i16::from(power), unit),
+        });
+        let [length, force, rest @ ..] = powers;
+        Some([&[force, length], rest.as_slice()].concat())
     }
 
     /// An example of a quantity of this dimension as it stands in a case file.
@@ -145,6 +163,11 @@ impl Dimension {
     fn named(self) -> Option<&'static NamedDimension> {
         NAMED.iter().find(|named| named.0 == self)
     }
+}
+
+/// A unit to a power of one or more.
+fn factor(power: i16, unit: &str) -> String {
+    if power == 1 { unit.to_owned() } else { format!("{unit}^{power}") }
 }
 
 impl fmt::Display for Dimension {
@@ -177,5 +200,13 @@ mod tests {
         let odd = Quantity::parse("3 kg m^2").unwrap().dimension;
         assert_eq!(odd.to_string(), "a quantity in m^2 kg");
         assert_eq!(odd.unit(), "m^2 kg");
+    }
+
+    #[test]
+    fn a_unit_without_a_name_counts_in_newtons_and_reads_back() {
+        for unit in ["N/m^5", "N s", "N m", "N s/m^3", "1/N", "1/m", "m^2 kg", "1/m/K", "N^2/m"] {
+            let dimension = Quantity::parse(&format!("1 {unit}")).unwrap().dimension;
+            assert_eq!(dimension.unit(), unit);
+        }
     }
 }

@@ -42,11 +42,11 @@ pub(crate) fn mac(dataset: &Dataset) -> Option<Panel> {
     if count < 2 || values.len() != count * count {
         return None;
     }
-    let numbers: Vec<f64> = (1..=count).map(|k| k as f64).collect();
+    let places: Vec<f64> = (0..count).map(|k| k as f64).collect();
     let bar = Axis::linear("MAC (−)").with_range(0.0, 1.0);
     let map =
-        ValueMap { x: numbers.clone(), y: numbers, z: values.to_vec(), bar, colours: ColourMap::Sequential };
-    let axis = || Axis::linear("Mode").over(0.5, count as f64 + 0.5);
+        ValueMap { x: places.clone(), y: places, z: values.to_vec(), bar, colours: ColourMap::Sequential };
+    let axis = || Axis::named("Mode", (1..=count).map(|number| number.to_string()));
     Some(Panel::new(axis(), axis(), vec![Layer::Values(map)]).with_title("shapes against each other"))
 }
 

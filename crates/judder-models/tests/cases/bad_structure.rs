@@ -69,7 +69,7 @@ fn a_length_without_a_unit() {
 fn a_density_in_another_unit() {
     refused(
         &beam("").replace("1000 kg/m^3", "1000 kg/m^2"),
-        "`structure.material.density` must be a density, but this is a quantity in m^-2 kg",
+        "`structure.material.density` must be a density, but this is a quantity in kg/m^2",
         "\"1000 kg/m^2\"",
         "write a density, such as \"7850 kg/m^3\"",
     );

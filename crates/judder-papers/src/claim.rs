@@ -88,8 +88,8 @@ pub(crate) fn short(value: f64) -> String {
     }
 }
 
-/// Some lines of the scoreboard as a block of the page, with the columns of these readings and their heads.
-pub(crate) fn block(lines: &[ClaimLine], columns: &[(usize, &str)]) -> page::Scoreboard {
+/// Some lines of the scoreboard as a block of the page, with these readings and their heads, of which the verdict is about the first.
+pub(crate) fn block(lines: &[ClaimLine], columns: &[(usize, &str)], judged: usize) -> page::Scoreboard {
     let verdict = |word: &str| match word {
         "agrees" => page::ClaimVerdict::Agrees,
         "misprint" => page::ClaimVerdict::Misprint,
@@ -104,6 +104,7 @@ pub(crate) fn block(lines: &[ClaimLine], columns: &[(usize, &str)]) -> page::Sco
     });
     page::Scoreboard {
         ours: columns.iter().map(|(_, head)| (*head).to_owned()).collect(),
+        judged,
         rows: rows.collect(),
     }
 }

@@ -21,7 +21,7 @@ pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, S
         .get(KEY)
         .and_then(|own| serde_json::from_value(own.get("scoreboard")?.clone()).ok())
         .unwrap_or_default();
-    let board = PageBlock::Scoreboard(claim::block(&lines, &[(0, "We find")]));
+    let board = PageBlock::Scoreboard(claim::block(&lines, &[(0, "We find")], 1));
     let mut sections =
         vec![PageSection::new("Scoreboard", vec![PageBlock::text(about_quick(summary)), board])];
     for (heading, figures) in drawn(&Stored { store, summary })? {

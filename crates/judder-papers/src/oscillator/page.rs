@@ -24,6 +24,8 @@ const LAWS: [(usize, &str, &str); 3] = [
     (2, "-corrected", ", with the corrected velocity axis"),
     (4, "-computed", ", with the computed law"),
 ];
+/// The readings that a verdict is about: both friction loads, with the printed law.
+const FRICTION_LOADS: usize = 2;
 /// The columns of the contact computation, which knows no friction load.
 const BY_LAW: [(usize, &str); 3] = [(0, "as printed"), (2, "corrected axis"), (4, "computed")];
 
@@ -79,18 +81,18 @@ fn boards(lines: &[ClaimLine], computed_for: &str) -> Vec<PageBlock> {
     vec![
         PageBlock::text(format!(
             "Every number and claim of sections 2 to 4, and what section 5 says of the threshold, measured with both readings of the viscoelastic friction: with the velocity axis of the fits \
-             as printed and corrected, and with the law computed for {computed_for}. A verdict is about the printed law; the other columns show what the \
+             as printed and corrected, and with the law computed for {computed_for}. A verdict is about the printed law; the other readings show what the \
              correction and the computation do to it."
         )),
-        PageBlock::Scoreboard(claim::block(sections, &readings)),
+        PageBlock::Scoreboard(claim::block(sections, &readings, FRICTION_LOADS)),
         PageBlock::Heading("Motion".to_owned()),
         PageBlock::text(motion_figures::decision(motions)),
-        PageBlock::Scoreboard(claim::block(motions, &ways)),
+        PageBlock::Scoreboard(claim::block(motions, &ways, FRICTION_LOADS)),
         PageBlock::Heading("The contact computation".to_owned()),
         PageBlock::text(
             "Appendices A and B, from contacts that were computed anew. A verdict is about the number that the paper prints.",
         ),
-        PageBlock::Scoreboard(claim::block(contact, &BY_LAW)),
+        PageBlock::Scoreboard(claim::block(contact, &BY_LAW, BY_LAW.len())),
     ]
 }
 

@@ -46,6 +46,7 @@ fn claim(place: &str, says: &str, ours: [&str; 2], verdict: ClaimVerdict, why: &
 fn scoreboard() -> Scoreboard {
     Scoreboard {
         ours: vec!["ours, $F_{n} μ$".to_owned(), "ours, $F_{k} μ$".to_owned()],
+        judged: 1,
         rows: vec![
             claim(
                 "Sec. 4.2, Fig. 5",

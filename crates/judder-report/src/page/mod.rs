@@ -88,6 +88,8 @@ pub struct PageTable {
 pub struct Scoreboard {
     /// Heads of our columns, e.g. the two readings of the friction law.
     pub ours: Vec<String>,
+    /// How many of these, from the first, the verdicts are about; the others are shown on demand.
+    pub judged: usize,
     /// The claims.
     pub rows: Vec<Claim>,
 }

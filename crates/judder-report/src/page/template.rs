@@ -1,6 +1,6 @@
 //! From the page as data to HTML, through the templates in `templates/`.
 
-use super::{ClaimVerdict, Page, PageBlock, PageSection, PageTable, Scoreboard};
+use super::{Claim, ClaimVerdict, Page, PageBlock, PageSection, PageTable, Scoreboard};
 use crate::error::ReportError;
 use crate::figure::Figure;
 use crate::markup;
@@ -55,9 +55,26 @@ impl BlockTemplate<'_> {
         }
     }
 
-    /// Head of one of our columns, which names the cell on small screens.
-    fn head(&self, board: &Scoreboard, column: &usize) -> String {
-        board.ours.get(*column).map(|head| markup::plain_html(head)).unwrap_or_default()
+    /// The readings that the verdict is about, each with its head.
+    fn judged<'b>(
+        &self,
+        board: &'b Scoreboard,
+        claim: &'b Claim,
+    ) -> impl Iterator<Item = (&'b str, &'b str)> {
+        readings(board, claim).take(board.judged)
+    }
+
+    /// All other readings, likewise.
+    fn others<'b>(
+        &self,
+        board: &'b Scoreboard,
+        claim: &'b Claim,
+    ) -> impl Iterator<Item = (&'b str, &'b str)> {
+        readings(board, claim).skip(board.judged)
+    }
+
+    fn has_others(&self, board: &Scoreboard) -> bool {
+        board.ours.len() > board.judged
     }
 
     /// Whether a column of a table holds numbers, judged by its first row.
@@ -72,6 +89,11 @@ impl BlockTemplate<'_> {
             _ => 0,
         }
     }
+}
+
+/// What we find with each reading, beside the head of its reading.
+fn readings<'b>(board: &'b Scoreboard, claim: &'b Claim) -> impl Iterator<Item = (&'b str, &'b str)> {
+    board.ours.iter().zip(&claim.ours).map(|(head, cell)| (head.as_str(), cell.as_str()))
 }
 
 /// The page as one HTML file that asks for nothing outside itself; the same bytes for the same page.

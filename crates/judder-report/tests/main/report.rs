@@ -24,7 +24,8 @@ fn every_block(text: &str) -> Page {
             rows: vec![vec![owned(), "1.5".to_owned()]],
         }),
         PageBlock::Scoreboard(Scoreboard {
-            ours: vec![owned()],
+            ours: vec![owned(), owned()],
+            judged: 1,
             rows: [ClaimVerdict::Agrees, ClaimVerdict::Agrees, ClaimVerdict::Misprint, ClaimVerdict::Open]
                 .map(claim)
                 .into(),

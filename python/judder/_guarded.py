@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from zarr.abc.store import ByteRequest, Store
     from zarr.core.buffer import Buffer, BufferPrototype
 
+    from judder._memory import TemporaryFolder
+
 _METADATA = "zarr.json"
 
 
@@ -25,12 +27,14 @@ class GuardedStore(WrapperStore["Store"]):
     they depend on; and a part that is not there is no part without values.
     """
 
-    def __init__(self, store: Store, folder: str, name: str, expected: str | None) -> None:
+    def __init__(self, store: Store, folder: str, name: str, expected: str | None, owner: TemporaryFolder | None) -> None:
         super().__init__(store)
         self._folder, self._name, self._expected = folder, name, expected
+        # the folder lasts until nobody reads from it any more
+        self._owner = owner
 
     def _with_store(self, store: Store) -> Self:
-        return type(self)(store, self._folder, self._name, self._expected)
+        return type(self)(store, self._folder, self._name, self._expected, self._owner)
 
     async def get(self, key: str, prototype: BufferPrototype, byte_range: ByteRequest | None = None) -> Buffer | None:
         """What the store has under a key.

@@ -7,11 +7,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from judder._keys import FrictionLoad, Keys, LawName
 from judder.contact import LawResponse
+from judder.errors import JudderError
 from judder.sliding import Observed, Slider, Track
 
 __all__ = [
     "CONTACT_STATES",
     "VERSION",
+    "HeldStudy",
     "HeldSweep",
     "Law",
     "OscillatorPoint",
@@ -21,7 +23,10 @@ __all__ = [
     "command",
     "computed_analysis",
     "contact_solution",
+    "copied_study",
     "declared_models",
+    "held_analysis",
+    "held_case",
     "oscillator_map",
     "point",
     "rebuilt_point",
@@ -199,6 +204,14 @@ def sliding_locus(
 ) -> dict[str, Any]: ...
 def declared_models() -> str: ...
 def text_of_case(case: tuple[tuple[str, str] | str, str, Sequence[str]]) -> str: ...
+def held_analysis(
+    case: tuple[tuple[str, str] | str, str, Sequence[str]],
+    kind: str,
+    keys: str,
+    *,
+    threads: int | None,
+    progress: _Progress | None,
+) -> tuple[str, _Held | None]: ...
 def computed_analysis(
     case: tuple[tuple[str, str] | str, str, Sequence[str]],
     kind: str,
@@ -219,7 +232,29 @@ def run_case(
     law: Law | None,
     threads: int | None,
     progress: _Progress | None,
+    report: bool,
 ) -> dict[str, Any]: ...
+def held_case(
+    case: tuple[str, str] | str,
+    *,
+    only: Sequence[str],
+    overrides: Sequence[str],
+    law: Law | None,
+    threads: int | None,
+    progress: _Progress | None,
+) -> _Held | None: ...
+def copied_study(folder: str) -> None: ...
+@final
+class HeldStudy:
+    @property
+    def summary(self) -> str: ...
+    def arrays(self, name: str) -> tuple[str, list[Any]]: ...
+    def files(self) -> list[tuple[str, bytes]]: ...
+    def figures(self) -> list[tuple[str, str]]: ...
+    def save(self, folder: str, report: bool) -> None: ...
+
+_Held = tuple[HeldStudy, list[str], list[tuple[str, JudderError]]]
+
 @final
 class Sweep:
     @staticmethod

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import tempfile
 import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from judder import _judder, _toml
+from judder import _judder, _memory, _toml
 from judder._objects import CaseSource
 from judder._shown import Shown
 from judder.errors import JudderWarning, StudyError
@@ -92,24 +90,31 @@ class Model:
             KeyboardInterrupt: Ctrl-C.
             JudderError: there is no result.
         """
-        with tempfile.TemporaryDirectory(prefix="judder-") as place, self._source.told():
-            folder = Path(place) / "study"
+        with self._source.told():
             given = _toml.document(self._source.whole(keys, self._name, ("analysis", kind), without_none=True))
-            name, messages = _judder.computed_analysis(
-                self._case, kind, given, folder=str(folder), threads=threads, progress=progress
-            )
-            study = Study(folder)
+            name, held = _judder.held_analysis(self._case, kind, given, threads=threads, progress=progress)
+            if held is not None:
+                compiled, messages, refused = held
+                for _, error in refused:
+                    raise error
+                study = Study._held(compiled)
+            else:
+                owner = _memory.TemporaryFolder()
+                name, messages = _judder.computed_analysis(
+                    self._case, kind, given, folder=str(owner.folder), threads=threads, progress=progress
+                )
+                study = Study._owned(owner)
             if name in study.failures:
                 raise StudyError(study.failures[name], "NoResult", {"name": name})
-            for message in messages:
-                warnings.warn(self._source.plain(message), JudderWarning, stacklevel=3)
-            return Result(
-                data=study[name].load(),
-                numbers=study.results[name],
-                checks=tuple(study.summary["study"]["checks"].get(name, ())),
-                warnings=tuple(study.warnings[name]),
-                files=dict(_files(folder)),
-            )
+        for message in messages:
+            warnings.warn(self._source.plain(message), JudderWarning, stacklevel=3)
+        return Result(
+            data=study[name].load(),
+            numbers=study.results[name],
+            checks=tuple(study.summary["study"]["checks"].get(name, ())),
+            warnings=tuple(study.warnings[name]),
+            files=study.files,
+        )
 
 
 def _flat(keys: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
@@ -119,11 +124,3 @@ def _flat(keys: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
             yield from ((f"{key}.{inner}", value) for inner, value in own.items())
         else:
             yield key, own
-
-
-def _files(folder: Path) -> Iterator[tuple[str, bytes]]:
-    """The files of a study beside its arrays and its summary, by their paths in it."""
-    for path in sorted(folder.rglob("*")):
-        name = path.relative_to(folder)
-        if path.is_file() and name.parts[0] not in ("results.zarr", "summary.json") and not path.name.startswith("."):
-            yield name.as_posix(), path.read_bytes()

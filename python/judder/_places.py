@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import os
 import re
+import shutil
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -12,6 +13,7 @@ from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, NoReturn
 from urllib.parse import unquote
 
+from judder._memory import TemporaryFolder
 from judder._packages import needed
 from judder.errors import InputError, JudderError, PackageError, StoreError, StudyError
 
@@ -21,6 +23,7 @@ if TYPE_CHECKING:
 _ABSENT = (FileNotFoundError, NotADirectoryError, IsADirectoryError)
 _ADDRESS = re.compile(r"[a-z][a-z0-9+.-]+(://|::)", re.IGNORECASE)
 _LOCAL = re.compile(r"(file|local)://", re.IGNORECASE)
+_NOT_BESIDE = ("results.zarr", "summary.json", "report.html", "figures", "inputs")
 _copies: list[tempfile.TemporaryDirectory[str]] = []
 
 
@@ -253,7 +256,7 @@ def group(folder: Path | RemotePath, name: str, expected: str | None = None) -> 
         from zarr.storage import LocalStore
 
         store = LocalStore(store, read_only=True)
-    guarded = GuardedStore(store, str(folder), name, expected)
+    guarded = GuardedStore(store, str(folder), name, expected, TemporaryFolder.of(folder))
     return xarray.open_dataset(guarded, engine="zarr", group=name, chunks=None, zarr_format=3)  # type: ignore[arg-type]
 
 
@@ -278,6 +281,35 @@ def listed(folder: Path | RemotePath, inner: str, suffix: str) -> dict[str, Path
             raise StoreError(message, "Unlisted", {"path": str(folder)}) from None
         return {}
     return {path.stem: path for path in sorted(paths, key=str) if path.suffix == suffix}
+
+
+def beside(folder: Path | RemotePath, inner: str = "") -> Iterator[tuple[str, Path | RemotePath]]:
+    """The files of a study beside its arrays, its summary and its report, by their paths in it."""
+    paths: list[Path | RemotePath] = list((folder / inner if inner else folder).iterdir())
+    for path in sorted(paths, key=str):
+        name = f"{inner}/{path.name}" if inner else path.name
+        if name in _NOT_BESIDE or path.name.startswith("."):
+            continue
+        if path.is_dir():
+            yield from beside(folder, name)
+        else:
+            yield name, path
+
+
+def copy(folder: Path | RemotePath, target: Path) -> None:
+    """Copies a study folder to where there is nothing yet.
+
+    Raises:
+        StoreError: there is something, it cannot be written, or the study is in an object store.
+    """
+    if isinstance(folder, RemotePath):
+        raise StoreError(f"{folder}: a study in an object store is copied by the tools of the store", "Remote", {"path": str(folder)})
+    if target.exists() and not (target.is_dir() and not any(target.iterdir())):
+        raise StoreError(f"{target}: is there already; a study is copied into a new folder", "Write", {"path": str(target)})
+    try:
+        shutil.copytree(folder, target, ignore=shutil.ignore_patterns(".*"), dirs_exist_ok=True)
+    except OSError as error:
+        raise StoreError(f"{target}: cannot be written ({error})", "Write", {"path": str(target)}) from error
 
 
 def _lists(folder: RemotePath) -> bool:

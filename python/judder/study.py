@@ -8,13 +8,15 @@ import os
 import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
-from judder import _interchange, _judder, _places, _swept
+from judder import _judder, _memory, _places, _summaries, _swept
+from judder._exported import Exported
 from judder._objects import CaseSource
+from judder._placed import Placed
 from judder._places import RemotePath
 from judder.contact import Law
-from judder.errors import JudderWarning, RewrittenError, StoreError, StudyError, UnknownResultError, rewritten
+from judder.errors import JudderError, JudderWarning, RewrittenError, StoreError, StudyError, UnknownResultError, rewritten
 from judder.progress import Progress
 
 if TYPE_CHECKING:
@@ -28,6 +30,10 @@ CaseLike: TypeAlias = str | os.PathLike[str] | Mapping[str, Any]
 
 Where a case file names another file, a mapping may have an object: a sparse matrix, an array, a mesh of meshio, columns of numbers, a law.
 """
+
+
+_NOT_KEPT = "with a folder as `output` what the others leave is kept"
+"""What is told of the other analyses where one of a run without a folder is refused."""
 
 
 def check(case: CaseLike, *, set: Mapping[str, Any] | None = None) -> dict[str, Any]:
@@ -55,7 +61,7 @@ def check(case: CaseLike, *, set: Mapping[str, Any] | None = None) -> dict[str, 
 def run(
     case: CaseLike,
     *,
-    output: str | os.PathLike[str] | None = None,
+    output: str | os.PathLike[str] | Literal[True] | None = None,
     only: Iterable[str] = (),
     set: Mapping[str, Any] | None = None,
     fresh: bool = False,
@@ -63,18 +69,22 @@ def run(
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> Study:
-    """Runs the analyses and sweeps of a case that are not done yet, as ``judder run`` does.
+    """Runs the analyses and sweeps of a case: in memory, or into a study folder, as ``judder run`` does.
 
-    Ctrl-C ends the run and keeps what is done: the same call goes on from there.
+    In memory nothing is drawn and nothing is written, each call computes anew, and :meth:`Study.save` writes a folder afterwards. Sweeps and
+    analyses that read what others have stored take a temporary folder meanwhile, which goes with the study.
+
+    In a folder only what is not done yet is run: Ctrl-C ends the run and keeps what is done, and the same call goes on from there.
 
     Args:
         case: a path, the text of a case, or its tables as a mapping; files that it names are sought beside it.
-        output: the study folder. Where none is given, ``out/<name>`` for a case file as it is, as of the command; for any other case, a text, tables, a file with
-            changes or a law, ``out/<title>-<hash>``: the same case has the same folder, another case another, so that a loop over cases keeps all its results.
+        output: the study folder; none where none is given. ``True`` is the folder that the command would choose: ``out/<name>`` for a case file as it
+            is; for any other case, a text, tables, a file with changes or a law, ``out/<title>-<hash>``: the same case has the same folder, another
+            case another, so that a loop over cases keeps all its results.
         only: these analyses and sweeps and no others.
         set: changed keys, such as ``{"operation.velocity": 1e-3}``.
-        fresh: forget earlier results first.
-        law: a contact law of your own in place of that of an oscillator case; it is kept in the folder as ``law.json``.
+        fresh: forget earlier results in the folder first.
+        law: a contact law of your own in place of that of an oscillator case; a folder keeps it as ``law.json``.
         threads: threads to compute with; one a core where none is given. Results do not depend on it.
         progress: ``progress(name, done, total)``, see :func:`judder.tqdm_progress`.
 
@@ -87,28 +97,54 @@ def run(
         StoreError: the folder cannot be written.
         StudyError: ``out/<name>`` holds the study of another case file of this name; ``error.owner``.
         Interrupted: Ctrl-C.
-        JudderError: an analysis was refused for another wrong input; the others have run.
+        JudderError: an analysis was refused for another wrong input; the others have run, and their results are kept in a folder alone.
     """
-    source = CaseSource(case, set)
+    source, names = CaseSource(case, set), list(only)
+    if output is None:
+        with source.told():
+            held = _judder.held_case(
+                source.given, only=names, overrides=source.overrides, law=law, threads=threads, progress=progress
+            )
+        if held is not None:
+            compiled, messages, refused = held
+            _tell(source, messages, refused, _NOT_KEPT)
+            return Study._held(compiled, source)
+    owner, place = None, None
+    if output is None:
+        owner = _memory.TemporaryFolder()
+        place = str(owner.folder)
+    elif output is not True:
+        place = _places.writable(output)
     with source.told():
         told = _judder.run_case(
             source.given,
-            output=None if output is None else _places.writable(output),
-            only=list(only),
+            output=place,
+            only=names,
             overrides=source.overrides,
             fresh=fresh,
             law=law,
             threads=threads,
             progress=progress,
+            report=owner is None,
         )
     source.keep(told["folder"])
-    for message in [*told["messages"], *told["notes"]]:
-        warnings.warn(source.plain(message), JudderWarning, stacklevel=2)
-    for name, refused in told["refused"]:
-        error = source.plain_error(refused)
-        error.add_note(f"analysis `{name}`; what the others left is in {told['folder']}")
+    kept = _NOT_KEPT if owner else f"what the others left is in {told['folder']}"
+    _tell(source, [*told["messages"], *told["notes"]], told["refused"], kept)
+    return Study(told["folder"]) if owner is None else Study._owned(owner)
+
+
+def _tell(source: CaseSource, messages: Iterable[str], refused: Iterable[tuple[str, JudderError]], kept: str) -> None:
+    """Warns the caller of a run of what has to be known, and raises why the first analysis was refused.
+
+    Raises:
+        JudderError: one was; a note says which, and what became of the others.
+    """
+    for message in messages:
+        warnings.warn(source.plain(message), JudderWarning, stacklevel=3)
+    for name, found in refused:
+        error = source.plain_error(found)
+        error.add_note(f"analysis `{name}`; {kept}")
         raise error
-    return Study(told["folder"])
 
 
 def load_study(folder: str | os.PathLike[str], *, storage_options: Mapping[str, Any] | None = None) -> Study:
@@ -128,7 +164,7 @@ def load_study(folder: str | os.PathLike[str], *, storage_options: Mapping[str, 
     return Study(folder, storage_options)
 
 
-class Study(Mapping[str, "xarray.Dataset"]):
+class Study(Placed, Exported, Mapping[str, "xarray.Dataset"]):
     """What a run has left: a mapping from the names of its analyses and sweeps to their data.
 
     The data of a sweep has a variable for each quantity, and the swept keys as coordinates; its values are read, and with dask computed
@@ -137,22 +173,12 @@ class Study(Mapping[str, "xarray.Dataset"]):
 
         study["map"].growth_rate.plot()
 
-    In a notebook a study shows its results and figures.
+    In a notebook a study shows its results and figures. A study that was run without ``output`` has no folder, and so neither report nor figures nor
+    tables as files; :meth:`save` writes them.
     """
 
-    folder: Path | RemotePath
-    """The study folder."""
     summary: dict[str, Any]
     """The content of ``summary.json``."""
-
-    def __init__(self, folder: str | os.PathLike[str], storage_options: Mapping[str, Any] | None = None) -> None:
-        self.folder = _places.place(folder, storage_options)
-        self.summary = _summary(self.folder)
-
-    def __fspath__(self) -> str:
-        """The path of its folder, so that a case can begin where this study ended: ``start = {"study": study, ...}``."""
-        return _places.writable(self.folder)
-
     @property
     def analyses(self) -> tuple[str, ...]:
         """The names of the analyses that have run, then of the sweeps, in the order of the case, with or without a result."""
@@ -197,19 +223,31 @@ class Study(Mapping[str, "xarray.Dataset"]):
 
     @property
     def report(self) -> Path | RemotePath:
-        """The report page."""
+        """The report page.
+
+        Raises:
+            StudyError: the study has no folder.
+        """
         self._check()
         return self.folder / "report.html"
 
     @property
     def figures(self) -> dict[str, Path | RemotePath]:
-        """The figures (SVG) by their names."""
+        """The figures (SVG) by their names.
+
+        Raises:
+            StudyError: the study has no folder.
+        """
         self._check()
         return _places.listed(self.folder, "figures", ".svg")
 
     @property
     def tables(self) -> dict[str, Path | RemotePath]:
-        """The tables (CSV) by their names."""
+        """The tables (CSV) by their names.
+
+        Raises:
+            StudyError: the study has no folder; :attr:`files` has their contents.
+        """
         self._check()
         return _places.listed(self.folder, "", ".csv")
 
@@ -219,7 +257,7 @@ class Study(Mapping[str, "xarray.Dataset"]):
         Raises:
             RewrittenError: one has.
         """
-        there = _summary(self.folder)["analyses"]
+        there = _summaries.read(self.folder)["analyses"]
         for name, expected in self.hashes.items():
             found = there.get(name, {}).get("hash")
             if found != expected:
@@ -228,12 +266,19 @@ class Study(Mapping[str, "xarray.Dataset"]):
     def __getitem__(self, name: str) -> xarray.Dataset:
         if name not in self.analyses or name in self.failures:
             raise self._unknown(name, "result", list(self))
-        place = self.folder, name, self.hashes.get(name)
-        with _places.reading(self.folder, name):
+        return self._dataset(name)
+
+    def _dataset(self, name: str, *, whole: bool = True, dask: bool | None = None) -> xarray.Dataset:
+        """The data of a result; of a sweep with a look whether all chunks are there, and as arrays of dask or not."""
+        if self._compiled is not None:
+            return _memory.dataset(self._compiled, name, self.hashes[name])
+        place = self._stored, name, self.hashes.get(name)
+        with _places.reading(self._stored, name):
             if name not in self.sweeps:
                 return _places.group(*place)
-            _swept.whole(self.folder, name)
-            return _swept.dataset(*place)
+            if whole:
+                _swept.whole(self._stored, name)
+            return _swept.dataset(*place, dask=dask)
 
     def _unknown(self, name: object, what: str, known: list[str]) -> UnknownResultError:
         """The error of a name that is no result, or none of this sort."""
@@ -261,85 +306,11 @@ class Study(Mapping[str, "xarray.Dataset"]):
         """
         if name not in self.sweeps or name not in self:
             raise self._unknown(name, "sweep", [own for own in self.sweeps if own in self])
-        with _places.reading(self.folder, name):
-            _swept.whole(self.folder, name)
+        with _places.reading(self._stored, name):
+            _swept.whole(self._stored, name)
             numbers = self.results[name]
             any_failed = bool(numbers["failed"] or numbers["doubtful"])
-            return _swept.failed_points(self.folder, name, self.hashes.get(name), any_failed=any_failed)
-
-    def to_parquet(self, folder: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> list[Path]:
-        """Writes results as tables of Apache Parquet, for pandas, Polars, DuckDB, R, Spark (``pip install 'judder[parquet]'``).
-
-        A row is a point; a column is a coordinate or a variable, a complex variable two, ``<name>_real`` and ``<name>_imag``. Variables of
-        other dimensions have tables of their own, ``<result>.<dimensions>.parquet``. ``<result>.results.parquet`` has the numbers of
-        ``summary.json``; of a sweep ``<result>.failures.parquet`` has the points without an answer. Units, long names and the codes of
-        classes are in the metadata of the columns. NaN becomes null. No more than some 10⁵ rows are in memory at a time.
-
-        The files are there whole, or not at all; those of the same names are replaced.
-
-        Args:
-            folder: where they go; it is made where there is none.
-            only: these analyses and sweeps and no others.
-            progress: ``progress(name, done, total)``, in values.
-
-        Returns:
-            The files.
-
-        Raises:
-            PackageError: pyarrow is not installed.
-            StoreError: they cannot be written, or would go into a study folder; a chunk of a sweep is missing or damaged.
-            InputError: there is no such result.
-        """
-        return _interchange.to_parquet(self, self._outside(folder, is_folder=True), only, progress)
-
-    def to_csv(self, folder: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> list[Path]:
-        """Writes the same tables as comma-separated values: units in the heads, empty cells for NaN, numbers to the last bit.
-
-        ``<result>.columns.csv`` says what the columns are: unit, long name, codes of classes. No package is needed. Arguments, return
-        value and errors are those of :meth:`to_parquet`.
-        """
-        return _interchange.to_csv(self, self._outside(folder, is_folder=True), only, progress)
-
-    def to_netcdf(self, path: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> Path:
-        """Writes results into one NetCDF-4 file, a group each, for xarray, MATLAB, Julia (``pip install 'judder[netcdf]'``).
-
-        A complex variable becomes two, ``<name>_real`` and ``<name>_imag``; the points of a sweep without an answer are in a group
-        ``failures`` of its group. ``xarray.open_dataset(path, group="map")`` reads one back. Sweeps are written block by block.
-
-        Arguments and errors are those of :meth:`to_parquet`.
-
-        Returns:
-            The file.
-        """
-        return _interchange.to_netcdf(self, self._outside(path, is_folder=False), only, progress)
-
-    def to_matlab(self, path: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> Path:
-        """Writes results into one ``.mat`` file, a structure each, for MATLAB, Octave, SciPy (``pip install 'judder[matlab]'``).
-
-        What MATLAB takes for no name is changed: ``operation.velocity`` becomes ``operation_velocity``. The fields ``units``,
-        ``long_name``, ``flag_values``, ``flag_meanings``, ``dimensions`` and ``names`` of a structure say what its variables are;
-        ``results`` has its numbers, ``failures`` the points of a sweep without an answer, with their ``index`` in its variables.
-
-        Arguments and errors are those of :meth:`to_parquet`; besides:
-
-        Raises:
-            StoreError: a result has more than such a file holds, 2 GiB.
-
-        Returns:
-            The file.
-        """
-        return _interchange.to_matlab(self, self._outside(path, is_folder=False), only, progress)
-
-    def _outside(self, path: str | os.PathLike[str], *, is_folder: bool) -> Path:
-        """The path of a folder or file to write that lies in no study folder, where it could replace what belongs to the study."""
-        found = Path(_places.writable(path))
-        goes_into = Path(os.path.realpath(found if is_folder else found.parent))
-        own = Path(os.path.realpath(self.folder)) if isinstance(self.folder, Path) else None
-        for folder in (goes_into, *goes_into.parents):
-            if folder == own or os.path.exists(folder / "results.zarr" / "zarr.json"):
-                message = f"{found}: {folder} is a study folder, and nothing is exported into one; name a place beside it"
-                raise StoreError(message, "StudyFolder", {"path": str(found), "folder": str(folder)})
-        return found
+            return _swept.failed_points(self._stored, name, self.hashes.get(name), any_failed=any_failed)
 
     def __iter__(self) -> Iterator[str]:
         failures = self.failures
@@ -349,10 +320,22 @@ class Study(Mapping[str, "xarray.Dataset"]):
         return sum(1 for _ in self)
 
     def __repr__(self) -> str:
-        return f"Study({str(self.folder)!r}: {', '.join(self) or 'no results'})"
+        where = "in memory" if self._has_no_folder else repr(str(self._place))
+        return f"Study({where}: {', '.join(self) or 'no results'})"
+
+    @property
+    def _name(self) -> str:
+        """What the study is called: its title, else its folder, else its model."""
+        own = self.summary["case"].get("title") or ("" if self._has_no_folder else self.folder.name)
+        return str(own or self.summary["case"].get("model", "study"))
+
+    def _pictures(self) -> dict[str, str]:
+        """The figures (SVG) by their names, drawn now where there are no files of them."""
+        if self._compiled is not None:
+            return dict(self._compiled.figures())
+        return {} if self._has_no_folder else {name: path.read_text(encoding="utf-8") for name, path in self.figures.items()}
 
     def _repr_html_(self) -> str:
-        title = self.summary["case"].get("title") or self.folder.name
         rows = "".join(
             f"<tr><th>{html.escape(name)}</th><td>{html.escape(key)}</td><td>{html.escape(f'{number:.6g}')}</td></tr>"
             for name, numbers in self.results.items()
@@ -361,40 +344,8 @@ class Study(Mapping[str, "xarray.Dataset"]):
         )
         failed = "".join(f"<p><b>{html.escape(name)}</b>: {html.escape(why)}</p>" for name, why in self.failures.items())
         try:
-            figures = "".join(
-                f"<details><summary>{html.escape(name)}</summary>{path.read_text(encoding='utf-8')}</details>"
-                for name, path in self.figures.items()
-            )
+            pictures = self._pictures().items()
+            figures = "".join(f"<details><summary>{html.escape(name)}</summary>{picture}</details>" for name, picture in pictures)
         except RewrittenError as error:
             figures = f"<p>{html.escape(str(error))}</p>"
-        return f"<h4>{html.escape(str(title))}</h4>{failed}<table>{rows}</table>{figures}"
-
-
-def _summary(folder: Path | RemotePath) -> dict[str, Any]:
-    """The content of the summary in a study folder.
-
-    Raises:
-        StudyError: there is none, or it cannot be read.
-    """
-    try:
-        found: dict[str, Any] = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-    except (FileNotFoundError, NotADirectoryError):
-        raise _no_study(folder, "no study here; `judder.run` makes one") from None
-    except (ValueError, OSError, StoreError) as error:
-        raise _no_study(folder, f"the summary cannot be read ({error})") from error
-    if not _is_summary(found):
-        raise _no_study(folder, "summary.json is none of judder's")
-    return found
-
-
-def _is_summary(found: Any) -> bool:
-    """Whether a document has what every summary has."""
-    if not isinstance(found, dict) or not all(isinstance(found.get(key), dict) for key in ("case", "analyses", "results")):
-        return False
-    asked = [found["case"].get(kind, []) for kind in ("analysis", "sweep")]
-    named = all(isinstance(some, list) and all(isinstance(one, dict) and isinstance(one.get("name"), str) for one in some) for some in asked)
-    return named and all(isinstance(record, dict) and "status" in record for record in found["analyses"].values())
-
-
-def _no_study(folder: Path | RemotePath, reason: str) -> StudyError:
-    return StudyError(f"{folder}: {reason}", "NoStudy", {"folder": str(folder)})
+        return f"<h4>{html.escape(self._name)}</h4>{failed}<table>{rows}</table>{figures}"

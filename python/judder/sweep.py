@@ -131,7 +131,7 @@ class Sweep:
         """What is left of it would take, from a few of its points: the document of ``judder run --dry-run --json``.
 
         Args:
-            folder: a study folder whose chunks count as done; where none is given, that of :func:`judder.run`.
+            folder: a study folder whose chunks count as done; where none is given, that of :func:`judder.run` with ``output=True``.
 
         Returns:
             ``points``, ``chunks``, ``chunks_done``, ``seconds_per_point`` (on one thread), ``threads``, ``seconds``, ``memory_bytes``,

@@ -2,6 +2,7 @@
 
 use crate::cases::CaseSource;
 use crate::errors;
+use crate::held::{self, HeldTold};
 use crate::signatures::{Callable, classes};
 use crate::watched::{Manner, watched};
 use judder_keys::cause::Cause;
@@ -9,7 +10,7 @@ use judder_study::StudyError;
 use judder_study::case::anywhere::anywhere;
 use judder_study::case::compose::joined_by;
 use judder_study::case::file::CaseFile;
-use judder_study::run::{RunOptions, compute};
+use judder_study::run::{RunOptions, compute, hold};
 use pyo3::prelude::*;
 use serde_json::Value as Json;
 use std::path::PathBuf;
@@ -40,6 +41,28 @@ fn read(given: &GivenCase) -> Result<CaseFile, StudyError> {
 pub(crate) fn text_of_case(py: Python<'_>, case: GivenCase) -> PyResult<String> {
     let done = watched(py, &Manner::default(), |_| Ok(anywhere(&read(&case)?)?.source.text))?;
     done.settled(|error| errors::study(&error))
+}
+
+/// Computes an analysis of this kind and with these keys, TOML, beside those of a case, in memory; gives back its name and what came of it, which is
+/// nothing where it needs a folder.
+#[pyfunction]
+#[pyo3(signature = (case, kind, keys, *, threads, progress))]
+pub(crate) fn held_analysis(
+    py: Python<'_>,
+    case: GivenCase,
+    kind: &str,
+    keys: &str,
+    threads: Option<usize>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(String, Option<HeldTold>)> {
+    let manner = Manner::new(progress, threads)?;
+    let mut own = String::new();
+    let done = watched(py, &manner, |watch| {
+        let (file, name) = joined_by(&read(&case)?, kind, keys)?;
+        own.clone_from(&name);
+        hold(&file, &RunOptions { only: vec![name], ..RunOptions::default() }, watch)
+    })?;
+    Ok((own, held::told(py, done)?))
 }
 
 /// Computes an analysis of this kind and with these keys, TOML, beside those of a case, and of those what it takes up, into a folder.

@@ -2,19 +2,21 @@
 
 use crate::contact::PyLaw;
 use crate::errors;
+use crate::held::{self, HeldTold};
 use crate::watched::{Manner, is_ctrl_c, watched};
 use judder_contact::law::file::to_json;
 use judder_keys::error::CaseError;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_study::case::file::CaseFile;
 use judder_study::resolve::resolve;
-use judder_study::run::{RunOptions, RunReport, run};
+use judder_study::run::{RunOptions, RunReport, hold, run};
 use judder_study::{StudyError, home};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
+use tempfile::TempDir;
 
 /// The file in a study folder that holds a law that came from Python.
 const LAW_FILE: &str = "law.json";
@@ -52,7 +54,7 @@ pub(crate) fn checked_case(py: Python<'_>, case: CaseSource, overrides: Vec<Stri
 
 /// Runs a case into a study folder; says what came of it as a dictionary.
 #[pyfunction]
-#[pyo3(signature = (case, *, output, only, overrides, fresh, law, threads, progress))]
+#[pyo3(signature = (case, *, output, only, overrides, fresh, law, threads, progress, report))]
 #[allow(clippy::too_many_arguments, reason = "the arguments of `judder.run`")]
 pub(crate) fn run_case<'py>(
     py: Python<'py>,
@@ -64,18 +66,11 @@ pub(crate) fn run_case<'py>(
     law: Option<PyRef<'py, PyLaw>>,
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
+    report: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
     let manner = Manner::on_threads_of_its_own(progress, threads)?;
-    // a law lies beside the case until the study, held alone, keeps it
-    let beside = law.as_ref().map(|_| tempfile::tempdir()).transpose().map_err(errors::system)?;
-    let (file, files) = match (&law, &beside) {
-        (Some(law), Some(beside)) => {
-            let (file, content) = with_law_in(beside.path(), &case, overrides, law)?;
-            (file, vec![(LAW_FILE.to_owned(), content.into_bytes())])
-        }
-        _ => (case.read(&overrides)?, Vec::new()),
-    };
-    let options = RunOptions { only, fresh, files, ..RunOptions::default() };
+    let GivenRun { file, files, _beside } = GivenRun::new(&case, overrides, law.as_deref())?;
+    let options = RunOptions { only, fresh, files, without_report: !report, ..RunOptions::default() };
     // files that the case names may be large
     let done = watched(py, &manner, |watch| run(&file, &folder_of(&file, output, fresh)?, &options, watch))?;
     if matches!(done.result, Err(StudyError::Interrupted))
@@ -84,6 +79,44 @@ pub(crate) fn run_case<'py>(
         return Err(errors::interrupted(&StudyError::Interrupted.to_string()));
     }
     told(py, done.settled(|error| errors::study(&error))?)
+}
+
+/// Runs a case in memory; nothing where it needs a folder.
+#[pyfunction]
+#[pyo3(signature = (case, *, only, overrides, law, threads, progress))]
+pub(crate) fn held_case(
+    py: Python<'_>,
+    case: CaseSource,
+    only: Vec<String>,
+    overrides: Vec<String>,
+    law: Option<PyRef<'_, PyLaw>>,
+    threads: Option<usize>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Option<HeldTold>> {
+    let manner = Manner::new(progress, threads)?;
+    let GivenRun { file, files, _beside } = GivenRun::new(&case, overrides, law.as_deref())?;
+    let options = RunOptions { only, files, ..RunOptions::default() };
+    held::told(py, watched(py, &manner, |watch| hold(&file, &options, watch))?)
+}
+
+/// A case that is to run, with a law in place of its own where one is given.
+struct GivenRun {
+    file: CaseFile,
+    /// What the study keeps beside its results.
+    files: Vec<(String, Vec<u8>)>,
+    /// Where the law lies until the study keeps it.
+    _beside: Option<TempDir>,
+}
+
+impl GivenRun {
+    fn new(case: &CaseSource, overrides: Vec<String>, law: Option<&PyLaw>) -> PyResult<Self> {
+        let Some(law) = law else {
+            return Ok(Self { file: case.read(&overrides)?, files: Vec::new(), _beside: None });
+        };
+        let beside = tempfile::tempdir().map_err(errors::system)?;
+        let (file, content) = with_law_in(beside.path(), case, overrides, law)?;
+        Ok(Self { file, files: vec![(LAW_FILE.to_owned(), content.into_bytes())], _beside: Some(beside) })
+    }
 }
 
 /// Where a run of a case goes: where it is told to; else a case file as it is to its own folder, and any other case, of which a program may have many, to

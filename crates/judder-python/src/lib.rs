@@ -5,7 +5,7 @@
 //! - `arrays`, `choice`: arrays and words from Python, checked.
 //! - `pool`, `watched`: long calls without the interpreter's lock, which Ctrl-C ends and whose progress is told.
 //! - `oscillator`, `contact`, `sliding`: one module a crate of the second floor.
-//! - `cases`: whole cases, and the command. `analyses`: one more analysis of a case.
+//! - `cases`: whole cases, and the command. `analyses`: one more analysis of a case. `held`: their results in memory.
 //! - `signatures`: the classes of the models, as Python makes them.
 //! - `sweep`: a sweep of a case, chunk by chunk, for whoever hands the chunks out himself.
 //! - `errors`: errors of the crates as exceptions, with their fields.
@@ -16,6 +16,7 @@ mod cases;
 mod choice;
 mod contact;
 mod errors;
+mod held;
 mod oscillator;
 mod pool;
 mod signatures;
@@ -28,11 +29,13 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _judder {
     #[pymodule_export]
-    use crate::analyses::{computed_analysis, declared_models, text_of_case};
+    use crate::analyses::{computed_analysis, declared_models, held_analysis, text_of_case};
     #[pymodule_export]
-    use crate::cases::{checked_case, command, run_case};
+    use crate::cases::{checked_case, command, held_case, run_case};
     #[pymodule_export]
     use crate::contact::{PyLaw, contact_solution};
+    #[pymodule_export]
+    use crate::held::{PyHeldStudy, copied_study};
     #[pymodule_export]
     use crate::oscillator::{OscillatorPoint, oscillator_map, point, rebuilt_point, repeated_points};
     #[pymodule_export]

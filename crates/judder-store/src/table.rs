@@ -93,7 +93,10 @@ impl Table {
     }
 
     /// The table as CSV: commas, line feeds, quotes where a cell needs them.
-    pub(crate) fn to_csv(&self) -> io::Result<Vec<u8>> {
+    ///
+    /// # Errors
+    /// None that a table in memory can meet.
+    pub fn to_csv(&self) -> io::Result<Vec<u8>> {
         let mut writer = Writer::from_writer(Vec::new());
         writer.write_record(self.columns.iter().map(|(head, _)| head))?;
         for row in 0..self.rows() {

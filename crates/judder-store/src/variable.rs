@@ -152,6 +152,19 @@ impl Variable {
         self
     }
 
+    /// All attributes under which it is stored: long name and units, where it has them, then the others.
+    #[must_use]
+    pub fn told(&self) -> Map<String, Value> {
+        let mut attributes = Map::new();
+        for (key, text) in [("long_name", &self.long_name), ("units", &self.units)] {
+            if !text.is_empty() {
+                attributes.insert(key.into(), text.as_str().into());
+            }
+        }
+        attributes.extend(self.attributes.clone());
+        attributes
+    }
+
     /// Size of its values, in bytes, wherever they lie.
     pub(crate) fn byte_count(&self) -> usize {
         match &self.data {

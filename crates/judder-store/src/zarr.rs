@@ -226,7 +226,7 @@ fn build_array(
             Arc::new(Crc32cCodec::new()),
         ])
         .dimension_names(Some(variable.dimensions.iter().map(String::as_str)))
-        .attributes(variable_attributes(variable))
+        .attributes(variable.told())
         .build(store.clone(), &format!("/{}", variable.name))
         .map_err(|refusal| WriteFailure::Refused(refusal.into()))
 }
@@ -267,17 +267,6 @@ fn group_attributes(hash: &str, dataset: &Dataset) -> Map<String, Value> {
         attributes.insert("coordinates".into(), auxiliary.join(" ").into());
     }
     attributes.insert(HASH_ATTRIBUTE.into(), hash.into());
-    attributes
-}
-
-fn variable_attributes(variable: &Variable) -> Map<String, Value> {
-    let mut attributes = Map::new();
-    for (key, text) in [("long_name", &variable.long_name), ("units", &variable.units)] {
-        if !text.is_empty() {
-            attributes.insert(key.into(), text.as_str().into());
-        }
-    }
-    attributes.extend(variable.attributes.clone());
     attributes
 }
 

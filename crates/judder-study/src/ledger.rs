@@ -8,6 +8,8 @@ use judder_store::{AnalysisRecord, Status, StudyFolder, Summary, content_hash};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
+use std::mem;
+use std::path::Path;
 
 /// The version that studies are stamped with; another version computes everything again.
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -43,6 +45,64 @@ impl Keepsakes {
 
     pub(crate) fn put(&self, summary: &mut Summary) {
         summary.extra.insert(Self::KEY.to_owned(), json!(self));
+    }
+
+    /// Names the case whose study this is, in a folder or in none, by what it resolves to, and shows it with what is used.
+    pub(crate) fn set_case(
+        &mut self,
+        summary: &mut Summary,
+        file: &CaseFile,
+        folder: Option<&Path>,
+        resolved: &Value,
+        shown: Value,
+    ) {
+        self.source.clone_from(&file.text);
+        self.file = folder.zip(file.path.as_deref()).and_then(|(folder, path)| way(folder, path));
+        self.overrides.clone_from(&file.overrides);
+        self.put(summary);
+        summary.case_hash = case_hash(resolved);
+        summary.case = shown;
+    }
+
+    /// Takes what is told of the outcome of an analysis with this hash and wall time, or why there is none; gives the error back where the input is to blame.
+    ///
+    /// # Errors
+    /// Interruptions and failures to write, which end a run.
+    pub(crate) fn record(
+        &mut self,
+        summary: &mut Summary,
+        name: &str,
+        outcome: Result<&mut Outcome, StudyError>,
+        (hash, wall_time_s): (String, f64),
+    ) -> Result<Option<StudyError>, StudyError> {
+        let mut refused = None;
+        let (status, warnings) = match outcome {
+            Ok(outcome) => {
+                summary.results.insert(name.to_owned(), mem::take(&mut outcome.scalars));
+                self.checks.insert(name.to_owned(), mem::take(&mut outcome.checks));
+                self.missing.insert(name.to_owned(), outcome.missing);
+                (Status::Done, mem::take(&mut outcome.warnings))
+            }
+            Err(error @ (StudyError::Interrupted | StudyError::Store(_))) => return Err(error),
+            Err(error) => {
+                summary.results.remove(name);
+                let reason = error.to_string();
+                refused = Some(error).filter(StudyError::is_wrong_input);
+                (Status::Failed { reason }, Vec::new())
+            }
+        };
+        let record = AnalysisRecord { hash, status, wall_time_s, warnings };
+        summary.analyses.insert(name.to_owned(), record);
+        self.put(summary);
+        Ok(refused)
+    }
+
+    /// Whether these analyses are done and miss nothing.
+    pub(crate) fn is_complete(&self, summary: &Summary, names: &[String]) -> bool {
+        names.iter().all(|name| {
+            let done = summary.analyses.get(name).is_some_and(|record| record.status == Status::Done);
+            done && self.missing.get(name).copied().unwrap_or(0) == 0
+        })
     }
 }
 
@@ -83,20 +143,25 @@ impl<'a> Study<'a> {
 
     /// Names the case whose study this is, by what it resolves to, and shows it with what is used.
     pub(crate) fn set_case(&mut self, file: &CaseFile, resolved: &Value, shown: Value) {
-        self.kept.source.clone_from(&file.text);
-        self.kept.file = file.path.as_deref().and_then(|path| way(self.store.path(), path));
-        self.kept.overrides.clone_from(&file.overrides);
+        self.kept.set_case(&mut self.summary, file, Some(self.store.path()), resolved, shown);
+    }
+
+    /// Takes over what the summary of a study in memory tells of a result.
+    pub(crate) fn take_over(&mut self, name: &str, record: &AnalysisRecord, held: (&Summary, &Keepsakes)) {
+        let (summary, kept) = held;
+        self.summary.analyses.insert(name.to_owned(), record.clone());
+        match summary.results.get(name) {
+            Some(found) => drop(self.summary.results.insert(name.to_owned(), found.clone())),
+            None => drop(self.summary.results.remove(name)),
+        }
+        self.kept.checks.extend(kept.checks.get(name).map(|own| (name.to_owned(), own.clone())));
+        self.kept.missing.extend(kept.missing.get(name).map(|own| (name.to_owned(), *own)));
         self.kept.put(&mut self.summary);
-        self.summary.case_hash = case_hash(resolved);
-        self.summary.case = shown;
     }
 
     /// Whether these analyses are done and miss nothing.
     pub fn is_complete(&self, names: &[String]) -> bool {
-        names.iter().all(|name| {
-            let done = self.summary.analyses.get(name).is_some_and(|record| record.status == Status::Done);
-            done && self.kept.missing.get(name).copied().unwrap_or(0) == 0
-        })
+        self.kept.is_complete(&self.summary, names)
     }
 
     /// Stores the outcome of an analysis, or why there is none; gives the error back where the input is to blame. Interruptions
@@ -108,35 +173,34 @@ impl<'a> Study<'a> {
         outcome: Result<Outcome, StudyError>,
         wall_time_s: f64,
     ) -> Result<Option<StudyError>, StudyError> {
-        let mut refused = None;
-        let (status, warnings) = match outcome {
-            Ok(outcome) => {
-                if !outcome.is_stored {
-                    self.store.write_dataset(name, &hash, &outcome.dataset)?;
-                }
-                if let Some(table) = &outcome.table {
-                    self.store.write_table(name, table)?;
-                }
-                for (path, content) in &outcome.files {
-                    self.store.write_file(path, content)?;
-                }
-                self.summary.results.insert(name.to_owned(), outcome.scalars);
-                self.kept.checks.insert(name.to_owned(), outcome.checks);
-                self.kept.missing.insert(name.to_owned(), outcome.missing);
-                (Status::Done, outcome.warnings)
+        let took = (hash, wall_time_s);
+        let refused = match outcome {
+            Ok(mut outcome) => {
+                write(self.store, name, &took.0, &outcome)?;
+                self.kept.record(&mut self.summary, name, Ok(&mut outcome), took)?
             }
-            Err(error @ (StudyError::Interrupted | StudyError::Store(_))) => return Err(error),
-            Err(error) => {
-                self.summary.results.remove(name);
-                let reason = error.to_string();
-                refused = Some(error).filter(StudyError::is_wrong_input);
-                (Status::Failed { reason }, Vec::new())
-            }
+            Err(error) => self.kept.record(&mut self.summary, name, Err(error), took)?,
         };
-        let record = AnalysisRecord { hash, status, wall_time_s, warnings };
-        self.summary.analyses.insert(name.to_owned(), record);
-        self.kept.put(&mut self.summary);
         self.store.write_summary(&self.summary)?;
         Ok(refused)
     }
+}
+
+/// Stores arrays, table and files of an outcome.
+pub(crate) fn write(
+    store: &StudyFolder,
+    name: &str,
+    hash: &str,
+    outcome: &Outcome,
+) -> Result<(), StudyError> {
+    if !outcome.is_stored {
+        store.write_dataset(name, hash, &outcome.dataset)?;
+    }
+    if let Some(table) = &outcome.table {
+        store.write_table(name, table)?;
+    }
+    for (path, content) in &outcome.files {
+        store.write_file(path, content)?;
+    }
+    Ok(())
 }

@@ -12,7 +12,7 @@
 //! - [`analyses`]: an analysis alone, in no study folder. [`kept`]: what an interrupted run has left of one.
 //! - [`axis`], [`labels`]: swept quantities as coordinates of arrays, and how they are called.
 //! - [`sweep`]: the case at many points, in chunks that any number of processes share.
-//! - [`run`]: the analyses and sweeps of a case into a study folder; what is done already is not done again. [`ledger`]: what the folder says of
+//! - [`run`]: the analyses and sweeps of a case into a study folder, where what is done already is not done again, or in memory. [`ledger`]: what the folder says of
 //!   them. `terminal_tables`: what is shown on the terminal. [`home`]: which folder, where nobody names one; `way`: from it to the case file.
 //! - [`pictures`]: figures from stored arrays.
 //! - [`report`], [`report_tables`]: figures and page of a study folder, rebuilt from what is stored.

@@ -58,6 +58,17 @@ pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Resu
     write_page(store, &page)
 }
 
+/// Draws all figures and the page of a study that was copied to this folder; the way to its case file was that from another.
+///
+/// # Errors
+/// A folder without results or that cannot be written, damaged results.
+pub fn write_copied(registry: Registry, folder: &Path) -> Result<PathBuf, StudyError> {
+    let (store, mut summary) = stored(folder)?;
+    Keepsakes { file: None, ..Keepsakes::of(&summary) }.put(&mut summary);
+    store.write_summary(&summary)?;
+    write(registry, &store, &summary)
+}
+
 /// The figures of an analysis or a sweep. Of a sweep only what is drawn is read: the whole may not fit into memory.
 fn figures(
     registry: Registry,

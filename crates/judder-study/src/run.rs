@@ -1,14 +1,17 @@
-//! The analyses and sweeps of a case into a study folder.
+//! The analyses and sweeps of a case into a study folder, or in memory.
 //!
 //! - `asked`: what is wanted, under which hash.
 //! - `analyses`: its analyses, one at a time.
 //! - `sweeps`: chunks, by as many processes as there are.
+//! - `held`: its analyses in no folder, but in memory.
 
 mod analyses;
 mod asked;
+mod held;
 mod sweeps;
 
 pub use asked::{analysis_hash, resolved_with_files};
+pub use held::{HeldRun, HeldStudy, hold};
 
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
@@ -38,6 +41,8 @@ pub struct RunOptions {
     pub sweeps: SweepWork,
     /// What the study keeps beside its results, by name: files of the case that no other place has.
     pub files: Vec<(String, Vec<u8>)>,
+    /// Whether neither figures nor page are drawn.
+    pub without_report: bool,
 }
 
 /// What is done of the sweeps of a case.
@@ -59,7 +64,7 @@ pub struct RunReport {
     pub folder: PathBuf,
     /// The content of its `summary.json`.
     pub summary: Summary,
-    /// Its `report.html`; none where other processes are still at work on the study, or a part was asked for.
+    /// Its `report.html`; none where other processes are still at work on the study, or a part or no report was asked for.
     pub report: Option<PathBuf>,
     /// Analyses that were done before.
     pub skipped: Vec<String>,
@@ -108,7 +113,11 @@ pub fn run(
     }
     let store = taken(folder, options.fresh)?;
     let analyses = options.sweeps == SweepWork::All;
-    compute_in(store, &asked, &prepared, &[], analyses, progress)?.reported(file.registry(), Vec::new())
+    compute_in(store, &asked, &prepared, &[], analyses, progress)?.reported(
+        file.registry(),
+        options,
+        Vec::new(),
+    )
 }
 
 /// By what a study knows a case and what was computed of it.
@@ -176,10 +185,16 @@ pub struct Computed {
 }
 
 impl Computed {
-    /// Draws figures and page.
-    fn reported(self, registry: Registry, notes: Vec<String>) -> Result<RunReport, StudyError> {
+    /// Draws figures and page, where they are asked for.
+    fn reported(
+        self,
+        registry: Registry,
+        options: &RunOptions,
+        notes: Vec<String>,
+    ) -> Result<RunReport, StudyError> {
         let Self { store, summary, skipped, forgotten, complete, tables, messages, refused } = self;
-        let report = Some(report::write(registry, &store, &summary)?);
+        let drawn = || report::write(registry, &store, &summary);
+        let report = if options.without_report { None } else { Some(drawn()?) };
         let folder = store.path().to_owned();
         Ok(RunReport {
             folder,

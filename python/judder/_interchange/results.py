@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from judder import _places, _swept
+from judder import _swept
 from judder.errors import InputError, RewrittenError, StoreError
 
 if TYPE_CHECKING:
@@ -151,7 +151,7 @@ class Result:
     @property
     def sweep(self) -> tuple[Path | RemotePath, str] | None:
         """The study folder and the name, where it is a sweep."""
-        return (self.study.folder, self.name) if self.is_sweep else None
+        return (self.study._stored, self.name) if self.is_sweep else None
 
     @property
     def keys(self) -> list[str]:
@@ -166,7 +166,7 @@ class Result:
         """
         some: list[_swept.Failures] = []
         count = 0
-        for found in _swept.failures(self.study.folder, self.name, self.study.hashes.get(self.name)):
+        for found in _swept.failures(self.study._stored, self.name, self.study.hashes.get(self.name)):
             some.append(found)
             count += len(found.reasons)
             if count >= _FAILURES:
@@ -209,11 +209,7 @@ def chosen(study: Study, only: Iterable[str], progress: Progress | None) -> list
 
 
 def _result(study: Study, name: str, progress: Progress | None) -> Result:
-    is_sweep = name in study.sweeps
-    with _places.reading(study.folder, name):
-        place = study.folder, name, study.hashes.get(name)
-        dataset = _swept.dataset(*place, dask=False) if is_sweep else _places.group(*place)
-    return Result(study, name, dataset, progress)
+    return Result(study, name, study._dataset(name, whole=False, dask=False), progress)
 
 
 def real(name: str, variable: xarray.Variable, sweep: tuple[Path | RemotePath, str] | None = None) -> list[Variable]:
@@ -244,7 +240,7 @@ def provenance(study: Study) -> dict[str, str]:
     """Where the numbers come from."""
     summary = study.summary
     return {
-        "title": str(summary["case"].get("title") or study.folder.name),
+        "title": study._name,
         "source": f"judder {summary['version']}",
         "case_hash": str(summary["case_hash"]),
         "case": str(summary.get("study", {}).get("source") or json.dumps(summary["case"])),

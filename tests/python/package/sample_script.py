@@ -38,8 +38,8 @@ def maps() -> None:
 
 def cases() -> None:
     judder.plot.stability(judder.load_study("out")["map"], legend=False)
-    study = judder.run(Path("case.toml"), set={"operation.velocity": 1e-3}, only=["map"], threads=2)
-    print(study.results["map"], study["map"].growth_rate.mean(), [name for name in study], study.report.name)
+    study = judder.run(Path("case.toml"), set={"operation.velocity": 1e-3}, only=["map"], threads=2).save(Path("out"))
+    print(study.results["map"], study["map"].growth_rate.mean(), [name for name in study], study.report.name, [*study.files], judder.run("case.toml", output=True).folder)
     try:
         judder.check({"model": "oscillator"})
     except judder.CaseError as error:

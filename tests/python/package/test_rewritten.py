@@ -42,10 +42,10 @@ def expected(speed, **more):
 
 LAW = judder.contact.Law.from_function(lambda v, y: (4 / 3 * y**1.5, np.pi * y, 0 * v), velocity=(1e-6, 1e2), indentation=(1e-6, 1e-1))
 LOOPS = {
-    "tables": (lambda speed: judder.run(at(speed)), {}),
-    "texts": (lambda speed: judder.run(TEXT.format(speed=speed)), {}),
-    "a changed key": (lambda speed: judder.run("case.toml", set={"operation.velocity": speed}), {}),
-    "a law": (lambda speed: judder.run(at(speed), law=LAW), {"law": LAW}),
+    "tables": (lambda speed: judder.run(at(speed), output=True), {}),
+    "texts": (lambda speed: judder.run(TEXT.format(speed=speed), output=True), {}),
+    "a changed key": (lambda speed: judder.run("case.toml", output=True, set={"operation.velocity": speed}), {}),
+    "a law": (lambda speed: judder.run(at(speed), output=True, law=LAW), {"law": LAW}),
 }
 
 
@@ -68,7 +68,7 @@ def test_the_folder_of_a_case_is_named_by_its_content(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "case.toml").write_text(TEXT.format(speed=1e-4))
     folders = {
-        name: judder.run(case, **options).folder.as_posix()
+        name: judder.run(case, output=True, **options).folder.as_posix()
         for name, case, options in [
             ("file", "case.toml", {}),
             ("changed", "case.toml", {"set": {"operation.velocity": 1e-3}}),
@@ -84,7 +84,7 @@ def test_the_folder_of_a_case_is_named_by_its_content(tmp_path, monkeypatch):
         assert folders[name] == begin + found.summary["case_hash"][:12]
     # the same case, however it is said
     assert folders["tables"] == folders["set"] == folders["some"]
-    estimates = [judder.sweep.plan(case).estimate()["chunks_done"] for case in (SWEPT,) if judder.run(case)]
+    estimates = [judder.sweep.plan(case).estimate()["chunks_done"] for case in (SWEPT,) if judder.run(case, output=True)]
     assert estimates == [2]
 
 
@@ -93,9 +93,9 @@ def test_two_files_of_one_name_do_not_take_each_others_folder(tmp_path, monkeypa
     for place, speed in (("a", 1e-4), ("b", 1e-3)):
         (tmp_path / place).mkdir()
         (tmp_path / place / "case.toml").write_text(TEXT.format(speed=speed))
-    first = judder.run("a/case.toml")
+    first = judder.run("a/case.toml", output=True)
     with pytest.raises(judder.StudyError, match=r"out/case: holds the study of a/case\.toml, another case file of this name") as caught:
-        judder.run("b/case.toml")
+        judder.run("b/case.toml", output=True)
     assert (caught.value.cause, str(caught.value.owner)) == ("OtherCase", "a/case.toml")
     np.testing.assert_allclose(growth(first["at"]), expected(1e-4), rtol=1e-9)
     np.testing.assert_allclose(growth(judder.run("b/case.toml", output="other")["at"]), expected(1e-3), rtol=1e-9)

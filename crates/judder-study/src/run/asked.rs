@@ -61,12 +61,7 @@ impl<'a> AskedCase<'a> {
     /// # Errors
     /// Failures of the file system.
     pub(super) fn keep_files(&self, store: &StudyFolder) -> Result<(), StudyError> {
-        for (name, content) in self.kept {
-            if !std::fs::read(store.path().join(name)).is_ok_and(|there| there == *content) {
-                store.write_file(name, content)?;
-            }
-        }
-        Ok(())
+        keep_files(store, self.kept)
     }
 
     pub(super) fn is_wanted(&self, name: &str) -> bool {
@@ -93,6 +88,19 @@ impl<'a> AskedCase<'a> {
         let wanted = sweeps.filter(|(sweep, _)| self.is_wanted(&sweep.name));
         wanted.map(|(sweep, hash)| SweepPlan::new(self.file, sweep, hash, &self.files)).collect()
     }
+}
+
+/// Writes files into a study, where they are not there already.
+///
+/// # Errors
+/// Failures of the file system.
+pub(super) fn keep_files(store: &StudyFolder, files: &[(String, Vec<u8>)]) -> Result<(), StudyError> {
+    for (name, content) in files {
+        if !std::fs::read(store.path().join(name)).is_ok_and(|there| there == *content) {
+            store.write_file(name, content)?;
+        }
+    }
+    Ok(())
 }
 
 /// The resolved case with the content of every file that it names, by its hash, and the files.

@@ -63,7 +63,7 @@ pub(super) fn run(
         computed.skipped = names;
         computed.forgotten.extend(forgotten);
     }
-    computed.reported(asked.file.registry(), notes)
+    computed.reported(asked.file.registry(), options, notes)
 }
 
 /// Runs the analyses where nobody else is at work; gives back what became of earlier results.

@@ -71,7 +71,7 @@ const scales = { x: "log", y: "linear" } as const;
 describe("maps", () => {
   it("show in every pixel the nearest cell on the axis' own measure", () => {
     expect([...cellsOf([1e-2, 1e-1, 1], "log", [1e-2, 1], 4)]).toEqual([0, 1, 1, 2]);
-    expect([...cellsOf([0, 1], "linear", [-1, 2], 6)]).toEqual([-1, -1, 0, 1, -1, -1]);
+    expect([...cellsOf([0, 1], "linear", [-1, 2], 6)]).toEqual([-1, 0, 0, 1, 1, -1]);
     expect([...cellsOf([], "linear", [0, 1], 2)]).toEqual([-1, -1]);
     expect([...cellsOf([5], "linear", [4, 6], 1)]).toEqual([0]);
   });

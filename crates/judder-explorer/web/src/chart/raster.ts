@@ -17,7 +17,9 @@ export function cellsOf(centres: ArrayLike<number>, scale: Scale, range: Range, 
   // a single cell has no width of its own
   if (count === 1) return cells.fill(0);
   const at = Float64Array.from(centres, (centre) => stretch(scale, centre));
-  const [first, last] = [at[0] as number, at[count - 1] as number];
+  // the outer cells reach as far out as in
+  const half = (from: number, to: number) => ((at[to] as number) - (at[from] as number)) / 2;
+  const [first, last] = [(at[0] as number) - half(0, 1), (at[count - 1] as number) + half(count - 2, count - 1)];
   let cell = 0;
   for (let pixel = 0; pixel < pixels; pixel += 1) {
     const value = stretch(scale, valueAt(scale, range, (pixel + 0.5) / pixels));

@@ -338,3 +338,45 @@ fn a_slow_motion_that_does_not_decay_is_not_told_to_settle() {
     let said = "what becomes of 2 of 2 knocks is not clear";
     assert!(report.messages.iter().any(|own| own.contains(said)), "{:?}", report.messages);
 }
+
+/// A mass that bounces on a spring with little damping: no mode grows and friction is constant, so that every knock settles in the end. At 7 s and at 60 s some motions have lost little of their energy
+/// over the last fifths, and none of them may be told to keep vibrating.
+#[test]
+fn a_bounce_that_decays_slowly_is_not_told_to_keep_vibrating() {
+    let text = |duration: &str| {
+        format!(
+            r#"
+title = "A mass that bounces on a spring"
+model = "assembly"
+[[structure]]
+name = "mass"
+matrices = {{ mass = [[1, 0], [0, 1]], stiffness = [[1000, 0], [0, 0]], damping = [[0.1, 0], [0, 0.05]], freedoms = [["mass", "x"], ["mass", "y"]] }}
+[[contact]]
+name = "belt"
+slider = {{ structure = "mass", set = "mass" }}
+track = {{ plane = {{ normal = [0, 1] }} }}
+sliding = {{ velocity = "1 m/s", direction = [1, 0] }}
+normal = {{ point_stiffness = "3000 N/m" }}
+friction_coefficient = 0.1
+[[load]]
+structure = "mass"
+set = "mass"
+direction = "y"
+force = "-10 N"
+[observe]
+points = [{{ name = "mass", structure = "mass", set = "mass" }}]
+[[analysis]]
+name = "squeal"
+kind = "squeal"
+band = ["4 Hz", "12 Hz"]
+knocks = {{ at = "mass.y", impulse = ["1 N s", "2 N s"], samples = 10, step = "1 ms", duration = "{duration}" }}
+"#
+        )
+    };
+    for duration in ["7 s", "15 s", "30 s", "60 s"] {
+        let file = judder_models::parse("case.toml", &text(duration), &[]).unwrap();
+        let report = run_into(tempfile::tempdir().unwrap().path(), &file, &["squeal"]);
+        let knocks = &report.summary.results["squeal"]["knocks"];
+        assert_eq!(knocks["vibrate"], 0, "{duration}: {knocks}");
+    }
+}

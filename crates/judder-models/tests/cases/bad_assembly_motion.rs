@@ -59,7 +59,12 @@ fn times_that_do_not_go_together() {
         "\"1 ms\"",
         "",
     );
-    refused(&march("duration = \"1e-8 s\""), "the step is longer than the duration", "\"1e-7 s\"", "");
+    refused(
+        &march("duration = \"1e-8 s\""),
+        "a step of 1e-7 s is longer than the duration of 1e-8 s",
+        "\"1e-7 s\"",
+        "",
+    );
     refused(
         &march("duration = \"1e5 s\""),
         "1.0e12 steps are more than the 1e10 that a march may have",
@@ -179,6 +184,13 @@ fn cycles_that_cannot_be() {
     };
     for (keys, says) in [
         (knocks("step = \"2 s\", duration = \"1 s\""), "a step of 2 s is longer than the duration of 1 s"),
+        (
+            with_analysis(
+                "kind = \"squeal\"\nband = [\"0 Hz\", \"20 kHz\"]\nknocks = { at = \"back.y\", impulse = [\"0 N s\", \"1 N s\"], step = \"1 us\", duration = \"1 s\" }",
+            ),
+            "give a band that begins above it",
+        ),
+        (knocks("step = \"1 ns\", duration = \"1000 s\""), "1.0e12 steps are more than the 1e10"),
         (knocks("step = \"5 us\", duration = \"1 s\""), "a step of 5e-6 s does not follow 20000 Hz"),
         (knocks("step = \"1 us\", duration = \"10 ms\""), "there are no 5 periods of 1000 Hz"),
         (

@@ -39,9 +39,19 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     let folds = results.get("folds").and_then(Value::as_array).into_iter().flatten();
     let folds: Vec<Vec<String>> =
         folds.zip(1..).map(|(own, number)| vec![number.to_string(), short(&own["frequency_hz"])]).collect();
+    let changes = results.get("stability_changes").and_then(Value::as_array).into_iter().flatten();
+    let change = |own: &Value| {
+        let [one, other] = [0, 1].map(|end| short(&own["between_hz"][end]));
+        vec![own["kind"].as_str().unwrap_or_default().to_owned(), one, other]
+    };
     [
         table("Peaks of the observed points", &heads, peaks.map(row).collect()),
         table("Folds, in the order along the branch", &["", "frequency (Hz)"], folds),
+        table(
+            "Changes of stability, in the order along the branch",
+            &["", "between (Hz)", "and (Hz)"],
+            changes.map(change).collect(),
+        ),
     ]
     .into_iter()
     .flatten()

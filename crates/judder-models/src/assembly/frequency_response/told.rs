@@ -1,7 +1,7 @@
 //! What is told of a response.
 
 use super::followed::FollowedCoordinate;
-use crate::assembly::limit_cycle::stability::{KnownStability, crossing_words};
+use crate::assembly::limit_cycle::stability::{KnownStability, SecondOpinion, crossing_words};
 use judder_cycles::cycle::CycleQuality;
 use judder_cycles::forced::{ForcedResponse, ResponseEnd};
 use judder_cycles::stability::stability_changes;
@@ -122,7 +122,10 @@ impl ToldResponse {
         peaks: Vec<(String, ToldPeak)>,
         stabilities: &[KnownStability],
     ) -> Self {
-        let multipliers: Vec<_> = stabilities.iter().map(KnownStability::known).collect();
+        // a change lies between motions of which both ways together decide
+        let decided = |own: &'_ KnownStability| own.is_stable().is_some();
+        let multipliers: Vec<_> =
+            stabilities.iter().map(|own| own.known().filter(|_| decided(own))).collect();
         let frequency = |motion: usize| found.motions[motion].turning.frequency / TAU;
         let changes = stability_changes(&multipliers).into_iter().map(|own| ToldStabilityChange {
             kind: crossing_words(own.crossing),
@@ -156,14 +159,15 @@ fn how_many(stabilities: &[KnownStability]) -> String {
 
 /// At how many motions Hill's method says the same of the stability, in words.
 fn second_opinions(stabilities: &[KnownStability]) -> String {
-    let both = stabilities.iter().filter_map(KnownStability::is_confirmed);
-    let (same, other): (Vec<bool>, Vec<bool>) = both.partition(|own| *own);
+    let both: Vec<SecondOpinion> = stabilities.iter().filter_map(KnownStability::opinion).collect();
+    let count = |of: SecondOpinion| both.iter().filter(|own| **own == of).count();
     match stabilities.iter().any(KnownStability::is_asked) {
         true => format!(
-            "Hill's method says the same of {}, otherwise of {}, and does not apply to {}",
-            same.len(),
-            other.len(),
-            stabilities.len() - same.len() - other.len()
+            "Hill's method says the same of {}, the contrary of {}, only one of both decides of {}, and it does not apply to {}",
+            count(SecondOpinion::Same),
+            count(SecondOpinion::Contrary),
+            count(SecondOpinion::OneDecides),
+            stabilities.len() - both.len()
         ),
         false => "not asked for".to_owned(),
     }

@@ -20,6 +20,15 @@ pub(in crate::assembly) struct KnownStability {
     by_hill: Option<Result<HillMultipliers, HillRefusal>>,
 }
 
+/// What one of two ways says beside the other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::assembly) enum SecondOpinion {
+    Same,
+    Contrary,
+    /// One finds a multiplier within its error of the unit circle, and the other does not.
+    OneDecides,
+}
+
 impl KnownStability {
     /// That of a cycle, where it is asked for.
     pub(in crate::assembly) fn of(
@@ -89,9 +98,15 @@ impl KnownStability {
         Some(self.by_hill().map_or(by_steps, |hill| by_steps.agreed(hill.verdict())))
     }
 
-    /// Whether Hill's method says what steps say, where both apply.
-    pub(in crate::assembly) fn is_confirmed(&self) -> Option<bool> {
-        Some(self.known()?.verdict() == self.by_hill()?.verdict())
+    /// What Hill's method says beside what steps say, where both apply.
+    pub(in crate::assembly) fn opinion(&self) -> Option<SecondOpinion> {
+        let both = [self.known()?.verdict(), self.by_hill()?.verdict()];
+        let decided = both.iter().filter(|own| **own != CycleStability::Undecided).count();
+        Some(match decided {
+            _ if both[0] == both[1] => SecondOpinion::Same,
+            2 => SecondOpinion::Contrary,
+            _ => SecondOpinion::OneDecides,
+        })
     }
 
     /// What steps and Hill's method say, where that is not the same.
@@ -272,10 +287,10 @@ mod tests {
     #[test]
     fn two_ways_say_it_together_or_not_at_all() {
         let same = known(-1.2, Ok(-1.199));
-        assert_eq!((same.is_stable(), same.is_confirmed()), (Some(false), Some(true)));
+        assert_eq!((same.is_stable(), same.opinion()), (Some(false), Some(SecondOpinion::Same)));
         assert_eq!(same.second_opinion(), "Hill's method says the same");
         let other = known(0.98, Ok(1.01));
-        assert_eq!((other.is_stable(), other.is_confirmed()), (None, Some(false)));
+        assert_eq!((other.is_stable(), other.opinion()), (None, Some(SecondOpinion::Contrary)));
         assert_eq!(other.in_full(), "undecided: by steps the cycle is stable, by Hill's method unstable");
         assert_eq!(other.second_opinion(), "Hill's method says otherwise: unstable");
         let finer = known(0.995, Ok(0.995));

@@ -4,7 +4,8 @@ use super::stored::StudyReference;
 use crate::assembly::AssemblySubject;
 use crate::assembly::build::Unassembled;
 use crate::assembly::case::AssemblyCase;
-use crate::assembly::march::settings::AssemblyStart;
+use crate::assembly::case::problem::AssemblyProblem;
+use crate::assembly::march::settings::{AssemblyStart, check_steps};
 use crate::assembly::march::start::MotionState;
 use crate::error::ModelError;
 use judder_assembly::steady::SteadySliding;
@@ -17,6 +18,7 @@ use judder_keys::declared::Number;
 use judder_keys::dimension::Dimension;
 use judder_keys::error::Fault;
 use judder_keys::file_reference::FileReference;
+use judder_keys::problem::Placed;
 use judder_keys::section::Section;
 use judder_study::Progress;
 use judder_study::model::Refusal;
@@ -41,6 +43,7 @@ pub enum CycleStart {
 
 /// A march that comes to a periodic motion.
 #[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(check = StartingMarch::check)]
 pub struct StartingMarch {
     /// The time step.
     #[key(rule = Number::positive(Dimension::TIME), symbol = "h")]
@@ -89,7 +92,9 @@ impl CycleStart {
     /// Where it begins, in words.
     pub(in crate::assembly) fn words(&self) -> String {
         match self {
-            Self::March(_) => "near the motion of a march".to_owned(),
+            Self::March(march) => {
+                format!("near the motion of a march of {:.0} steps", (march.duration / march.step).ceil())
+            }
             Self::Study { analysis, .. } => format!("from the stored cycle `{analysis}`"),
         }
     }
@@ -116,6 +121,11 @@ impl CycleStart {
 }
 
 impl StartingMarch {
+    fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
+        check_steps(self.step, self.duration)
+            .map_err(|reason| AssemblyProblem::Refused { reason }.at(section.place_of(&["step"])))
+    }
+
     /// The motion that it comes to.
     fn period(
         &self,

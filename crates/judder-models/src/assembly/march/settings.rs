@@ -17,6 +17,7 @@ use judder_nonsmooth::gauss_seidel::ContactAccuracy;
 use judder_nonsmooth::march::NonsmoothSettings;
 use judder_nonsmooth::scheme::ContactScheme;
 use judder_numerics::words::plain;
+use judder_study::text::short;
 
 /// The word of a scheme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Choice)]
@@ -98,6 +99,20 @@ const CHECKPOINT_STEPS: usize = 500_000;
 /// The most steps: hours.
 const STEPS: f64 = 1e10;
 
+/// Whether a march may have this step and this duration, both in s; in words why not.
+pub(in crate::assembly) fn check_steps(step: f64, duration: f64) -> Result<(), String> {
+    match duration / step {
+        steps if steps > STEPS => {
+            Err(format!("{steps:.1e} steps are more than the {STEPS:.0e} that a march may have"))
+        }
+        steps if steps < 1.0 => {
+            let [step, duration] = [step, duration].map(short);
+            Err(format!("a step of {step} s is longer than the duration of {duration} s"))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// What a motion begins with.
 #[derive(Debug, Clone, PartialEq, Settings)]
 #[settings(check = AssemblyStart::check)]
@@ -153,17 +168,7 @@ impl AssemblyMarch {
                 "the transient takes the whole duration: nothing is left to look at".to_owned(),
             );
         }
-        let steps = self.duration / self.step;
-        if steps > STEPS {
-            return refused(
-                "step",
-                format!("{steps:.1e} steps are more than the {STEPS:.0e} that a march may have"),
-            );
-        }
-        match steps < 1.0 {
-            true => refused("step", "the step is longer than the duration".to_owned()),
-            false => Ok(()),
-        }
+        check_steps(self.step, self.duration).or_else(|reason| refused("step", reason))
     }
 
     /// How the motion is integrated.

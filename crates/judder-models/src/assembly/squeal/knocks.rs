@@ -11,6 +11,7 @@ use judder_nonsmooth::march::NonsmoothMarch;
 use judder_numerics::counter::uniform;
 use judder_numerics::share::wilson;
 use judder_store::{Dataset, Results, Variable};
+use judder_structure::complex_modes::{ComplexMode, Verdict};
 use judder_structure::factor::SymmetricFactor;
 use judder_study::Progress;
 use judder_study::kept::KeptLines;
@@ -25,11 +26,17 @@ const SETTLES: u8 = 0;
 const VIBRATES: u8 = 1;
 const OPEN: u8 = 2;
 
-/// The shares of the duration between which energies are compared.
-const WINDOWS: [f64; 3] = [0.6, 0.8, 1.0];
-/// What of the energy of the first window is left in the last at least where a motion keeps vibrating, and of its energy at first at most where it has settled.
+/// The share of the duration from which on energies are compared, and the windows into which the rest is parted.
+const FROM: f64 = 0.6;
+const WINDOWS: usize = 16;
+/// What of the energy of the first half of them is left in the second at most where a motion settles, and of its energy at first at most where it has settled.
 const KEEPS: f64 = 0.95;
 const GONE: f64 = 1e-6;
+/// Standard errors by which the energy of a motion that keeps vibrating falls more slowly than small motions do, and the share of the rate of these that it may fall by.
+const ERRORS: f64 = 3.0;
+const SLOWER: f64 = 0.1;
+/// By what power of e the energy of small motions falls over all windows at least, where a motion is told from them.
+const LONG: f64 = 1.0;
 /// Steps between two questions whether to go on.
 const PATIENCE: u64 = 100;
 
@@ -85,6 +92,18 @@ pub(super) struct SmallMotions {
     pub(super) grows: bool,
     /// Whether it is proven that the band has no other modes.
     pub(super) complete: bool,
+    /// The least rate at which the energy of one that decays falls, in 1/s; none where none decays.
+    pub(super) slowest: Option<f64>,
+}
+
+impl SmallMotions {
+    /// What the modes of a band say, all of them where that is proven.
+    pub(super) fn new(modes: &[ComplexMode], complete: bool) -> Self {
+        // what creeps away without swinging grows as well
+        let grows = modes.iter().any(|mode| mode.eigenvalue.verdict() == Verdict::Unstable);
+        let rates = modes.iter().map(|mode| -2.0 * mode.eigenvalue.value.re).filter(|rate| *rate > 0.0);
+        Self { grows, complete, slowest: rates.reduce(f64::min) }
+    }
 }
 
 /// Marches from every knock; those of an interrupted run are known.
@@ -161,8 +180,9 @@ impl KnockFollower<'_> {
         march.guess(&forces);
         let first = self.energy.of(march);
         let steps = (self.asked.duration / self.asked.step).ceil().max(1.0) as u64;
-        let [from, middle, _] = WINDOWS.map(|share| (share * steps as f64) as u64);
-        let (mut sums, mut motion, mut has_changed) = ([0.0; 2], Vec::new(), false);
+        let from = (FROM * steps as f64) as u64;
+        let mut windows = EnergyWindows::new(steps - from);
+        let (mut motion, mut has_changed) = (Vec::new(), false);
         for step in 0..steps {
             if step % PATIENCE == 0 {
                 self.progress.go_on()?;
@@ -171,7 +191,7 @@ impl KnockFollower<'_> {
             if step < from {
                 continue;
             }
-            sums[usize::from(step >= middle)] += self.energy.of(march);
+            windows.add(step - from, self.energy.of(march));
             let now = (0..points.len()).map(|point| march.motion(point));
             if step == from {
                 motion = now.collect();
@@ -179,29 +199,81 @@ impl KnockFollower<'_> {
                 has_changed |= now.zip(&motion).any(|(now, before)| now != *before);
             }
         }
-        let earlier = sums[0] / (middle - from).max(1) as f64;
-        let last = sums[1] / (steps - middle).max(1) as f64;
         let is_solved = march.record().unsolved == 0;
-        let fate = match is_solved && earlier.is_finite() && last.is_finite() {
-            true => self.small.fate([first, earlier, last], has_changed),
-            false => OPEN,
-        };
+        let fate =
+            if is_solved { self.small.fate(first, &windows, self.asked.step, has_changed) } else { OPEN };
+        let [_, last] = windows.halves();
         Ok(KnockedMotion { sample, impulse, fate, energy: last, is_solved })
     }
 }
 
 impl SmallMotions {
-    /// What becomes of a motion by its energy at first and in both windows, and whether points change what they do in these.
-    fn fate(self, [first, earlier, last]: [f64; 3], has_changed: bool) -> u8 {
+    /// What becomes of a motion by its energy at first and at the end, and whether points change what they do there.
+    fn fate(self, first: f64, windows: &EnergyWindows, step: f64, has_changed: bool) -> u8 {
+        let [earlier, last] = windows.halves();
+        if !(earlier.is_finite() && last.is_finite()) {
+            return OPEN;
+        }
         let decays = self.complete && !self.grows;
-        match last >= KEEPS * earlier {
+        let keeps = || match (self.slowest, windows.fastest_fall()) {
+            _ if self.grows => last >= KEEPS * earlier,
+            (Some(rate), Some(fall)) => {
+                let is_long = rate * step * windows.steps as f64 >= LONG;
+                is_long && has_changed && fall / step <= SLOWER * rate
+            }
+            _ => false,
+        };
+        match decays {
             // nothing of the kind comes back
-            _ if last <= GONE * first && decays => SETTLES,
-            true if has_changed || self.grows => VIBRATES,
+            true if last <= GONE * first => SETTLES,
             // small motions decay as their modes do
-            false if !has_changed && decays => SETTLES,
+            true if !has_changed && last < KEEPS * earlier => SETTLES,
+            _ if keeps() => VIBRATES,
             _ => OPEN,
         }
+    }
+}
+
+/// Mean energies over windows of equal length.
+struct EnergyWindows {
+    sums: [f64; WINDOWS],
+    counts: [u64; WINDOWS],
+    steps: u64,
+}
+
+impl EnergyWindows {
+    fn new(steps: u64) -> Self {
+        Self { sums: [0.0; WINDOWS], counts: [0; WINDOWS], steps }
+    }
+
+    fn add(&mut self, step: u64, energy: f64) {
+        let window = (step * WINDOWS as u64 / self.steps.max(1)) as usize;
+        self.sums[window] += energy;
+        self.counts[window] += 1;
+    }
+
+    /// The means over both halves.
+    fn halves(&self) -> [f64; 2] {
+        [0..WINDOWS / 2, WINDOWS / 2..WINDOWS].map(|half| {
+            let count: u64 = self.counts[half.clone()].iter().sum();
+            self.sums[half].iter().sum::<f64>() / count.max(1) as f64
+        })
+    }
+
+    /// The fastest fall of the energy that its means allow for, of itself a step: by least squares of their logarithms; none where one of them is zero or a window is empty.
+    fn fastest_fall(&self) -> Option<f64> {
+        let logarithms: Vec<f64> =
+            self.sums.iter().zip(self.counts).map(|(sum, count)| (sum / count as f64).ln()).collect();
+        let count = WINDOWS as f64;
+        let mean = logarithms.iter().sum::<f64>() / count;
+        let place = |k: usize| k as f64 - 0.5 * (count - 1.0);
+        let spread: f64 = (0..WINDOWS).map(|k| place(k) * place(k)).sum();
+        let slope = logarithms.iter().enumerate().map(|(k, own)| place(k) * own).sum::<f64>() / spread;
+        let off = |(k, own): (usize, &f64)| (own - mean - slope * place(k)).powi(2);
+        let left = logarithms.iter().enumerate().map(off).sum::<f64>();
+        let error = (left / (count - 2.0) / spread).sqrt();
+        let fall = (ERRORS * error - slope) * count / self.steps as f64;
+        fall.is_finite().then_some(fall)
     }
 }
 

@@ -57,9 +57,7 @@ pub(super) fn run(
         missing += ToldMargins::missing(&found);
         told = told.with_margins(asked, sweep, &found);
     }
-    // what creeps away without swinging grows as well
-    let grows = all.modes.iter().any(|mode| mode.eigenvalue.verdict() == Verdict::Unstable);
-    let small = SmallMotions { grows, complete: told.complete };
+    let small = SmallMotions::new(&all.modes, told.complete);
     let knocks = match &asked.knocks {
         Some(asked) => Some((asked, knocked(of, asked, &steady, small, (kept, progress))?)),
         None => None,
@@ -68,7 +66,7 @@ pub(super) fn run(
         warnings.extend(found.warning());
         missing += found.unsolved();
         told.knocks = Some(found.told(asked));
-        if let Some(margin) = told.margin.as_mut().filter(|_| !grows && found.vibrates()) {
+        if let Some(margin) = told.margin.as_mut().filter(|_| !small.grows && found.vibrates()) {
             margin.set_knocked();
         }
     }

@@ -4,6 +4,7 @@ use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::eigen::BAND;
 use crate::assembly::limit_cycle::settings::CycleSolver;
+use crate::assembly::march::settings::check_steps;
 use crate::assembly::swept::{ALL_FRICTION, SWEPT};
 use crate::key_sweep::{KeySweep, KeySweepProblem, SweptSections};
 use judder_keys::Settings;
@@ -197,9 +198,12 @@ impl AssemblySqueal {
             let place = node.entry(key).unwrap_or(node).place;
             Err(AssemblyProblem::Refused { reason }.at(place))
         };
-        if knocks.step > knocks.duration {
-            let [step, duration] = [knocks.step, knocks.duration].map(short);
-            return refuse("step", format!("a step of {step} s is longer than the duration of {duration} s"));
+        if !longest.is_finite() {
+            let reason = "a knock is followed over periods of the lower end of `band`, which is zero: give a band that begins above it";
+            return refuse("duration", reason.to_owned());
+        }
+        if let Err(reason) = check_steps(knocks.step, knocks.duration) {
+            return refuse("step", reason);
         }
         let largest = shortest / STEPS_A_PERIOD;
         if knocks.step > largest * (1.0 + 1e-9) {

@@ -31,6 +31,9 @@ pub(crate) fn folds<S: BalanceSource>(
     Ok(folds)
 }
 
+/// How many times the harmonics and instants a fold is found with once more.
+pub const FOLD_REFINEMENT: usize = 2;
+
 /// The same fold with twice the harmonics and instants, from a cycle at which the parameter turns and its neighbours on the branch.
 ///
 /// # Errors
@@ -42,9 +45,10 @@ pub fn refined_fold<F: Fn(f64) -> Result<Assembly, CyclesError>>(
     settings: &BranchSettings,
     go_on: &GoOn<'_>,
 ) -> Result<f64, CyclesError> {
-    const MORE: usize = 2;
     let few = balance;
-    let series = Series::new(MORE * few.series().harmonics(), MORE * few.series().samples());
+    let [harmonics, samples] =
+        [few.series().harmonics(), few.series().samples()].map(|own| FOLD_REFINEMENT * own);
+    let series = Series::new(harmonics, samples);
     let balance = few.with_series(series);
     let source = KeyedBalance::new(assembly_at, &balance);
     let reference = Some(vec![1.0; 2 * balance.components()]);
@@ -56,7 +60,7 @@ pub fn refined_fold<F: Fn(f64) -> Result<Assembly, CyclesError>>(
     for cycle in around {
         let assembly = assembly_at(cycle.parameter)?;
         let (_, unknown) =
-            few.of(&assembly)?.with_left_out(&cycle.motion.unknown, cycle.motion.turning, MORE)?;
+            few.of(&assembly)?.with_left_out(&cycle.motion.unknown, cycle.motion.turning, FOLD_REFINEMENT)?;
         near.push(equations.place(&PeriodicMotion { unknown, ..cycle.motion.clone() }, cycle.parameter));
     }
     equations.weigh_swing(&near[1]);

@@ -126,8 +126,8 @@ impl CyclesAlongKey<'_> {
         BranchSettings { rule, range, unit: range[1] - range[0], rises, points: self.most }
     }
 
-    /// What the harmonics leave out of a fold of this place of the list; not a number where it is not found with twice as many.
-    pub(super) fn left_out_of_fold(
+    /// What a fold of this place of the list may be off, by the path and by what the harmonics leave out; not a number where it is not found with twice as many.
+    pub(super) fn fold_error(
         &self,
         balance: &HarmonicBalance<'_>,
         branch: &AssemblyCycleBranch,
@@ -142,7 +142,12 @@ impl CyclesAlongKey<'_> {
         let at = |measured: f64| self.assembly(measure.value(measured));
         let (settings, go_on) = (self.branch_settings(true), || !self.progress.interrupted());
         match refined_fold(&at, balance, around.each_ref(), &settings, &go_on) {
-            Ok(refined) => Ok(branch.fold_error(place, measure.value(refined))),
+            Ok(refined) => {
+                let left_out = branch.fold_error(place, measure.value(refined));
+                let (cycle, fold) = branch.folds[place];
+                let [_, of_the_path] = with_error(branch, fold, cycle - 1, 3);
+                Ok(if left_out.is_nan() { left_out } else { left_out.max(of_the_path) })
+            }
             Err(CyclesError::Stopped) => Err(CyclesError::Stopped),
             Err(_) => Ok(f64::NAN),
         }
@@ -189,11 +194,6 @@ const WAY: f64 = 0.01;
 fn with_error(branch: &AssemblyCycleBranch, value: f64, first: usize, count: usize) -> [f64; 2] {
     let around = branch.cycles.iter().skip(first).take(count);
     [value, WAY * around.map(|own| (own.parameter - value).abs()).fold(0.0, f64::max)]
-}
-
-/// A fold of the list of a branch, and what it may be off.
-pub(super) fn fold_with_error(branch: &AssemblyCycleBranch, (cycle, fold): (usize, f64)) -> [f64; 2] {
-    with_error(branch, fold, cycle.saturating_sub(1), 3)
 }
 
 /// Where cycles of another branch may cross, and what that may be off.

@@ -322,4 +322,8 @@ fn a_branch_that_begins_at_a_march_goes_through_its_fold_to_its_hopf_point() {
     // as it is known from a Runge–Kutta method
     assert!((number(&told["folds"][0]) - 1.5562).abs() < 2e-3, "{told:?}");
     assert!((number(&told["hopf_points"][0]) - 0.5 * 8.0_f64.ln()).abs() < 2e-4, "{told:?}");
+    let fold = told["bifurcations"].as_array().unwrap().iter().find(|own| own["kind"] == "fold").unwrap();
+    let (off, error) = ((number(&fold["value"]) - 1.5562).abs(), number(&fold["error"]));
+    println!("fold off by {off:.1e}, said to be off by at most {error:.1e}");
+    assert!(off < error && error < 0.02, "{fold:?}");
 }

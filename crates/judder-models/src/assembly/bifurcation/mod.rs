@@ -15,6 +15,7 @@ use super::swept::SWEPT;
 use crate::assembly::case::AssemblyCase;
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
+use judder_cycles::fold::FOLD_REFINEMENT;
 use judder_keys::Settings;
 use judder_keys::declared::{Number, Settings, Whole};
 use judder_keys::dimension::Dimension;
@@ -112,7 +113,11 @@ impl Analysis<AssemblyCase> for CycleDiagram {
 
     fn estimate(&self, _: &AssemblySubject<'_>) -> Result<String, ModelError> {
         let path = &self.sweep.path;
-        Ok(format!("limit cycles along {path} with {} harmonics", self.harmonics))
+        let harmonics = self.harmonics;
+        Ok(format!(
+            "limit cycles along {path} with {harmonics} harmonics, and each of its folds once more with {}",
+            FOLD_REFINEMENT * harmonics
+        ))
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

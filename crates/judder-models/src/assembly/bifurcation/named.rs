@@ -1,7 +1,7 @@
 //! The bifurcations of a branch, by name.
 
 use super::told::KnownCycle;
-use crate::assembly::cycles_along_key::{SOLVED, branch_point_with_error, fold_with_error};
+use crate::assembly::cycles_along_key::{SOLVED, branch_point_with_error};
 use crate::assembly::limit_cycle::stability::crossing_words;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey};
 use judder_cycles::stability::{CircleCrossing, stability_changes};
@@ -31,8 +31,8 @@ pub(super) struct NamedBifurcation {
     pub(super) kind: &'static str,
     /// the value of the key there, where it was searched for; of a Hopf point where the square of the amplitude vanishes; amid the two below otherwise
     pub(super) value: f64,
-    /// what that may be off: of a Hopf point how far it lies from the smallest cycle, and no less than cycles are solved to, of what lies amid two cycles half the way between them
-    pub(super) error: f64,
+    /// what that may be off: of a fold what the path and the harmonics leave, missing where it is not found with twice the harmonics; of a Hopf point how far it lies from the smallest cycle, and no less than cycles are solved to; of what lies amid two cycles half the way between them
+    pub(super) error: Option<f64>,
     /// frequency of the first of the cycles below, in Hz
     pub(super) frequency_hz: f64,
     /// its root mean square over all contact points of the velocity along the slip about its mean, in m/s
@@ -44,6 +44,11 @@ pub(super) struct NamedBifurcation {
 }
 
 impl NamedBifurcation {
+    /// Whether the key turns there.
+    pub(super) fn is_fold(&self) -> bool {
+        self.kind == FOLD
+    }
+
     /// Whether a kink makes it doubtful.
     pub(super) fn is_kink(&self) -> bool {
         self.kind == KINK
@@ -61,16 +66,17 @@ pub(super) fn hopf_point(smallest: &CycleAtKey, ways: [&AssemblyCycleBranch; 2])
     own.and_then(AssemblyCycleBranch::vanishes_at).unwrap_or(smallest.parameter)
 }
 
-/// All of them, in the order along the branch, of which `known` are the cycles within the range.
+/// All of them, in the order along the branch, of which `known` are the cycles within the range, and `fold_errors` what the folds of each way may be off.
 pub(super) fn named(
     known: &[KnownCycle],
     ways: [&AssemblyCycleBranch; 2],
+    fold_errors: &[Vec<f64>; 2],
     hopf: &[&CycleAtKey],
 ) -> Vec<NamedBifurcation> {
     let of = |kind: &'static str, [value, error]: [f64; 2], [before, after]: [usize; 2]| NamedBifurcation {
         kind,
         value,
-        error,
+        error: Some(error).filter(|error| error.is_finite()),
         frequency_hz: known[before].frequency / TAU,
         rms: known[before].rms,
         between: vec![known[before].value, known[after].value],
@@ -91,14 +97,14 @@ pub(super) fn named(
             }
         }));
     }
-    for way in ways {
+    for (way, fold_errors) in ways.into_iter().zip(fold_errors) {
         let near = |cycle: usize, kind: &'static str, value: [f64; 2], after: usize| {
             let own = place(&way.cycles[cycle])?;
             let other = way.cycles.get(after).and_then(place)?;
             Some(of(kind, value, [own.min(other), own.max(other)]))
         };
-        for fold in &way.folds {
-            all.extend(near(fold.0 - 1, FOLD, fold_with_error(way, *fold), fold.0 + 1));
+        for ((cycle, fold), error) in way.folds.iter().zip(fold_errors) {
+            all.extend(near(cycle - 1, FOLD, [*fold, *error], cycle + 1));
         }
         for own in &way.branch_points {
             let kind = if own.is_smooth { BRANCH_POINT } else { KINK };

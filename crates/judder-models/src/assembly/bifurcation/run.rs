@@ -10,6 +10,7 @@ use crate::assembly::limit_cycle::stability::KnownStability;
 use crate::assembly::meant_mode::{fastest, near_frequency};
 use crate::assembly::swept::{SlidingState, SweptAssembly};
 use crate::error::ModelError;
+use judder_cycles::CyclesError;
 use judder_cycles::backbone::BackboneSettings;
 use judder_cycles::balance::HarmonicBalance;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey, CycleBranchEnd};
@@ -17,6 +18,7 @@ use judder_cycles::cycle::points;
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Outcome};
 use num_complex::Complex64;
+use rayon::prelude::*;
 
 /// Values at which a first cycle is sought.
 const TRIED: usize = 5;
@@ -122,7 +124,8 @@ fn branches(
     let is_hopf = |off: f64| off <= NEUTRAL;
     let hopf: Vec<&CycleAtKey> =
         ends.iter().flatten().filter(|(_, off)| is_hopf(*off)).map(|(cycle, _)| *cycle).collect();
-    let told = ToldCycleBranch::new(asked, &known, [&down, &up], &hopf);
+    let fold_errors = fold_errors(along, &balance, [&down, &up])?;
+    let told = ToldCycleBranch::new(asked, &known, [&down, &up], &fold_errors, &hopf);
     let Outcome { scalars, .. } = Outcome::of(&told)?;
     let lost = |own: &&AssemblyCycleBranch| matches!(own.end, CycleBranchEnd::Lost(_));
     let missing = [&down, &up].into_iter().filter(lost).count();
@@ -135,6 +138,7 @@ fn branches(
     }
     warnings.extend(left_out(known.iter().map(|own| own.left_out).fold(0.0, f64::max)));
     warnings.extend(told.kinks());
+    warnings.extend(told.folds_alone());
     let unknown = known.iter().filter(|own| asked.stability && own.stability.is_stable().is_none()).count();
     if unknown > 0 {
         warnings.push(format!(
@@ -150,6 +154,25 @@ fn branches(
         missing,
         ..Outcome::default()
     })
+}
+
+/// What the folds of each way may be off, each from the same one with twice the harmonics.
+fn fold_errors(
+    along: &CyclesAlongKey<'_>,
+    balance: &HarmonicBalance<'_>,
+    ways: [&AssemblyCycleBranch; 2],
+) -> Result<[Vec<f64>; 2], ModelError> {
+    let [down, up] = ways.map(|way| {
+        along.progress.expect(way.folds.len());
+        let errors = (0..way.folds.len()).into_par_iter().map(|place| {
+            let error = along.fold_error(balance, way, place);
+            along.progress.advance();
+            error
+        });
+        // all of them, so that of several errors the first is told
+        errors.collect::<Vec<Result<f64, CyclesError>>>().into_iter().collect::<Result<Vec<f64>, _>>()
+    });
+    Ok([down?, up?])
 }
 
 /// The last cycle before a branch shrinks to steady sliding.

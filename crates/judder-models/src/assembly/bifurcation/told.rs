@@ -96,6 +96,7 @@ impl ToldCycleBranch {
         asked: &CycleDiagram,
         known: &[KnownCycle],
         ways: [&AssemblyCycleBranch; 2],
+        fold_errors: &[Vec<f64>; 2],
         hopf: &[&CycleAtKey],
     ) -> Self {
         let all = |of: fn(&KnownCycle) -> f64| known.iter().map(of).collect::<Vec<f64>>();
@@ -108,7 +109,7 @@ impl ToldCycleBranch {
             stable: known.iter().map(|own| own.stability.is_stable()).collect(),
             folds: ways.iter().flat_map(|way| way.folds.iter().map(|(_, value)| *value)).collect(),
             hopf_points: hopf.iter().map(|own| hopf_point(own, ways)).collect(),
-            bifurcations: named(known, ways, hopf),
+            bifurcations: named(known, ways, fold_errors, hopf),
             ends: ways.map(|way| end(way, hopf)).to_vec(),
             left_out: all(|own| own.left_out).into_iter().reduce(f64::max),
             ..Self::none(asked)
@@ -122,6 +123,14 @@ impl ToldCycleBranch {
             format!(
                 "at {doubtful} places along the branch cycles of another one may cross, or points change what they do there: the determinant changes its sign in both cases"
             )
+        })
+    }
+
+    /// What is to be said of folds of which it is not known what harmonics leave out.
+    pub(super) fn folds_alone(&self) -> Option<String> {
+        let alone = self.bifurcations.iter().filter(|own| own.is_fold() && own.error.is_none()).count();
+        (alone > 0).then(|| {
+            format!("what {alone} folds may be off is not known: they are not found with twice the harmonics")
         })
     }
 

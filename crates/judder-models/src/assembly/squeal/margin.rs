@@ -3,7 +3,7 @@
 use super::margin_told::{CycleReach, MarginEnd, MarginOfOnset};
 use super::settings::AssemblySqueal;
 use crate::assembly::AssemblySubject;
-use crate::assembly::cycles_along_key::{CyclesAlongKey, FirstCycle, fold_with_error};
+use crate::assembly::cycles_along_key::{CyclesAlongKey, FirstCycle};
 use crate::assembly::eigen::band;
 use crate::assembly::eigen_sweep::solved::SolvedSweep;
 use crate::assembly::meant_mode::near_frequency;
@@ -179,14 +179,14 @@ impl AlongMarginKey<'_> {
     fn followed(&self, onset: &Onset, first: &FirstCycle) -> Result<CycleReach, ModelError> {
         let balance = self.along.balance(first)?;
         match self.along.branch(first, &balance, onset.gains) {
-            Ok(branch) => self.with_left_out(&balance, &branch, self.read(onset, &branch)),
+            Ok(branch) => self.with_fold_error(&balance, &branch, self.read(onset, &branch)),
             Err(CyclesError::Stopped) => Err(ModelError::Interrupted),
             Err(error) => Ok(CycleReach::unknown(format!("the branch of cycles was not begun: {error}"))),
         }
     }
 
-    /// What the harmonics leave out of the fold, as part of its error.
-    fn with_left_out(
+    /// With what the fold may be off.
+    fn with_fold_error(
         &self,
         balance: &HarmonicBalance<'_>,
         branch: &AssemblyCycleBranch,
@@ -194,16 +194,12 @@ impl AlongMarginKey<'_> {
     ) -> Result<CycleReach, ModelError> {
         let Some([fold, error]) = &mut reach.fold else { return Ok(reach) };
         if let Some(place) = branch.folds.iter().position(|(_, own)| own == fold) {
-            match self.along.left_out_of_fold(balance, branch, place) {
-                Ok(left_out) if left_out.is_nan() => *error = f64::NAN,
-                Ok(left_out) => *error = error.max(left_out),
-                Err(_) => return Err(ModelError::Interrupted),
-            }
+            *error = self.along.fold_error(balance, branch, place)?;
         }
         Ok(reach)
     }
 
-    /// What a branch says of the margin.
+    /// What a branch says of the margin, but for what its fold may be off.
     fn read(&self, onset: &Onset, branch: &AssemblyCycleBranch) -> CycleReach {
         /// What the end of a branch may be off the onset, and what reaches beyond it at least, of the range.
         const SAME: f64 = 0.01;
@@ -234,15 +230,15 @@ impl AlongMarginKey<'_> {
         };
         let least = onset.error.max(SMALLEST * (to - from));
         let is_beyond = reaches.is_some_and(|value| beyond(value) > least);
-        let folds = branch.folds.iter().map(|own| fold_with_error(branch, *own));
-        let outermost = folds.max_by(|[a, _], [b, _]| beyond(*a).total_cmp(&beyond(*b)));
+        let folds = branch.folds.iter().map(|(_, fold)| *fold);
+        let outermost = folds.max_by(|a, b| beyond(*a).total_cmp(&beyond(*b)));
         let fold = match reaches.filter(|_| end.is_whole() && is_beyond) {
             // one that turns at its first cycle has no fold there
-            Some(reached) => outermost
-                .filter(|[fold, _]| beyond(*fold) >= beyond(reached) - least)
-                .or(Some([reached, f64::NAN])),
+            Some(reached) => {
+                outermost.filter(|fold| beyond(*fold) >= beyond(reached) - least).or(Some(reached))
+            }
             None => None,
         };
-        CycleReach { fold, reaches, end }
+        CycleReach { fold: fold.map(|fold| [fold, f64::NAN]), reaches, end }
     }
 }

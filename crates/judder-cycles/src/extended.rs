@@ -110,7 +110,7 @@ pub(crate) struct ExtendedBalance<S> {
     components: usize,
     /// Where the largest forces so far count as one: the mean square of them.
     largest: Option<f64>,
-    /// Where the parameter may lie.
+    /// Where the parameter may lie; the frequency where nothing is free beside it.
     range: [f64; 2],
     /// What was evaluated last, and where.
     place: Vec<f64>,
@@ -146,7 +146,7 @@ impl<S: BalanceSource> ExtendedBalance<S> {
         }
     }
 
-    /// Lets paths end where the parameter comes to an end of a range.
+    /// Lets paths end where the parameter, or the frequency where nothing is free beside it, comes to an end of a range.
     pub(crate) fn keep_within(&mut self, range: [f64; 2]) {
         self.range = range;
     }
@@ -182,23 +182,35 @@ impl<S: BalanceSource> ExtendedBalance<S> {
     }
 
     pub(crate) fn rate(&self, at: &[f64]) -> CycleRate {
-        let growth = match self.free {
-            Free::Growth => self.frequency * at[self.unknowns + 1],
-            _ => 0.0,
-        };
-        CycleRate { frequency: self.frequency * at[self.unknowns], growth }
+        let frequency = self.frequency * at[self.unknowns];
+        match self.free {
+            Free::Nothing => CycleRate { frequency: self.last(at), growth: 0.0 },
+            Free::Growth => CycleRate { frequency, growth: self.last(at) },
+            Free::Parameter(_) => CycleRate { frequency, growth: 0.0 },
+        }
     }
 
-    /// The parameter where it is free: at an end of its range that itself.
+    /// The parameter where it is free.
     pub(crate) fn parameter(&self, at: &[f64]) -> f64 {
         match self.free {
-            Free::Parameter(unit) => {
-                let own = at[self.unknowns + 1];
-                let end = self.range.into_iter().find(|end| own == end / unit);
-                end.unwrap_or(unit * own)
-            }
+            Free::Parameter(_) => self.last(at),
             _ => 0.0,
         }
+    }
+
+    /// What the last unknown is measured by.
+    fn unit(&self) -> f64 {
+        match self.free {
+            Free::Nothing | Free::Growth => self.frequency,
+            Free::Parameter(unit) => unit,
+        }
+    }
+
+    /// What the last unknown stands for: at an end of its range that itself.
+    fn last(&self, at: &[f64]) -> f64 {
+        let (own, unit) = (at[at.len() - 1], self.unit());
+        let end = self.range.into_iter().find(|end| own == end / unit);
+        end.unwrap_or(unit * own)
     }
 
     /// What every point does at every instant.
@@ -293,10 +305,7 @@ impl<S: BalanceSource> PathEquations for ExtendedBalance<S> {
     }
 
     fn ends(&self) -> [f64; 2] {
-        match self.free {
-            Free::Parameter(unit) => self.range.map(|end| end / unit),
-            _ => [f64::NEG_INFINITY, f64::INFINITY],
-        }
+        self.range.map(|end| end / self.unit())
     }
 
     fn is_sought(&mut self, at: &[f64]) -> Result<bool, CyclesError> {

@@ -4,9 +4,7 @@ use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
 use crate::balance::HarmonicBalance;
 use crate::extended::{ExtendedBalance, Free};
-use crate::path::{
-    ClosingEquation, GoOn, Newton, PathEquations, PathPoint, PathRule, distance, ended, follow,
-};
+use crate::path::{ClosingEquation, GoOn, Newton, PathEquations, PathRule, distance, ended, follow};
 use crate::turning::{extreme, turns};
 
 /// How a response is followed.
@@ -34,7 +32,7 @@ pub enum StepMeasure {
 /// Why a response ends.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ResponseEnd {
-    /// It left the range of frequencies.
+    /// It came to an end of the range of frequencies, where its last motion lies.
     Range,
     /// It has as many motions as were asked for.
     Points,
@@ -45,7 +43,7 @@ pub enum ResponseEnd {
 /// A response over frequency, through its folds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForcedResponse {
-    /// In the order along the branch; of one that leaves the range the last lies at its end.
+    /// In the order along the branch.
     pub motions: Vec<PeriodicMotion>,
     /// How far along the branch each lies.
     pub along: Vec<f64>,
@@ -62,29 +60,15 @@ fn equations<'b, 'a>(
     balance: &'b HarmonicBalance<'a>,
     settings: &ResponseSettings,
 ) -> ForcedEquations<'b, 'a> {
-    let [frequency, _] = settings.between;
+    let [from, to] = settings.between;
     let [_, longest, _] = settings.rule.steps;
-    let mut equations = ExtendedBalance::new(balance, balance, frequency, Free::Nothing, None);
+    let mut equations = ExtendedBalance::new(balance, balance, from, Free::Nothing, None);
+    equations.keep_within([from.min(to), from.max(to)]);
     match settings.pace {
         StepMeasure::Fixed(force) => equations.weigh(balance.force_scale() / force, 1.0, false),
-        StepMeasure::Largest(step) => equations.weigh(1.0, longest * frequency / step, true),
+        StepMeasure::Largest(step) => equations.weigh(1.0, longest * from / step, true),
     }
     equations
-}
-
-/// The motion at a frequency, of the first, near a guess; its tangent points as `towards` does.
-fn fixed(
-    equations: &mut ForcedEquations<'_, '_>,
-    newton: &mut Newton<'_>,
-    guess: &[f64],
-    frequency: f64,
-    towards: &[f64],
-) -> Result<PathPoint, CyclesError> {
-    let last = guess.len() - 1;
-    let mut guess = guess.to_vec();
-    guess[last] = frequency;
-    let closing = ClosingEquation::fixed(last, guess.len(), frequency);
-    newton.corrected(equations, &guess, &closing, towards)
 }
 
 /// The motions under the forces of a balance, from the unknowns of a guess at the first frequency on.
@@ -103,22 +87,16 @@ pub fn forced_response(
     let start: Vec<f64> = guess.iter().copied().chain([1.0]).collect();
     let mut towards = vec![0.0; unknowns + 1];
     towards[unknowns] = (to - from).signum();
-    let first = fixed(&mut equations, &mut newton, &start, 1.0, &towards)?;
+    let closing = ClosingEquation::fixed(unknowns, start.len(), 1.0);
+    let mut first = newton.corrected(&mut equations, &start, &closing, &towards)?;
+    first.at[unknowns] = 1.0;
     equations.accept(&first.at)?;
     let (mut motions, mut along) = (vec![equations.motion(&first)?], vec![0.0]);
     let points = settings.points;
-    let end = follow(&mut newton, &mut equations, first, points, |equations, newton, [before, next]| {
-        let frequency = equations.rate(&next.at).frequency;
-        let leaves = (frequency - from) * (frequency - to) > 0.0;
-        let bounded = leaves.then(|| {
-            let bound = if (frequency - from).abs() < (frequency - to).abs() { from } else { to };
-            // else the motion stays that beyond the range
-            fixed(equations, newton, &next.at, bound / from, &next.tangent).ok()
-        });
-        let next = bounded.flatten().unwrap_or_else(|| next.clone());
+    let end = follow(&mut newton, &mut equations, first, points, |equations, _, [before, next]| {
         along.push(along[along.len() - 1] + distance(&before.at, &next.at, equations.weights()));
-        motions.push(equations.motion(&next)?);
-        Ok(leaves.then_some(ResponseEnd::Range))
+        motions.push(equations.motion(next)?);
+        Ok(equations.ends().contains(&next.at[unknowns]).then_some(ResponseEnd::Range))
     });
     let end = ended(end, ResponseEnd::Points, ResponseEnd::Lost)?;
     let mut found = ForcedResponse { motions, along, folds: Vec::new(), end };

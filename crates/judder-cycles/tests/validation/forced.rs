@@ -85,7 +85,7 @@ fn a_stop_bends_the_response_as_published() {
     let folds: Vec<f64> = found.folds.iter().map(|(_, own)| *own).collect();
     let [lower, upper] = folds[..] else { panic!("{folds:?}") };
     assert!((lower - 0.65344).abs() < 1e-3 && (upper - 0.75562).abs() < 1e-4, "{folds:?}");
-    assert!((found.motions.last().unwrap().turning.frequency - 0.5).abs() < 1e-12);
+    assert_eq!(found.motions.last().unwrap().turning.frequency, 0.5);
 }
 
 /// The masses and the stop over a period of 2π/ω by steps of the method of Runge and Kutta, from displacements and velocities on.

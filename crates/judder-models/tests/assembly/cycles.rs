@@ -249,6 +249,15 @@ fn stability_has_a_second_opinion() {
         told["hill_multipliers"].as_array().unwrap().len(),
         told["floquet_multipliers"].as_array().unwrap().len()
     );
+    let brake = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/assembly/lumped-brake.toml");
+    let squeal = "[[analysis]]\nname = \"squeal\"\nkind = \"squeal\"\nband = [\"50 Hz\", \"150 Hz\"]\n";
+    let text = format!("{}\n{squeal}", std::fs::read_to_string(brake).unwrap());
+    let file = judder_models::parse("case.toml", &text, &[]).unwrap();
+    let report = run_into(tempfile::tempdir().unwrap().path(), &file, &["squeal"]);
+    let mode = &report.summary.results["squeal"]["modes"][0];
+    for key in ["stable", "stability", "second_opinion"] {
+        assert_eq!(mode[key], told[key], "{key}");
+    }
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small/assembly-cycle.toml");
     let file = judder_models::read(path, &[]).unwrap();
     let report = run_into(tempfile::tempdir().unwrap().path(), &file, &["cycle"]);

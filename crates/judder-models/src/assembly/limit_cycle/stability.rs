@@ -138,7 +138,7 @@ impl KnownStability {
     }
 
     /// The same in words, with what hinders it.
-    pub(in crate::assembly) fn words(&self) -> &'static str {
+    fn words(&self) -> &'static str {
         match self.verdict() {
             None => "not asked for",
             Some(CycleStability::Stable) => "stable",

@@ -8,6 +8,7 @@ use crate::assembly::limit_cycle::stability::KnownStability;
 use crate::assembly::march::levels::level;
 use crate::error::ModelError;
 use judder_cycles::cycle::AssemblyCycle;
+use judder_cycles::stability::HILL_ROWS;
 use judder_study::Progress;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -19,7 +20,8 @@ pub(super) struct CycleInBand {
     pub(super) shares: [f64; 3],
     pub(super) attracts: Option<bool>,
     pub(super) stable: Option<bool>,
-    pub(super) stability: &'static str,
+    pub(super) stability: String,
+    pub(super) second_opinion: String,
     pub(super) harmonics: usize,
     pub(super) left_out: f64,
     pub(super) held_back: Option<String>,
@@ -38,7 +40,12 @@ impl CycleInBand {
         is_asked: bool,
         progress: &dyn Progress,
     ) -> Result<Self, ModelError> {
-        let stability = KnownStability::of(&cycle.balance, &cycle.motion, is_asked, progress)?;
+        let stability = KnownStability::of(&cycle.balance, &cycle.motion, is_asked, progress)?.and_by_hill(
+            &cycle.balance,
+            &cycle.motion,
+            HILL_ROWS,
+            progress,
+        )?;
         let level_of = |own: &WatchedRow| -> Result<(String, Option<f64>), ModelError> {
             let level = level(acceleration_mean_square(cycle, &own.row)?);
             Ok((own.name.clone(), Some(level).filter(|level| level.is_finite())))
@@ -51,7 +58,8 @@ impl CycleInBand {
             shares: [share(0), share(1), share(2)],
             attracts: cycle.attracts,
             stable: stability.is_stable(),
-            stability: stability.words(),
+            stability: stability.in_full(),
+            second_opinion: stability.second_opinion(),
             harmonics: cycle.balance.series().harmonics(),
             left_out: cycle.quality.left_out,
             held_back: sought.held_back(),

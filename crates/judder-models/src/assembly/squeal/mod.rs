@@ -18,7 +18,9 @@ mod told;
 use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
+use crate::assembly::limit_cycle::stability::multipliers_estimated;
 use crate::error::ModelError;
+use judder_cycles::stability::HILL_ROWS;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
@@ -83,8 +85,9 @@ impl Analysis<AssemblyCase> for AssemblySqueal {
             let steps = (own.duration / own.step).ceil();
             format!("; {} knocks of {steps} steps each", own.samples)
         });
+        let multipliers = multipliers_estimated(of, self.solver.stability, HILL_ROWS);
         Ok(format!(
-            "the limit cycles of the modes from {from} to {to} Hz that grow, with {points} contact points{margins}{knocks}"
+            "the limit cycles of the modes from {from} to {to} Hz that grow, with {points} contact points{multipliers}{margins}{knocks}"
         ))
     }
 

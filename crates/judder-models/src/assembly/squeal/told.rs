@@ -61,6 +61,7 @@ pub(super) struct ToldSqueal {
         slip_share,
         open_share,
         stability,
+        second_opinion,
         left_out,
         reason
     )
@@ -108,7 +109,9 @@ pub(super) struct SquealingMode {
     /// whether all motions nearby are, where that is known
     stable: Option<bool>,
     /// the same in words, or why it is not known
-    stability: &'static str,
+    stability: String,
+    /// whether Hill's method says the same of the stability, or why steps alone say it
+    second_opinion: String,
     /// its harmonics
     harmonics: Option<usize>,
     /// the share of the swing of the contact forces beyond the harmonics of the cycle, as a root of energies
@@ -164,7 +167,8 @@ pub(super) fn ranked(modes: &[SoughtMode]) -> Vec<SquealingMode> {
             open_share: share(2),
             attracts: cycle_or_none.and_then(|own| own.attracts),
             stable: cycle_or_none.and_then(|own| own.stable),
-            stability: cycle_or_none.map_or("no cycle", |own| own.stability),
+            stability: cycle_or_none.map_or_else(|| "no cycle".to_owned(), |own| own.stability.clone()),
+            second_opinion: cycle_or_none.map_or_else(String::new, |own| own.second_opinion.clone()),
             harmonics: cycle_or_none.map(|own| own.harmonics),
             left_out: cycle_or_none.map(|own| own.left_out),
             reason: match cycle {

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
-from judder import _interchange, _places
+from judder import _places
 from judder.errors import StoreError
 
 if TYPE_CHECKING:
@@ -44,6 +44,8 @@ class Exported:
             StoreError: they cannot be written, or would go into a study folder; a chunk of a sweep is missing or damaged.
             InputError: there is no such result.
         """
+        from judder import _interchange
+
         return _interchange.to_parquet(self._study, self._outside(folder, is_folder=True), only, progress)
 
     def to_csv(self, folder: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> list[Path]:
@@ -52,6 +54,8 @@ class Exported:
         ``<result>.columns.csv`` says what the columns are: unit, long name, codes of classes. No package is needed. Arguments, return
         value and errors are those of :meth:`to_parquet`.
         """
+        from judder import _interchange
+
         return _interchange.to_csv(self._study, self._outside(folder, is_folder=True), only, progress)
 
     def to_netcdf(self, path: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> Path:
@@ -65,6 +69,8 @@ class Exported:
         Returns:
             The file.
         """
+        from judder import _interchange
+
         return _interchange.to_netcdf(self._study, self._outside(path, is_folder=False), only, progress)
 
     def to_matlab(self, path: str | os.PathLike[str], *, only: Iterable[str] = (), progress: Progress | None = None) -> Path:
@@ -82,6 +88,8 @@ class Exported:
         Returns:
             The file.
         """
+        from judder import _interchange
+
         return _interchange.to_matlab(self._study, self._outside(path, is_folder=False), only, progress)
 
     def _outside(self, path: str | os.PathLike[str], *, is_folder: bool) -> Path:

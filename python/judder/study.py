@@ -72,7 +72,8 @@ def run(
     """Runs the analyses and sweeps of a case: in memory, or into a study folder, as ``judder run`` does.
 
     In memory nothing is drawn and nothing is written, each call computes anew, and :meth:`Study.save` writes a folder afterwards. Sweeps and
-    analyses that read what others have stored take a temporary folder meanwhile, which goes with the study.
+    analyses that read what others have stored take a temporary folder meanwhile, which goes with the study. Signals of a motion that may be too long for
+    memory want an ``output``: there they grow on the disk.
 
     In a folder only what is not done yet is run: Ctrl-C ends the run and keeps what is done, and the same call goes on from there.
 

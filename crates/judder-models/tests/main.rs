@@ -10,6 +10,7 @@ mod computed_law;
 mod contact;
 mod global_margin;
 mod growing;
+mod held;
 mod live;
 mod march;
 mod motion;

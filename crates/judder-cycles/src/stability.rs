@@ -39,7 +39,7 @@ pub struct FloquetMultipliers {
     pub phase: Option<c64>,
     /// Steps of a period.
     pub steps: usize,
-    /// By how much the largest differs between half as many steps and these, and that of the phase from 1.
+    /// By how much the largest differs between half as many steps and these, how far it lies from those with what the harmonics leave out of the forces, and by how much that of the phase is not 1.
     pub error: f64,
 }
 
@@ -62,7 +62,7 @@ pub enum CycleStability {
 const MOST: usize = 400;
 /// Steps of a period at first, and at most.
 pub const FLOQUET_STEPS: [usize; 2] = [256, 4096];
-/// How many times the harmonics of a driven motion its multipliers are looked at with besides.
+/// How many times the harmonics of a motion its multipliers are looked at with besides.
 const WIDER: usize = 4;
 /// A change from half as many steps that is small enough.
 const ENOUGH: f64 = 1e-3;
@@ -146,13 +146,11 @@ pub fn floquet_multipliers(
             break;
         }
     }
-    if balance.is_driven() {
-        // no multiplier is known to be 1: what the harmonics leave out is told by those of the motion under the forces that the laws make of it
-        let (wide, unknown) = balance.with_left_out(&cycle.unknown, cycle.turning, WIDER)?;
-        let beside = PeriodicMotion { unknown, ..cycle.clone() };
-        let other = with_steps(&wide, &beside, found.steps, go_on)?;
-        found.error = found.error.max(apart(&found.values, &other.values));
-    }
+    // so do those of the motion under the forces that the laws make of it: a stick or a turn that harmonics alone show may change all of them
+    let (wide, unknown) = balance.with_left_out(&cycle.unknown, cycle.turning, WIDER)?;
+    let beside = PeriodicMotion { unknown, ..cycle.clone() };
+    let other = with_steps(&wide, &beside, found.steps, go_on)?;
+    found.error = found.error.max(apart(&found.values, &other.values));
     Ok(Ok(found))
 }
 

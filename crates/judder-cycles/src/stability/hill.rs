@@ -46,7 +46,7 @@ pub enum HillRefusal {
     #[error("a coordinate has no mass")]
     NoMass,
     /// The eigenvalue problem is too large.
-    #[error("{rows} harmonics of coordinates and velocities: eigenvalues are computed of up to {most}")]
+    #[error("the eigenvalue problem has {rows} rows: eigenvalues are computed of up to {most}")]
     TooLarge {
         /// Rows of the eigenvalue problem.
         rows: usize,
@@ -87,11 +87,16 @@ pub fn hill_multipliers(
     go_on: &GoOn<'_>,
 ) -> Result<Result<HillMultipliers, HillRefusal>, CyclesError> {
     let harmonics = balance.series().harmonics();
+    // first what a smaller problem would not mend
+    let slopes = match slopes_of_points(balance, cycle)? {
+        Ok(slopes) => slopes,
+        Err(refusal) => return Ok(Err(refusal)),
+    };
     let rows = 2 * balance.bodies().coordinates() * balance.series().coefficients();
     if rows > most {
         return Ok(Err(HillRefusal::TooLarge { rows, most }));
     }
-    let problem = match SmallMotions::about(balance, cycle, go_on)? {
+    let problem = match SmallMotions::about(balance, cycle.turning.frequency, &slopes, go_on)? {
         Ok(problem) => problem,
         Err(refusal) => return Ok(Err(refusal)),
     };
@@ -138,7 +143,8 @@ struct Exponents {
 impl SmallMotions {
     fn about(
         balance: &HarmonicBalance<'_>,
-        cycle: &PeriodicMotion,
+        omega: f64,
+        slopes: &[Mat<f64>],
         go_on: &GoOn<'_>,
     ) -> Result<Result<Self, HillRefusal>, CyclesError> {
         let (bodies, series) = (balance.bodies(), balance.series());
@@ -146,19 +152,12 @@ impl SmallMotions {
             return Ok(Err(HillRefusal::NoMass));
         };
         let (coordinates, coefficients) = (bodies.coordinates(), series.coefficients());
-        let signals = balance.signals_at(&cycle.unknown, cycle.turning)?;
-        let projected = balance.projected(series, &signals);
-        let motions = series.values(signals.motions.as_ref());
         let dimension = balance.contact().dimension;
         let size = coordinates * coefficients;
         let mut contact = [Mat::zeros(size, size), Mat::zeros(size, size)];
         let mut block = vec![0.0; coefficients * coefficients];
-        for point in 0..balance.contact().points.len() {
+        for (point, slopes) in slopes.iter().enumerate() {
             asked(go_on)?;
-            let Some(mut slopes) = smooth_slopes(projected.of_point(point), dimension) else {
-                return Ok(Err(HillRefusal::NotSmooth { point }));
-            };
-            place_jumps(&mut slopes, motions.col_as_slice(point * dimension));
             let factors = series.of_factors(slopes.as_ref());
             for which in 0..dimension * dimension {
                 let (row, column) = (point * dimension + which / dimension, which % dimension);
@@ -169,7 +168,6 @@ impl SmallMotions {
                 }
             }
         }
-        let omega = cycle.turning.frequency;
         Ok(Ok(Self { omega, coordinates, coefficients, bodies: rates, contact }))
     }
 
@@ -279,6 +277,24 @@ fn mean_harmonic(vector: &[c64], coefficients: usize) -> f64 {
         }
     }
     first / all
+}
+
+/// G of every point at all instants.
+fn slopes_of_points(
+    balance: &HarmonicBalance<'_>,
+    cycle: &PeriodicMotion,
+) -> Result<Result<Vec<Mat<f64>>, HillRefusal>, CyclesError> {
+    let (series, dimension) = (balance.series(), balance.contact().dimension);
+    let signals = balance.signals_at(&cycle.unknown, cycle.turning)?;
+    let projected = balance.projected(series, &signals);
+    let motions = series.values(signals.motions.as_ref());
+    let of = |point: usize| {
+        let mut slopes =
+            smooth_slopes(projected.of_point(point), dimension).ok_or(HillRefusal::NotSmooth { point })?;
+        place_jumps(&mut slopes, motions.col_as_slice(point * dimension));
+        Ok(slopes)
+    };
+    Ok((0..balance.contact().points.len()).map(of).collect())
 }
 
 /// G of a point at all instants, an entry a column, row after row; `None` where it sticks, is rigid, or its slip turns from one instant to the next.

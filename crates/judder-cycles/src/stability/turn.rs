@@ -3,6 +3,9 @@
 //! Friction that jumps from −b to b brakes a point that turns; where it does not hold it, what differs by δv before differs by (a⁺/a⁻) δv after, a the accelerations of the slip
 //! on either side (M. A. Aizerman, F. R. Gantmakher 1958). Harmonics, which have no jumps, show a short stick there: the point sticks where b is enough to hold it,
 //! |ā| < G b with the mean acceleration ā as it turns and the mobility G = P M⁻¹ Pᵀ, and turns otherwise.
+//!
+//! Harmonics ripple, too, and a long stick may show slivers of slip: what slips between two sticks for less than half a wave of the last harmonic is no slip that they know, and sticks;
+//! and slip that friction does not brake has its sign from the ripple alone, and begins or ends no turn.
 
 use crate::balance::{HarmonicBalance, PointSignals, ProjectedForces};
 use crate::series::Series;
@@ -50,10 +53,15 @@ impl SlipTurns {
             let at = |k: usize| 2 * (k % steps) + 1;
             let speed = |k: usize| motions[(at(k), component)];
             let law = |k: usize| projected.at(at(k), point);
-            for before in (0..steps).filter(|k| law(*k).state == PointMotion::Slip) {
-                let amid = (1..steps).take_while(|k| law(before + k).state == PointMotion::Stick).count();
+            let states: Vec<PointMotion> = (0..steps).map(|k| law(k).state).collect();
+            let states = without_slivers(&states, steps / (2 * series.harmonics()));
+            let is_braked =
+                |k: usize| states[k % steps] == PointMotion::Slip && law(k).force[1] * speed(k) < 0.0;
+            for before in (0..steps).filter(|k| is_braked(*k)) {
+                let amid =
+                    (1..steps).take_while(|k| states[(before + k) % steps] == PointMotion::Stick).count();
                 let after = before + amid + 1;
-                if law(after).state != PointMotion::Slip || speed(before) * speed(after) >= 0.0 {
+                if !is_braked(after) || speed(before) * speed(after) >= 0.0 {
                     continue;
                 }
                 let mean = (speed(after) - speed(before)) / (step * (amid + 1) as f64);
@@ -107,9 +115,53 @@ impl SlipTurns {
     }
 }
 
+/// What a point does at the steps of a period, where slip between two sticks for less than so many steps is taken for stick.
+fn without_slivers(states: &[PointMotion], least: usize) -> Vec<PointMotion> {
+    let at = |k: usize| states[k % states.len()];
+    let mut own = states.to_vec();
+    for stuck in (0..states.len()).filter(|k| at(*k) == PointMotion::Stick) {
+        let slips = (1..=least).take_while(|k| at(stuck + k) == PointMotion::Slip).count();
+        if slips < least && at(stuck + slips + 1) == PointMotion::Stick {
+            (1..=slips).for_each(|k| own[(stuck + k) % states.len()] = PointMotion::Stick);
+        }
+    }
+    own
+}
+
 impl SlipTurn {
     /// The steps after the last one before it at whose end it is.
     fn half(&self) -> usize {
         (self.between[1] - self.between[0]) / 2
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_slip_between_two_sticks_is_stick() {
+        let states = |told: &str| -> Vec<PointMotion> {
+            let of = |own: char| match own {
+                's' => PointMotion::Slip,
+                'o' => PointMotion::Open,
+                _ => PointMotion::Stick,
+            };
+            told.chars().map(of).collect()
+        };
+        for (told, least, expected) in [
+            ("ss-s--ss", 2, "ss----ss"),
+            // around the end of the period
+            ("s--sss-s", 3, "---sss--"),
+            ("s--ss-oo", 3, "s-----oo"),
+            // as long as what is known, next to what is open, and where steps are few
+            ("--ss--ss", 2, "--ss--ss"),
+            ("-sos-sss", 3, "-sos-sss"),
+            ("-s-ssss-", 0, "-s-ssss-"),
+            ("-sssssss", 4, "-sssssss"),
+            ("ssssssss", 4, "ssssssss"),
+        ] {
+            assert_eq!(without_slivers(&states(told), least), states(expected), "{told}");
+        }
     }
 }

@@ -60,10 +60,10 @@ fn what_does_not_follow_smoothly_or_has_no_mass_is_refused() {
 fn problems_beyond_the_limit_are_refused_and_all_can_be_stopped() {
     let large = of_steady(&yielding(1.0, 0.4), 43, true).unwrap().unwrap_err();
     assert_eq!(large, HillRefusal::TooLarge { rows: 44, most: 43 });
-    assert_eq!(
-        large.to_string(),
-        "44 harmonics of coordinates and velocities: eigenvalues are computed of up to 43"
-    );
+    assert_eq!(large.to_string(), "the eigenvalue problem has 44 rows: eigenvalues are computed of up to 43");
+    // what no other size would mend comes first
+    let sticks = of_steady(&yielding(1.0, 0.0), 43, true).unwrap();
+    assert_eq!(sticks, Err(HillRefusal::NotSmooth { point: 0 }));
     assert!(of_steady(&yielding(1.0, 0.4), 44, true).unwrap().is_ok());
     assert_eq!(of_steady(&yielding(1.0, 0.4), HILL_ROWS, false), Err(CyclesError::Stopped));
 }

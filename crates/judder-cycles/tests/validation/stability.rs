@@ -1,5 +1,6 @@
 //! Floquet multipliers against closed forms.
 
+use super::belt::{FALLING, slow_mass_on_belt};
 use crate::common::{assembly, diagonal, point_on_plane};
 use crate::growing;
 use faer::c64;
@@ -9,9 +10,13 @@ use judder_assembly::friction::{Friction, FrictionTable};
 use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::row::Row;
 use judder_assembly::steady::steady_sliding;
+use judder_cycles::CyclesError;
 use judder_cycles::balance::{HarmonicBalance, HarmonicForce};
+use judder_cycles::branch::{BranchSettings, cycle_branch};
 use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles};
 use judder_cycles::forced::{ResponseSettings, StepMeasure, forced_response};
+use judder_cycles::marched::{MarchedSettings, marched_period};
+use judder_cycles::near::cycle_near;
 use judder_cycles::path::PathRule;
 use judder_cycles::series::Series;
 use judder_cycles::stability::{CycleStability, floquet_multipliers};
@@ -116,5 +121,68 @@ fn turns_of_slip_contract_what_differs() {
         let words = format!("{harmonics}: {product} {expected}");
         assert!((product.re / expected - 1.0).abs() < 0.03 && product.im == 0.0, "{words}");
         assert_eq!(own.verdict(), CycleStability::Stable, "{words}");
+    }
+}
+
+/// None of the cycles that marches of the belt come to at three speeds is unstable: with any number of harmonics, and whatever slivers of slip these show amid its stick.
+fn no_cycle_that_sticks_is_unstable(harmonics: &[usize]) {
+    for speed in [1.13, 1.208_056_135_606_716_3, 1.3] {
+        let case = slow_mass_on_belt([0.05, speed], FALLING);
+        let steady = steady_sliding(&case, &Compliance::new(&case).unwrap()).unwrap();
+        let march = MarchedSettings { step: 0.01, duration: 300.0 };
+        let start = [&steady.displacement[..], &[speed, 0.0]];
+        let known = marched_period(&case, &steady, start, &march, &|| true).unwrap();
+        for harmonics in harmonics {
+            let settings =
+                CycleSettings { harmonics: HarmonicCount::Fixed(*harmonics), ..CycleSettings::default() };
+            let cycle = cycle_near(&case, &steady, &known, &settings, &|| true).unwrap();
+            assert!(cycle.points[0].shares[0] > 0.0 && cycle.held_back.is_none());
+            let found = floquet_multipliers(&cycle.balance, &cycle.motion, &|| true).unwrap().unwrap();
+            assert_eq!(found.verdict(), CycleStability::Stable, "{speed} m/s, {harmonics}: {found:?}");
+        }
+    }
+}
+
+/// With 21 and 39 harmonics at 1.13 m/s, with 25 at 1.208 m/s the stick falls into two parts.
+#[test]
+fn a_cycle_whose_stick_falls_into_parts_is_stable() {
+    no_cycle_that_sticks_is_unstable(&[9, 21, 25, 39]);
+}
+
+#[test]
+#[ignore = "expensive: seventeen counts at three speeds"]
+fn a_cycle_that_sticks_is_stable_with_any_number_of_harmonics() {
+    no_cycle_that_sticks_is_unstable(&(9..=41).step_by(2).collect::<Vec<_>>());
+}
+
+/// The branch of the belt goes through its fold and back to steady sliding at the Hopf point: no cycle before the fold is called unstable, none behind it stable, and half of them are unstable at least.
+#[test]
+fn the_cycles_of_a_belt_lose_their_stability_at_its_fold() {
+    let at = |value: f64| Ok::<_, CyclesError>(slow_mass_on_belt([0.05, -value], FALLING));
+    let case = at(-0.88).unwrap();
+    let (steady, values) = growing(&case, [0.5, 2.0]);
+    for harmonics in [9, 25] {
+        let settings =
+            CycleSettings { harmonics: HarmonicCount::Fixed(harmonics), ..CycleSettings::default() };
+        let found = limit_cycles(&case, &steady, values[0], &settings, &|| true).unwrap();
+        let rule = PathRule { steps: [0.01, 0.05, 1e-7], tolerance: 1e-8, ..PathRule::default() };
+        let along = BranchSettings { rule, range: [-2.5, -0.5], unit: 1.5, rises: false, points: 400 };
+        let cycle = &found.cycles[0];
+        let branch = cycle_branch(&at, &cycle.balance, (-0.88, &cycle.motion), &along, &|| true).unwrap();
+        let (fold, _) = branch.folds.iter().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+        let mut behind = [0, 0];
+        for (place, own) in branch.cycles.iter().enumerate() {
+            let case = at(own.parameter).unwrap();
+            let balance = cycle.balance.of(&case).unwrap();
+            let Ok(found) = floquet_multipliers(&balance, &own.motion, &|| true).unwrap() else { continue };
+            let wrong = if place <= *fold { CycleStability::Unstable } else { CycleStability::Stable };
+            let words =
+                format!("{harmonics}, {place} of {}, fold {fold}: {own:?} {found:?}", branch.cycles.len());
+            assert!(found.verdict() != wrong, "{words}");
+            if place > *fold {
+                behind[usize::from(found.verdict() == CycleStability::Unstable)] += 1;
+            }
+        }
+        assert!(behind[1] > behind[0], "{harmonics}: {behind:?}");
     }
 }

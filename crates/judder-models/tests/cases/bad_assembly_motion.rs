@@ -198,6 +198,10 @@ fn cycles_that_cannot_be() {
             "a factor on all friction is zero or positive",
         ),
         (squeal("margin = \"friction\""), "`margin` is a string, but must be true, or a table"),
+        (
+            squeal("cures = [\"contact.sole.friction_coefficient\", \"contact.sole.friction_coefficient\"]"),
+            "`contact.sole.friction_coefficient` is named twice among the cures",
+        ),
         (squeal("cures = \"all\""), "`cures` is a string, but must be true, or a list of dotted paths"),
     ] {
         let message = parse("case.toml", &keys, &[]).expect_err("it is refused").to_string();

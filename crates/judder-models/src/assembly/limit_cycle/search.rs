@@ -8,6 +8,7 @@ use judder_cycles::CyclesError;
 use judder_cycles::backbone::BackboneEnd;
 use judder_cycles::cycle::{AssemblyCycle, CycleSearch, CycleSettings, HarmonicCount, limit_cycles};
 use judder_study::Progress;
+use judder_study::text::short;
 use num_complex::Complex64;
 
 /// What became of a mode.
@@ -117,23 +118,23 @@ impl<'a> CycleOfMode<'a> {
         };
         let backbone = &found.backbone;
         let reached = backbone.motions.iter().map(|own| own.amplitude / backbone.first_change);
-        let reached = reached.fold(0.0, f64::max);
+        let reached = short(reached.fold(0.0, f64::max));
         let does = if self.eigenvalue.re > 0.0 { "grow" } else { "decay" };
         let all = format!("{does}, {}, at every amplitude", with_harmonics(&found.followed_with));
         Some(match &backbone.end {
             BackboneEnd::Found | BackboneEnd::Largest => format!(
-                "motions of the mode {all} up to {:.3} times that at which the contact first changes its state",
-                self.settings.backbone.largest,
+                "motions of the mode {all} up to {} times that at which the contact first changes its state",
+                short(self.settings.backbone.largest),
             ),
             BackboneEnd::Points => format!(
-                "motions of the mode {all} of {} that were followed, up to {reached:.3} times that at which the contact first changes its state",
+                "motions of the mode {all} of {} that were followed, up to {reached} times that at which the contact first changes its state",
                 backbone.motions.len(),
             ),
             BackboneEnd::Shrunk => format!(
-                "motions of the mode {all} up to {reached:.3} times that at which the contact first changes its state, and come back to small ones"
+                "motions of the mode {all} up to {reached} times that at which the contact first changes its state, and come back to small ones"
             ),
             BackboneEnd::Lost(error) => format!(
-                "motions of the mode {all} up to {reached:.3} times that at which the contact first changes its state, and were lost there: {error}"
+                "motions of the mode {all} up to {reached} times that at which the contact first changes its state, and were lost there: {error}"
             ),
         })
     }

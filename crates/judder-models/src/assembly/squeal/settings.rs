@@ -275,7 +275,14 @@ impl AssemblySqueal {
             return Ok(());
         }
         let nodes = list("cures", node)?;
-        all(paths.iter().zip(nodes).map(|(path, node)| given(case, path, node))).map(drop)
+        all(paths.iter().zip(nodes).enumerate().map(|(k, (path, node))| match paths[..k].contains(path) {
+            true => {
+                let reason = format!("`{path}` is named twice among the cures: name it once");
+                Err(AssemblyProblem::Refused { reason }.at(node.place))
+            }
+            false => given(case, path, node),
+        }))
+        .map(drop)
     }
 }
 

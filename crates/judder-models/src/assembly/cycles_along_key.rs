@@ -204,20 +204,23 @@ pub(super) fn branch_point_with_error(branch: &AssemblyCycleBranch, point: &Cycl
 /// How lengths along a key are measured: by its logarithm where its `scale` is that.
 #[derive(Clone, Copy)]
 struct KeyMeasure {
-    is_log: bool,
+    /// That of all values, where they are measured by the logarithm of their magnitude.
+    sign: Option<f64>,
 }
 
 impl KeyMeasure {
     fn of(sweep: &KeySweep) -> Self {
-        Self { is_log: sweep.scale == Spacing::Log && sweep.values.iter().all(|own| *own > 0.0) }
+        let sign = sweep.values.first().map_or(1.0, |own| own.signum());
+        let has_one = sweep.values.iter().all(|own| own * sign > 0.0);
+        Self { sign: (sweep.scale == Spacing::Log && has_one).then_some(sign) }
     }
 
     fn of_value(self, value: f64) -> f64 {
-        if self.is_log { value.ln() } else { value }
+        self.sign.map_or(value, |sign| sign * (sign * value).ln())
     }
 
     fn value(self, measured: f64) -> f64 {
-        if self.is_log { measured.exp() } else { measured }
+        self.sign.map_or(measured, |sign| sign * (sign * measured).exp())
     }
 
     /// A branch with the values of the key in place of their measures; those of cycles at an end of the range are that itself.
@@ -230,5 +233,22 @@ impl KeyMeasure {
             cycle.parameter = end.unwrap_or_else(|| self.value(cycle.parameter));
         }
         branch
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn measures_rise_with_values_and_lead_back() {
+        for (sign, values) in [(None, [-2.0, 3.0]), (Some(1.0), [0.5, 2.0]), (Some(-1.0), [-2.0, -0.5])] {
+            let measure = KeyMeasure { sign };
+            let [from, to] = values.map(|value| measure.of_value(value));
+            assert!(from < to);
+            for value in values {
+                assert!((measure.value(measure.of_value(value)) - value).abs() < 1e-15 * value.abs());
+            }
+        }
     }
 }

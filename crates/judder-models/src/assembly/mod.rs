@@ -6,9 +6,11 @@
 //! - `swept`: steady sliding and small motions about it at any values of keys.
 //! - `meant_mode`: which mode about steady sliding an analysis means.
 //! - `cycles_along_key`: the first cycle of a mode along a key, and the branch through it.
+//! - `branch_checks`: what is checked of such a branch.
 //! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`, `spectrogram`, `limit_cycle`, `squeal`, `bifurcation`, `frequency_response`.
 
 pub mod bifurcation;
+mod branch_checks;
 pub(crate) mod build;
 pub mod case;
 mod check;

@@ -118,7 +118,7 @@ fn no_cycle_is_told_with_the_reason() {
     let told = &near.summary.results["cycle"];
     assert_eq!(
         told["reason"],
-        "motions of the mode grow, with 7 harmonics (no cycle with 3 either), at every amplitude up to 1.200 times that at which the contact first changes its state"
+        "motions of the mode grow, with 7 harmonics (no cycle with 3 either), at every amplitude up to 1.2 times that at which the contact first changes its state"
     );
     assert!(!near.complete && told["converged"] == false);
     assert!(near.messages.iter().any(|own| own.contains("no limit cycle: motions of the mode grow")));

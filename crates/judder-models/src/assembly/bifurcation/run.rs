@@ -3,6 +3,7 @@
 use super::CycleDiagram;
 use super::told::{KnownCycle, ToldCycleBranch, dataset};
 use crate::assembly::AssemblySubject;
+use crate::assembly::branch_checks::{ShrunkAt, equations, shrinks};
 use crate::assembly::cycles_along_key::{CyclesAlongKey, FirstCycle};
 use crate::assembly::limit_cycle::search::left_out;
 use crate::assembly::limit_cycle::settings::LOWEST;
@@ -16,14 +17,12 @@ use judder_cycles::balance::HarmonicBalance;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey, CycleBranchEnd};
 use judder_cycles::cycle::points;
 use judder_study::Progress;
-use judder_study::outcome::{CheckRecord, Outcome};
+use judder_study::outcome::Outcome;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
 /// Values at which a first cycle is sought.
 const TRIED: usize = 5;
-/// What the eigenvalue may grow, of its modulus, where a branch shrinks to steady sliding.
-const NEUTRAL: f64 = 1e-4;
 
 pub(super) fn run(
     of: &AssemblySubject<'_>,
@@ -120,40 +119,53 @@ fn branches(
         let assembly = along.assembly(cycle.parameter)?;
         known.push(told_of(asked, &balance.of(&assembly)?, cycle, progress)?);
     }
-    let ends = [&down, &up].map(|way| shrunk(way).map(|cycle| (cycle, off_neutral(family, cycle))));
-    let is_hopf = |off: f64| off <= NEUTRAL;
-    let hopf: Vec<&CycleAtKey> =
-        ends.iter().flatten().filter(|(_, off)| is_hopf(*off)).map(|(cycle, _)| *cycle).collect();
+    let ends = [&down, &up].map(|way| ShrunkAt::of(family, way));
+    let hopf: Vec<&CycleAtKey> = [&down, &up]
+        .into_iter()
+        .zip(ends)
+        .filter(|(_, end)| end.is_some_and(ShrunkAt::is_hopf))
+        .filter_map(|(way, _)| way.cycles.last())
+        .collect();
     let fold_errors = fold_errors(along, &balance, [&down, &up])?;
     let told = ToldCycleBranch::new(asked, &known, [&down, &up], &fold_errors, &hopf);
     let Outcome { scalars, .. } = Outcome::of(&told)?;
-    let lost = |own: &&AssemblyCycleBranch| matches!(own.end, CycleBranchEnd::Lost(_));
-    let missing = [&down, &up].into_iter().filter(lost).count();
+    // the branch goes on, and how is not known
+    let is_cut =
+        |own: &&AssemblyCycleBranch| matches!(own.end, CycleBranchEnd::Lost(_) | CycleBranchEnd::Points);
+    let missing = [&down, &up].into_iter().filter(is_cut).count();
+    let shrunk = ends.into_iter().flatten();
+    let checks = std::iter::once(equations(known.iter().map(|own| own.residual)))
+        .chain(shrunk.clone().filter(|own| own.is_hopf()).map(|own| shrinks(&asked.sweep, own)));
     let mut warnings = ToldCycleBranch::words([&down, &up]);
-    for (cycle, _) in ends.iter().flatten().filter(|(_, off)| !is_hopf(*off)) {
-        let (path, value) = (&asked.sweep.path, asked.sweep.text(cycle.parameter));
-        warnings.push(format!(
-            "the branch is followed no further than {path} = {value}, where it has less than 2 % of its largest amplitude: no eigenvalue begins to grow there"
-        ));
-    }
-    warnings.extend(left_out(known.iter().map(|own| own.left_out).fold(0.0, f64::max)));
+    warnings.extend(shrunk.filter(|own| !own.is_hopf()).map(|own| not_at_an_onset(asked, own)));
     warnings.extend(told.kinks());
     warnings.extend(told.folds_alone());
-    let unknown = known.iter().filter(|own| asked.stability && own.stability.is_stable().is_none()).count();
-    if unknown > 0 {
-        warnings.push(format!(
-            "whether motions nearby are drawn to it is not known of {unknown} of {} cycles",
-            known.len()
-        ));
-    }
+    warnings.extend(of_cycles(asked, &known));
     Ok(Outcome {
         scalars,
         dataset: dataset(asked, &known, &told.bifurcations)?,
-        checks: checks(asked, &known, ends.iter().flatten().filter(|(_, off)| is_hopf(*off))),
+        checks: checks.collect(),
         warnings,
         missing,
         ..Outcome::default()
     })
+}
+
+/// That a branch shrinks where no eigenvalue begins to grow.
+fn not_at_an_onset(asked: &CycleDiagram, at: ShrunkAt) -> String {
+    let (path, value) = (&asked.sweep.path, asked.sweep.text(at.value));
+    format!(
+        "the branch is followed no further than {path} = {value}, where it has less than 2 % of its largest amplitude: no eigenvalue begins to grow there"
+    )
+}
+
+/// What is to be said of the cycles of a branch.
+fn of_cycles(asked: &CycleDiagram, known: &[KnownCycle]) -> Vec<String> {
+    let unknown = known.iter().filter(|own| asked.stability && own.stability.is_stable().is_none()).count();
+    let all = known.len();
+    let undecided = (unknown > 0)
+        .then(|| format!("whether motions nearby are drawn to it is not known of {unknown} of {all} cycles"));
+    left_out(known.iter().map(|own| own.left_out).fold(0.0, f64::max)).into_iter().chain(undecided).collect()
 }
 
 /// What the folds of each way may be off, each from the same one with twice the harmonics.
@@ -175,11 +187,7 @@ fn fold_errors(
     Ok([down?, up?])
 }
 
-/// The last cycle before a branch shrinks to steady sliding.
-fn shrunk(branch: &AssemblyCycleBranch) -> Option<&CycleAtKey> {
-    branch.cycles.last().filter(|_| branch.end == CycleBranchEnd::SteadySliding)
-}
-
+/// What is known of a cycle of the branch.
 fn told_of(
     asked: &CycleDiagram,
     balance: &HarmonicBalance<'_>,
@@ -201,46 +209,4 @@ fn told_of(
         residual: cycle.motion.residual,
         stability,
     })
-}
-
-/// How far the eigenvalue at the last cycle of a branch is from turning as that does without growing, of its modulus; infinite where there is none.
-fn off_neutral(family: &SweptAssembly<'_>, cycle: &CycleAtKey) -> f64 {
-    let omega = cycle.motion.turning.frequency;
-    let mode = family
-        .state(&[cycle.parameter])
-        .and_then(|state| family.about(&state))
-        .and_then(|about| near_frequency(&about, omega));
-    mode.map_or(f64::INFINITY, |mode| {
-        let value = mode.eigenvalue.value;
-        value.re.abs().max((value.im - omega).abs()) / value.norm()
-    })
-}
-
-/// The equations of each cycle, and the eigenvalues where the branch shrinks to steady sliding.
-fn checks<'c>(
-    asked: &CycleDiagram,
-    known: &[KnownCycle],
-    hopf: impl Iterator<Item = &'c (&'c CycleAtKey, f64)>,
-) -> Vec<CheckRecord> {
-    let worse = |most: f64, own: f64| if own.is_nan() { f64::INFINITY } else { most.max(own) };
-    let largest = known.iter().map(|own| own.residual).fold(0.0, worse);
-    let equations = CheckRecord::new(
-        "harmonics of the contact forces are those that the contact laws make of the motions",
-        format!("largest residual over the largest normal force, {} cycles", known.len()),
-        largest.into(),
-        1e-8,
-    );
-    let shrinks = hopf.map(|(cycle, off)| {
-        CheckRecord::new(
-            "the branch shrinks to steady sliding where an eigenvalue begins to grow",
-            format!(
-                "eigenvalue at {} = {} against i times the frequency of the last cycle, over its modulus",
-                asked.sweep.path,
-                asked.sweep.text(cycle.parameter),
-            ),
-            (*off).into(),
-            NEUTRAL,
-        )
-    });
-    std::iter::once(equations).chain(shrinks).collect()
 }

@@ -3,6 +3,7 @@
 use super::margin_told::{CycleReach, MarginEnd, MarginOfOnset};
 use super::settings::AssemblySqueal;
 use crate::assembly::AssemblySubject;
+use crate::assembly::branch_checks::ShrunkAt;
 use crate::assembly::cycles_along_key::{CyclesAlongKey, FirstCycle};
 use crate::assembly::eigen::band;
 use crate::assembly::eigen_sweep::solved::SolvedSweep;
@@ -239,6 +240,12 @@ impl AlongMarginKey<'_> {
             }
             None => None,
         };
-        CycleReach { fold: fold.map(|fold| [fold, f64::NAN]), reaches, end }
+        CycleReach {
+            fold: fold.map(|fold| [fold, f64::NAN]),
+            reaches,
+            end,
+            residuals: branch.cycles.iter().map(|own| own.motion.residual).collect(),
+            shrunk: ShrunkAt::of(self.along.family, branch),
+        }
     }
 }

@@ -2,10 +2,12 @@
 
 use super::margin::SoughtMargins;
 use super::settings::AssemblySqueal;
+use crate::assembly::branch_checks::{ShrunkAt, equations, shrinks};
 use crate::key_sweep::KeySweep;
 use judder_store::Results;
 use judder_structure::onset::Onset;
 use judder_study::labels::any_key;
+use judder_study::outcome::CheckRecord;
 
 /// How far the cycles of a mode reach beyond its onset.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +18,10 @@ pub(super) struct CycleReach {
     pub(super) reaches: Option<f64>,
     /// How the branch ends.
     pub(super) end: MarginEnd,
+    /// Residuals of its cycles.
+    pub(super) residuals: Vec<f64>,
+    /// Where it shrinks to steady sliding.
+    pub(super) shrunk: Option<ShrunkAt>,
 }
 
 /// How a branch of cycles ends.
@@ -69,7 +75,8 @@ impl MarginEnd {
 
 impl CycleReach {
     pub(super) fn unknown(reason: String) -> Self {
-        Self { fold: None, reaches: None, end: MarginEnd::None(reason) }
+        let end = MarginEnd::None(reason);
+        Self { fold: None, reaches: None, end, residuals: Vec::new(), shrunk: None }
     }
 }
 
@@ -107,13 +114,22 @@ impl MarginOfOnset {
         }
     }
 
-    /// What is told of all where the margin is not known.
+    /// What is told of it where the margin is not known, or not how far it is off.
     fn doubt(&self, sweep: &KeySweep) -> Option<String> {
-        self.margin.is_none().then(|| {
-            let (path, onset) = (&sweep.path, sweep.text(self.onset.value));
-            let words = self.reach.end.words(sweep);
-            format!("how far the cycles reach beyond the onset at {path} = {onset} is not known: {words}")
-        })
+        let (path, onset) = (&sweep.path, sweep.text(self.onset.value));
+        match self.reach.fold {
+            None if self.margin.is_none() => {
+                let words = self.reach.end.words(sweep);
+                Some(format!(
+                    "how far the cycles reach beyond the onset at {path} = {onset} is not known: {words}"
+                ))
+            }
+            Some([fold, error]) if error.is_nan() => Some(format!(
+                "what the fold at {path} = {} beyond the onset at {onset} may be off is not known: no such fold is found with twice the harmonics",
+                sweep.text(fold)
+            )),
+            _ => None,
+        }
     }
 }
 
@@ -170,6 +186,16 @@ struct MarginOfMode {
 }
 
 impl SoughtMargins {
+    /// What is checked of the branches: their cycles, and the eigenvalues where they shrink to steady sliding at an onset.
+    pub(super) fn checks(&self, sweep: &KeySweep) -> Vec<CheckRecord> {
+        let residuals: Vec<f64> =
+            self.onsets.iter().flat_map(|own| own.reach.residuals.iter().copied()).collect();
+        let of_cycles = (!residuals.is_empty()).then(|| equations(residuals.into_iter()));
+        let at_onset = self.onsets.iter().filter(|own| own.reach.end == MarginEnd::Onset);
+        let shrunk = at_onset.filter_map(|own| own.reach.shrunk);
+        of_cycles.into_iter().chain(shrunk.map(|own| shrinks(sweep, own))).collect()
+    }
+
     /// The margin of each of so many modes that grow, and its place from the largest on among them.
     pub(super) fn of_modes(&self, count: usize) -> Vec<Option<(f64, usize)>> {
         let margin = |mode: usize| self.onsets.iter().find(|own| own.mode == Some(mode))?.margin;
@@ -241,8 +267,10 @@ impl ToldMargins {
 
     /// Margins that should be known.
     pub(super) fn missing(found: &SoughtMargins) -> usize {
-        let is_missing =
-            |own: &&MarginOfOnset| !own.reach.end.is_whole() && !matches!(own.reach.end, MarginEnd::Range);
+        let is_missing = |own: &&MarginOfOnset| {
+            let has_error = own.reach.fold.is_none_or(|[_, error]| !error.is_nan());
+            !has_error || !own.reach.end.is_whole() && !matches!(own.reach.end, MarginEnd::Range)
+        };
         found.onsets.iter().filter(is_missing).count()
     }
 }

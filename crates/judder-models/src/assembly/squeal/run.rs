@@ -51,10 +51,12 @@ pub(super) fn run(
     let mut missing =
         told.unstable - told.found + usize::from(!told.complete) + usize::from(unheard.is_some());
     warnings.extend(unheard);
+    let mut checks = checked(&modes);
     if let Some(sweep) = asked.margin_sweep() {
         let found = margins(of, asked, sweep, &values, progress)?;
         warnings.extend(ToldMargins::doubts(sweep, &found));
         missing += ToldMargins::missing(&found);
+        checks.extend(found.checks(sweep));
         told = told.with_margins(asked, sweep, &found);
     }
     let small = SmallMotions::new(&all.modes, told.complete);
@@ -80,7 +82,7 @@ pub(super) fn run(
     if let Some((_, found)) = &knocks {
         dataset = found.variables(dataset)?;
     }
-    Ok(Outcome { dataset, checks: checked(&modes), warnings, missing, ..outcome })
+    Ok(Outcome { dataset, checks, warnings, missing, ..outcome })
 }
 
 /// The cycle of each of these modes, or why there is none.

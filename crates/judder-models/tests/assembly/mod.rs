@@ -1,5 +1,6 @@
 //! Assemblies end to end.
 
+mod contributions;
 mod cycles;
 mod deformed;
 mod driven;

@@ -1,5 +1,6 @@
 //! A limit cycle: the motions that lead to it, and one period.
 
+use super::contributions::{FREQUENCIES, LEFT_OVER, SHARES};
 use crate::assembly::march::figure::states_over;
 use crate::motion::pictures::multipliers;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
@@ -7,7 +8,7 @@ use judder_store::{Dataset, Variable};
 use judder_study::pictures::{axis, reals, words};
 use serde_json::Value;
 
-/// Growth rate and frequency over the amplitude, forces and states of each contact over a period, the portrait of a point, the observed points, the Floquet multipliers.
+/// Growth rate and frequency over the amplitude, forces and states of each contact over a period, the portrait of a point, the observed points, the shares of the modes, the Floquet multipliers.
 pub(super) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
     let mut panels: Vec<Panel> = over_amplitude(dataset).into_iter().collect();
     let Some(phase) = dataset.variable("phase") else { return Some(panels).filter(|own| !own.is_empty()) };
@@ -26,6 +27,7 @@ pub(super) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
     for variable in dataset.variables().iter().filter(|own| own.units == "m/s^2") {
         panels.push(over_period(dataset, &across, variable)?);
     }
+    panels.extend(modes(dataset));
     panels.extend(multipliers(dataset));
     Some(panels)
 }
@@ -54,6 +56,26 @@ fn over_period(dataset: &Dataset, across: &Axis, signal: &Variable) -> Option<Pa
         Role::Series(0).solid(),
     );
     Some(Panel::new(across.clone(), axis(signal), vec![line]).with_legend(Legend::Below))
+}
+
+/// The share of each mode over its frequency: a stem from zero.
+fn modes(dataset: &Dataset) -> Option<Panel> {
+    let (across, up) = (dataset.variable(FREQUENCIES)?, dataset.variable(SHARES)?);
+    let (frequencies, shares) = (reals(dataset, FREQUENCIES)?, reals(dataset, SHARES)?);
+    let stems = frequencies.iter().zip(shares);
+    let (x, y): (Vec<f64>, Vec<f64>) =
+        stems.flat_map(|(at, share)| [(*at, 0.0), (*at, *share), (f64::NAN, f64::NAN)]).unzip();
+    let layers = vec![
+        Layer::line("", x, y, Role::Series(0).solid()),
+        Layer::points("", frequencies.to_vec(), shares.to_vec(), Role::Series(0)),
+    ];
+    let highest = frequencies.iter().copied().fold(0.0, f64::max);
+    // rigid motions alone lie at 0 Hz
+    let reach = if highest > 0.0 { 1.05 * highest } else { 1.0 };
+    let panel = Panel::new(axis(across).over(0.0, reach), axis(up).over(0.0, 1.05), layers);
+    let left_over = dataset.attributes().get(LEFT_OVER).and_then(Value::as_f64);
+    let left_over = left_over.map(|share| format!(", {:.1} % left over", 100.0 * share));
+    Some(panel.with_title(format!("modes of frictionless contact{}", left_over.unwrap_or_default())))
 }
 
 /// Slip velocity over displacement of the point whose velocity swings most.

@@ -1,10 +1,11 @@
 //! `limit-cycle`: the periodic motion that an unstable mode grows to.
 //!
 //! - [`settings`]: the keys. `start`: where no mode leads, `stored`: at the cycle of another study. `search`: the cycles of a mode, and in words why there is none. `stability`: whether motions nearby are drawn to one.
-//! - `run`, `told`, `arrays`: what is computed, told and stored. `checks`: what is checked. `figure`, `tables`: how it is shown.
+//! - `run`, `told`, `arrays`: what is computed, told and stored. `checks`: what is checked. `contributions`: of which modes a cycle is made up. `figure`, `tables`: how it is shown.
 
 mod arrays;
 pub(super) mod checks;
+mod contributions;
 mod figure;
 mod run;
 pub(super) mod search;
@@ -41,7 +42,7 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
     picture: Some(Picture {
         draw: figure::limit_cycle,
         caption: "How fast the periodic motions of the mode would grow, over their amplitude: where that passes through zero is the limit cycle. Over one period of it forces of each contact, \
-        what each contact point does, in the order of its points, and accelerations of the observed points; the portrait of the contact point that moves most. The cycle is stable where all Floquet multipliers but the one at 1 lie within the unit circle.",
+        what each contact point does, in the order of its points, and accelerations of the observed points; the portrait of the contact point that moves most; the modes of frictionless contact of which the cycle is made up, by their shares in the kinetic energy of its swing. The cycle is stable where all Floquet multipliers but the one at 1 lie within the unit circle.",
     }),
 };
 

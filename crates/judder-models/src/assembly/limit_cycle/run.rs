@@ -2,6 +2,7 @@
 
 use super::arrays::dataset;
 use super::checks::{INSTANTS, checks};
+use super::contributions::ModeContributions;
 use super::search::{CycleOfMode, differentiated, left_out};
 use super::settings::{CycleMethod, LOWEST, ModeCycle, USUAL_STEPS, components};
 use super::stability::KnownStability;
@@ -31,50 +32,72 @@ pub(super) fn run(
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
     let steady = of.steady_to_march()?;
-    let mut warnings = of.doubts(&steady);
-    let sought = sought(of, asked, &steady, &mut warnings, progress)?;
-    let mut outcome = Outcome::default();
+    let mut outcome = Outcome { warnings: of.doubts(&steady), ..Outcome::default() };
+    let sought = sought(of, asked, &steady, &mut outcome.warnings, progress)?;
     let mut mode = ToldCycleMode::new(asked, &sought);
     let cycle = match sought.cycle() {
         None => {
             outcome.dataset = dataset(of, &sought, None)?;
             outcome.missing = 1;
-            warnings.extend(sought.reason().map(|reason| format!("no limit cycle: {reason}")));
+            outcome.warnings.extend(sought.reason().map(|reason| format!("no limit cycle: {reason}")));
             None
         }
         Some(cycle) => {
-            let stability =
-                KnownStability::of(&cycle.balance, &cycle.motion, asked.solver.stability, progress)?
-                    .and_by_hill(&cycle.balance, &cycle.motion, HILL_ROWS, progress)?;
-            outcome.dataset = dataset(of, &sought, Some(&stability))?;
-            warnings.extend(words_of(&sought, cycle).into_iter().chain(stability.doubt()));
-            let power = cycle.power(INSTANTS)?;
-            let (harmonics, points) = (cycle.balance.series().harmonics(), cycle.points.len());
-            let which = format!("{harmonics} harmonics, {points} points");
-            outcome.checks = checks(&which, cycle.motion.residual.into(), power.imbalance().into());
-            let shot = match shot(of, asked, cycle, progress)? {
-                Some(Ok(shot)) => {
-                    outcome.checks.push(comes_back(cycle, &shot));
-                    Some(shot)
-                }
-                Some(Err(reason)) => {
-                    outcome.missing = 1;
-                    mode.not_by_the_march(&reason);
-                    warnings.push(format!("{reason}; what is told is the cycle by harmonics"));
-                    None
-                }
-                None => None,
-            };
-            let sounds = sounds(of, cycle)?;
-            let (heard, files): (Vec<_>, Vec<_>) =
-                sounds.into_iter().map(|own| (own.told, (own.name, own.bytes))).unzip();
-            outcome.files = files;
-            Some(ToldModeCycle::new(of, &sought, cycle, (&power, &stability), heard, shot.as_ref())?)
+            let known = (&steady, &sought, cycle);
+            Some(told(of, asked, known, (&mut outcome, &mut mode), progress)?)
         }
     };
     outcome.scalars = scalars(&mode, cycle.as_ref());
-    outcome.warnings = warnings;
     Ok(outcome)
+}
+
+/// What is told of a cycle; what else there is of it goes to the outcome and to what is told of its mode.
+fn told(
+    of: &AssemblySubject<'_>,
+    asked: &ModeCycle,
+    (steady, sought, cycle): (&SteadySliding, &CycleOfMode<'_>, &AssemblyCycle<'_>),
+    (outcome, mode): (&mut Outcome, &mut ToldCycleMode),
+    progress: &dyn Progress,
+) -> Result<ToldModeCycle, ModelError> {
+    let stability = KnownStability::of(&cycle.balance, &cycle.motion, asked.solver.stability, progress)?
+        .and_by_hill(&cycle.balance, &cycle.motion, HILL_ROWS, progress)?;
+    outcome.dataset = dataset(of, sought, Some(&stability))?;
+    outcome.warnings.extend(words_of(sought, cycle).into_iter().chain(stability.doubt()));
+    progress.go_on()?;
+    let made_of = match ModeContributions::of(of, steady, cycle, sought.eigenvalue.im)? {
+        Ok(made_of) => {
+            outcome.dataset = made_of.stored(std::mem::take(&mut outcome.dataset))?;
+            Some(made_of)
+        }
+        Err(error) => {
+            outcome.missing = 1;
+            outcome.warnings.push(format!("of which modes the cycle is made up is not known: {error}"));
+            None
+        }
+    };
+    let power = cycle.power(INSTANTS)?;
+    let (harmonics, points) = (cycle.balance.series().harmonics(), cycle.points.len());
+    let which = format!("{harmonics} harmonics, {points} points");
+    outcome.checks = checks(&which, cycle.motion.residual.into(), power.imbalance().into());
+    let shot = match shot(of, asked, cycle, progress)? {
+        Some(Ok(shot)) => {
+            outcome.checks.push(comes_back(cycle, &shot));
+            Some(shot)
+        }
+        Some(Err(reason)) => {
+            outcome.missing = 1;
+            mode.not_by_the_march(&reason);
+            outcome.warnings.push(format!("{reason}; what is told is the cycle by harmonics"));
+            None
+        }
+        None => None,
+    };
+    let sounds = sounds(of, cycle)?;
+    let (heard, files): (Vec<_>, Vec<_>) =
+        sounds.into_iter().map(|own| (own.told, (own.name, own.bytes))).unzip();
+    outcome.files = files;
+    let known = (&power, &stability, made_of.as_ref());
+    ToldModeCycle::new(of, sought, cycle, known, heard, shot.as_ref())
 }
 
 /// The cycle along the motions of the mode that is meant, or where it is to be sought in place of that.

@@ -4,9 +4,12 @@ use judder_report::page::PageTable;
 use judder_study::report_tables::short;
 use serde_json::{Map, Value};
 
-/// What the cycle is, what each contact does over a period, where its energy comes from, how loud it is.
+/// What the cycle is, what each contact does over a period, of which modes it is made up, where its energy comes from, how loud it is.
 pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
-    [cycle(results), contacts(results), power(results), levels(results)].into_iter().flatten().collect()
+    [cycle(results), contacts(results), modes(results), power(results), levels(results)]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 /// A number, or that it is not known.
@@ -82,6 +85,22 @@ fn power(results: &Map<String, Value>) -> Option<PageTable> {
     let power = results.get("power").and_then(Value::as_object).into_iter().flatten();
     let rows = power.map(|(name, value)| vec![name.clone(), short(value)]).collect();
     table("Power into the bodies over a period, on average", &["from", "W"], rows)
+}
+
+/// Of which modes the cycle is made up; those with a hundredth of a per cent or less stay in the arrays.
+fn modes(results: &Map<String, Value>) -> Option<PageTable> {
+    /// A share that is not shown.
+    const SMALL: f64 = 1e-4;
+    let modes = results.get("mode_contributions").and_then(Value::as_array).into_iter().flatten();
+    let row = |own: &Value| vec![short(&own["frequency_hz"]), short(&own["share"])];
+    let shown = modes.filter(|own| own["share"].as_f64().is_some_and(|share| share > SMALL));
+    let left_over = results.get("contributions_left_over").filter(|own| !own.is_null());
+    let rows = shown.map(row).chain(left_over.map(|own| vec!["left over".to_owned(), short(own)]));
+    table(
+        "Modes of frictionless contact that make up the cycle, by their shares in the kinetic energy of its swing",
+        &["mode (Hz)", "share"],
+        rows.collect(),
+    )
 }
 
 fn levels(results: &Map<String, Value>) -> Option<PageTable> {

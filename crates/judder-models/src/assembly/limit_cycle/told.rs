@@ -1,5 +1,6 @@
 //! What is told of a cycle.
 
+use super::contributions::{ModeContribution, ModeContributions};
 use super::search::{CycleOfMode, acceleration_mean_square};
 use super::settings::ModeCycle;
 use super::stability::KnownStability;
@@ -84,6 +85,10 @@ pub(super) struct ToldModeCycle {
     energy_balance: f64,
     /// each contact
     contacts: ByName<ContactInCycle>,
+    /// the modes of frictionless contact with the largest shares in the kinetic energy of its swing, up to 20, by rising frequency
+    mode_contributions: Option<Vec<ModeContribution>>,
+    /// the share that they have not
+    contributions_left_over: Option<f64>,
     /// accelerations of the observed points
     levels: ByName<CycleLevel>,
     /// accelerations of the observed points as sound, as far as it can be heard
@@ -215,7 +220,7 @@ impl ToldModeCycle {
         of: &AssemblySubject<'_>,
         sought: &CycleOfMode<'_>,
         cycle: &AssemblyCycle<'_>,
-        (power, stability): (&CyclePower, &KnownStability),
+        (power, stability, made_of): (&CyclePower, &KnownStability, Option<&ModeContributions>),
         sound: Vec<ToldSound>,
         shot: Option<&ShotCycle>,
     ) -> Result<Self, ModelError> {
@@ -256,6 +261,8 @@ impl ToldModeCycle {
                 circulation: (power.circulation != 0.0).then_some(power.circulation),
             },
             energy_balance: power.imbalance(),
+            mode_contributions: made_of.map(|own| own.modes.clone()),
+            contributions_left_over: made_of.map(|own| own.left_over),
             levels: levels(of, cycle)?.into_iter().collect(),
             contacts: contacts.into_iter().collect(),
             sound,

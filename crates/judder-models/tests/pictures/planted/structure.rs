@@ -258,6 +258,10 @@ pub(super) fn assembly_cycle(seed: u64) -> Vec<Planted> {
     for (name, values) in [("slip_displacement", displacement), ("slip_velocity", velocity)] {
         variables.push(over(name, &["phase", "contact_point"], &[20, 2], values));
     }
+    let (frequencies, shares) = (steps(5), random.gappy(5, 0.0));
+    runs.extend(frequencies.iter().zip(&shares).map(|(at, share)| run(&[*at; 2], &[0.0, *share])));
+    variables.push(along("mode_frequency", "mode", frequencies));
+    variables.push(along("mode_contribution", "mode", shares));
     let multipliers = [Complex64::ONE, Complex64::new(0.3, 0.8), Complex64::new(0.3, -0.8)];
     variables.push(along("floquet_multipliers", "multiplier", multipliers.to_vec()));
     let dataset = dataset(variables, &[("cycle_amplitude", json!(3.0))]);

@@ -23,6 +23,8 @@ pub struct StabilityChange {
     pub between: [usize; 2],
     /// How.
     pub crossing: CircleCrossing,
+    /// What those outside of the circle say alone, on the side that has them.
+    pub outside: CircleCrossing,
 }
 
 impl FloquetMultipliers {
@@ -44,16 +46,14 @@ pub fn stability_changes(along: &[Option<&FloquetMultipliers>]) -> Vec<Stability
     let clear: Vec<_> = clear.collect();
     let changes = clear.windows(2).filter(|pair| pair[0].2 != pair[1].2).map(|pair| {
         let (more, fewer) = if pair[0].2 > pair[1].2 { (&pair[0], &pair[1]) } else { (&pair[1], &pair[0]) };
-        StabilityChange {
-            between: [pair[0].0, pair[1].0],
-            crossing: crossing(more.1, fewer.1, more.2 - fewer.2),
-        }
+        let [crossing, outside] = crossing(more.1, fewer.1, more.2 - fewer.2);
+        StabilityChange { between: [pair[0].0, pair[1].0], crossing, outside }
     });
     changes.collect()
 }
 
-/// How so many multipliers crossed: those next to the circle outside on the one side and inside on the other are of one kind, or it is not known.
-fn crossing(more: &FloquetMultipliers, fewer: &FloquetMultipliers, count: usize) -> CircleCrossing {
+/// How so many multipliers crossed: those next to the circle outside on the one side and inside on the other are of one kind, or it is not known; and what those outside say alone.
+fn crossing(more: &FloquetMultipliers, fewer: &FloquetMultipliers, count: usize) -> [CircleCrossing; 2] {
     let off = |own: &c64| (own.norm() - 1.0).abs();
     let next = |of: &FloquetMultipliers, outside: bool| {
         let mut own: Vec<c64> =
@@ -69,7 +69,7 @@ fn crossing(more: &FloquetMultipliers, fewer: &FloquetMultipliers, count: usize)
         _ => CircleCrossing::Unknown,
     };
     let [out, inside] = [kind(&next(more, true)), kind(&next(fewer, false))];
-    if out == inside { out } else { CircleCrossing::Unknown }
+    [if out == inside { out } else { CircleCrossing::Unknown }, out]
 }
 
 #[cfg(test)]
@@ -97,6 +97,11 @@ mod tests {
         assert_eq!(changes(&[&pair, &swings]), [([0, 1], CircleCrossing::Pair)]);
         let flip = known(&[[-0.97, 0.0], [0.5, 0.0]], 0.01);
         assert_eq!(changes(&[&doubled, &flip]), [([0, 1], CircleCrossing::AtMinusOne)]);
+        // where a mass begins to stick a multiplier jumps from zero
+        let sticks = known(&[[0.0, 0.0], [0.0, 0.0]], 0.01);
+        let slips = known(&[[1.3, 0.0], [0.0, 0.0]], 0.01);
+        let jumps = stability_changes(&[Some(&sticks), Some(&slips)]);
+        assert_eq!([jumps[0].crossing, jumps[0].outside], [CircleCrossing::Unknown, CircleCrossing::AtOne]);
         // inside it is one at 0.9, outside one at −1.2
         assert_eq!(changes(&[&inside, &doubled]), [([0, 1], CircleCrossing::Unknown)]);
         assert!(changes(&[&inside, &pair]).is_empty());

@@ -4,7 +4,7 @@ use super::told::KnownCycle;
 use crate::assembly::cycles_along_key::{SOLVED, branch_point_with_error};
 use crate::assembly::limit_cycle::stability::crossing_words;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey};
-use judder_cycles::stability::{CircleCrossing, stability_changes};
+use judder_cycles::stability::{CircleCrossing, StabilityChange, stability_changes};
 use judder_store::Results;
 use std::f64::consts::TAU;
 
@@ -44,6 +44,30 @@ pub(super) struct NamedBifurcation {
 }
 
 impl NamedBifurcation {
+    /// One of this kind, with its value and what that may be off, between two of the cycles.
+    fn new(
+        kind: &'static str,
+        [value, error]: [f64; 2],
+        known: &[KnownCycle],
+        [before, after]: [usize; 2],
+    ) -> Self {
+        Self {
+            kind,
+            value,
+            error: Some(error).filter(|error| error.is_finite()),
+            frequency_hz: known[before].frequency / TAU,
+            rms: known[before].rms,
+            between: vec![known[before].value, known[after].value],
+            cycle: before,
+        }
+    }
+
+    /// Whether it was searched for where a change of stability between these cycles is seen.
+    fn is_located(&self, [before, after]: [usize; 2]) -> bool {
+        let [from, to] = [self.cycle, self.cycle + 2];
+        [FOLD, BRANCH_POINT, KINK].contains(&self.kind) && from <= after && before <= to
+    }
+
     /// Whether the key turns there.
     pub(super) fn is_fold(&self) -> bool {
         self.kind == FOLD
@@ -73,15 +97,7 @@ pub(super) fn named(
     fold_errors: &[Vec<f64>; 2],
     hopf: &[&CycleAtKey],
 ) -> Vec<NamedBifurcation> {
-    let of = |kind: &'static str, [value, error]: [f64; 2], [before, after]: [usize; 2]| NamedBifurcation {
-        kind,
-        value,
-        error: Some(error).filter(|error| error.is_finite()),
-        frequency_hz: known[before].frequency / TAU,
-        rms: known[before].rms,
-        between: vec![known[before].value, known[after].value],
-        cycle: before,
-    };
+    let of = |kind, value, between| NamedBifurcation::new(kind, value, known, between);
     let place = |cycle: &CycleAtKey| {
         let omega = cycle.motion.turning.frequency;
         known.iter().position(|own| own.value == cycle.parameter && own.frequency == omega)
@@ -112,21 +128,28 @@ pub(super) fn named(
             all.extend(near(own.cycle, kind, place, own.cycle + 1));
         }
     }
-    let multipliers: Vec<_> = known.iter().map(|own| own.stability.known()).collect();
-    for change in stability_changes(&multipliers) {
-        let [before, after] = change.between;
-        let is_there = |other: &NamedBifurcation| {
-            let [from, to] = [other.cycle, other.cycle + 2];
-            [FOLD, BRANCH_POINT, KINK].contains(&other.kind) && from <= after && before <= to
-        };
-        // a fold or branch point that is located needs no second name
-        if change.crossing == CircleCrossing::AtOne && all.iter().any(is_there) {
-            continue;
-        }
-        let [from, to] = [known[before].value, known[after].value];
-        let amid = [0.5 * (from + to), 0.5 * (to - from).abs()];
-        all.push(of(crossing_words(change.crossing), amid, [before, after]));
-    }
+    let changes = changes_of_stability(known, &all);
+    all.extend(changes);
     all.sort_by_key(|own| own.cycle);
     all
+}
+
+/// Where stability changes, but for those places that are located by another name.
+fn changes_of_stability(known: &[KnownCycle], located: &[NamedBifurcation]) -> Vec<NamedBifurcation> {
+    let multipliers: Vec<_> = known.iter().map(|own| own.stability.known()).collect();
+    // a fold has one past 1, also where it jumps there from what sticking makes zero
+    let is_fold = |own: &StabilityChange| match own.crossing {
+        CircleCrossing::Unknown => own.outside == CircleCrossing::AtOne,
+        crossing => crossing == CircleCrossing::AtOne,
+    };
+    let changes = stability_changes(&multipliers).into_iter();
+    let others =
+        changes.filter(|own| !(is_fold(own) && located.iter().any(|other| other.is_located(own.between))));
+    others
+        .map(|own| {
+            let [from, to] = own.between.map(|place| known[place].value);
+            let amid = [0.5 * (from + to), 0.5 * (to - from).abs()];
+            NamedBifurcation::new(crossing_words(own.crossing), amid, known, own.between)
+        })
+        .collect()
 }

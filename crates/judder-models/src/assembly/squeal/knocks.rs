@@ -87,7 +87,7 @@ pub(super) struct ToldKnocks {
 
 /// What is known of small motions about steady sliding.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct SmallMotions {
+pub(super) struct KnownSmallMotions {
     /// Whether some of the band grow.
     pub(super) grows: bool,
     /// Whether it is proven that the band has no other modes.
@@ -96,7 +96,7 @@ pub(super) struct SmallMotions {
     pub(super) slowest: Option<f64>,
 }
 
-impl SmallMotions {
+impl KnownSmallMotions {
     /// What the modes of a band say, all of them where that is proven.
     pub(super) fn new(modes: &[ComplexMode], complete: bool) -> Self {
         // what creeps away without swinging grows as well
@@ -111,7 +111,7 @@ pub(super) fn knocked(
     of: &AssemblySubject<'_>,
     asked: &Knocks,
     steady: &SteadySliding,
-    small: SmallMotions,
+    small: KnownSmallMotions,
     (kept, progress): (KeptLines<'_>, &dyn Progress),
 ) -> Result<SampledKnocks, ModelError> {
     let watched = of.built.watched.iter().find(|own| own.name == asked.at);
@@ -159,7 +159,7 @@ struct KnockFollower<'a> {
     /// Velocities by 1 N s.
     unit: Vec<f64>,
     energy: EnergyAboutSliding,
-    small: SmallMotions,
+    small: KnownSmallMotions,
     progress: &'a dyn Progress,
 }
 
@@ -207,7 +207,7 @@ impl KnockFollower<'_> {
     }
 }
 
-impl SmallMotions {
+impl KnownSmallMotions {
     /// What becomes of a motion by its energy at first and at the end, and whether points change what they do there.
     fn fate(self, first: f64, windows: &EnergyWindows, step: f64, has_changed: bool) -> u8 {
         let [earlier, last] = windows.halves();

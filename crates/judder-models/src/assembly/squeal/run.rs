@@ -2,7 +2,7 @@
 
 use super::cures::cures;
 use super::cycle::{CycleInBand, SoughtMode};
-use super::knocks::{SmallMotions, knocked};
+use super::knocks::{KnownSmallMotions, knocked};
 use super::margin::margins;
 use super::margin_told::ToldMargins;
 use super::settings::AssemblySqueal;
@@ -59,7 +59,7 @@ pub(super) fn run(
         checks.extend(found.checks(sweep));
         told = told.with_margins(asked, sweep, &found);
     }
-    let small = SmallMotions::new(&all.modes, told.complete);
+    let small = KnownSmallMotions::new(&all.modes, told.complete);
     let knocks = match &asked.knocks {
         Some(asked) => Some((asked, knocked(of, asked, &steady, small, (kept, progress))?)),
         None => None,

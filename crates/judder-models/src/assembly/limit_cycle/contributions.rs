@@ -57,7 +57,7 @@ impl ModeContributions {
         mode: f64,
     ) -> Result<Result<Self, StructureError>, ModelError> {
         let about = Linearised::new(&of.built.assembly, steady, LinearisedTerms::default())?;
-        let swing = Swing::of(cycle, &about.structures[0])?;
+        let swing = CycleSwing::of(cycle, &about.structures[0])?;
         let highest = BEYOND * (swing.matters() as f64 * cycle.frequency()).max(mode);
         let (mass, stiffness) = about.frictionless()?;
         let found = match modes(&stiffness, &mass, WantedModes::Band(0.0, highest / TAU)) {
@@ -100,14 +100,14 @@ impl ModeContributions {
 }
 
 /// Velocities of a cycle at all freedoms, but for the factor ω.
-struct Swing {
+struct CycleSwing {
     /// M h X of each harmonic, real and imaginary parts.
     momenta: Vec<[Vec<f64>; 2]>,
     /// h² Xᴴ M X of each.
     energies: Vec<f64>,
 }
 
-impl Swing {
+impl CycleSwing {
     fn of(cycle: &AssemblyCycle<'_>, mass: &Sparse) -> Result<Self, ModelError> {
         let (_, harmonics) = cycle.balance.coordinates(&cycle.motion.unknown, cycle.motion.turning)?;
         let bodies = cycle.balance.bodies();

@@ -201,9 +201,9 @@ def test_a_study_keeps_its_inputs_and_goes_on(tmp_path, monkeypatch, command):
     monkeypatch.chdir(tmp_path)
     mass, stiffness = chain(30)
     case = {"model": "structure", "title": "A chain", "matrices": {"mass": mass, "stiffness": stiffness}, "analysis": [MODES]}
-    first = judder.run(case)
+    first = judder.run(case, output=True)
     began = files(first.folder)["summary.json"]
-    again = judder.run({**case, "matrices": {"mass": mass.tocsc(), "stiffness": stiffness.tolil()}})
+    again = judder.run({**case, "matrices": {"mass": mass.tocsc(), "stiffness": stiffness.tolil()}}, output=True)
     assert again.folder == first.folder and again.hashes == first.hashes
     assert json.loads(files(first.folder)["summary.json"])["analyses"] == json.loads(began)["analyses"]
     assert {"inputs/matrices.mass.npz", "inputs/matrices.stiffness.npz"} < {*files(first.folder)}
@@ -212,7 +212,7 @@ def test_a_study_keeps_its_inputs_and_goes_on(tmp_path, monkeypatch, command):
     (first.folder / "case.toml").write_text(first.summary["study"]["source"], "utf-8")
     command("run", first.folder / "case.toml", "--output", tmp_path / "again")
     assert judder.load_study(tmp_path / "again").hashes == first.hashes
-    other = judder.run(case, set={"matrices.stiffness": 2 * stiffness})
+    other = judder.run(case, set={"matrices.stiffness": 2 * stiffness}, output=True)
     assert other.folder != first.folder
 
 

@@ -44,7 +44,7 @@ define browser-tests
 		CHROMIUM="$$chromium" JUDDER="$(abspath $(TARGET))/debug/judder" npm run --silent test -- $1
 endef
 
-.PHONY: help demo test bench bench-cluster bench-explorer bench-rough validate expensive-tests sdist-tests setup format lint rust-tests doc-tests python-tests page page-tests docs deny advisories
+.PHONY: help demo test bench bench-cluster bench-explorer bench-rough validate expensive-tests sdist-tests setup format lint rust-tests doc-tests python-tests page page-tests docs deny advisories dist dist-tests site workflows
 
 help: ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -58,7 +58,7 @@ test: format rust-tests doc-tests python-tests page-tests ## what must hold befo
 	@printf '\nEvery check passed.\n'
 
 # What takes long, and what looks at all sources for what a change seldom touches. CI runs it after `make test`.
-validate: lint expensive-tests docs deny ## clippy, the expensive validation, the documentation, the licences
+validate: lint expensive-tests docs deny workflows ## clippy, the expensive validation, the documentation, the licences, the workflows
 	@printf '\nAll is validated.\n'
 
 bench: .venv/installed ## time the stability decision, the sliding contact, a limit cycle, modes, assemblies, loci, marches and calls from Python, beside NumPy and SciPy peers
@@ -161,8 +161,23 @@ docs: ## build the API documentation and the book
 	@if grep -rlE '<(script|link|img)[^>]*(https?:)?//' --include='*.html' docs/book; then \
 		echo 'The pages above fetch something from outside: the book must be readable offline.'; exit 1; fi
 
+site: ## build the book as a folder of a site, with the site's front page, into `site`
+	tools/site "$(or $(shell git describe --tags --exact-match 2>/dev/null),main)" site
+
 deny: ## licences and sources of the dependencies, banned crates
 	cargo_deny=$$($(CARGO_DENY)); "$$cargo_deny" --workspace check bans licenses sources
+
+# Of the last commit, optimised: minutes.
+dist: .venv-dist/installed ## build what is released of the last commit, into the empty folder `dist`
+	PATH="$(CURDIR)/.venv-dist/bin:$$PATH" tools/dist/build dist
+
+dist-tests: .venv-dist/installed ## install and run every artifact where nothing else of judder is
+	JUDDER_DIST=dist .venv-dist/bin/python -m pytest -q -p no:cacheprovider tests/dist
+
+# The schema of workflows, and their safety; both work offline.
+workflows: .venv/installed ## check the workflows of the forge
+	.venv/bin/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
+	.venv/bin/zizmor --offline --no-progress .github/workflows
 
 # Not a part of `make test`: its answer depends on the day, and it needs the network.
 advisories: ## known vulnerabilities of the dependencies
@@ -170,6 +185,10 @@ advisories: ## known vulnerabilities of the dependencies
 
 .venv-peers/installed: tools/python-environment benches/peer/requirements.txt
 	tools/python-environment .venv-peers benches/peer/requirements.txt
+	@touch $@
+
+.venv-dist/installed: tools/python-environment tools/dist/requirements.txt
+	tools/python-environment .venv-dist tools/dist/requirements.txt
 	@touch $@
 
 .venv/installed: tools/python-environment $(REQUIREMENTS)

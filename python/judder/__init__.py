@@ -9,7 +9,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 from judder import contact, errors, oscillator, plot, sliding, sweep
-from judder._judder import VERSION as __version__
+from judder._judder import BUILD as __build__, VERSION as __version__
 from judder.errors import (
     ArgumentError,
     CaseError,
@@ -55,6 +55,7 @@ __all__ = [
     "Study",
     "StudyError",
     "UnknownResultError",
+    "__build__",
     "__version__",
     "check",
     "contact",

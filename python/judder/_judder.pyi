@@ -11,6 +11,7 @@ from judder.errors import JudderError
 from judder.sliding import Observed, Slider, Track
 
 __all__ = [
+    "BUILD",
     "CONTACT_STATES",
     "VERSION",
     "HeldStudy",
@@ -37,6 +38,7 @@ __all__ = [
     "text_of_case",
 ]
 
+BUILD: Final[str]
 VERSION: Final[str]
 CONTACT_STATES: Final[list[str]]
 

@@ -25,7 +25,7 @@ Colours obey NO_COLOR, CLICOLOR and CLICOLOR_FORCE.";
 
 /// judder: a workbench for friction-induced vibration
 #[derive(Debug, Parser)]
-#[command(name = "judder", version, after_help = HELP, max_term_width = 100)]
+#[command(name = "judder", version = crate::BUILD, after_help = HELP, max_term_width = 100)]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Option<Command>,

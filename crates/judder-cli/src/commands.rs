@@ -1,6 +1,7 @@
 //! One module a command.
 
 mod check;
+mod completions;
 mod explore;
 mod merge;
 mod new;
@@ -29,6 +30,7 @@ pub(crate) enum Command {
     Report(report::ReportArguments),
     Reproduce(reproduce::ReproduceArguments),
     Schema(schema::SchemaArguments),
+    Completions(completions::CompletionsArguments),
     Explore(explore::ExploreArguments),
 }
 
@@ -46,6 +48,7 @@ pub(crate) fn execute(command: Command, console: Console) -> Result<Exit, Failur
         Command::Report(report) => report.execute(console),
         Command::Reproduce(reproduce) => reproduce.execute(console),
         Command::Schema(schema) => schema.execute(console),
+        Command::Completions(completions) => completions.execute(console),
         Command::Explore(explore) => explore.execute(console),
     }
 }

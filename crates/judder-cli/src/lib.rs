@@ -23,17 +23,31 @@ mod threads;
 
 use std::ffi::OsString;
 
-use clap::Parser;
 use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser};
 
 use crate::arguments::Arguments;
 use crate::console::Console;
 use crate::failure::Exit;
 
+/// The version of the program: its number and, where they are known, the sources it was built from, such as `0.1.0+4d3b94b50f1e`.
+pub const VERSION: &str = env!("JUDDER_VERSION");
+
+/// [`VERSION`] with how it was built.
+const BUILD: &str =
+    concat!(env!("JUDDER_VERSION"), " (", env!("JUDDER_PROFILE"), " build, ", env!("JUDDER_TARGET"), ")");
+
+/// The command line as it is declared, of which the manual pages are written.
+#[must_use]
+pub fn command_line() -> clap::Command {
+    Arguments::command()
+}
+
 /// Does what a command line asks for, the name of the program first, and returns the exit code: 0 all done, 1 a result is missing,
 /// 2 the input is wrong. Results go to standard output, all else to standard error.
 #[must_use]
 pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    judder_study::name_version(VERSION);
     let words: Vec<OsString> = arguments.into_iter().collect();
     let (console, outcome) = match Arguments::try_parse_from(&words) {
         Ok(arguments) => {

@@ -24,10 +24,10 @@ mod sliding;
 mod sweep;
 mod watched;
 
-use pyo3::prelude::*;
-
-#[pymodule]
+#[pyo3::pymodule]
 mod _judder {
+    use pyo3::prelude::*;
+
     #[pymodule_export]
     use crate::analyses::{computed_analysis, declared_models, held_analysis, text_of_case};
     #[pymodule_export]
@@ -49,4 +49,12 @@ mod _judder {
     };
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
+    #[pymodule_export]
+    const BUILD: &str = judder_cli::VERSION;
+
+    #[pymodule_init]
+    fn name_version(_: &Bound<'_, PyModule>) -> PyResult<()> {
+        judder_study::name_version(judder_cli::VERSION);
+        Ok(())
+    }
 }

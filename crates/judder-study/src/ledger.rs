@@ -3,6 +3,7 @@
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
+use crate::version::version;
 use crate::way::way;
 use judder_store::{AnalysisRecord, Status, StudyFolder, Summary, content_hash};
 use serde::{Deserialize, Serialize};
@@ -10,9 +11,6 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::mem;
 use std::path::Path;
-
-/// The version that studies are stamped with; another version computes everything again.
-pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Names a case, by its resolved form with the hashes of its files.
 pub(crate) fn case_hash(resolved: &Value) -> String {
@@ -126,7 +124,7 @@ impl<'a> Study<'a> {
         let current: BTreeMap<&String, &String> = analyses.collect();
         let mut summary = store.read_summary()?.unwrap_or_default();
         let mut kept = Keepsakes::of(&summary);
-        VERSION.clone_into(&mut summary.version);
+        version().clone_into(&mut summary.version);
         summary.warnings.clear();
         let is_current = |name: &String, record: &AnalysisRecord| current.get(name) == Some(&&record.hash);
         let all = summary.analyses.iter();

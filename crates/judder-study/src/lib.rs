@@ -17,6 +17,7 @@
 //! - [`pictures`]: figures from stored arrays.
 //! - [`report`], [`report_tables`]: figures and page of a study folder, rebuilt from what is stored.
 //! - [`study_view`]: a study folder for a page, not held: what it holds, parts of its arrays.
+//! - [`fn@version`]: which judder this is, as studies are stamped with it.
 //! - [`resolve`], [`text`]: what `judder check` shows.
 
 pub mod analyses;
@@ -41,8 +42,10 @@ pub mod study_view;
 pub mod sweep;
 mod terminal_tables;
 pub mod text;
+mod version;
 mod way;
 
 pub use error::{ModelFault, StudyError};
 pub use progress::{Progress, Silent, Untold};
 pub use registry::Registry;
+pub use version::{name_version, version};

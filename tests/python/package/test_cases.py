@@ -102,7 +102,8 @@ def test_a_refused_analysis_is_an_exception_and_the_others_run(tmp_path):
 
 
 def test_the_command_is_that_of_the_wheel(command):
-    assert command("--version").stdout.split() == ["judder", judder.__version__]
+    assert command("--version").stdout.split()[:2] == ["judder", judder.__build__]
+    assert judder.__build__.partition("+")[0] == judder.__version__
     assert command("rnu").returncode == 2 and "did you mean `run`" in command("rnu").stderr
     done = command("point", "none.toml", "--json")
     assert done.returncode == 2 and "none.toml" in json.loads(done.stdout)["error"]["message"]

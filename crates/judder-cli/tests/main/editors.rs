@@ -1,4 +1,4 @@
-//! `new`, `schema`, `check`.
+//! `new`, `schema`, `completions`, `check`.
 
 use crate::desk::{CASE, Desk};
 
@@ -35,6 +35,17 @@ fn the_schema_is_json() {
     let schema = desk.succeed(&["schema"]).json();
     assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
     assert_eq!(desk.succeed(&["schema", "--json"]).json(), schema);
+}
+
+#[test]
+fn every_shell_is_told_of_every_command() {
+    let desk = Desk::new();
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = desk.succeed(&["completions", shell]).stdout;
+        assert!(script.contains("reproduce") && script.contains("only"), "{shell}");
+        assert_eq!(desk.succeed(&["completions", shell, "--json"]).json()["script"], script.as_str());
+    }
+    desk.refused(&["completions", "tcsh"], "tcsh", "zsh");
 }
 
 #[test]

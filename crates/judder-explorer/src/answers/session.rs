@@ -36,7 +36,7 @@ pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
     });
     let keys = OscillatorKey::ALL.iter().filter(|entry| own.contains(&entry.section()));
     Json(json!({
-        "version": env!("CARGO_PKG_VERSION"),
+        "version": judder_study::version(),
         "title": resolved["title"],
         "case": base.map(|base| json!({ "name": base.name, "file": base.origin, "model": base.case.model(), "text": base.text })),
         "keys": keys.map(|entry| key(entry, base.is_some_and(|base| takes(base, entry)))).collect::<Vec<_>>(),

@@ -44,7 +44,7 @@ pub(super) struct PanelSource {
 
 macro_rules! case {
     ($file:literal) => {
-        include_str!(concat!("../../../../cases/oscillator-paper/", $file, ".toml"))
+        include_str!(concat!("../../cases/", $file, ".toml"))
     };
 }
 

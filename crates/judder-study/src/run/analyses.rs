@@ -3,10 +3,10 @@
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::kept::{KeptLines, StudyPlace};
-use crate::ledger::VERSION;
 use crate::model::{Case, Prepared, Task, placed};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
+use crate::version::version;
 use judder_store::{Scratch, StudyFolder, content_hash};
 use serde_json::Value;
 
@@ -68,6 +68,6 @@ const SHARED: &str = "law";
 
 /// The hash of what that depends on which a case has computed once for all its analyses; `None` where it has nothing such.
 pub(super) fn shared(case: &Case, resolved: &Value) -> Option<String> {
-    let of: Value = [VERSION.into()].into_iter().chain(case.shared(resolved)?).collect();
+    let of: Value = [version().into()].into_iter().chain(case.shared(resolved)?).collect();
     Some(content_hash(of.to_string().as_bytes()))
 }

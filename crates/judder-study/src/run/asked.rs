@@ -6,9 +6,9 @@ use crate::case::study_sweep::StudySweep;
 use crate::case::study_sweep::quantity_path::QuantitySource;
 use crate::error::StudyError;
 use crate::input_file::KnownFile;
-use crate::ledger::VERSION;
 use crate::model::Case;
 use crate::sweep::SweepPlan;
+use crate::version::version;
 use judder_store::{StudyFolder, content_hash};
 use serde_json::{Value, json};
 
@@ -129,9 +129,9 @@ pub fn analysis_hash(case: &Case, resolved: &Value, index: usize) -> String {
         }
     }
     if others.is_empty() {
-        return content_hash(json!([VERSION, model, analysis]).to_string().as_bytes());
+        return content_hash(json!([version(), model, analysis]).to_string().as_bytes());
     }
-    content_hash(json!([VERSION, model, analysis, others]).to_string().as_bytes())
+    content_hash(json!([version(), model, analysis, others]).to_string().as_bytes())
 }
 
 /// The other analyses whose results an analysis takes up, as the case describes them.
@@ -151,7 +151,7 @@ fn sweep_hash(resolved: &Value, sweep: &StudySweep) -> String {
         QuantitySource::Point { .. } => None,
     };
     let analyses: Vec<Value> = sweep.quantities.iter().filter_map(of).collect();
-    content_hash(json!([VERSION, model, sweep.resolved(), analyses]).to_string().as_bytes())
+    content_hash(json!([version(), model, sweep.resolved(), analyses]).to_string().as_bytes())
 }
 
 /// The case without its title and without what is asked of it.

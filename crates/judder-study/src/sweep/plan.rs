@@ -8,8 +8,8 @@ use crate::case::study_sweep::{Design, StudySweep, SweptValues};
 use crate::error::StudyError;
 use crate::input_file::KnownFile;
 use crate::labels;
-use crate::ledger::VERSION;
 use crate::model::{OperatingQuantity, OperatingWork};
+use crate::version::version;
 use judder_store::{SweepDimension, SweepLayout, SweepQuantity, Variable};
 
 /// The most points of a chunk where the case does not say, when only the operating point is asked for: a fraction of a second.
@@ -142,7 +142,7 @@ fn layout(
         columns.iter().zip(texts).map(|(column, text)| described(file, sweep, column, text)).collect();
     let mut layout = SweepLayout::new(&sweep.name, hash, dimensions, quantities)?
         .attribute("kind", "sweep")?
-        .attribute("judder_version", VERSION)?
+        .attribute("judder_version", version())?
         .attribute("method", sweep.method.name())?
         .attribute("keys", sweep.axes.iter().map(|axis| axis.path.clone()).collect::<Vec<_>>())?
         .attribute(

@@ -9,6 +9,8 @@ use crate::failure::{Exit, Failure};
 
 const HELP: &str = "\
 Examples:
+  judder demo                       a first result: the oscillator paper, quickly
+  judder examples                   the cases that are inside the program
   judder new > case.toml            a commented case file to start from
   judder check case.toml            what it means, before anything runs
   judder run case.toml              out/case/report.html and everything else

@@ -2,6 +2,8 @@
 
 mod check;
 mod completions;
+mod demo;
+mod examples;
 mod explore;
 mod merge;
 mod new;
@@ -22,6 +24,8 @@ use crate::failure::{Exit, Failure};
 /// What judder is asked to do.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    Demo(demo::DemoArguments),
+    Examples(examples::ExamplesArguments),
     New(new::NewArguments),
     Check(check::CheckArguments),
     Run(run::RunArguments),
@@ -40,6 +44,8 @@ pub(crate) enum Command {
 /// Why there is no result.
 pub(crate) fn execute(command: Command, console: Console) -> Result<Exit, Failure> {
     match command {
+        Command::Demo(demo) => demo.execute(console),
+        Command::Examples(examples) => examples.execute(console),
         Command::New(new) => new.execute(console),
         Command::Check(check) => check.execute(console),
         Command::Run(run) => run.execute(console),

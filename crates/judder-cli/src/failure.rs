@@ -4,6 +4,7 @@ use std::fmt::{self, Display};
 use std::io;
 use std::path::Path;
 
+use judder_examples::ExampleError;
 use judder_explorer::ExplorerError;
 use judder_keys::error::CaseError;
 use judder_models::ModelError;
@@ -174,6 +175,18 @@ impl From<CaseError> for Failure {
         let (error, others) = error.split();
         let others = others.into_iter().map(Self::from).collect();
         Self { exit: Exit::WrongInput, diagnostic: Box::new(error), others }
+    }
+}
+
+impl From<ExampleError> for Failure {
+    fn from(error: ExampleError) -> Self {
+        let message = Message::from_sentence(&error);
+        match error {
+            ExampleError::Unknown { .. } | ExampleError::Exists { .. } => {
+                Self { exit: Exit::WrongInput, diagnostic: Box::new(message), others: Vec::new() }
+            }
+            _ => Self::missing(message),
+        }
     }
 }
 

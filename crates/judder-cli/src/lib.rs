@@ -9,14 +9,13 @@
 //! - `threads`, `interrupt`, `progress`: the pool of `--threads`, Ctrl-C, bars and times.
 //! - `failure`: every error with its message, place, help and exit code.
 //! - `console`: results to standard output, all else to standard error.
-//! - `scoreboard`, `plain`: the table of `judder reproduce`.
+//! - `scoreboard`: the table of `judder reproduce`.
 
 mod arguments;
 mod commands;
 mod console;
 mod failure;
 mod interrupt;
-mod plain;
 mod progress;
 mod scoreboard;
 mod threads;

@@ -3,10 +3,7 @@
 use std::collections::BTreeMap;
 
 use comfy_table::{ContentArrangement, Table, presets};
-use judder_papers::{ClaimLine, Reproduction};
-use serde_json::{Map, Value, json};
-
-use crate::plain::plain;
+use judder_papers::{ClaimLine, Reproduction, plain};
 
 /// A verdict that needs no further word.
 const AGREES: &str = "agrees";
@@ -19,7 +16,7 @@ pub(crate) fn text(reproduction: &Reproduction, width: u16) -> String {
     table.set_header(["where", "the paper says", "we find", "verdict"]);
     let claims = &reproduction.scoreboard;
     for claim in claims {
-        let finding = findings(columns(reproduction, claim), &claim.ours).join("\n");
+        let finding = findings(reproduction.columns_of(claim), &claim.ours).join("\n");
         table.add_row([&claim.place, &claim.says, &finding, &claim.verdict].map(|cell| plain(cell)));
     }
     let doubtful = claims.iter().filter(|claim| claim.verdict != AGREES);
@@ -27,11 +24,6 @@ pub(crate) fn text(reproduction: &Reproduction, width: u16) -> String {
         .map(|claim| format!("{}, {}: {}\n", claim.verdict, claim.place, plain(&claim.why)))
         .collect();
     format!("{table}\n\n{reasons}\n{}\n", count(claims))
-}
-
-/// The heads of the numbers of a claim: its own, or those of the reproduction.
-fn columns<'a>(reproduction: &'a Reproduction, claim: &'a ClaimLine) -> &'a [String] {
-    if claim.columns.is_empty() { &reproduction.columns } else { &claim.columns }
 }
 
 /// Each different number once, with the readings that give it where they are not all.
@@ -65,27 +57,10 @@ fn count(claims: &[ClaimLine]) -> String {
     format!("{} claims: {}", claims.len(), verdicts.join(", "))
 }
 
-/// The scoreboard as a document; our numbers under the names of their columns.
-pub(crate) fn document(reproduction: &Reproduction) -> Value {
-    let line = |claim: &ClaimLine| {
-        let columns = columns(reproduction, claim).iter().cloned();
-        let ours: Map<_, _> = columns.zip(claim.ours.iter().map(|ours| json!(plain(ours)))).collect();
-        json!({
-            "place": claim.place, "says": plain(&claim.says), "ours": ours, "verdict": claim.verdict,
-            "why": plain(&claim.why),
-        })
-    };
-    json!({
-        "folder": reproduction.folder,
-        "report": reproduction.report,
-        "complete": reproduction.complete,
-        "scoreboard": reproduction.scoreboard.iter().map(line).collect::<Vec<_>>(),
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use serde_json::json;
 
     fn reproduction() -> Reproduction {
         let claim = |ours: [&str; 3], verdict: &str| ClaimLine {
@@ -120,7 +95,7 @@ mod tests {
 
     #[test]
     fn the_document_names_the_readings() {
-        let document = document(&reproduction());
+        let document = reproduction().json();
         assert_eq!(
             document["scoreboard"][1]["ours"],
             json!({ "printed": "1", "other load": "1", "corrected": "2" })

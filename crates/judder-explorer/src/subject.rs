@@ -45,7 +45,14 @@ impl ViewedCase {
     /// # Errors
     /// A case that is wrong, a folder without a study.
     pub fn open(case: Option<&Path>, study: Option<&Path>) -> Result<Self, ExplorerError> {
-        let given = case.map(|path| judder_models::read(path, &[])).transpose()?;
+        Self::of(case.map(|path| judder_models::read(path, &[])).transpose()?, study)
+    }
+
+    /// The same with a case that was read.
+    ///
+    /// # Errors
+    /// A folder without a study.
+    pub fn of(given: Option<CaseFile>, study: Option<&Path>) -> Result<Self, ExplorerError> {
         let study = study.map(|folder| Studied::open(folder, given.as_ref())).transpose()?;
         let base = match (given, &study) {
             (Some(given), _) => Some(given),

@@ -1,6 +1,7 @@
 //! The papers, recomputed: their figures, and what their text claims, with a scoreboard.
 //!
-//! - `claim`: a claim, what it is measured on, its line of the scoreboard.
+//! - `paper`: which papers there are. `reproduction`: what is left of one that was recomputed.
+//! - `claim`: a claim, what it is measured on, its line of the scoreboard. `plain`: its words for a terminal.
 //! - `summary`: what the summary of a reproduction says.
 //! - `oscillator`: a sphere on rubber with two degrees of freedom.
 //! - `beams`: two beams in sliding contact.
@@ -8,6 +9,9 @@
 mod beams;
 mod claim;
 mod oscillator;
+mod paper;
+mod plain;
+mod reproduction;
 mod summary;
 
 use judder_study::{StudyError, report};
@@ -17,21 +21,9 @@ use summary::KEY;
 pub use beams::beams_paper;
 pub use claim::ClaimLine;
 pub use oscillator::oscillator_paper;
-
-/// What a reproduction left.
-#[derive(Debug, Clone)]
-pub struct Reproduction {
-    /// The study folder.
-    pub folder: PathBuf,
-    /// Its `report.html`.
-    pub report: PathBuf,
-    /// Heads of the columns of our numbers.
-    pub columns: Vec<String>,
-    /// What the paper says, and what we find.
-    pub scoreboard: Vec<ClaimLine>,
-    /// Whether every result is there.
-    pub complete: bool,
-}
+pub use paper::Paper;
+pub use plain::plain;
+pub use reproduction::Reproduction;
 
 /// Rebuilds figures and `report.html` of any study folder from its stored results; returns the page's path.
 ///

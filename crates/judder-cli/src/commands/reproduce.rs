@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
-use judder_papers::{beams_paper, oscillator_paper};
-use judder_study::Progress;
+use judder_papers::Paper;
 
 use crate::console::{Console, output_width};
 use crate::failure::{Exit, Failure};
@@ -24,8 +24,8 @@ Examples:
 #[command(after_help = HELP)]
 pub(crate) struct ReproduceArguments {
     /// Which paper
-    #[arg(value_enum, default_value_t = Paper::OscillatorPaper)]
-    paper: Paper,
+    #[arg(value_enum, default_value_t = AskedPaper(Paper::Oscillator))]
+    paper: AskedPaper,
     /// In seconds instead of minutes: fewer points and a paraboloid's law in place of the sphere's, or the last quarter of the path
     #[arg(long)]
     quick: bool,
@@ -35,33 +35,47 @@ pub(crate) struct ReproduceArguments {
     threads: Threads,
 }
 
-/// The papers that judder knows.
-#[derive(Debug, Clone, Copy, ValueEnum)]
-enum Paper {
-    /// Critical thresholds for mode-coupling instability in viscoelastic sliding contacts (2021)
-    OscillatorPaper,
-    /// Dynamic substructuring with time variant coupling conditions (2020)
-    BeamsPaper,
+/// A paper as a word of the command line.
+#[derive(Debug, Clone, Copy)]
+struct AskedPaper(Paper);
+
+impl ValueEnum for AskedPaper {
+    fn value_variants<'a>() -> &'a [Self] {
+        const ALL: [AskedPaper; Paper::ALL.len()] = {
+            let [first, second] = Paper::ALL;
+            [AskedPaper(first), AskedPaper(second)]
+        };
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.0.name()).help(self.0.title()))
+    }
 }
 
 impl ReproduceArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
-        let (name, recompute): (_, fn(&Path, bool, &dyn Progress) -> _) = match self.paper {
-            Paper::OscillatorPaper => ("oscillator-paper", oscillator_paper),
-            Paper::BeamsPaper => ("beams-paper", beams_paper),
-        };
-        let folder = self.output.clone().unwrap_or_else(|| Path::new("out/reproduce").join(name));
-        let bars = Bars::new(console)?;
-        let reproduction = self.threads.install(|| recompute(&folder, self.quick, &bars))??;
-        console.result(
-            || scoreboard::text(&reproduction, output_width()),
-            || scoreboard::document(&reproduction),
-        )?;
-        console.note(format_args!("report: {}", reproduction.report.display()));
-        if reproduction.complete {
-            return Ok(Exit::Done);
-        }
-        console.incomplete("a result of the reproduction is missing", "the report says which");
-        Ok(Exit::Incomplete)
+        let AskedPaper(paper) = self.paper;
+        reproduce(paper, self.quick, self.output.as_deref(), self.threads, console)
     }
+}
+
+/// Recomputes a paper and tells what came of it.
+pub(super) fn reproduce(
+    paper: Paper,
+    quick: bool,
+    output: Option<&Path>,
+    threads: Threads,
+    console: Console,
+) -> Result<Exit, Failure> {
+    let folder = output.map_or_else(|| paper.usual_folder(), Path::to_owned);
+    let bars = Bars::new(console)?;
+    let reproduction = threads.install(|| paper.reproduce(&folder, quick, &bars))??;
+    console.result(|| scoreboard::text(&reproduction, output_width()), || reproduction.json())?;
+    console.note(format_args!("report: {}", reproduction.report.display()));
+    if reproduction.complete {
+        return Ok(Exit::Done);
+    }
+    console.incomplete("a result of the reproduction is missing", "the report says which");
+    Ok(Exit::Incomplete)
 }

@@ -81,6 +81,21 @@ impl RunArguments {
     }
 }
 
+/// Runs a case file as it is, into this folder or into that of its name.
+pub(super) fn run_case(
+    case: &Path,
+    output: Option<&Path>,
+    threads: Threads,
+    console: Console,
+) -> Result<Exit, Failure> {
+    let file = judder_models::read(case, &[])?;
+    let folder = output.map_or_else(|| home::of_file(&file, false), |folder| Ok(folder.to_owned()))?;
+    let bars = Bars::new(console)?;
+    let report = threads.install(|| run(&file, &folder, &RunOptions::default(), &bars))??;
+    console.document(|| json!(report.summary))?;
+    Ok(tell(report, case, console))
+}
+
 /// What the sweeps would take, one below the other.
 fn told(estimates: &[SweepEstimate]) -> String {
     match estimates.is_empty() {

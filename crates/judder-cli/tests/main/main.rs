@@ -8,6 +8,7 @@ mod bad_contact;
 mod bad_folder;
 mod desk;
 mod editors;
+mod examples;
 mod explore;
 mod golden;
 mod interrupt;

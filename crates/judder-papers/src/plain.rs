@@ -1,7 +1,8 @@
-//! Labels of the report for a terminal, which has no italics and no subscripts.
+//! Labels of the report for a terminal and for programs, which have no italics and no subscripts.
 
 /// `$τ̃_{0,crit}$ ≈ 10^{−2}` as `τ̃_0,crit ≈ 10⁻²`.
-pub(crate) fn plain(label: &str) -> String {
+#[must_use]
+pub fn plain(label: &str) -> String {
     let mut pieces = label.split("^{");
     let mut text = pieces.next().unwrap_or_default().to_owned();
     for piece in pieces {

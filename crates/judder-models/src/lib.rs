@@ -54,6 +54,7 @@ mod within_law;
 mod written;
 
 pub use error::ModelError;
+pub use oscillator::operating_points::arrays as point_arrays;
 pub use oscillator::{key_plane, point, quasi_steady};
 pub use sliding::{coupled_pair, shapes as sliding_shapes};
 

@@ -58,6 +58,19 @@ pub enum StudyError {
         /// The case file whose study it holds.
         owner: PathBuf,
     },
+    /// A run without a folder would hold more than it may.
+    #[error(
+        "analysis `{name}`: with it the results take {:.1} MB, and {:.1} MB may be held in memory; a folder as `output` holds any number",
+        *bytes as f64 / 1e6, *limit as f64 / 1e6
+    )]
+    HeldTooMuch {
+        /// The analysis.
+        name: String,
+        /// Bytes of the arrays up to its own.
+        bytes: u64,
+        /// Bytes that may be held.
+        limit: u64,
+    },
     /// A file that the case names could not be used.
     #[error("{}: {reason}", path.display())]
     File {
@@ -122,6 +135,7 @@ impl StudyError {
             | Self::Unreadable { .. }
             | Self::FileChanged { .. }
             | Self::TooManyValues { .. }
+            | Self::HeldTooMuch { .. }
             | Self::NoResults { .. } => true,
             Self::Model(fault) => fault.is_wrong_input(),
             Self::Store(error) => is_wrong_folder(error),

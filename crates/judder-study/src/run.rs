@@ -43,6 +43,8 @@ pub struct RunOptions {
     pub files: Vec<(String, Vec<u8>)>,
     /// Whether neither figures nor page are drawn.
     pub without_report: bool,
+    /// Bytes of arrays that a run without a folder may hold; any number where none is given.
+    pub most_held: Option<u64>,
 }
 
 /// What is done of the sweeps of a case.

@@ -5,6 +5,7 @@ use crate::error::ModelError;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::steady_states::SteadyState;
+use judder_keys::keys::Keys;
 use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::map::{
     AdaptiveMap, CoarseMap, CoefficientPlane, DecisionMethod, OperatingPlane, StabilityMap, SweptCoefficient,
@@ -28,8 +29,18 @@ pub struct KeyAxis {
 }
 
 impl KeyAxis {
-    fn set(&self, inputs: &mut OscillatorInputs, index: usize) {
+    /// Sets the key to one of its values.
+    pub fn set(&self, inputs: &mut OscillatorInputs, index: usize) {
         inputs.set(self.key, Value { number: self.values[index], form: self.form });
+    }
+
+    /// The unit of the values: `1` of groups.
+    #[must_use]
+    pub fn units(&self) -> String {
+        match self.form {
+            Form::Group => "1".to_owned(),
+            Form::Si => self.key.entry().rule.dimension.unit(),
+        }
     }
 
     /// The coefficient that the key sets directly, if it is one.

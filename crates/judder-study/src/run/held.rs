@@ -13,7 +13,7 @@ use crate::progress::Progress;
 use crate::report;
 use crate::version::version;
 use judder_report::svg;
-use judder_store::{StudyFolder, Summary};
+use judder_store::{StudyFolder, Summary, VariableValues};
 use serde_json::Value;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
@@ -48,7 +48,7 @@ pub struct HeldRun {
 /// that read what others have stored.
 ///
 /// # Errors
-/// An unknown name in `only`, a file of the case that cannot be read, [`StudyError::Interrupted`].
+/// An unknown name in `only`, a file of the case that cannot be read, [`StudyError::Interrupted`], [`StudyError::HeldTooMuch`].
 pub fn hold(
     file: &CaseFile,
     options: &RunOptions,
@@ -74,6 +74,7 @@ fn held(asked: &AskedCase<'_>, options: &RunOptions, progress: &dyn Progress) ->
     let shown = file.case.with_used(asked.resolved.clone())?;
     kept.set_case(&mut summary, file, None, &asked.resolved, shown);
     let (mut outcomes, mut refused) = (Vec::new(), Vec::new());
+    let mut bytes = 0;
     // what takes long and all analyses share, such as a law, is computed by the first
     let has_shared = shared(&file.case, &asked.resolved).is_some();
     let known: Mutex<Vec<String>> = Mutex::default();
@@ -95,6 +96,10 @@ fn held(asked: &AskedCase<'_>, options: &RunOptions, progress: &dyn Progress) ->
         let took = (hash.clone(), began.elapsed().as_secs_f64());
         let wrong = match outcome.map_err(|error| placed(error, &*file.case, file, index)) {
             Ok(mut outcome) => {
+                bytes += bytes_of(&outcome);
+                if let Some(limit) = options.most_held.filter(|limit| bytes > *limit) {
+                    return Err(StudyError::HeldTooMuch { name: name.clone(), bytes, limit });
+                }
                 let wrong = kept.record(&mut summary, name, Ok(&mut outcome), took)?;
                 outcomes.push((name.clone(), outcome));
                 wrong
@@ -109,6 +114,20 @@ fn held(asked: &AskedCase<'_>, options: &RunOptions, progress: &dyn Progress) ->
     let (file, files, resolved) = (file.clone(), options.files.clone(), asked.resolved.clone());
     let study = HeldStudy { file, files, resolved, all, summary, outcomes };
     Ok(HeldRun { study, messages, refused })
+}
+
+/// Bytes of the arrays and files of an outcome.
+fn bytes_of(outcome: &Outcome) -> u64 {
+    let of_values = |values: &VariableValues| match values {
+        VariableValues::F64(values) => size_of_val(values.as_slice()),
+        VariableValues::Complex(values) => size_of_val(values.as_slice()),
+        VariableValues::I64(values) => size_of_val(values.as_slice()),
+        VariableValues::U8(values) => values.len(),
+        VariableValues::Text(values) => values.iter().map(String::len).sum(),
+    };
+    let arrays: usize = outcome.dataset.variables().iter().map(|own| of_values(&own.data)).sum();
+    let files: usize = outcome.files.iter().map(|(_, content)| content.len()).sum();
+    (arrays + files) as u64
 }
 
 impl HeldStudy {

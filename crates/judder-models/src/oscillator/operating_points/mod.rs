@@ -2,7 +2,9 @@
 //!
 //! - `quantities`: what can be asked of one.
 //! - `law_warnings`: what a finished sweep says of its law.
+//! - `arrays`: those of any inputs, without a case or a sweep.
 
+pub mod arrays;
 mod law_warnings;
 mod quantities;
 

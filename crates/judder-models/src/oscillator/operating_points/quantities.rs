@@ -12,6 +12,7 @@ use judder_oscillator::mechanism::StabilityClass;
 use judder_oscillator::spectrum::{eigenvalues, growth_rate, leading};
 use judder_oscillator::{Contact, Groups, LinearSystem, OscillatorError};
 use judder_study::model::OperatingQuantity;
+use num_complex::Complex64;
 use std::cell::OnceCell;
 
 /// The codes of `verdict`: its order.
@@ -222,6 +223,11 @@ impl<'a> OperatingState<'a> {
     pub(super) fn values(&self, wanted: &[OperatingQuantity]) -> Vec<f64> {
         let value = |quantity| place(quantity).map_or(f64::NAN, |place| (FOUND[place].value)(self));
         wanted.iter().map(value).collect()
+    }
+
+    /// The four eigenvalues λ/ω_nx, sorted by imaginary, then real part.
+    pub(super) fn eigenvalues(&self) -> [Complex64; 4] {
+        self.steady.eigenvalues
     }
 
     /// How the point lies outside the range of its law, where it does.

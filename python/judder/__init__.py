@@ -1,6 +1,7 @@
 """judder: a workbench for friction-induced vibration.
 
-Whole cases: :func:`run`, :func:`check`, :func:`load_study`. Every analysis as a method, every key as an argument: :mod:`judder.models`. Building blocks on NumPy arrays: :mod:`judder.oscillator`,
+A first result: :func:`demo`, :func:`examples`. Whole cases: :func:`run`, :func:`check`, :func:`load_study`, :func:`new`, :func:`schema`, :func:`report`, :func:`explore`; papers:
+:func:`reproduce`. Every analysis as a method, every key as an argument: :mod:`judder.models`. Building blocks on NumPy arrays: :mod:`judder.oscillator`,
 :mod:`judder.contact`, :mod:`judder.sliding`. Sweeps of cases: :mod:`judder.sweep`, :mod:`judder.distributed`. Pictures: :mod:`judder.plot`.
 Errors: :class:`JudderError` and its subclasses.
 """
@@ -14,11 +15,14 @@ from judder.errors import (
     ArgumentError,
     CaseError,
     ContactError,
+    FaultError,
+    FileError,
     InputError,
     Interrupted,
     JudderError,
     JudderWarning,
     LawError,
+    MissingFileError,
     OscillatorError,
     PackageError,
     RewrittenError,
@@ -26,6 +30,7 @@ from judder.errors import (
     StoreError,
     StructureError,
     StudyError,
+    SystemRefusal,
     UnknownResultError,
 )
 from judder.progress import Progress, tqdm_progress
@@ -33,39 +38,55 @@ from judder.study import CaseLike, RemotePath, Study, check, load_study, run
 
 if TYPE_CHECKING:
     from judder import distributed, models
+    from judder.programs import Claim, Example, Page, Reproduction, demo, examples, explore, new, report, reproduce, schema
 
 __all__ = [
     "ArgumentError",
     "CaseError",
     "CaseLike",
+    "Claim",
     "ContactError",
+    "Example",
+    "FaultError",
+    "FileError",
     "InputError",
     "Interrupted",
     "JudderError",
     "JudderWarning",
     "LawError",
+    "MissingFileError",
     "OscillatorError",
     "PackageError",
+    "Page",
     "Progress",
     "RemotePath",
+    "Reproduction",
     "RewrittenError",
     "SlidingError",
     "StoreError",
     "StructureError",
     "Study",
     "StudyError",
+    "SystemRefusal",
     "UnknownResultError",
     "__build__",
     "__version__",
     "check",
     "contact",
+    "demo",
     "distributed",
     "errors",
+    "examples",
+    "explore",
     "load_study",
     "models",
+    "new",
     "oscillator",
     "plot",
+    "report",
+    "reproduce",
     "run",
+    "schema",
     "sliding",
     "sweep",
     "tqdm_progress",
@@ -74,8 +95,10 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     """What is imported when it is used, since it takes as long as all else that is ours."""
-    if name in ("distributed", "models"):
+    if name in ("distributed", "models", "programs"):
         return importlib.import_module(f"judder.{name}")
+    if name in __all__:
+        return getattr(importlib.import_module("judder.programs"), name)
     raise AttributeError(f"module 'judder' has no attribute {name!r}")
 
 

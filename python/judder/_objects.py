@@ -52,11 +52,31 @@ class CaseSource:
         else:
             self.given = ("case.toml", case) if isinstance(case, str) and "\n" in case else os.fspath(case)
             changes = self.whole(set or {})
+            if self._files.folder is not None:
+                changes = self._settled_beside(set or {}) or changes
         self.overrides = _toml.overrides(changes)
 
     def whole(self, tables: Mapping[str, Any], model: str | None = None, at: KeyPath = (), *, without_none: bool = False) -> dict[str, Any]:
         """More tables, without objects, that name files by their whole paths; keys that are ``None`` may count as not given."""
         return _Walk(self._files, model, whole=True, without_none=without_none).of_table(tables, at)
+
+    def _settled_beside(self, set: Mapping[str, Any]) -> dict[str, Any] | None:
+        """Takes the text of a case beside the objects that change it, so that these have the same names wherever they lie; gives back the changes, or
+        nothing where the case cannot be read, which is told better where it is checked."""
+        import tomllib
+
+        text, base = self.given[1], ""
+        try:
+            if isinstance(self.given, str):
+                text, base = Path(self.given).read_text(encoding="utf-8"), os.path.dirname(self.given)
+            tables = tomllib.loads(text)
+        except (OSError, UnicodeError, tomllib.TOMLDecodeError):
+            return None
+        self._files = _InputFiles()
+        model = str(tables.get("model"))
+        changes = _settled(_Walk(self._files, model).of_table(set), model, self._files.names)
+        self.given = os.path.join(self._files.folder or "", "case.toml"), _toml.document(_settled(tables, model, (), base))
+        return changes
 
     def hold(self) -> None:
         """Keeps the files until this process ends."""
@@ -229,7 +249,7 @@ class _Walk:
         if not self._declared.is_file((*at, "mass", "*", "file")) or not _columns.are_names(table.get("freedoms")):
             return table
         matrices = {name: table[name] for name in _MATRICES if name in table}
-        if not any(_written.is_matrix(matrix) for matrix in matrices.values()):
+        if not any(_written.is_matrix(matrix) or _written.is_sum(matrix) for matrix in matrices.values()):
             return table
         return {**table, **{name: _written.rows(".".join((*at, name)), matrix) for name, matrix in matrices.items()}}
 
@@ -261,7 +281,7 @@ def _is(at: KeyPath, path: str) -> bool:
     return len(steps) == len(at) and all(step in (own, "*") for step, own in zip(steps, at, strict=True))
 
 
-def _settled(tables: Mapping[str, Any], model: str, own_names: Collection[str]) -> dict[str, Any]:
+def _settled(tables: Mapping[str, Any], model: str, own_names: Collection[str], folder: str = "") -> dict[str, Any]:
     """The same tables with whole paths of the files that were given by their names, since the case now lies beside files of its own."""
     declared = Declared(model)
 
@@ -277,5 +297,5 @@ def _settled(tables: Mapping[str, Any], model: str, own_names: Collection[str]) 
             return [settled(item, (*at, str(index)), base) for index, item in enumerate(value)]
         return value
 
-    found: dict[str, Any] = settled(tables, (), "")
+    found: dict[str, Any] = settled(tables, (), folder)
     return found

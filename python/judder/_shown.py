@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import fields
 from typing import Any, ClassVar
 
@@ -22,8 +22,13 @@ class Shown:
         return f"{type(self).__name__}({', '.join(f'{name}={own}' for name, own in self._told())})"
 
     def _repr_html_(self) -> str:
-        rows = "".join(f"<tr><th>{html.escape(name)}</th><td>{html.escape(own)}</td></tr>" for name, own in self._told())
-        return f"<h4>{type(self).__name__}</h4><table>{rows}</table>"
+        return page(type(self).__name__, self._told())
+
+
+def page(heading: str, rows: Iterable[tuple[str, str]]) -> str:
+    """A heading and a table of two columns, for a notebook."""
+    cells = "".join(f"<tr><th>{html.escape(name)}</th><td>{html.escape(own)}</td></tr>" for name, own in rows)
+    return f"<h4>{html.escape(heading)}</h4><table>{cells}</table>"
 
 
 def told(value: Any) -> str:

@@ -45,13 +45,61 @@ def is_sparse(value: Any) -> bool:
     return hasattr(value, "tocoo") and hasattr(value, "shape")
 
 
+def is_sum(value: Any) -> bool:
+    """Whether a value is a sum of matrices: terms in a list or by names, or one with a factor."""
+    if isinstance(value, Mapping):
+        return "file" in value or any(is_matrix(term) or isinstance(term, Mapping) for term in value.values())
+    return isinstance(value, list | tuple) and any(is_matrix(term) or isinstance(term, Mapping) for term in value)
+
+
 def rows(key: str, value: Any) -> Any:
-    """A matrix as the rows that the text of a case has; what is no matrix as it is."""
-    if not is_matrix(value):
+    """A matrix, or a sum of matrices with factors, as the rows that the text of a case has; what is neither as it is."""
+    if is_matrix(value):
+        return _dense(key, value).tolist()
+    if not is_sum(value):
         return value
+    if isinstance(value, Mapping):
+        named = {key: value} if "file" in value else {f"{key}.{name}": term for name, term in value.items()}
+    else:
+        named = {f"{key}.{index}": term for index, term in enumerate(value)}
+    terms = [_term(name, term) for name, term in named.items()]
+    shapes = {matrix.shape for matrix, _ in terms}
+    if len(shapes) > 1:
+        raise wrong(key, f"is a sum of matrices of the shapes {', '.join(map(str, sorted(shapes)))}, and all need the same")
+    plain: NDArray[np.float64] = sum((matrix for matrix, factor in terms if factor is None), start=np.zeros(shapes.pop()))
+    varied = [(matrix, factor) for matrix, factor in terms if factor is not None]
+    rows, columns = map(range, plain.shape)
+    return [[_entry(plain[row, column], [(own[row, column], factor) for own, factor in varied]) for column in columns] for row in rows]
+
+
+def _entry(plain: float, varied: list[tuple[float, str]]) -> float | str:
+    """An entry of a sum: a number, or an expression of the parameters."""
+    own = [f"({float(number)!r})*({factor})" for number, factor in varied if number != 0.0]
+    return " + ".join([repr(float(plain)), *own]) if own else float(plain)
+
+
+def _term(key: str, term: Any) -> tuple[NDArray[np.float64], str | None]:
+    """The matrix of a term, both of its triangles, and its factor."""
+    own = term if isinstance(term, Mapping) else {"file": term}
+    matrix = own.get("file")
+    if not is_matrix(matrix):
+        raise wrong(key, f"is {described(matrix)}, and beside freedoms with names every term needs a matrix in memory")
+    if strangers := {*own} - {"file", "factor", "triangle"}:
+        raise wrong(key, f"has the key `{min(strangers)}`, and knows `file`, `factor`, `triangle`")
+    dense, triangle, factor = _dense(key, matrix), own.get("triangle"), own.get("factor")
+    if is_sparse(matrix) and triangle is None:
+        row, column, entries = _entries(matrix)
+        _check_triangle(key, row, column, entries)
+    if triangle in ("lower", "upper"):
+        half = np.tril(dense) if triangle == "lower" else np.triu(dense)
+        dense = half + half.T - np.diag(np.diag(half))
+    return dense, None if factor is None else str(factor)
+
+
+def _dense(key: str, value: Any) -> NDArray[np.float64]:
     if max(value.shape) > _MOST_NAMED:
         raise wrong(key, f"has {value.shape[0]} rows, too many for freedoms with names; number the nodes, as in freedoms = [(1, \"x\"), …]")
-    return numbers(key, value.toarray() if is_sparse(value) else value, dimensions=2).tolist()
+    return numbers(key, value.toarray() if is_sparse(value) else value, dimensions=2)
 
 
 def _matrix(key: str, value: Any, term: Mapping[str, Any]) -> bytes:

@@ -5,9 +5,9 @@ Everything is dimensionless: speeds v τ/R, depths y/R, forces F/(E0* R²), area
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
-from typing import TYPE_CHECKING, Literal, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from judder import _judder
 from judder._judder import Law
@@ -124,10 +124,14 @@ class ContactSolution(Shown):
     """p/E0* on every cell, float64[rows, columns]."""
     gap: NDArray[np.float64]
     """Gap over R at every cell, float64[rows, columns]."""
+    arguments: Mapping[str, Any]
+    """What it was solved for: the arguments of :func:`solve`."""
 
     def to_dataset(self) -> xarray.Dataset:
         """The fields with their coordinates, the numbers as attributes."""
         import xarray
+
+        from judder import _conventions
 
         sides = ("y", "x")
         fields_ = {
@@ -140,7 +144,7 @@ class ContactSolution(Shown):
         }
         own = ((one.name, getattr(self, one.name)) for one in fields(self))
         numbers = {name: float(number) for name, number in own if isinstance(number, float | bool)}
-        return xarray.Dataset(fields_, coordinates, numbers)
+        return xarray.Dataset(fields_, coordinates, {**_conventions.attributes(self.arguments), **numbers})
 
 
 def solve(
@@ -192,4 +196,7 @@ def solve(
         memory=memory,
     )
     levels = tuple(Level(*level) for level in told.pop("levels"))
-    return ContactSolution(levels=levels, **told)
+    asked = {"velocity": velocity, "indentation": indentation, "load": load, "accuracy": accuracy}
+    named = {"shape": shape if isinstance(shape, str) else "heights", "modulus_ratio": own.modulus_ratio, "terms": own.resolved()}
+    arguments = {f"asked_{name}": value for name, value in {**asked, **named}.items() if value is not None}
+    return ContactSolution(levels=levels, arguments=arguments, **told)

@@ -149,7 +149,7 @@ def _run(
     with ExitStack() as holding:
         for sweep in sweeps if name is None else [chosen(sweeps, name)]:
             compiled: _judder.Sweep = sweep._compiled
-            package = Package.of(compiled)
+            package = Package.of(compiled.package)
             dispatch = Dispatch(
                 compiled,
                 lambda package=package, name=sweep.name: executor(package, name),  # type: ignore[misc]

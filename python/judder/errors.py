@@ -9,11 +9,14 @@ __all__ = [
     "ArgumentError",
     "CaseError",
     "ContactError",
+    "FaultError",
+    "FileError",
     "InputError",
     "Interrupted",
     "JudderError",
     "JudderWarning",
     "LawError",
+    "MissingFileError",
     "OscillatorError",
     "PackageError",
     "RewrittenError",
@@ -21,6 +24,7 @@ __all__ = [
     "StoreError",
     "StructureError",
     "StudyError",
+    "SystemRefusal",
     "UnknownResultError",
 ]
 
@@ -120,6 +124,34 @@ class SlidingError(JudderError):
 
 class StoreError(JudderError):
     """A study folder that cannot be written or read."""
+
+
+class FileError(StoreError, OSError):
+    """A file that the system does not read or write: an ``OSError`` too, as of ``open``."""
+
+    path: str
+    """The file."""
+    number: int | None
+    """What the system calls the error, ``errno``; ``None`` where it has no number."""
+
+    def __init__(self, message: str, cause: str = "File", fields: Mapping[str, Any] | None = None) -> None:
+        super().__init__(message, cause, fields)
+        self.errno, self.filename = self.fields.get("number"), self.fields.get("path")
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+class MissingFileError(FileError, FileNotFoundError):
+    """A file that is not there: a ``FileNotFoundError`` too."""
+
+
+class SystemRefusal(JudderError, OSError):
+    """The system does not give what a call needs, such as threads; an ``OSError`` too."""
+
+
+class FaultError(JudderError, RuntimeError):
+    """A fault of judder itself; a ``RuntimeError`` too."""
 
 
 class RewrittenError(StoreError):

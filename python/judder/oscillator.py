@@ -5,6 +5,7 @@ Everything is dimensionless as in the oscillator paper: speeds v τ/R, loads F/(
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, TypeAlias, Unpack
 
@@ -20,10 +21,13 @@ if TYPE_CHECKING:
     import xarray
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Axis", "FrictionLoad", "Keys", "LawName", "Numeric", "OscillatorPoint", "StabilityMap", "point", "stability_map"]
+__all__ = ["Axis", "FrictionLoad", "Keys", "LawName", "Numeric", "OscillatorPoint", "StabilityMap", "Values", "point", "points", "stability_map"]
 
 Numeric: TypeAlias = float | str
 """A dimensionless group, or a text with a unit."""
+
+Values: TypeAlias = "ArrayLike | tuple[ArrayLike, str] | xarray.DataArray"
+"""Values of a key: groups, or with their unit, ``(np.linspace(1, 50), "mm/s")``; a DataArray has it in its attribute ``units``."""
 
 CLASSES = (
     "stable",
@@ -46,8 +50,10 @@ _OTHER_CLASSES = ("stable", "marginal", "unresolved")
 class Axis(Shown):
     """One side of a map."""
 
+    key: str
+    """The key, such as ``"operation.velocity"``."""
     name: str
-    """The key, such as ``"velocity"``."""
+    """Its last name, such as ``"velocity"``."""
     values: NDArray[np.float64]
     """Its values, in ``units``."""
     long_name: str
@@ -77,6 +83,8 @@ class StabilityMap(Shown):
     """What verdicts and growth rates took, without the way there and back."""
     warnings: tuple[str, ...]
     """What makes the law doubtful, a sentence each."""
+    case: str
+    """The case of all other keys and of the law, JSON."""
 
     @property
     def unstable(self) -> NDArray[np.bool_]:
@@ -131,9 +139,11 @@ class StabilityMap(Shown):
             about = {"long_name": "what the errors of the contact law leave of the verdict", **codes}
             variables["within_law"] = (sides, self.within_law, about)
         coordinates = {
-            axis.name: (axis.name, axis.values, {"long_name": axis.long_name, "units": axis.units}) for axis in (self.x, self.y)
+            axis.name: (axis.name, axis.values, {"long_name": axis.long_name, "units": axis.units, "key": axis.key})
+            for axis in (self.x, self.y)
         }
-        return xarray.Dataset(variables, coordinates)
+        about_all = {"judder_case": self.case, "judder_warnings": "\n".join(self.warnings)}
+        return xarray.Dataset(variables, coordinates, about_all)
 
 
 Side: TypeAlias = "tuple[str, ArrayLike] | tuple[str, ArrayLike, str]"
@@ -195,5 +205,54 @@ def stability_map(
         decisions=told["decisions"],
         seconds=told["seconds"],
         warnings=tuple(told["warnings"]),
+        case=told["case"],
     )
 
+
+def points(
+    *,
+    quantities: Sequence[str] | None = None,
+    law: LawName | Law | None = None,
+    friction_load: FrictionLoad | None = None,
+    threads: int | None = None,
+    progress: Progress | None = None,
+    **keys: Values,
+) -> xarray.Dataset:
+    """Operating points over arrays of any keys, which are broadcast against each other: many times :func:`point`, in compiled code, on all cores.
+
+    Args:
+        quantities: what to find, by the names that a ``[[sweep]]`` of an oscillator has; all that need no search where none are named. Thresholds, such as
+            ``"critical_shear_strength"``, are sought where they are named.
+        law: a law's name or a :class:`judder.contact.Law`; the oscillator paper's where none is given.
+        friction_load: which load carries the viscoelastic friction, ``"normal-load"`` where none is given.
+        threads: threads to compute with; one a core where none is given. The result does not depend on it.
+        progress: ``progress(name, done, total)``.
+        keys: :class:`Keys`, each a number, a text with a unit, an array of groups, an array with its unit, ``velocity=(np.linspace(1, 50), "mm/s")``, or a
+            DataArray, whose attribute ``units`` counts.
+
+    Returns:
+        A dataset: a variable for each quantity and the eigenvalues; NaN where there is no steady sliding. A dimension along which one key alone varies
+        is called by that key, any other ``point``; DataArrays keep their dimensions. The attribute ``judder_case`` has all other keys and the law, JSON,
+        ``judder_warnings`` what has to be known, which is a :class:`judder.JudderWarning` too.
+
+    Raises:
+        CaseError, InputError: a value out of range, a wrong unit, arrays that cannot be broadcast.
+
+    >>> import numpy as np
+    >>> found = judder.oscillator.points(velocity=np.logspace(-5, -3, 5), shear_strength=[[0.01], [0.05]])
+    >>> dict(found.growth_rate.sizes), found.velocity.attrs["units"]
+    ({'shear_strength': 2, 'velocity': 5}, '1')
+    """
+    from judder import _points
+
+    varied = _points.Varied(keys)
+    told = _judder.oscillator_points(
+        varied.sides(),
+        quantities=None if quantities is None else list(quantities),
+        law=law,
+        friction_load=friction_load,
+        threads=threads,
+        progress=progress,
+        keys=varied.fixed,
+    )
+    return _points.dataset(varied, told)

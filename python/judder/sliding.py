@@ -132,7 +132,7 @@ def load_pair(case: CaseLike, *, set: Mapping[str, Any] | None = None) -> Pair:
     """
     source = CaseSource(case, set)
     with source.told():
-        return Pair.from_source(source.given, source.overrides)
+        return Pair.from_source(source.given, source.overrides, inputs=source)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -161,13 +161,19 @@ class March(Shown):
     """The contact states by their numbers in all results: 0 stick, 1 slip, 2 slip against the path, 3 lift-off."""
     accelerations: NDArray[np.float64]
     """Accelerations of the observed displacements, m/s², float64[n, observed]."""
+    arguments: Mapping[str, Any]
+    """What was asked for: the arguments of :func:`march` that were given."""
+    warnings: tuple[str, ...]
+    """What has to be known of the pair."""
 
     def to_dataset(self) -> xarray.Dataset:
-        """The signals over time, with units and long names."""
+        """The signals over time, with units and long names; what was asked for and what has to be known as attributes."""
         import numpy as np
         import xarray
 
-        about = {
+        from judder import _conventions
+
+        signals = {
             "position": ("position of the contact", "m"),
             "normal_force": ("normal force", "N"),
             "tangential_force": ("tangential force", "N"),
@@ -176,7 +182,7 @@ class March(Shown):
             "friction": ("friction coefficient", "1"),
         }
         variables: dict[str, Any] = {
-            name: ("time", getattr(self, name), {"long_name": words, "units": units}) for name, (words, units) in about.items()
+            name: ("time", getattr(self, name), {"long_name": words, "units": units}) for name, (words, units) in signals.items()
         }
         names = [name.replace(" ", "_") for name in _judder.CONTACT_STATES]
         codes = {"flag_values": np.arange(len(names), dtype=np.uint8), "flag_meanings": " ".join(names)}
@@ -184,7 +190,8 @@ class March(Shown):
         both = {"long_name": "acceleration", "units": "m/s²"}
         variables["accelerations"] = (("time", "observed"), self.accelerations, both)
         coordinates = {"time": ("time", self.time, {"long_name": "time", "units": "s"})}
-        return xarray.Dataset(variables, coordinates, {"step_second": self.step})
+        about = {"step_second": self.step, "ran_off": self.ran_off, **self.arguments, "judder_warnings": "\n".join(self.warnings)}
+        return xarray.Dataset(variables, coordinates, _conventions.attributes(about))
 
 
 def march(
@@ -249,7 +256,8 @@ def march(
     told = _judder.sliding_march(
         pair, motion, method=method, predictor=predictor, cut_off=cut_off, step=step, every=every, progress=progress
     )
-    return March(**told)
+    asked = {**motion, "method": method, "predictor": predictor, "cut_off": cut_off, "every": every}
+    return March(arguments={name: own for name, own in asked.items() if own is not None}, warnings=tuple(pair.warnings), **told)
 
 
 @dataclass(frozen=True)
@@ -282,11 +290,18 @@ class Locus(Shown):
     """Normal force of the state of rest, N, float64[n]."""
     zones: tuple[Zone, ...]
     """Where the pair is unstable, by where they start."""
+    arguments: Mapping[str, Any]
+    """What was asked for: the arguments of :func:`locus` that were given."""
+    warnings: tuple[str, ...]
+    """What has to be known of the pair."""
 
     def to_dataset(self) -> xarray.Dataset:
-        """Growth rate and frequency of every branch over the position, with units and long names."""
+        """Growth rate and frequency of every branch over the position, with units and long names; what was asked for and what has to be known as
+        attributes."""
         import numpy as np
         import xarray
+
+        from judder import _conventions
 
         sides = ("position", "branch")
         frequency = np.abs(self.eigenvalues.imag) / (2.0 * np.pi)
@@ -296,7 +311,8 @@ class Locus(Shown):
             "normal_force": ("position", self.normal_force, {"long_name": "normal force", "units": "N"}),
         }
         coordinates = {"position": ("position", self.positions, {"long_name": "position of the contact", "units": "m"})}
-        return xarray.Dataset(variables, coordinates)
+        about = {**self.arguments, "judder_warnings": "\n".join(self.warnings)}
+        return xarray.Dataset(variables, coordinates, _conventions.attributes(about))
 
 
 def locus(
@@ -337,4 +353,6 @@ def locus(
         threads=threads,
     )
     zones = tuple(Zone(*zone) for zone in told.pop("zones"))
-    return Locus(zones=zones, **told)
+    asked = {"count": count, "velocity": velocity, "load": load, "configuration": configuration, "damped": damped}
+    arguments = {name: own for name, own in asked.items() if own is not None}
+    return Locus(zones=zones, arguments=arguments, warnings=tuple(pair.warnings), **told)

@@ -8,7 +8,7 @@ import os
 import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Any, Final, Literal, TypeAlias
 
 from judder import _judder, _memory, _places, _summaries, _swept
 from judder._exported import Exported
@@ -32,6 +32,8 @@ Where a case file names another file, a mapping may have an object: a sparse mat
 """
 
 
+HELD_BYTES: Final = 4 << 30
+"""Bytes that the results of a run without a folder may take, where nobody says otherwise."""
 _NOT_KEPT = "with a folder as `output` what the others leave is kept"
 """What is told of the other analyses where one of a run without a folder is refused."""
 
@@ -66,6 +68,7 @@ def run(
     set: Mapping[str, Any] | None = None,
     fresh: bool = False,
     law: Law | None = None,
+    memory: int = HELD_BYTES,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> Study:
@@ -86,6 +89,7 @@ def run(
         set: changed keys, such as ``{"operation.velocity": 1e-3}``.
         fresh: forget earlier results in the folder first.
         law: a contact law of your own in place of that of an oscillator case; a folder keeps it as ``law.json``.
+        memory: bytes that the results of a run without a folder may take; more is refused, by the name of the analysis.
         threads: threads to compute with; one a core where none is given. Results do not depend on it.
         progress: ``progress(name, done, total)``, see :func:`judder.tqdm_progress`.
 
@@ -96,7 +100,8 @@ def run(
     Raises:
         CaseError: the case is wrong, also where only the run could see it.
         StoreError: the folder cannot be written.
-        StudyError: ``out/<name>`` holds the study of another case file of this name; ``error.owner``.
+        StudyError: ``out/<name>`` holds the study of another case file of this name; ``error.owner``. Without a folder, results that take more than
+            ``memory``; ``error.bytes``.
         Interrupted: Ctrl-C.
         JudderError: an analysis was refused for another wrong input; the others have run, and their results are kept in a folder alone.
     """
@@ -104,12 +109,14 @@ def run(
     if output is None:
         with source.told():
             held = _judder.held_case(
-                source.given, only=names, overrides=source.overrides, law=law, threads=threads, progress=progress
+                source.given, only=names, overrides=source.overrides, law=law, memory=memory, threads=threads, progress=progress
             )
         if held is not None:
             compiled, messages, refused = held
+            study = Study._held(compiled, source)
+            _log(study.summary, "memory")
             _tell(source, messages, refused, _NOT_KEPT)
-            return Study._held(compiled, source)
+            return study
     owner, place = None, None
     if output is None:
         owner = _memory.TemporaryFolder()
@@ -130,8 +137,19 @@ def run(
         )
     source.keep(told["folder"])
     kept = _NOT_KEPT if owner else f"what the others left is in {told['folder']}"
+    study = Study(told["folder"]) if owner is None else Study._owned(owner)
+    _log(study.summary, told["folder"])
     _tell(source, [*told["messages"], *told["notes"]], told["refused"], kept)
-    return Study(told["folder"]) if owner is None else Study._owned(owner)
+    return study
+
+
+def _log(summary: Mapping[str, Any], place: str) -> None:
+    """Tells the logger ``judder`` what ran, and where it lies."""
+    import logging
+
+    logger = logging.getLogger("judder")
+    for name, record in summary["analyses"].items():
+        logger.info("`%s` took %.3g s in %s: %s", name, record.get("wall_time_s", 0.0), place, record.get("reason") or record["status"])
 
 
 def _tell(source: CaseSource, messages: Iterable[str], refused: Iterable[tuple[str, JudderError]], kept: str) -> None:
@@ -173,6 +191,10 @@ class Study(Placed, Exported, Mapping[str, "xarray.Dataset"]):
     the results in the folder meanwhile, reading them is a :class:`RewrittenError`. Its variables carry units and long names, so that they label their own plots::
 
         study["map"].growth_rate.plot()
+
+    A key is called by its last name, ``data.velocity``, and by all of it where two end alike; its attribute ``key`` is the dotted path. The attribute
+    ``judder_case`` is the case with law and fixed keys, JSON, ``judder_warnings`` what has to be known of the result. All write to Zarr and NetCDF after
+    any operation.
 
     In a notebook a study shows its results and figures. A study that was run without ``output`` has no folder, and so neither report nor figures nor
     tables as files; :meth:`save` writes them.
@@ -267,7 +289,9 @@ class Study(Placed, Exported, Mapping[str, "xarray.Dataset"]):
     def __getitem__(self, name: str) -> xarray.Dataset:
         if name not in self.analyses or name in self.failures:
             raise self._unknown(name, "result", list(self))
-        return self._dataset(name)
+        from judder import _conventions
+
+        return _conventions.presented(self._dataset(name), name, self.summary, self.warnings[name])
 
     def _dataset(self, name: str, *, whole: bool = True, dask: bool | None = None) -> xarray.Dataset:
         """The data of a result; of a sweep with a look whether all chunks are there, and as arrays of dask or not."""

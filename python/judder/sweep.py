@@ -13,7 +13,7 @@ import warnings
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from judder import _judder, _places
+from judder import _judder, _places, _shown
 from judder._cluster.package import Package
 from judder._objects import CaseSource
 from judder.contact import Law
@@ -218,7 +218,7 @@ class Sweep:
         return Study(path)
 
     def __reduce__(self) -> tuple[Callable[[Package, str, str], Sweep], tuple[Package, str, str]]:
-        return _unpacked, (Package.of(self._compiled), self.name, self._compiled.hash)
+        return _unpacked, (Package.of(self._compiled.package), self.name, self._compiled.hash)
 
     def __copy__(self) -> Sweep:
         return self
@@ -228,6 +228,10 @@ class Sweep:
 
     def __repr__(self) -> str:
         return f"Sweep({self.name!r}: {self.points} points in {self.chunks} chunks)"
+
+    def _repr_html_(self) -> str:
+        shown = {"points": self.points, "chunks": self.chunks, "keys": ", ".join(self.keys), "quantities": ", ".join(self.quantities)}
+        return _shown.page(f"Sweep {self.name}", {name: str(own) for name, own in shown.items()}.items())
 
 
 def _unpacked(package: Package, name: str, expected: str) -> Sweep:

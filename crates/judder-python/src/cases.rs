@@ -44,6 +44,15 @@ impl CaseSource {
     }
 }
 
+/// The name of a case, its text, what is changed in it, and the files that it names: all that another machine needs.
+pub(crate) type CasePackage = (String, String, Vec<String>, Vec<(String, PathBuf)>);
+
+/// The package of a case.
+pub(crate) fn package_of(file: &CaseFile) -> CasePackage {
+    let files = file.case.files().into_iter().map(|named| (named.given.clone(), named.path.clone()));
+    (format!("{}.toml", file.name), file.text.clone(), file.overrides.clone(), files.collect())
+}
+
 /// What `judder check --json` prints, as a text.
 #[pyfunction]
 pub(crate) fn checked_case(py: Python<'_>, case: CaseSource, overrides: Vec<String>) -> PyResult<String> {
@@ -81,21 +90,23 @@ pub(crate) fn run_case<'py>(
     told(py, done.settled(|error| errors::study(&error))?)
 }
 
-/// Runs a case in memory; nothing where it needs a folder.
+/// Runs a case in memory, of which the results may take so many bytes; nothing where it needs a folder.
 #[pyfunction]
-#[pyo3(signature = (case, *, only, overrides, law, threads, progress))]
+#[pyo3(signature = (case, *, only, overrides, law, memory, threads, progress))]
+#[allow(clippy::too_many_arguments, reason = "the arguments of `judder.run`")]
 pub(crate) fn held_case(
     py: Python<'_>,
     case: CaseSource,
     only: Vec<String>,
     overrides: Vec<String>,
     law: Option<PyRef<'_, PyLaw>>,
+    memory: u64,
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Option<HeldTold>> {
     let manner = Manner::new(progress, threads)?;
     let GivenRun { file, files, _beside } = GivenRun::new(&case, overrides, law.as_deref())?;
-    let options = RunOptions { only, files, ..RunOptions::default() };
+    let options = RunOptions { only, files, most_held: Some(memory), ..RunOptions::default() };
     held::told(py, watched(py, &manner, |watch| hold(&file, &options, watch))?)
 }
 

@@ -5,6 +5,8 @@ mod fields;
 use fields::ErrorFields;
 use judder_contact::LawError;
 use judder_contact::steady::SteadyError;
+use judder_examples::ExampleError;
+use judder_explorer::ExplorerError;
 use judder_keys::cause::Cause;
 use judder_keys::error::CaseError;
 use judder_models::ModelError;
@@ -13,7 +15,6 @@ use judder_sliding::SlidingError;
 use judder_store::StoreError;
 use judder_study::StudyError;
 use miette::Diagnostic;
-use pyo3::exceptions::{PyOSError, PyRuntimeError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::fmt::{Debug, Display};
@@ -58,22 +59,33 @@ fn told<E: Display + Debug + ErrorFields>(class: &str, error: &E) -> PyErr {
 
 /// An argument that cannot be.
 pub(crate) fn input(argument: &str, message: impl Display) -> PyErr {
-    exception("InputError", format!("{argument}: {message}"), "Input", |dict| {
-        dict.set_item("argument", argument)
-    })
+    of_argument("InputError", argument, message)
+}
+
+/// An argument of a type that it cannot have.
+pub(crate) fn argument(argument: &str, message: impl Display) -> PyErr {
+    of_argument("ArgumentError", argument, message)
+}
+
+fn of_argument(class: &str, argument: &str, message: impl Display) -> PyErr {
+    exception(class, format!("{argument}: {message}"), "Input", |dict| dict.set_item("argument", argument))
 }
 
 /// The system does not give what a call needs.
 pub(crate) fn system(error: impl Display) -> PyErr {
-    PyOSError::new_err(error.to_string())
+    exception("SystemRefusal", error.to_string(), "System", |_| Ok(()))
 }
 
-/// A file that the system does not read or write: the exception that Python has for it, with the path.
+/// A file that the system does not read or write: an `OSError` too, with number and path.
 pub(crate) fn file(path: &Path, error: &io::Error) -> PyErr {
-    match error.raw_os_error() {
-        Some(number) => PyOSError::new_err((number, error.to_string(), path.to_owned())),
-        None => PyOSError::new_err(format!("{}: {error}", path.display())),
-    }
+    let class = match error.kind() {
+        io::ErrorKind::NotFound => "MissingFileError",
+        _ => "FileError",
+    };
+    exception(class, format!("{}: {error}", path.display()), "File", |dict| {
+        dict.set_item("path", path)?;
+        dict.set_item("number", error.raw_os_error())
+    })
 }
 
 /// What has to be known before a result is trusted.
@@ -82,11 +94,29 @@ pub(crate) fn warn(py: Python<'_>, message: &str) -> PyResult<()> {
     py.import("warnings")?.call_method1("warn", (message, category)).map(|_| ())
 }
 
+/// An example that there is not, or that cannot be written.
+pub(crate) fn example(error: &ExampleError) -> PyErr {
+    match error {
+        ExampleError::Unknown { .. } => input("name", error),
+        error => told("StoreError", error),
+    }
+}
+
+/// A page that cannot be served.
+pub(crate) fn explorer(error: &ExplorerError) -> PyErr {
+    match error {
+        ExplorerError::Case(error) => case(error),
+        ExplorerError::Study(error) => study(error),
+        ExplorerError::Bind { .. } => input("port", error),
+        error => system(error),
+    }
+}
+
 /// A fault of judder itself.
 pub(crate) fn fault() -> PyErr {
-    PyRuntimeError::new_err(
-        "judder has failed at something that it should have refused: please report what you asked for",
-    )
+    let message =
+        "judder has failed at something that it should have refused: please report what you asked for";
+    exception("FaultError", message.to_owned(), "Fault", |_| Ok(()))
 }
 
 /// A case that is wrong, with its place.

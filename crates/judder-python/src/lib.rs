@@ -3,9 +3,11 @@
 //! In the order in which the data flows:
 //!
 //! - `arrays`, `choice`: arrays and words from Python, checked.
+//! - `shown`: how objects show themselves in a notebook.
 //! - `pool`, `watched`: long calls without the interpreter's lock, which Ctrl-C ends and whose progress is told.
 //! - `oscillator`, `contact`, `sliding`: one module a crate of the second floor.
 //! - `cases`: whole cases, and the command. `analyses`: one more analysis of a case. `held`: their results in memory.
+//! - `programs`: what the command does besides: templates, schema, examples, reports, papers, the page.
 //! - `signatures`: the classes of the models, as Python makes them.
 //! - `sweep`: a sweep of a case, chunk by chunk, for whoever hands the chunks out himself.
 //! - `errors`: errors of the crates as exceptions, with their fields.
@@ -19,6 +21,8 @@ mod errors;
 mod held;
 mod oscillator;
 mod pool;
+mod programs;
+mod shown;
 mod signatures;
 mod sliding;
 mod sweep;
@@ -37,7 +41,14 @@ mod _judder {
     #[pymodule_export]
     use crate::held::{PyHeldStudy, copied_study};
     #[pymodule_export]
-    use crate::oscillator::{OscillatorPoint, oscillator_map, point, rebuilt_point, repeated_points};
+    use crate::oscillator::{
+        OscillatorPoint, oscillator_map, oscillator_points, point, rebuilt_point, repeated_points,
+    };
+    #[pymodule_export]
+    use crate::programs::{
+        ServedPage, embedded_examples, rebuilt_report, reproduced_paper, schema_text, template_text,
+        written_example,
+    };
     #[pymodule_export]
     use crate::sliding::{PyPair, sliding_locus, sliding_march};
     #[pymodule_export]
@@ -53,7 +64,7 @@ mod _judder {
     const BUILD: &str = judder_cli::VERSION;
 
     #[pymodule_init]
-    fn name_version(_: &Bound<'_, PyModule>) -> PyResult<()> {
+    fn name_version(_module: &Bound<'_, PyModule>) -> PyResult<()> {
         judder_study::name_version(judder_cli::VERSION);
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 mod work;
 
-use crate::cases::{CaseSource, folder_of, with_law_in};
+use crate::cases::{CasePackage, CaseSource, folder_of, package_of, with_law_in};
 use crate::contact::PyLaw;
 use crate::errors;
 use crate::pool;
@@ -13,7 +13,6 @@ use judder_study::case::file::CaseFile;
 use judder_study::run::{SweepWork, plans};
 use judder_study::sweep::{Evaluator, Shard, SweepEstimate, SweepPlan, joined, missing};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
@@ -30,9 +29,6 @@ pub(crate) struct PySweep {
     pool: Option<Arc<ThreadPool>>,
     evaluator: Mutex<Option<Arc<Evaluator<'static>>>>,
 }
-
-/// The text of a case, what is changed in it, and the files that it names.
-type Package = (String, String, Vec<String>, Vec<(String, PathBuf)>);
 
 #[pymethods]
 impl PySweep {
@@ -110,10 +106,8 @@ impl PySweep {
 
     /// All that another machine needs to make this sweep.
     #[getter]
-    fn package(&self) -> Package {
-        let file = self.plan.file();
-        let files = file.case.files().into_iter().map(|named| (named.given.clone(), named.path.clone()));
-        (format!("{}.toml", file.name), file.text.clone(), file.overrides.clone(), files.collect())
+    fn package(&self) -> CasePackage {
+        package_of(self.plan.file())
     }
 
     /// What is left of it would take, as `judder run --dry-run --json` has it.
@@ -267,7 +261,9 @@ impl HeldSweep {
     /// Writes chunks that were computed elsewhere; those that are there stay.
     fn write(&self, py: Python<'_>, chunks: Vec<(usize, PyBackedBytes)>) -> PyResult<()> {
         let store = self.store.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        let store = store.ok_or_else(|| PyValueError::new_err("this folder is let go"))?;
+        let store = store.ok_or_else(|| {
+            errors::input("folder", "it is let go, and nothing is written into it any more")
+        })?;
         let manner = Manner { pool: self.pool.clone(), ..Manner::default() };
         let write =
             || chunks.par_iter().try_for_each(|(chunk, content)| store.write_encoded(*chunk, content));

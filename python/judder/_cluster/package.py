@@ -40,9 +40,9 @@ class Package:
     """Names all of this."""
 
     @classmethod
-    def of(cls, sweep: _judder.Sweep) -> Package:
-        """The package of the case of a sweep."""
-        name, text, overrides, named = sweep.package
+    def of(cls, told: tuple[str, str, list[str], list[tuple[str, str]]]) -> Package:
+        """The package of a case: its name, its text, what is changed in it, and the files that it names, as it calls them and where they are."""
+        name, text, overrides, named = told
         files = tuple((given, Path(path).read_bytes()) for given, path in named)
         told = hashlib.blake2b(repr((name, text, overrides)).encode(), digest_size=16)
         for given, content in files:
@@ -78,7 +78,7 @@ class Package:
                 place.parent.mkdir(exist_ok=True)
                 place.write_bytes(content)
 
-    def _unpacked(self) -> str:
+    def unpacked(self) -> str:
         """The path that the case has here: in a folder beside which its files lie as it names them."""
         relative = [(posixpath.normpath(given), content) for given, content in self.files if not os.path.isabs(given)]
         if not relative:
@@ -109,7 +109,7 @@ def _sweeps(package: Package, threads: int | None) -> dict[str, _judder.Sweep]:
     key = (os.getpid(), package.digest, threads)
     with _door:
         if key not in _ready:
-            source = (package._unpacked(), package.text)
+            source = (package.unpacked(), package.text)
             made = _judder.Sweep.all(source, list(package.overrides), threads=threads)
             _put(_ready, key, {sweep.name: sweep for sweep in made})
         return _ready[key]

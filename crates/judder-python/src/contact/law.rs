@@ -3,6 +3,7 @@
 use crate::arrays;
 use crate::choice::named;
 use crate::errors;
+use crate::shown::shown;
 use crate::watched::{Manner, watched};
 use judder_contact::law::file::{from_json, to_json};
 use judder_contact::law::sampled::{SampleRequest, sampled};
@@ -11,9 +12,11 @@ use judder_contact::{ContactLaw, ContactResponse, Law, LawError, LawPoint};
 use judder_models::bridge;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::law_name::LawName;
+use judder_study::Progress;
 use numpy::{IntoPyArray, PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use rayon::prelude::*;
 use std::fs;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -40,10 +43,17 @@ impl PyLaw {
         &self.law
     }
 
+    pub(crate) fn name(&self) -> &str {
+        &self.name
+    }
+
     fn of(law: Law, name: impl Into<String>) -> Self {
         Self { law, name: name.into() }
     }
 }
+
+/// Points that one thread evaluates between two looks at Ctrl-C; as many at most are not worth another thread.
+const STRETCH: usize = 1 << 12;
 
 /// Why a function was not sampled: it raised, or its values make no law.
 enum Unsampled {
@@ -220,14 +230,19 @@ impl PyLaw {
 
     /// Force, area, friction and their exact first derivatives by speed and indentation, a :class:`LawResponse` of arrays.
     ///
+    /// Many points are computed on all cores, without the interpreter's lock, and Ctrl-C ends that.
+    ///
     /// Args:
     ///     velocity: v τ/R, zero or more, of any shape.
     ///     indentation: y/R, zero or more, of a shape that goes with it (they are broadcast).
+    ///     threads: threads to compute with; one a core where none is given. The result does not depend on it.
+    #[pyo3(signature = (velocity, indentation, *, threads=None))]
     fn evaluate<'py>(
         &self,
         py: Python<'py>,
         velocity: &Bound<'py, PyAny>,
         indentation: &Bound<'py, PyAny>,
+        threads: Option<usize>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let broadcast = py.import("numpy")?.call_method1("broadcast_arrays", (velocity, indentation));
         let (v, y) = broadcast
@@ -240,10 +255,7 @@ impl PyLaw {
                 return Err(errors::input(name, format!("{value} is negative; zero or more is needed")));
             }
         }
-        let responses: Vec<ContactResponse> = py.detach(|| {
-            let points = velocities.iter().zip(&indentations);
-            points.map(|(v, y)| self.law.evaluate(&LawPoint::new(*v, *y))).collect()
-        });
+        let responses = self.responses(py, &velocities, &indentations, threads)?;
         let result = PyDict::new(py);
         let put = |name: &str, of: &dyn Fn(&ContactResponse) -> f64| -> PyResult<()> {
             let values: Vec<f64> = responses.iter().map(of).collect();
@@ -268,21 +280,15 @@ impl PyLaw {
     }
 
     /// Its name, or where it comes from.
-    #[getter]
-    fn name(&self) -> &str {
+    #[getter(name)]
+    fn own_name(&self) -> &str {
         &self.name
     }
 
     /// Its estimated relative errors ``{"force", "area", "friction"}``; ``None`` for a law that is a formula.
     #[getter]
     fn errors(&self, py: Python<'_>) -> PyResult<Option<Py<PyDict>>> {
-        let errors = match &self.law {
-            Law::Sampled(law) => law.errors(),
-            law => match law.data() {
-                Some(data) => data.errors().total(),
-                None => return Ok(None),
-            },
-        };
+        let Some(errors) = self.relative_errors() else { return Ok(None) };
         let dict = PyDict::new(py);
         for (name, value) in [("force", errors.force), ("area", errors.area), ("friction", errors.friction)] {
             dict.set_item(name, value)?;
@@ -292,6 +298,16 @@ impl PyLaw {
 
     fn __repr__(&self) -> String {
         format!("Law({:?})", self.name)
+    }
+
+    fn _repr_html_(&self) -> String {
+        let kind = if self.law.is_formula() { "a formula" } else { "through values" };
+        let errors = self.relative_errors().map(|errors| {
+            let PerQuantity { force, area, friction } = errors;
+            format!("force {force:.1e}, area {area:.1e}, friction {friction:.1e}")
+        });
+        let rows = [("name", self.name.clone()), ("kind", kind.to_owned())];
+        shown("Law", &[rows.as_slice(), &[("errors", errors.unwrap_or_default())]].concat())
     }
 
     fn __eq__(&self, other: &Self) -> bool {
@@ -304,6 +320,41 @@ impl PyLaw {
             Some(text) => Ok((class.getattr("from_json")?, (text,))),
             None => Ok((class.into_any(), (self.name.clone(),))),
         }
+    }
+}
+
+impl PyLaw {
+    /// Its estimated relative errors; none of a formula.
+    fn relative_errors(&self) -> Option<PerQuantity<f64>> {
+        match &self.law {
+            Law::Sampled(law) => Some(law.errors()),
+            law => law.data().map(|data| data.errors().total()),
+        }
+    }
+
+    /// What the law gives at points: few of them here and now, many side by side.
+    fn responses(
+        &self,
+        py: Python<'_>,
+        velocities: &[f64],
+        indentations: &[f64],
+        threads: Option<usize>,
+    ) -> PyResult<Vec<ContactResponse>> {
+        let manner = Manner::new(None, threads)?;
+        let at = |(v, y): (&f64, &f64)| self.law.evaluate(&LawPoint::new(*v, *y));
+        if velocities.len() <= STRETCH {
+            return Ok(py.detach(|| velocities.iter().zip(indentations).map(at).collect()));
+        }
+        let done = watched(py, &manner, |watch| {
+            let stretches = velocities.par_chunks(STRETCH).zip(indentations.par_chunks(STRETCH));
+            let of_stretches = stretches.map(|(velocities, indentations)| {
+                let goes_on = !watch.interrupted();
+                goes_on.then(|| velocities.iter().zip(indentations).map(at).collect::<Vec<_>>())
+            });
+            let found: Option<Vec<Vec<ContactResponse>>> = of_stretches.collect();
+            found.map(|found| found.concat()).ok_or(())
+        })?;
+        done.settled(|()| errors::fault())
     }
 }
 

@@ -2,6 +2,7 @@
 
 use judder_contact::LawError;
 use judder_contact::steady::SteadyError;
+use judder_examples::ExampleError;
 use judder_models::ModelError;
 use judder_oscillator::OscillatorError;
 use judder_sliding::SlidingError;
@@ -110,9 +111,16 @@ fields!(StoreError {
     SweepTooLarge { sweep },
 });
 
+fields!(ExampleError {
+    Unknown { name, near },
+    Exists { path },
+    Write { path },
+});
+
 fields!(StudyError {
     UnknownAnalysis { name, known },
     OtherCase { folder, owner },
+    HeldTooMuch { name, bytes, limit },
     File { path, reason },
     NoResults { folder },
 });

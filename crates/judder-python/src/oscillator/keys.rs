@@ -12,7 +12,7 @@ use judder_models::oscillator::keys::OscillatorKey;
 use judder_models::oscillator::law_name::LawName;
 use judder_oscillator::Contact;
 use judder_oscillator::FrictionLoad;
-use pyo3::exceptions::PyTypeError;
+use judder_study::model::Model;
 use pyo3::prelude::*;
 use pyo3::types::{PyFloat, PyString};
 
@@ -35,11 +35,18 @@ fn value(key: OscillatorKey, given: &Bound<'_, PyAny>) -> PyResult<judder_keys::
     }
     match given.extract::<f64>() {
         Ok(number) => read(Given::Number(number)),
-        Err(_) => Err(PyTypeError::new_err(format!(
-            "{}: a number or a text with a unit is needed, not {}",
-            key.entry().name(),
-            given.get_type().name()?
-        ))),
+        Err(_) => {
+            let name = key.entry().name();
+            let own = given.get_type().name()?;
+            let arrays = match given.hasattr("__len__")? {
+                true => "; arrays go to judder.oscillator.points",
+                false => "",
+            };
+            Err(errors::argument(
+                name,
+                format!("a number or a text with a unit is needed, not {own}{arrays}"),
+            ))
+        }
     }
 }
 
@@ -86,6 +93,15 @@ impl AskedOscillator {
     /// Refuses moduli that contradict each other or the law.
     pub(crate) fn checked(&self, inputs: OscillatorInputs) -> PyResult<()> {
         inputs.check(self.case.law).map_err(|cause| errors::input("glassy_modulus", cause))
+    }
+
+    /// The case in its canonical form, JSON, a law that was given as one by its name.
+    pub(crate) fn told(&self, py: Python<'_>) -> String {
+        let mut json = self.case.resolved();
+        if let (Some(law), Some(contact)) = (&self.law, json.get_mut("contact")) {
+            contact["law"] = law.bind(py).get().name().into();
+        }
+        json.to_string()
     }
 
     /// The contact where it costs nothing to have.

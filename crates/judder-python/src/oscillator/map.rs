@@ -22,9 +22,10 @@ use std::time::Instant;
 const STRETCH: usize = 1 << 22;
 
 /// A key, its values, and their unit where they have one.
-type MapSide<'py> = (String, Bound<'py, PyAny>, Option<String>);
+pub(super) type MapSide<'py> = (String, Bound<'py, PyAny>, Option<String>);
 
-fn axis(argument: &str, side: &MapSide<'_>) -> PyResult<KeyAxis> {
+/// A key with values of its range.
+pub(super) fn axis(argument: &str, side: &MapSide<'_>) -> PyResult<KeyAxis> {
     let (name, values, unit) = side;
     let key = key(name)?;
     let values = arrays::vector(argument, values)?;
@@ -108,10 +109,11 @@ pub(crate) fn oscillator_map<'py>(
     let within_law = within_law.map(|codes| codes.into_pyarray(py).reshape(shape)).transpose()?;
     result.set_item("within_law", within_law)?;
     result.set_item("warnings", contact.warnings)?;
+    result.set_item("case", asked.told(py))?;
     for (name, axis) in [("x", plane.x), ("y", plane.y)] {
         let entry = axis.key.entry();
-        let unit = if axis.form == Form::Si { entry.rule.dimension.unit() } else { "1".to_owned() };
-        let about = (entry.name(), axis.values.into_pyarray(py), entry.doc, unit);
+        let unit = axis.units();
+        let about = (entry.path, entry.name(), axis.values.into_pyarray(py), entry.doc, unit);
         result.set_item(name, about)?;
     }
     Ok(result)

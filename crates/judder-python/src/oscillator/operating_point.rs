@@ -3,6 +3,7 @@
 use super::keys::AskedOscillator;
 use crate::contact::PyLaw;
 use crate::errors;
+use crate::shown::shown;
 use crate::watched::Manner;
 use judder_keys::keys::Keys;
 use judder_keys::numeric_key::{Form, Value};
@@ -271,6 +272,21 @@ impl OscillatorPoint {
                 format!("OscillatorPoint({verdict} by {}{within}, growth rate {rate:.6e})", mechanism.name())
             }
         }
+    }
+
+    fn _repr_html_(&self) -> String {
+        let of_mechanism = match self.steady.class.mechanism() {
+            Mechanism::None => String::new(),
+            mechanism => mechanism.name().to_owned(),
+        };
+        let rows = [
+            ("verdict", self.steady.verdict().to_owned()),
+            ("mechanism", of_mechanism),
+            ("growth rate", format!("{:.6e}", self.steady.growth_rate())),
+            ("equivalent damping", format!("{:.6e}", self.steady.linearisation.equivalent_damping())),
+            ("indentation y/R", format!("{:.6e}", self.steady.equilibrium.indentation)),
+        ];
+        shown("OscillatorPoint", &rows)
     }
 
     fn __eq__(&self, other: &Self) -> bool {

@@ -1,9 +1,10 @@
 //! A slider on its track.
 
 use crate::arrays;
-use crate::cases::CaseSource;
+use crate::cases::{CasePackage, CaseSource, package_of};
 use crate::choice::named;
 use crate::errors;
+use crate::shown::shown;
 use crate::watched::{Manner, watched};
 use judder_models::coupled_pair::{CoupledPair, coupled_pair};
 use judder_sliding::body::{Body, ModalPoint};
@@ -13,6 +14,7 @@ use judder_sliding::motion::Motion;
 use judder_sliding::pair::{Observed, Pair, PairSide, Slider, TrackBody};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 
 /// Two structures in sliding contact, in their own modes.
 ///
@@ -36,6 +38,15 @@ pub(crate) struct PyPair {
     /// What its case prescribes.
     pub(super) motion: Option<Motion>,
     warnings: Vec<String>,
+    origin: PairOrigin,
+}
+
+/// What a pair was made of, for a copy in another process.
+enum PairOrigin {
+    /// The arguments of `Pair`.
+    Given(Py<PyTuple>),
+    /// A case, and what holds the files of its objects.
+    Case { package: CasePackage, _inputs: Option<Py<PyAny>> },
 }
 
 /// A friction coefficient, or speeds and coefficients.
@@ -131,27 +142,40 @@ impl PyPair {
     fn new(
         slider: &Bound<'_, PyAny>,
         track: &Bound<'_, PyAny>,
-        friction: GivenFriction<'_>,
+        friction: &Bound<'_, PyAny>,
         interpolation: &str,
         side: &str,
         observed: Vec<Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
+        let given = (slider, track, friction, interpolation, side, observed.clone());
+        let origin = PairOrigin::Given(given.into_pyobject(slider.py())?.unbind());
+        let friction: GivenFriction<'_> = friction.extract().map_err(|_| {
+            errors::argument("friction", "a number, or speeds and coefficients, two arrays, are needed")
+        })?;
         let interpolation = named("interpolation", interpolation, &Interpolation::ALL)?;
         let is_left = named("side", side, &[("left", true), ("right", false)])?;
         let watched = observed.iter().map(self::observed).collect::<PyResult<_>>()?;
         let structures = (self::slider(slider)?, self::track(track)?);
         let pair =
             Pair::new(structures.0, structures.1, interpolation, is_left, friction.friction()?, watched);
-        Ok(Self { pair: pair.map_err(|error| errors::sliding(&error))?, motion: None, warnings: Vec::new() })
+        let pair = pair.map_err(|error| errors::sliding(&error))?;
+        Ok(Self { pair, motion: None, warnings: Vec::new(), origin })
     }
 
     /// The pair of a sliding case; see :func:`judder.sliding.load_pair`.
     #[staticmethod]
-    fn from_source(py: Python<'_>, case: CaseSource, overrides: Vec<String>) -> PyResult<Self> {
+    #[pyo3(signature = (case, overrides, *, inputs=None))]
+    fn from_source(
+        py: Python<'_>,
+        case: CaseSource,
+        overrides: Vec<String>,
+        inputs: Option<Py<PyAny>>,
+    ) -> PyResult<Self> {
         let file = case.read(&overrides)?;
         let done = watched(py, &Manner::default(), |_| coupled_pair(&file))?;
         let CoupledPair { pair, motion, warnings } = done.settled(|error| errors::model(&error))?;
-        Ok(Self { pair, motion: Some(motion), warnings })
+        let origin = PairOrigin::Case { package: package_of(&file), _inputs: inputs };
+        Ok(Self { pair, motion: Some(motion), warnings, origin })
     }
 
     /// Modes of both structures.
@@ -184,7 +208,44 @@ impl PyPair {
         self.warnings.clone()
     }
 
+    /// The case that it comes from with all that another machine needs; ``None`` for modal data.
+    #[getter]
+    fn package(&self) -> Option<CasePackage> {
+        match &self.origin {
+            PairOrigin::Case { package, .. } => Some(package.clone()),
+            PairOrigin::Given(_) => None,
+        }
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)> {
+        let module = py.import("judder._pairs")?;
+        match &self.origin {
+            PairOrigin::Given(given) => Ok((module.getattr("given")?, given.bind(py).clone().into_any())),
+            PairOrigin::Case { package, .. } => {
+                Ok((module.getattr("of_package")?, module.call_method1("packed", (package.clone(),))?))
+            }
+        }
+    }
+
+    fn __copy__(own: Py<Self>) -> Py<Self> {
+        own
+    }
+
+    fn __deepcopy__(own: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        own
+    }
+
     fn __repr__(&self) -> String {
         format!("Pair({} modes, track of {} nodes)", self.pair.modes(), self.pair.track().nodes.len())
+    }
+
+    fn _repr_html_(&self) -> String {
+        let rows = [
+            ("modes", self.pair.modes().to_string()),
+            ("nodes of the track", self.pair.track().nodes.len().to_string()),
+            ("observed", self.pair.observed().len().to_string()),
+            ("warnings", self.warnings.join("; ")),
+        ];
+        shown("Pair", &rows)
     }
 }

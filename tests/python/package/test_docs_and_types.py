@@ -12,6 +12,7 @@ import pytest
 
 import fresh
 import judder
+import reference
 from common import ROOT
 
 MODULES = [
@@ -22,6 +23,7 @@ MODULES = [
     judder.models,
     judder.oscillator,
     judder.plot,
+    judder.programs,
     judder.progress,
     judder.sliding,
     judder.study,
@@ -58,6 +60,10 @@ def test_every_example_has_its_answer(tmp_path, monkeypatch):
                 seen.add(text)
                 runner.run(parser.get_doctest(text, {"judder": judder}, key, None, None))
     assert len(seen) >= 6 and runner.summarize(verbose=False).failed == 0
+
+
+def test_the_reference_in_the_book_is_that_of_the_docstrings():
+    assert reference.PAGE.read_text("utf-8") == reference.text(), f"`python {reference.__file__}` writes it anew"
 
 
 def blocks(text, language):

@@ -70,7 +70,7 @@ def test_parquet_has_every_bit_unit_and_class(studies, tmp_path):
         written = study.to_parquet(tmp_path / str(place))
         assert sorted(written) == sorted((tmp_path / str(place)).iterdir())
         for name in study:
-            dataset = study[name].compute()
+            dataset = study._dataset(name).compute()
             for dims, suffix in sets(dataset).items():
                 table = parquet.read_table(tmp_path / str(place) / (f"{name}.{suffix}.parquet" if suffix else f"{name}.parquet"))
                 wanted = list(expected_columns(dataset, dims))
@@ -99,7 +99,7 @@ def test_pandas_reads_the_failures_of_a_sweep_and_its_numbers(small, tmp_path):
         assert len(found) == len(expected) > 0
         assert [*found["reason"]] == [*expected["reason"]] and any(reason.startswith("doubtful") for reason in found["reason"])
         whole = pandas.read_parquet(tmp_path / f"{name}.parquet")
-        for key in small[name].attrs["keys"]:
+        for key in small._dataset(name).attrs["keys"]:
             assert bits(found[key].to_numpy()) == bits(expected[key].to_numpy()) == bits(whole[key].to_numpy()[found["point"]])
         lost = found["point"][~found["reason"].str.startswith("doubtful")]
         assert whole["cycle.rms"][lost].isna().all() and whole["cycle.rms"].isna().sum() == len(lost)
@@ -111,7 +111,7 @@ def test_csv_reads_back_to_the_last_bit(studies, tmp_path):
     for place, study in enumerate(studies):
         study.to_csv(tmp_path / str(place))
         for name in study:
-            dataset = study[name].compute()
+            dataset = study._dataset(name).compute()
             with (tmp_path / str(place) / f"{name}.columns.csv").open(newline="", encoding="utf-8") as file:
                 said = {(row["table"], row["column"]): row for row in csv.DictReader(file)}
             for dims, suffix in sets(dataset).items():
@@ -140,7 +140,7 @@ def test_xarray_reads_the_netcdf_file(studies, tmp_path):
         whole = xr.open_dataset(path).attrs
         assert whole["case"] == study.summary["study"]["source"] and whole["case_hash"] == study.summary["case_hash"]
         for name in study:
-            dataset = study[name].compute()
+            dataset = study._dataset(name).compute()
             with xr.open_dataset(path, group=name) as read:
                 wanted = list(parts(dataset))
                 assert sorted(read.variables) == sorted(variable for variable, _, _, _ in wanted)
@@ -156,11 +156,11 @@ def test_xarray_reads_the_netcdf_file(studies, tmp_path):
         failures = xr.open_dataset(tmp_path / "0.nc", group=f"{name}/failures")
         expected = studies[0].failed_points(name)
         assert failures["reason"].values.tolist() == [*expected["reason"]]
-        rms = studies[0][name]["cycle.rms"].values.ravel()[failures["point"].values]
+        rms = studies[0]._dataset(name)["cycle.rms"].values.ravel()[failures["point"].values]
         assert np.isnan(rms).tolist() == [not reason.startswith("doubtful") for reason in expected["reason"]]
-        for key in studies[0][name].attrs["keys"]:
+        for key in studies[0]._dataset(name).attrs["keys"]:
             assert bits(failures[key].values) == bits(expected[key].to_numpy())
-            assert failures[key].attrs["units"] == studies[0][name][key].attrs["units"]
+            assert failures[key].attrs["units"] == studies[0]._dataset(name)[key].attrs["units"]
 
 
 def test_scipy_reads_the_matlab_file(studies, tmp_path):
@@ -168,7 +168,7 @@ def test_scipy_reads_the_matlab_file(studies, tmp_path):
         read = loadmat(study.to_matlab(tmp_path / f"{place}.mat"), simplify_cells=True)
         assert read["judder"]["case_hash"] == study.summary["case_hash"]
         for name in study:
-            dataset, own = study[name].compute(), read[name]
+            dataset, own = study._dataset(name).compute(), read[name]
             names = {original: identifier for identifier, original in own["names"].items()}
             assert names.keys() == {*dataset.variables}
             for variable in dataset.variables:

@@ -334,3 +334,41 @@ def test_every_key_of_a_file_takes_an_object():
             ending = endings.get(at[-1]) or next((own for part, own in endings.items() if part in at), ".csv")
             value = objects.get(ending, {"node": [1], "direction": ["x"]} if at[-1] == "freedoms" else {"time [s]": [0.0, 1.0], "factor": [1.0, 2.0]})
             assert _written.content(path, at, value, {})[0] == ending, path
+
+
+def test_freedoms_have_names_beside_sums_of_sparse_matrices():
+    mass, stiffness = (own.tocsr() for own in chain(4))
+    names = [["a", "x"], ["a", "y"], ["b", "x"], ["b", "y"]]
+    half = scipy.sparse.tril(stiffness).tocsr()
+    expected = frequencies({"mass": mass, "stiffness": stiffness, "freedoms": names})
+    sums = [
+        {"whole": {"file": stiffness, "factor": "part"}, "rest": {"file": stiffness.toarray(), "factor": "1 - part"}},
+        [{"file": half, "triangle": "lower", "factor": 0.25}, {"file": stiffness, "factor": "0.5*(part + 1)"}],
+        {"file": half, "triangle": "lower"},
+        [0.5 * stiffness, 0.5 * stiffness.tocoo()],
+    ]
+    for own in sums:
+        assert np.allclose(frequencies({"mass": [mass], "stiffness": own, "freedoms": names}, parameters={"part": 0.5}), expected)
+    wrong = [
+        ([stiffness, stiffness[:3, :3]], "sum of matrices of the shapes"),
+        ([half, stiffness], "on one side of its diagonal"),
+        ({"a": stiffness, "b": {"file": "K.mtx"}}, "every term needs a matrix in memory"),
+        ({"a": {"file": stiffness, "scale": 2}}, "has the key `scale`"),
+    ]
+    for own, words in wrong:
+        with pytest.raises(judder.InputError, match=words):
+            frequencies({"mass": mass, "stiffness": own, "freedoms": names})
+
+
+def test_objects_set_over_a_case_file_have_the_same_names_everywhere(tmp_path):
+    (tmp_path / "case.toml").write_text(
+        'model = "structure"\n[structure]\nmesh = "plate.inp"\nmaterial = { youngs_modulus = "210 GPa", poisson_ratio = 0.3, density = "7850 kg/m^3" }\n'
+        'supports = [{ set = "left", fixed = ["x", "y"] }]\n[[analysis]]\nname = "modes"\nkind = "modes"\ncount = 3\n'
+    )
+    points, squares, sets, _ = plate()
+    changes = {"structure.mesh": {"points": points, "cells": {"quad": squares}, "point_sets": sets}}
+    found = [judder.run(tmp_path / "case.toml", set=changes, output=tmp_path / name) for name in ("first", "second")]
+    assert found[0].hashes == found[1].hashes and "judder-" not in json.dumps(found[0].summary["case"])
+    assert (tmp_path / "first" / "inputs" / "structure.mesh.inp").is_file()
+    with pytest.raises(judder.CaseError, match="no/such.toml"):
+        judder.run("no/such.toml", set=changes)

@@ -1,0 +1,171 @@
+"""Datasets as they are handed out: names, units, what they depend on; and objects that travel, show themselves and fail as Python would."""
+
+import copy
+import json
+import pickle
+
+import numpy as np
+import pytest
+import xarray
+
+import judder
+from common import ROOT
+
+CASE = {
+    "title": "Both",
+    "model": "oscillator",
+    "oscillator": {"damping_x": 0.02},
+    "analysis": [
+        {
+            "name": "map",
+            "kind": "stability-map",
+            "method": "every-point",
+            "x": {"key": "operation.velocity", "from": "1 um/s", "to": "1 m/s", "points": 9, "scale": "log"},
+            "y": {"key": "contact.shear_strength", "from": 0.01, "to": 0.2, "points": 7},
+        },
+        {"name": "line", "kind": "spectrum", "sweep": {"key": "operation.velocity", "from": 1e-6, "to": 1.0, "points": 5, "scale": "log"}},
+    ],
+    "sweep": [
+        {
+            "name": "grid",
+            "over": [
+                {"key": "operation.velocity", "from": 1e-5, "to": 1e-2, "points": 4, "scale": "log"},
+                {"key": "contact.shear_strength", "from": 0.01, "to": 0.2, "points": 3},
+            ],
+            "quantities": ["growth_rate", "verdict"],
+            "chunk": 4,
+        }
+    ],
+}
+
+
+@pytest.fixture(scope="module")
+def studies(tmp_path_factory):
+    """A study in memory, where that is possible, and the same one in a folder."""
+    without = {key: own for key, own in CASE.items() if key != "sweep"}
+    return judder.run(without), judder.run(CASE, output=tmp_path_factory.mktemp("conventions") / "study")
+
+
+def test_a_key_has_one_name_in_maps_and_sweeps(studies):
+    _, stored = studies
+    for name in stored:
+        data = stored[name]
+        assert data.velocity.dims == ("velocity",) and all(str(own).isidentifier() for own in data.variables)
+    assert stored["grid"].velocity.attrs["key"] == "operation.velocity"
+    assert stored["grid"].growth_rate.dims == ("velocity", "shear_strength")
+    found = judder.oscillator.stability_map(("velocity", [1.0, 2.0], "mm/s"), ("shear_strength", [0.1, 0.2]))
+    assert found.to_dataset().velocity.attrs["key"] == found.x.key == "operation.velocity"
+
+
+def test_an_axis_tells_its_unit_once(studies):
+    label = pytest.importorskip("xarray.plot.utils").label_from_attrs
+    for study in studies:
+        for name in study:
+            for own in study[name].variables.values():
+                words = own.attrs.get("long_name", "")
+                assert not words.endswith((f"({own.attrs.get('units')})", "(−)")), words
+    assert label(studies[0]["map"].velocity) == "Substrate velocity vd [m/s]"
+
+
+def test_every_dataset_has_its_case_and_its_warnings(studies):
+    for study in studies:
+        for name in study:
+            case = json.loads(study[name].attrs["judder_case"])
+            assert case["oscillator"]["damping_x"] == 0.02 and case["contact"]["law"] == "oscillator-paper"
+            assert [own["name"] for kind in ("analysis", "sweep") for own in case.get(kind, [])] == [name]
+            assert study[name].attrs["judder_warnings"] == "\n".join(study.warnings[name])
+    found = judder.oscillator.stability_map(("velocity", [1e-4, 1e-3]), ("shear_strength", [0.1, 0.2]), law="hertz")
+    assert json.loads(found.to_dataset().attrs["judder_case"])["contact"]["law"] == "hertz"
+    contact = judder.contact.solve(0.1, indentation=1e-2, accuracy=5e-2).to_dataset()
+    assert contact.attrs["asked_velocity"] == 0.1 and contact.attrs["asked_shape"] == "paraboloid"
+
+
+OPERATIONS = {
+    "as it is": lambda data: data,
+    "a part": lambda data: data.isel({next(iter(data.sizes)): slice(0, 3)}),
+    "a point": lambda data: data.isel({next(iter(data.sizes)): 1}),
+    "a mean": lambda data: data.mean(next(iter(data.sizes)), keep_attrs=True),
+    "joined": lambda data: xarray.concat([data, data], "run"),
+    "a sum": lambda data: data + data,
+    "turned": lambda data: data.transpose(..., next(iter(data.sizes))),
+}
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+@pytest.mark.parametrize("what", OPERATIONS)
+def test_datasets_are_written_after_any_operation(studies, what, tmp_path):
+    point = judder.oscillator.points(velocity=np.logspace(-5, -3, 5), damping_x=0.02)
+    kept = {f"{place} {name}": study[name] for place, study in zip(("held", "stored"), studies) for name in study}
+    for name, data in {**kept, "points": point}.items():
+        done = OPERATIONS[what](data)
+        done.to_zarr(tmp_path / name)
+        done.to_netcdf(tmp_path / f"{name}.nc", engine="h5netcdf")
+        for again in (xarray.open_zarr(tmp_path / name), xarray.open_dataset(tmp_path / f"{name}.nc", engine="h5netcdf")):
+            xarray.testing.assert_equal(again.load(), done.load())
+            assert again.attrs.get("judder_case") == done.attrs.get("judder_case")
+
+
+PAIR = ROOT / "cases" / "beams-paper" / "paper.toml"
+
+
+def given_pair():
+    nodes = np.array([[0.0, 0.0], [0.05, 0.0], [0.1, 0.0]])
+    rows = np.zeros((3, 2, 1))
+    rows[:, 1, 0] = 5.0
+    slider = judder.sliding.Slider(eigenvalues=[0.0], contact=nodes[0], contact_rows=[[0.0], [7.0]], load=[-7.0], inertia=[0.0])
+    track = judder.sliding.Track(eigenvalues=[8e5], nodes=nodes, node_rows=rows, alpha=400.0)
+    return judder.sliding.Pair(slider, track, friction=([0.0, 1.0], [0.3, 0.2]), side="left")
+
+
+@pytest.mark.parametrize("make", [given_pair, lambda: judder.sliding.load_pair(PAIR)], ids=["given", "case"])
+def test_pairs_travel(make):
+    pair = make()
+    assert copy.copy(pair) is pair and copy.deepcopy(pair) is pair
+    again = pickle.loads(pickle.dumps(pair))
+    assert (again.eigenvalues == pair.eigenvalues).all() and again.observed == pair.observed and again.warnings == pair.warnings
+    keys = {"start": 0.05, "end": 0.0505, "velocity": 0.3, "load": 3.0} if again.package is None else {"start": 0.09, "end": 0.0901}
+    assert (judder.sliding.march(again, **keys).normal_force == judder.sliding.march(pair, **keys).normal_force).all()
+
+
+def test_a_pair_of_objects_travels_when_they_are_gone():
+    block = {"element": "quad4", "size": ["75 mm", "2 mm"], "cells": [15, 1]}
+    law = {"velocity [m/s]": np.array([0.0, 1.0]), "coefficient": np.array([0.3, 0.2])}
+    pair = judder.sliding.load_pair(PAIR, set={"contact.friction_coefficient": law})
+    assert (pickle.loads(pickle.dumps(pair)).eigenvalues == pair.eigenvalues).all() and block
+
+
+def test_objects_show_themselves_briefly(studies):
+    law = judder.contact.Law("hertz")
+    shown = [judder.oscillator.point(), law, given_pair(), judder.oscillator.stability_map(("velocity", [1e-4]), ("shear_strength", [0.1, 0.2]))]
+    for own in shown:
+        html = own._repr_html_()
+        assert html.startswith("<h4>") and len(html) < 2000 and "object at 0x" not in html
+    page = judder.sweep.plan({key: own for key, own in CASE.items() if key != "analysis"})._repr_html_()
+    assert "grid" in page and "12" in page and len(page) < 2000
+
+
+def test_what_the_system_refuses_is_an_error_of_judder(tmp_path):
+    with pytest.raises(judder.MissingFileError) as caught:
+        judder.contact.Law.load(tmp_path / "none.json")
+    error = caught.value
+    assert isinstance(error, judder.StoreError) and isinstance(error, FileNotFoundError) and error.errno == 2
+    assert str(error).startswith(str(tmp_path)) and str(pickle.loads(pickle.dumps(error))) == str(error)
+    with pytest.raises(judder.FileError):
+        judder.contact.Law.from_function(lambda v, y: (y, y, 0 * v), velocity=(0.1, 1.0), indentation=(0.1, 1.0)).save(tmp_path / "no" / "law.json")
+
+
+def test_a_run_in_memory_holds_no_more_than_it_may():
+    case = {key: own for key, own in CASE.items() if key != "sweep"}
+    with pytest.raises(judder.StudyError, match=r"analysis `line`: with it the results take .* a folder as `output` holds any number") as caught:
+        judder.run(case, memory=100, only=["line"])
+    assert caught.value.limit == 100 < caught.value.bytes and caught.value.cause == "HeldTooMuch"
+    assert judder.run(case, memory=1 << 20).complete
+
+
+def test_runs_are_logged(caplog, tmp_path):
+    case = {key: own for key, own in CASE.items() if key != "sweep"}
+    with caplog.at_level("INFO", logger="judder"):
+        judder.run(case, only=["line"])
+        judder.run(case, output=tmp_path / "study", only=["line"])
+    told = [record.getMessage() for record in caplog.records if record.name == "judder"]
+    assert any("`line` took" in own for own in told) and any(str(tmp_path / "study") in own for own in told), told

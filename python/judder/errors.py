@@ -133,6 +133,10 @@ class FileError(StoreError, OSError):
     """The file."""
     number: int | None
     """What the system calls the error, ``errno``; ``None`` where it has no number."""
+    errno: int | None
+    """The same, as Python calls it."""
+    filename: Any
+    """The file, as Python calls it."""
 
     def __init__(self, message: str, cause: str = "File", fields: Mapping[str, Any] | None = None) -> None:
         super().__init__(message, cause, fields)

@@ -110,7 +110,7 @@ def demo(
         InputError: there is no such example, or it is a script.
 
     >>> judder.demo("minimal-mode-coupling").analyses
-    ('sweep',)
+    ('spectrum', 'critical')
     """
     if name is None:
         return reproduce(_DEMO, quick=True, output=f"out/demo/{_DEMO}" if output is None else output, threads=threads, progress=progress)

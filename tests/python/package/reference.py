@@ -60,7 +60,9 @@ def of_class(name, kind, *, with_members):
     fields = dict(documented_fields(kind))
     if fields:
         yield "".join(f"- `{field}`: {one_line(words)}\n" for field, words in fields.items())
-    for own, value in vars(kind).items():
+    members = vars(kind).items()
+    # compiled classes have their members in any order
+    for own, value in members if is_written(kind) else sorted(members):
         if own.startswith("_") or own in fields:
             continue
         words = inspect.getdoc(getattr(kind, own)) or ""
@@ -69,6 +71,14 @@ def of_class(name, kind, *, with_members):
             yield markdown(words)
         elif words and words != inspect.getdoc(type(value)):
             yield f"- `{own}`: {one_line(words)}\n"
+
+
+def is_written(kind):
+    """Whether a class is written in Python."""
+    try:
+        return bool(inspect.getsource(kind))
+    except (OSError, TypeError):
+        return False
 
 
 def documented_fields(kind):

@@ -22,6 +22,7 @@ from judder import _columns, _toml, _written
 from judder._columns import wrong
 from judder._judder import Law
 from judder._keys import FILES, ROWS
+from judder._sampled import SPEED_TOLERANCE, SPEEDS, sampled
 from judder.errors import JudderError
 
 INPUTS = "inputs"
@@ -144,7 +145,7 @@ class _Walk:
 
     def __init__(self, files: _InputFiles, model: str | None, *, whole: bool = False, without_none: bool = False) -> None:
         self._files = files
-        self._declared = Declared(model)
+        self._model, self._declared = model, Declared(model)
         self._whole, self._without_none = whole, without_none
         self._above: list[int] = []
 
@@ -171,8 +172,10 @@ class _Walk:
             raise wrong(".".join(at), "contains itself, or lies too deep")
         self._above.append(id(value))
         try:
+            if declared.is_friction(at) and (table := self._friction(value, at)) is not None:
+                return table
             if callable(value):
-                raise wrong(".".join(at), "is a function; give values of it, such as those of judder.sliding.friction_table")
+                raise wrong(".".join(at), "is a function, which this key does not take")
             if declared.is_file(at):
                 return self._file(value, at, beside)
             if declared.is_file((*at, "file")) and not isinstance(value, list | tuple):
@@ -188,6 +191,18 @@ class _Walk:
             return self._items(value, at)
         finally:
             self._above.pop()
+
+    def _friction(self, value: Any, at: KeyPath) -> dict[str, Any] | None:
+        """The table of a friction law: of a function of an array of speeds, or of speeds and coefficients; `None` of anything else."""
+        key = ".".join(at)
+        if callable(value):
+            speeds, coefficients = sampled(key, value, (0.0, SPEEDS[-1]), SPEED_TOLERANCE, first=SPEEDS)
+        elif isinstance(value, list | tuple) and len(value) == 2 and all(_columns.is_column(column) for column in value):
+            speeds, coefficients = value
+        else:
+            return None
+        unit = "velocity" if self._model == "belt" else "velocity [m/s]"
+        return self.of_table({unit: speeds, "coefficient": coefficients}, at)
 
     def _items(self, value: Any, at: KeyPath) -> Any:
         """A list, whose items may be tables; anything else as it is."""
@@ -269,6 +284,10 @@ class Declared:
     def beside_file(self, at: KeyPath) -> Sequence[str]:
         """The keys that stand beside that of a file."""
         return [key for path, beside in self._files.items() if _is(at, path) for key in beside]
+
+    def is_friction(self, at: KeyPath) -> bool:
+        """Whether a key is a friction coefficient, which may be a table."""
+        return {"velocity", "coefficient"} <= set(self.beside_file((*at, "file")))
 
     def has_rows(self, at: KeyPath) -> bool:
         """Whether a key is a list of tables of numbers."""

@@ -11,14 +11,18 @@ from numpy.typing import NDArray
 from judder._columns import wrong
 
 _FIRST = 9
+SPEEDS: NDArray[np.float64] = np.concatenate([[0.0], np.geomspace(1e-6, 1e2, 33)])
+"""Speeds of sliding between which a law is looked at first where nobody says how fast: from rest to beyond what slides, m/s."""
+SPEED_TOLERANCE = 1e-5
 _MOST = 10_000
 """Points of a table; the curves of friction need some hundreds at a tolerance of 1e-6."""
 
 
 def sampled(
-    argument: str, function: Callable[[NDArray[np.float64]], Any], span: tuple[float, float], tolerance: float
+    argument: str, function: Callable[[NDArray[np.float64]], Any], span: tuple[float, float], tolerance: float, *, first: NDArray[np.float64] | None = None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Points and values such that straight lines are off by no more than a tolerance of the largest value, looked at within all intervals.
+    """Points and values such that straight lines are off by no more than a tolerance of the largest value, looked at within all intervals,
+    those between the `first` points to begin with.
 
     Raises:
         InputError: values that are not finite, or not as many as points; a function that would need too many points.
@@ -37,7 +41,7 @@ def sampled(
             raise wrong(argument, f"is not finite at {at[~np.isfinite(found)][0]:g}")
         return found
 
-    points = np.linspace(begin, end, _FIRST)
+    points = np.linspace(begin, end, _FIRST) if first is None else first
     known = values(points)
     while True:
         within = points[:-1, None] + np.diff(points)[:, None] * np.array([0.25, 0.5, 0.75])

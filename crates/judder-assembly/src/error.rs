@@ -1,3 +1,4 @@
+use judder_contact::friction::FrictionError;
 use judder_numerics::words::plain;
 use judder_structure::StructureError;
 use judder_structure::element::ElementKind;
@@ -16,6 +17,9 @@ pub enum AssemblyError {
         /// What it must be.
         requirement: &'static str,
     },
+    /// Numbers that make no friction coefficient.
+    #[error(transparent)]
+    Friction(#[from] FrictionError),
     /// A list has another length than what it belongs to.
     #[error("{name}: there are {found}, but must be {expected}")]
     Length {

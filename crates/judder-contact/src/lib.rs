@@ -12,7 +12,8 @@
 //! - [`periodic_contact`]: a rough surface that repeats itself, pressed on the substrate or sliding over it.
 //! - [`response`]: where a law is evaluated, and what it gives: F̃_k, Ã, μ_visc with their first derivatives.
 //! - [`contact_law`]: what every law answers.
-//! - [`falling_friction`]: a friction coefficient that falls with the speed, for contacts that know no more of theirs.
+//! - [`friction`]: a friction coefficient against the speed, for contacts that know no more of theirs.
+//! - [`table`]: values against a quantity, straight or bent between the places of a table.
 //! - [`fitted`]: the three fitted functions of the oscillator paper (eqs. 34–39), as printed and with the corrected velocity axis.
 //! - [`fit`]: these functions fitted to computed contacts, with confidence intervals (appendix B).
 //! - [`hertz`]: the elastic contact in closed form, the test bench of everything else.
@@ -21,9 +22,9 @@
 //! Everything is dimensionless: v̂ = v τ/R and ŷ = y/R go in; F̃_k = F_k/(E0* R²), Ã = A/R² and μ_visc come out.
 
 pub mod contact_law;
-pub mod falling_friction;
 pub mod fit;
 pub mod fitted;
+pub mod friction;
 pub mod hertz;
 pub mod indenter;
 pub mod kernel;
@@ -33,12 +34,13 @@ pub mod periodic_contact;
 pub mod response;
 pub mod steady;
 pub mod surface;
+pub mod table;
 pub mod transient;
 pub mod unilateral;
 
 pub use contact_law::{ContactLaw, ValidityConcern};
-pub use falling_friction::FallingFriction;
 pub use fitted::FittedLaw;
+pub use friction::{FallingFriction, Friction};
 pub use hertz::HertzLaw;
 pub use law::{CollapsedLaw, Law, LawError, SampledLaw, TabulatedLaw};
 pub use response::{ContactResponse, LawPoint, WithDerivatives};

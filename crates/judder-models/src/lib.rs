@@ -11,7 +11,7 @@
 //! - `within_law`: what the errors of a contact law leave of results, in words.
 //! - [`checks`]: every number doubted by another number.
 //! - [`oscillator`], [`contact`], [`belt`], [`two_degrees`], [`structure`], [`sliding`], [`assembly`]: the models. [`motion`]: what oscillator and belt share. [`parameters`]:
-//!   `[parameters]`. `entries`, [`mass`]: matrices of numbers and expressions of them.
+//!   `[parameters]`. [`friction`]: the friction coefficient of all of them; `number_columns`: tables in files. `entries`, [`mass`]: matrices of numbers and expressions of them.
 //! - `samples`: arrays of a march on their way into the study; [`mod@spectrogram`]: of any of them. `estimate`: what analyses would take. `written`: files of other programs, in memory.
 //! - [`template`]: the commented cases of `judder new`.
 
@@ -26,6 +26,7 @@ pub mod contact;
 pub mod entries;
 mod error;
 mod estimate;
+pub mod friction;
 mod indenter;
 pub mod key_sweep;
 mod known_substrate;
@@ -36,6 +37,7 @@ pub mod material;
 mod measured_band;
 mod measured_growth;
 pub mod motion;
+mod number_columns;
 pub mod oscillator;
 pub mod parameters;
 mod read_family;

@@ -1,3 +1,4 @@
+use judder_contact::friction::FrictionError;
 use judder_numerics::polynomial::PolynomialError;
 use judder_numerics::words::plain;
 use thiserror::Error;
@@ -15,6 +16,9 @@ pub enum OscillatorError {
         /// What it must be.
         requirement: &'static str,
     },
+    /// Numbers that make no friction coefficient.
+    #[error(transparent)]
+    Friction(#[from] FrictionError),
     /// No steady sliding with contact in the range that was searched.
     #[error(
         "no steady sliding with contact for indentations y/R between {searched_from} and {searched_to}",

@@ -35,12 +35,18 @@ impl<const N: usize> HopfPoint<N> {
         self.coefficient > 0.0
     }
 
+    /// Whether terms up to the third order say nothing of the cycles next to it, as on a straight piece of a friction table.
+    #[must_use]
+    pub fn is_degenerate(&self) -> bool {
+        self.coefficient == 0.0
+    }
+
     /// The rms of x on the cycle that the amplitude law √(−2σ/Re c₁) predicts for a growth rate of steady sliding near
     /// the point; `None` where there is none.
     #[must_use]
     pub fn rms(&self, growth_rate: f64) -> Option<f64> {
         let squared = -2.0 * growth_rate / self.coefficient;
-        (squared >= 0.0).then(|| squared.sqrt())
+        (squared >= 0.0 && !self.is_degenerate()).then(|| squared.sqrt())
     }
 
     /// d(rms²)/dp = −2σ′/Re c₁: near a threshold p_c the cycles have an rms of x of √(factor·(p − p_c)). Positive where they
@@ -69,10 +75,11 @@ impl<const N: usize> HopfPoint<N> {
 pub fn hopf_point<const N: usize>(system: &impl SlidingSystem<N>) -> Result<HopfPoint<N>, CycleError> {
     let scales = system.scales();
     let place = system.steady_sliding();
+    let mode = system.mode(ContactState::SlipBehind, &place);
     // in scaled components, so that one difference fits all
     let jacobian = |moved: &[f64; N]| -> SquareMatrix<N> {
         let state = from_fn(|i| place[i] + scales[i] * moved[i]);
-        let raw = system.jacobian(ContactState::SlipBehind, &state);
+        let raw = system.jacobian(mode, &state);
         from_fn(|i| from_fn(|j| raw[i][j] * scales[j] / scales[i]))
     };
     let matrix = jacobian(&[0.0; N]);
@@ -102,7 +109,8 @@ pub fn hopf_point<const N: usize>(system: &impl SlidingSystem<N>) -> Result<Hopf
 /// Eigenvalues that did not come out.
 pub fn growth_rate<const N: usize>(system: &impl SlidingSystem<N>) -> Result<f64, CycleError> {
     let scales = system.scales();
-    let raw = system.jacobian(ContactState::SlipBehind, &system.steady_sliding());
+    let place = system.steady_sliding();
+    let raw = system.jacobian(system.mode(ContactState::SlipBehind, &place), &place);
     let scaled: SquareMatrix<N> = from_fn(|i| from_fn(|j| raw[i][j] * scales[j] / scales[i]));
     Ok(eigenvalues(&scaled)?.iter().fold(f64::NEG_INFINITY, |largest, value| largest.max(value.re)))
 }
@@ -248,13 +256,8 @@ mod tests {
     fn the_belts_coefficient_is_that_of_averaging() {
         // ẍ + x = ε with ε = −2ξẋ + N μ(v − ẋ) about rest: averaging gives ż = σz + (N μ'''/16)·… of the odd part of μ(v − ẋ)
         let (fall, decay, velocity) = (0.5, 0.5, 0.5 * 10.0_f64.ln());
-        let belt = BeltOscillator::new(
-            0.05,
-            1.0,
-            velocity,
-            FallingFriction { at_rest: 1.0, at_speed: 0.5, decay_speed: decay },
-        )
-        .unwrap();
+        let belt = BeltOscillator::new(0.05, 1.0, velocity, FallingFriction::exponential([1.0, 0.5], decay))
+            .unwrap();
         let hopf = hopf_point(&belt).unwrap();
         assert!(hopf.growth_rate.abs() < 1e-15 && (hopf.frequency - 1.0).abs() < 1e-14);
         // for ẍ + x = a ẋ + b ẋ² + c ẋ³ with a → 0: amplitude Ȧ = (3/8) c A³ (b alone gives none); c = fall e^{−v/v0}/(6 v0³)

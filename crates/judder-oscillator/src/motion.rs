@@ -21,7 +21,7 @@ pub mod smoothed;
 pub mod stick_slip;
 pub mod time_stepping;
 
-pub use belt::{BeltOscillator, FallingFriction};
+pub use belt::{BeltMode, BeltOscillator, FallingFriction, Friction};
 pub use equations::accelerations;
 pub use judder_numerics::contact_state::ContactState;
 pub use judder_numerics::stopping::Interrupted;

@@ -6,9 +6,9 @@
 use crate::SlidingError;
 use crate::body::ModalPoint;
 use crate::edge::{Touch, Weights};
-use crate::friction::SlidingFriction;
 use crate::pair::Pair;
 use crate::plane::{PlaneVector, plus};
+use judder_contact::friction::{Friction, FrictionAt};
 
 /// The coupling of two structures at one place of contact, linear.
 ///
@@ -48,9 +48,10 @@ pub struct SteadyFriction {
 impl SteadyFriction {
     /// That of a speed in m/s, negative against the track.
     #[must_use]
-    pub fn at(friction: &SlidingFriction, velocity: f64) -> Self {
+    pub fn at(friction: &Friction, velocity: f64) -> Self {
         let direction = if velocity < 0.0 { -1.0 } else { 1.0 };
-        Self { friction: friction.at(velocity), slope: friction.slope(velocity), direction }
+        let FrictionAt { coefficient, slope } = friction.at(velocity.abs());
+        Self { friction: coefficient, slope, direction }
     }
 
     /// n − σ μ t: the direction in which the contact pushes the slider.

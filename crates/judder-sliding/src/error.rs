@@ -1,4 +1,5 @@
 use crate::edge::RunOff;
+use judder_contact::friction::FrictionError;
 use judder_numerics::words::plain;
 use thiserror::Error;
 
@@ -25,6 +26,9 @@ pub enum SlidingError {
         /// What it must have.
         expected: usize,
     },
+    /// Numbers that make no friction coefficient.
+    #[error(transparent)]
+    Friction(#[from] FrictionError),
     /// A track of fewer than two nodes.
     #[error("a track needs two nodes at least, this one has {found}")]
     ShortTrack {

@@ -5,7 +5,6 @@
 //! - [`body`]: a structure in modal form, and places of it.
 //! - [`reduced`]: modal form and places of a structure that was reduced.
 //! - [`edge`]: the contact edge between its nodes, and where a point touches it.
-//! - [`friction`]: the friction coefficient.
 //! - [`pair`]: a slider and its track.
 //! - [`coupling`]: compatibility row and equilibrium column.
 //! - [`statics`]: the deformed configuration of steady sliding.
@@ -28,7 +27,6 @@ pub mod coupling;
 pub mod dense_forms;
 pub mod edge;
 mod error;
-pub mod friction;
 pub mod growth;
 pub mod locus;
 pub mod march;

@@ -259,7 +259,8 @@ impl<'a> March<'a> {
         let first_gap = touch.gap + motion.initial_gap;
         let scheme = method.scheme();
         let initial = motion.initial_damping.map(|damping| (damping.alpha, damping.beta));
-        let step_limit = scheme::step_limit(pair, scheme, initial, [motion.start, motion.end])?;
+        let friction = pair.friction().bound(motion.velocity.abs());
+        let step_limit = scheme::step_limit(pair, scheme, initial, [motion.start, motion.end], friction)?;
         let drive = motion.at(0.0);
         let damping = damping(pair, &motion, drive.initial_damping);
         let [slider, mut track] = oscillators(pair, scheme, step, &damping)?;

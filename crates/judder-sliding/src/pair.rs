@@ -3,8 +3,8 @@
 use crate::SlidingError;
 use crate::body::{Body, ModalPoint, finite};
 use crate::edge::{Edge, EdgePoint, Interpolation, STENCIL, Touch};
-use crate::friction::SlidingFriction;
 use crate::plane::{PlaneVector, along_chord, dot, plus};
+use judder_contact::friction::Friction;
 
 /// The structure that carries the contact point C.
 ///
@@ -58,7 +58,7 @@ pub struct Pair {
     slider: Slider,
     track: TrackBody,
     edge: Edge,
-    friction: SlidingFriction,
+    friction: Friction,
     observed: Vec<Observed>,
     direction: PlaneVector,
     arc: Vec<f64>,
@@ -77,7 +77,7 @@ impl Pair {
         track: TrackBody,
         interpolation: Interpolation,
         is_left: bool,
-        friction: SlidingFriction,
+        friction: Friction,
         observed: Vec<Observed>,
     ) -> Result<Self, SlidingError> {
         slider.body.check("slider")?;
@@ -95,6 +95,7 @@ impl Pair {
             expect_length(&format!("observed displacement {k}"), point.row.len(), modes)?;
             finite(point.row.iter(), &format!("observed displacement {k}"))?;
         }
+        friction.check()?;
         let places: Vec<PlaneVector> = track.nodes.iter().map(|node| node.place).collect();
         let (arc, direction) = along_chord(&places)?;
         let edge = Edge::new(interpolation, places.len(), is_left);
@@ -121,7 +122,7 @@ impl Pair {
 
     /// The friction between them.
     #[must_use]
-    pub fn friction(&self) -> &SlidingFriction {
+    pub fn friction(&self) -> &Friction {
         &self.friction
     }
 

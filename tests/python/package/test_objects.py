@@ -193,8 +193,38 @@ def test_friction_laws_are_sampled_as_finely_as_they_ask():
         judder.sliding.friction_table(lambda velocity: velocity * np.nan, velocity=(0.0, 1.0))
     with pytest.raises(judder.InputError, match="jump"):
         judder.sliding.friction_table(lambda velocity: np.where(velocity < 0.3, 0.5, 0.2), velocity=(0.0, 1.0))
-    with pytest.raises(judder.InputError, match="friction_table"):
-        judder.check({"model": "sliding", "contact": {"friction_coefficient": stribeck}})
+    with pytest.raises(judder.InputError, match="does not take"):
+        judder.check({"model": "belt", "operation": {"velocity": stribeck}})
+
+
+def test_friction_laws_stand_wherever_a_friction_coefficient_does():
+    def law(velocity):
+        return 0.5 + 0.5 * np.exp(-velocity / 0.5)
+
+    def period(friction):
+        start = {"x": 1.0, "velocity_x": 1.5}
+        belt = {"oscillator": {"damping": 0.05}, "friction": friction, "operation": {"velocity": 1.5}}
+        case = {"model": "belt", **belt, "analysis": [{"kind": "limit-cycle", "name": "cycle", "start": start}]}
+        return judder.run(case, output=None).results["cycle"]["period"]
+
+    exact = period({"at_rest": 1.0, "at_speed": 0.5, "decay_speed": 0.5})
+    speeds = np.linspace(0.0, 5.0, 1001)
+    assert abs(period(law) / exact - 1) < 1e-4
+    assert abs(period((speeds, law(speeds))) / exact - 1) < 1e-4
+    assert abs(period({"velocity": speeds, "coefficient": law(speeds)}) / exact - 1) < 1e-4
+    assert abs(period({"file": {"speed": speeds, "coefficient": law(speeds)}}) / exact - 1) < 1e-4
+
+    mass = {"name": "m", "matrices": {"mass": [[1, 0], [0, 1]], "stiffness": [[1, 0], [0, 0]], "freedoms": [["m", "x"], ["m", "y"]]}}
+    contact = {"name": "belt", "slider": {"structure": "m", "set": "m"}, "track": {"plane": {"normal": [0, 1]}}, "sliding": {"velocity": "1 m/s", "direction": [1, 0]}}
+    load = {"structure": "m", "set": "m", "direction": "y", "force": "-1 N"}
+    table = {"velocity [m/s]": speeds, "coefficient": law(speeds)}
+    growths = []
+    for friction in [law, (speeds, law(speeds)), table]:
+        case = {"model": "assembly", "structure": [mass], "contact": [{**contact, "friction_coefficient": friction}], "load": [load]}
+        study = judder.run({**case, "analysis": [{"kind": "eigen", "name": "eigen", "region": {"frequency": ["0 Hz", "1 Hz"]}}]}, output=None)
+        growths.append(sum(study.results["eigen"]["growing"][0]["growth"].values()))
+    # a mass on a belt grows with −N μ′(v)/2 of a law that falls
+    assert np.allclose(growths, 0.5 * np.exp(-2.0), rtol=1e-3)
 
 
 def test_a_study_keeps_its_inputs_and_goes_on(tmp_path, monkeypatch, command):

@@ -85,7 +85,7 @@ fn damped(numbers: &[f64], friction: f64, share: f64, spring: Option<f64>) -> As
     };
     let entries = [share(&assembly.mass, 0.05), share(&assembly.stiffness, 0.01)].concat();
     assembly.damping = from_triplets(SIZE, SIZE, &entries).unwrap().into();
-    let falling = FallingFriction { at_rest: friction + 0.3, at_speed: friction, decay_speed: 0.8 };
+    let falling = FallingFriction::exponential([friction + 0.3, friction], 0.8);
     assembly.interfaces[0].law = match spring {
         None => InterfaceLaw::Rigid(Friction::Falling(falling)),
         Some(stiffness) => {

@@ -56,7 +56,7 @@ fn friction_damps_a_mass_that_swings_across_the_slip() {
 /// as hard it has all of them.
 #[test]
 fn a_held_point_that_pulls_has_no_friction_that_follows_the_slip() {
-    let falling = FallingFriction { at_rest: 0.4, at_speed: 0.2, decay_speed: 1.0 };
+    let falling = FallingFriction::exponential([0.4, 0.2], 1.0);
     let friction = Friction::Falling(falling);
     let spring = InterfaceLaw::Compliant(Pressure::PointStiffness(100.0), friction.clone());
     let terms = |law: &InterfaceLaw, load: f64| -> Vec<ContactTerm> {

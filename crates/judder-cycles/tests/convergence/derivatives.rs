@@ -42,7 +42,7 @@ fn two_masses(law: InterfaceLaw, turns: bool) -> Assembly {
 #[test]
 fn derivatives_of_the_balance_are_those_of_its_differences() {
     const DIFFERENCE: f64 = 1e-6;
-    let falling = Friction::Falling(FallingFriction { at_rest: 0.6, at_speed: 0.4, decay_speed: 0.5 });
+    let falling = Friction::Falling(FallingFriction::exponential([0.6, 0.4], 0.5));
     let laws = [
         InterfaceLaw::Rigid(falling.clone()),
         InterfaceLaw::Compliant(Pressure::PointStiffness(30.0), falling),

@@ -14,7 +14,7 @@ use judder_cycles::shooting::{ShootingSettings, shoot};
 use judder_oscillator::motion::{BeltOscillator, ContactState};
 use std::f64::consts::TAU;
 
-pub(super) const FALLING: FallingFriction = FallingFriction { at_rest: 0.4, at_speed: 0.2, decay_speed: 0.5 };
+pub(super) const FALLING: FallingFriction = FallingFriction::exponential([0.4, 0.2], 0.5);
 const SPEED: f64 = 0.3;
 const DAMPING: f64 = 0.02;
 const STIFFNESS: f64 = 100.0;
@@ -64,7 +64,7 @@ pub(super) fn by_the_motion_itself() -> [f64; 3] {
 /// march that comes back is off by is of first order in its steps, so that two of them tell what is left without steps.
 #[test]
 fn a_mass_sticks_and_slips_as_in_the_engine_of_the_oscillator() {
-    const FALLING: FallingFriction = FallingFriction { at_rest: 1.0, at_speed: 0.5, decay_speed: 0.5 };
+    const FALLING: FallingFriction = FallingFriction::exponential([1.0, 0.5], 0.5);
     let belt = BeltOscillator::new(0.05, 1.0, 1.0, FALLING).unwrap();
     let own = settled(&belt, [1.0, 1.0]);
     assert_eq!(own.around.pattern, [ContactState::SlipBehind, ContactState::Stick]);

@@ -102,7 +102,7 @@ fn least_fold<F: Fn(f64) -> Result<Assembly, CyclesError>>(
 /// harmonics is told to be off holds that, of two masses. Along −v the largest speed is the smallest value.
 #[test]
 fn the_fold_of_a_mass_on_a_belt_is_known_to_what_twice_the_harmonics_say() {
-    let literature = FallingFriction { at_rest: 1.0, at_speed: 0.5, decay_speed: 0.5 };
+    let literature = FallingFriction::exponential([1.0, 0.5], 0.5);
     for (damping, falling) in [(0.025, FALLING), (0.05, literature)] {
         let engine = |speed: f64| BeltOscillator::new(damping, 1.0, speed, falling).unwrap();
         let slope = (falling.at_rest - falling.at_speed) / falling.decay_speed;

@@ -6,7 +6,7 @@ use crate::growing;
 use faer::c64;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::contact_point::ContactPoint;
-use judder_assembly::friction::{Friction, FrictionTable};
+use judder_assembly::friction::{Friction, TableInterpolation};
 use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::row::Row;
 use judder_assembly::steady::steady_sliding;
@@ -27,9 +27,9 @@ use std::f64::consts::TAU;
 #[test]
 fn the_multiplier_of_one_freedom_is_that_of_its_divergence() {
     const DAMPING: f64 = 0.01;
-    let table =
-        FrictionTable { velocity: vec![0.0, 0.3, 0.5, 0.9], coefficient: vec![0.28, 0.36, 0.33, 0.42] };
-    let friction = Friction::Table(table);
+    let friction =
+        Friction::table(vec![0.0, 0.3, 0.5, 0.9], vec![0.28, 0.36, 0.33, 0.42], TableInterpolation::Linear)
+            .unwrap();
     let case = assembly(
         [diagonal(&[1.0; 2]), diagonal(&[DAMPING, 0.0]), diagonal(&[100.0, 0.0])],
         vec![0.0, -1.0],

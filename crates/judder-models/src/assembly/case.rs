@@ -154,8 +154,9 @@ impl AssemblyCase {
         let of_structures = self.structures.iter().flat_map(|structure| structure.source.files());
         let of_substrate = self.substrate.iter().flat_map(|own| own.substrate.file());
         let of_laws = self.spheres.iter().flatten().flat_map(|sphere| &sphere.law_file);
+        let of_contacts = self.contacts.iter().filter_map(|own| own.forces.file());
         let of_analyses = self.analyses.iter().flat_map(|own| own.kind.files());
-        of_structures.chain(of_substrate).chain(of_laws).chain(of_analyses).collect()
+        of_structures.chain(of_contacts).chain(of_substrate).chain(of_laws).chain(of_analyses).collect()
     }
 
     /// The folder to which its files are relative.
@@ -255,7 +256,7 @@ impl AssemblySections {
         let structures = all(found)?;
         let contacts = items(root, "contact")
             .zip(&mut contact.0)
-            .map(|(node, own)| own.admit(&item_section::<ContactInterface>(node)?, &structures));
+            .map(|(node, own)| own.admit(&item_section::<ContactInterface>(node)?, &structures, folder));
         let contacts = all(contacts);
         let springs = items(root, "spring")
             .zip(&mut spring.0)

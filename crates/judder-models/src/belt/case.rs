@@ -1,13 +1,16 @@
-//! The belt case: one mass on a moving belt, with friction that falls with speed, for the literature's benchmarks.
+//! The belt case: one mass on a moving belt, with friction against the speed of sliding, for the literature's benchmarks.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use crate::REGISTRY;
 use crate::belt::MODEL;
+use crate::friction::FrictionCurve;
 use crate::motion::settings::{MotionKinds, MotionModel};
 use crate::motion::{MotionAnalysis, MotionOf};
 use crate::sweep::Sweep;
 use crate::swept_keys::{SweptKeys, key_of};
+use judder_contact::friction::falling::LARGEST_EXPONENT;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Declaration, Settings, all, both};
 use judder_keys::dimension::Dimension;
@@ -28,6 +31,9 @@ pub enum BeltKey {
     /// Damping ratio.
     #[key(section = "oscillator", symbol = "ξ", rule = Scaled::number("ξ", Range::NonNegative), default = "0.05")]
     Damping,
+    /// Cubic stiffness of the spring beside the linear one, whose force is x + κ x³.
+    #[key(section = "oscillator", symbol = "κ", rule = Scaled::number("κ", Range::NonNegative), default = "0.0")]
+    CubicStiffness,
     /// Friction coefficient at rest, the limit of stick.
     #[key(section = "friction", symbol = "μ_0", rule = Scaled::number("μ_0", Range::NonNegative), default = "1.0", label = "Friction at rest")]
     AtRest,
@@ -37,6 +43,12 @@ pub enum BeltKey {
     /// Speed over which friction falls: μ_∞ + (μ_0 − μ_∞) e^(−|v|/v_0).
     #[key(section = "friction", symbol = "v_0", rule = Scaled::number("v_0", Range::Positive), default = "0.5")]
     DecaySpeed,
+    /// Rise of friction with the speed: c |v| beside what falls.
+    #[key(section = "friction", symbol = "c", rule = Scaled::number("c", Range::NonNegative), default = "0.0", label = "Viscous friction")]
+    Viscous,
+    /// Exponent with which friction falls, e^(−(|v|/v_0)^n): 2 as Gauss's curve.
+    #[key(section = "friction", symbol = "n", rule = Scaled::number("n", EXPONENTS), default = "1.0")]
+    Exponent,
     /// Speed of the belt.
     #[key(section = "operation", symbol = "v", rule = Scaled::number("v", Range::Positive), default = "1.0", label = "Belt velocity")]
     Velocity,
@@ -44,6 +56,9 @@ pub enum BeltKey {
     #[key(section = "operation", symbol = "N", rule = Scaled::number("N", Range::Positive), default = "1.0")]
     NormalForce,
 }
+
+/// Below one the slope at rest would have no bound.
+const EXPONENTS: Range = Range::Closed { from: 1.0, to: LARGEST_EXPONENT };
 
 /// The value of every key of a belt case at one operating point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,21 +99,33 @@ pub struct BeltCase {
     pub title: String,
     /// The value of every key at the operating point of the case.
     pub inputs: BeltInputs,
+    /// A friction coefficient of one's own, in place of the keys of one that falls.
+    pub curve: Option<FrictionCurve<true>>,
     /// The analyses in the order of the case file.
     pub analyses: Vec<Planned<Arc<dyn Analysis<BeltCase>>>>,
 }
 
 /// The keys that the analyses of a belt case can vary.
-pub(crate) struct BeltKeys;
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BeltKeys {
+    /// Whether friction is a table, which has no keys to vary.
+    has_curve: bool,
+}
 
 impl SweptKeys for BeltKeys {
     type Key = BeltKey;
 
     fn find(&self, path: &str) -> Result<BeltKey, Cause> {
-        BeltKey::from_path(path).ok_or_else(|| {
+        let key = BeltKey::from_path(path).ok_or_else(|| {
             let known = BeltKey::paths().into_iter().map(str::to_owned).collect();
             Cause::UnknownName { what: "swept key", name: path.to_owned(), known }
-        })
+        })?;
+        match key.entry() {
+            Key { path: key, .. } if self.has_curve && key.starts_with("friction.") => {
+                Err(Cause::Meaningless { key, with: "a table of friction".to_owned() })
+            }
+            _ => Ok(key),
+        }
     }
 
     fn path(&self, key: BeltKey) -> String {
@@ -169,12 +196,24 @@ pub(crate) struct BeltSections {
     /// The mass on its spring.
     #[key(rule = "oscillator")]
     oscillator: Numbers<BeltKey>,
-    /// Friction between mass and belt.
-    #[key(rule = "friction")]
-    friction: Numbers<BeltKey>,
+    /// Friction between mass and belt: one that falls from rest and may rise again, or a table against the speed.
+    #[key(default)]
+    friction: BeltFriction,
     /// Speed and force.
     #[key(rule = "operation")]
     operation: Numbers<BeltKey>,
+}
+
+/// Friction between mass and belt.
+#[derive(Debug, Settings)]
+#[settings(title = "[friction]")]
+pub(crate) enum BeltFriction {
+    /// One that falls from rest, and may rise again.
+    #[key(flatten, rule = "friction")]
+    Falling(Numbers<BeltKey>),
+    /// A table.
+    #[key(flatten)]
+    Curve(FrictionCurve<true>),
 }
 
 /// The kinds of a belt case.
@@ -186,14 +225,23 @@ pub(crate) static KINDS: Kinds<BeltKeys, Arc<dyn Analysis<BeltCase>>> = Kinds::n
 ]);
 
 /// Reads a belt case from the root of its tree.
-pub(crate) fn read(node: &Node) -> Result<BeltCase, Fault> {
+pub(crate) fn read(node: &Node, folder: &Path) -> Result<BeltCase, Fault> {
     let (root, sections) = read_root::<BeltSections>(node)?;
-    let ((title, sections), analyses) = both(sections, read_analyses(&root, &BeltKeys, &KINDS, REGISTRY))?;
+    let has_curve = sections.as_ref().is_ok_and(|(_, own)| matches!(own.friction, BeltFriction::Curve(_)));
+    let analyses = read_analyses(&root, &BeltKeys { has_curve }, &KINDS, REGISTRY);
+    let ((title, BeltSections { oscillator, friction, operation }), analyses) = both(sections, analyses)?;
+    let (falling, mut curve) = match friction {
+        BeltFriction::Falling(falling) => (falling, None),
+        BeltFriction::Curve(curve) => (Numbers::default(), Some(curve)),
+    };
+    if let (Some(curve), Some(section)) = (&mut curve, root.inner("friction")?) {
+        curve.admit(&section, folder)?;
+    }
     let mut inputs = BeltInputs::default();
-    for Numbers(given) in [sections.oscillator, sections.friction, sections.operation] {
+    for Numbers(given) in [oscillator, falling, operation] {
         given.iter().for_each(|(key, value)| inputs.set(*key, value.number));
     }
-    Ok(BeltCase { title, inputs, analyses })
+    Ok(BeltCase { title, inputs, curve, analyses })
 }
 
 impl BeltCase {
@@ -204,7 +252,8 @@ impl BeltCase {
             let own = BeltKey::of_section(section).map(|entry| entry.key);
             Numbers(own.map(|key| (key, Value::group(self.inputs.number(key)))).collect())
         };
-        let [oscillator, friction, operation] = ["oscillator", "friction", "operation"].map(numbers);
+        let [oscillator, falling, operation] = ["oscillator", "friction", "operation"].map(numbers);
+        let friction = self.curve.clone().map_or(BeltFriction::Falling(falling), BeltFriction::Curve);
         BeltSections { oscillator, friction, operation }.write_table(&mut json);
         Json::Object(json)
     }

@@ -3,18 +3,22 @@
 use crate::belt::case::{BeltCase, BeltKey};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, estimate_json, estimate_text, title};
-use crate::motion::model::belt;
-use judder_keys::keys::Keys;
+use crate::motion::model::{BeltModel, Moving};
+use judder_keys::keys::{Key, Keys};
 use judder_oscillator::motion::SlidingSystem;
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, number};
 use serde_json::{Value, json};
 
 pub(super) fn resolve(case: &BeltCase, resolved: Value) -> Result<Resolved, ModelError> {
-    let system = belt(&case.inputs)?;
+    let system = BeltModel::new(case)?.operating(None)?.system;
     let estimates = case.analyses.iter().map(|own| own.kind.estimate(&own.name.as_str()));
     let estimates = estimates.collect::<Result<Vec<Estimate>, ModelError>>()?;
-    let keys = BeltKey::ALL.iter().map(|key| vec![key.path.to_owned(), number(case.inputs.number(key.key))]);
+    let has_meaning = |key: &&Key<BeltKey>| case.curve.is_none() || key.section() != "friction";
+    let keys = BeltKey::ALL
+        .iter()
+        .filter(has_meaning)
+        .map(|key| vec![key.path.to_owned(), number(case.inputs.number(key.key))]);
     let mut text = format!("{}\n\n{}", title(&case.title), columns(&keys.collect::<Vec<_>>()));
     let damping = system.equivalent_damping();
     let [displacement, _] = system.steady_sliding();

@@ -6,9 +6,11 @@ mod check;
 use crate::belt::case::{BeltCase, BeltInputs, BeltKey, BeltKeys, BeltSections};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
+use crate::friction::FrictionCurve;
 use crate::motion::model::BeltModel;
 use crate::motion::{MotionCase, MotionOf};
 use judder_keys::declared::Settings;
+use judder_keys::file_reference::FileReference;
 use judder_keys::keys::{Keys, lines};
 use judder_study::StudyError;
 use judder_study::case::analysis::Planned;
@@ -51,8 +53,8 @@ impl MotionCase for BeltCase {
 /// The model.
 pub const MODEL: ModelKind = ModelKind {
     name: "belt",
-    read: |root, _| case::read(root).map(Case::new),
-    doc: "one mass on a moving belt, friction that falls with speed",
+    read: |root, folder| case::read(root, folder).map(Case::new),
+    doc: "one mass on a moving belt, friction against the speed of sliding",
     declared: BeltSections::declarations,
     swept: BeltKey::paths,
     prose: include_str!("reference.md"),
@@ -71,8 +73,12 @@ impl Model for BeltCase {
         BeltCase::resolved(self)
     }
 
+    fn files(&self) -> Vec<&FileReference> {
+        self.curve.iter().filter_map(FrictionCurve::file).collect()
+    }
+
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
-        Ok(self.analyses[index].kind.run(&BeltModel::new(self), task)?)
+        Ok(self.analyses[index].kind.run(&BeltModel::new(self).map_err(ModelError::from)?, task)?)
     }
 
     fn resolve(&self, _: &CaseText, resolved: serde_json::Value) -> Result<Resolved, StudyError> {

@@ -3,6 +3,7 @@
 use crate::axis;
 use crate::belt::case::{BeltCase, BeltInputs, BeltKey};
 use crate::bridge;
+use crate::friction::FrictionCurve;
 use crate::motion::settings::{Following, MotionStart};
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
@@ -11,7 +12,7 @@ use judder_keys::numeric_key::{Form, Value};
 use judder_numerics::piecewise::StepSettings;
 use judder_oscillator::motion::attractor::distance;
 use judder_oscillator::motion::history::StateSample;
-use judder_oscillator::motion::{BeltOscillator, FallingFriction, SlidingSystem, StickSlip};
+use judder_oscillator::motion::{BeltOscillator, FallingFriction, Friction, SlidingSystem, StickSlip};
 use judder_oscillator::{Contact, OscillatorError};
 use judder_study::axis::SweptAxis;
 
@@ -210,11 +211,32 @@ impl Moving<4> for OscillatorModel<'_> {
 }
 
 /// The mass on a belt of a case.
-pub struct BeltModel<'a>(pub &'a BeltInputs);
+pub struct BeltModel<'a> {
+    inputs: &'a BeltInputs,
+    /// The friction coefficient, where it is none of the keys.
+    curve: Option<Friction>,
+}
 
 impl<'a> BeltModel<'a> {
-    pub fn new(case: &'a BeltCase) -> Self {
-        Self(&case.inputs)
+    /// # Errors
+    /// [`OscillatorError::Friction`] for a table that makes no friction coefficient.
+    pub fn new(case: &'a BeltCase) -> Result<Self, OscillatorError> {
+        let curve = case.curve.as_ref().map(FrictionCurve::friction).transpose()?;
+        Ok(Self { inputs: &case.inputs, curve })
+    }
+
+    /// The friction coefficient at these inputs.
+    fn friction(&self, inputs: &BeltInputs) -> Friction {
+        let number = |key: BeltKey| inputs.number(key);
+        self.curve.clone().unwrap_or_else(|| {
+            Friction::Falling(FallingFriction {
+                at_rest: number(BeltKey::AtRest),
+                at_speed: number(BeltKey::AtSpeed),
+                decay_speed: number(BeltKey::DecaySpeed),
+                viscous: number(BeltKey::Viscous),
+                exponent: number(BeltKey::Exponent),
+            })
+        })
     }
 }
 
@@ -237,11 +259,16 @@ impl Moving<2> for BeltModel<'_> {
         &self,
         set: Option<(&Sweep<BeltKey>, f64)>,
     ) -> Result<Operating<BeltOscillator>, OscillatorError> {
-        let mut inputs = *self.0;
+        let mut inputs = *self.inputs;
         if let Some((sweep, value)) = set {
             sweep.set(&mut inputs, value);
         }
-        Ok(Operating { system: belt(&inputs)?, per_second: f64::NAN })
+        let number = |key: BeltKey| inputs.number(key);
+        let [damping, normal_force, velocity] =
+            [BeltKey::Damping, BeltKey::NormalForce, BeltKey::Velocity].map(number);
+        let system = BeltOscillator::new(damping, normal_force, velocity, self.friction(&inputs))?
+            .with_cubic_stiffness(number(BeltKey::CubicStiffness))?;
+        Ok(Operating { system, per_second: f64::NAN })
     }
 
     fn further(system: &BeltOscillator, sample: &StateSample<2>) -> Vec<f64> {
@@ -255,20 +282,4 @@ impl Moving<2> for BeltModel<'_> {
     fn axis(sweep: &Sweep<BeltKey>) -> SweptAxis {
         axis::of_key(sweep)
     }
-}
-
-/// The mass on a belt at these inputs.
-pub(crate) fn belt(inputs: &BeltInputs) -> Result<BeltOscillator, OscillatorError> {
-    let number = |key: BeltKey| inputs.number(key);
-    let friction = FallingFriction {
-        at_rest: number(BeltKey::AtRest),
-        at_speed: number(BeltKey::AtSpeed),
-        decay_speed: number(BeltKey::DecaySpeed),
-    };
-    BeltOscillator::new(
-        number(BeltKey::Damping),
-        number(BeltKey::NormalForce),
-        number(BeltKey::Velocity),
-        friction,
-    )
 }

@@ -79,7 +79,8 @@ impl SlidingCase {
 
     /// The files that the case names.
     pub fn files(&self) -> Vec<&FileReference> {
-        self.structures.iter().flat_map(|structure| structure.source.files()).collect()
+        let of_structures = self.structures.iter().flat_map(|structure| structure.source.files());
+        of_structures.chain(self.contact.friction.file()).collect()
     }
 
     /// The canonical form.
@@ -155,7 +156,7 @@ impl SlidingSections {
         };
         let coupled = match (root.inner("contact")?, root.inner("motion")?) {
             (Some(of_contact), Some(of_motion)) => {
-                let slides = contact.admit(&of_contact, &structures);
+                let slides = contact.admit(&of_contact, &structures, &origin.folder);
                 slides.and_then(|()| motion.admit(&of_motion, &structures[*contact.slider.structure]))
             }
             _ => Ok(()),

@@ -17,7 +17,6 @@ pub(crate) use step::{MarchStep, step};
 
 use crate::error::ModelError;
 use crate::sliding::case::SlidingCase;
-use crate::sliding::case::contact::FrictionCoefficient;
 use crate::sliding::case::motion::PlaneAxis;
 use crate::sliding::case::problem::SlidingProblem;
 use crate::sliding::march::settings::MarchAnalysis;
@@ -27,7 +26,6 @@ use edge::TrackEdge;
 use judder_sliding::SlidingError;
 use judder_sliding::body::ModalPoint;
 use judder_sliding::edge::{Interpolation, STENCIL};
-use judder_sliding::friction::SlidingFriction;
 use judder_sliding::motion::Motion;
 use judder_sliding::pair::{Observed, Pair, PairSide, Slider, TrackBody};
 use judder_sliding::plane::PlaneVector;
@@ -209,25 +207,12 @@ fn coupled(
             format!("`hermite` interpolation takes {STENCIL} nodes of the track, this one has {nodes}");
         return Err(Uncoupled::because("contact.interpolation", reason, SMOOTH));
     }
-    let friction = friction(case)?;
+    let friction = case.contact.friction.friction().map_err(|error| {
+        let advice = "give friction coefficients of zero or more";
+        Uncoupled::because("contact.friction_coefficient", error, advice)
+    })?;
     Pair::new(slider, track, interpolation, edge.is_left, friction, observed)
         .map_err(|error| refused(case, &error))
-}
-
-fn friction(case: &SlidingCase) -> Result<SlidingFriction, Uncoupled> {
-    let friction = match &case.contact.friction {
-        FrictionCoefficient::Constant(coefficient) => SlidingFriction::constant(*coefficient),
-        FrictionCoefficient::Table(table) => {
-            SlidingFriction::table(table.velocity.clone(), table.coefficient.clone())
-        }
-    };
-    friction.map_err(|error| {
-        Uncoupled::because(
-            "contact.friction_coefficient",
-            error,
-            "give friction coefficients of zero or more",
-        )
-    })
 }
 
 /// What is right of an interpolation.

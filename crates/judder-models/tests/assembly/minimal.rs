@@ -1,10 +1,11 @@
 //! Minimal models of the literature as assemblies: against closed forms, printed numbers, and the models that they stand beside.
 
 use crate::{case, number, run_into};
+use judder_contact::friction::TableInterpolation;
 use judder_models::parse;
 use judder_models::two_degrees::case::TwoDegreesCase;
 use judder_oscillator::motion::SlidingSystem;
-use judder_oscillator::motion::belt::{BeltOscillator, FallingFriction};
+use judder_oscillator::motion::belt::{BeltOscillator, FallingFriction, Friction};
 use judder_oscillator::spectrum;
 use judder_store::{StudyFolder, VariableValues};
 use judder_study::case::file::CaseFile;
@@ -279,21 +280,35 @@ fn the_damped_hopf_point_is_that_of_an_assembly() {
 /// The linear part of the belt of the literature: place and eigenvalue of steady sliding as an assembly.
 #[test]
 fn steady_sliding_on_the_belt_is_an_assembly() {
-    for velocity in [0.5, 1.0, 1.5, 2.0] {
+    let law = FallingFriction::exponential([1.0, 0.5], 0.5);
+    let stribeck = FallingFriction { viscous: 0.1, exponent: 2.0, ..law };
+    let table = Friction::table(vec![0.0, 1.2, 1.8], vec![1.0, 0.6, 0.7], TableInterpolation::Monotone);
+    let frictions: [(&str, Friction); 3] = [
+        ("{ at_rest = 1.0, at_speed = 0.5, decay_speed = \"0.5 m/s\" }", law.into()),
+        (
+            "{ at_rest = 1.0, at_speed = 0.5, decay_speed = \"0.5 m/s\", viscous = \"0.1 s/m\", exponent = 2 }",
+            stribeck.into(),
+        ),
+        (
+            "{ velocity = [\"0 m/s\", \"1.2 m/s\", \"1.8 m/s\"], coefficient = [1.0, 0.6, 0.7], interpolation = \"monotone\" }",
+            table.unwrap(),
+        ),
+    ];
+    let points = [0.5, 1.0, 1.5, 2.0].into_iter().flat_map(|v| frictions.iter().map(move |own| (v, own)));
+    for (velocity, (written, friction)) in points {
         let text = format!(
             "model = \"assembly\"\n[[structure]]\nname = \"body\"\n[structure.matrices]\nmass = [[1, 0], [0, 1]]\n\
              damping = [[0.1, 0], [0, 0]]\nstiffness = [[1, 0], [0, 0]]\nfreedoms = [[\"mass\", \"x\"], [\"mass\", \"y\"]]\n\
              [[contact]]\nname = \"belt\"\nslider = {{ structure = \"body\", set = \"mass\" }}\n\
              track = {{ plane = {{ normal = [0, 1] }} }}\nsliding = {{ velocity = \"{velocity} m/s\", direction = [1, 0] }}\n\
-             friction_coefficient = {{ at_rest = 1.0, at_speed = 0.5, decay_speed = \"0.5 m/s\" }}\n\
+             friction_coefficient = {written}\n\
              [[load]]\nstructure = \"body\"\nset = \"mass\"\ndirection = \"y\"\nforce = \"-1 N\"\n\
              [[analysis]]\nname = \"steady\"\nkind = \"steady-sliding\"\n\
              [[analysis]]\nname = \"modes\"\nkind = \"eigen\"\nregion = {{ re = [-2.0, 2.0], im = [0.01, 2.0] }}\n"
         );
         let file = parse("case.toml", &text, &[]).unwrap();
         let results = results(&file);
-        let friction = FallingFriction { at_rest: 1.0, at_speed: 0.5, decay_speed: 0.5 };
-        let belt = BeltOscillator::new(0.05, 1.0, velocity, friction).unwrap();
+        let belt = BeltOscillator::new(0.05, 1.0, velocity, friction.clone()).unwrap();
         let ([displacement, _], damping) = (belt.steady_sliding(), belt.equivalent_damping());
         // on a spring of 1 N/m friction is the displacement
         let force = number(&results["steady"]["contacts"]["belt"]["tangential_force"][0]);

@@ -74,7 +74,7 @@ fn laws_whose_numbers_make_none() {
     let table = "friction_coefficient = { velocity = [\"0 m/s\", \"1 m/s\"], coefficient = [0.3] }";
     refused(
         &spoilt(BLOCK, "friction_coefficient = 0.5", table),
-        "the coefficients of a friction table: there are 1, but must be 2",
+        "the table of friction has 2 speeds and 1 coefficients",
         "{ velocity = [\"0 m/s\", \"1 m/s\"], coefficient = [0.3] }",
         "",
     );

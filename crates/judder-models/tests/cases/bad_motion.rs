@@ -169,7 +169,7 @@ fn a_key_of_another_model() {
         "model = \"belt\"\n[friction]\nshear_strength = 1\n",
         "unknown key `shear_strength` in [friction]",
         "shear_strength",
-        "keys here: at_rest, at_speed, decay_speed",
+        "keys here: at_rest, at_speed, decay_speed, viscous, exponent, velocity, coefficient, file, interpolation",
     );
     refused(
         "model = \"contact\"\n[[analysis]]\nkind = \"basin\"\n",
@@ -177,6 +177,61 @@ fn a_key_of_another_model() {
         "basin",
         "available: contact, contact-law, fit, modulus, transient",
     );
+}
+
+#[test]
+fn friction_of_a_belt_that_cannot_be() {
+    let belt = |friction: &str| format!("model = \"belt\"\n[friction]\n{friction}\n");
+    let table = "velocity = [0, 1]\ncoefficient = [1.0, 0.5]";
+    refused(
+        &belt(&format!("{table}\nat_rest = 1.0")),
+        "`friction.velocity` together with `friction.at_rest`: both say the same thing",
+        "[0, 1]",
+        "keep `friction.at_rest` or `friction.velocity`",
+    );
+    refused(
+        &belt("velocity = [\"0 m/s\", \"1 m/s\"]\ncoefficient = [1.0, 0.5]"),
+        "`friction.velocity` is a string, but must be a plain number",
+        "\"0 m/s\"",
+        "",
+    );
+    refused(
+        &belt("velocity = [1, 0]\ncoefficient = [1.0, 0.5]"),
+        "the speeds of the table of friction must ascend, but 0 follows 1",
+        "[1, 0]",
+        "list the speeds from the slowest to the fastest",
+    );
+    refused(&belt("exponent = 0.5"), "`friction.exponent` must be from 1 to 10, but is 0.5", "0.5", "");
+    let sweep = "sweep = { key = \"friction.at_rest\", from = 0.5, to = 2, points = 5 }";
+    refused(
+        &belt(&format!("{table}\n[[analysis]]\nkind = \"bifurcation\"\n{sweep}")),
+        "`friction.at_rest` has no meaning with a table of friction",
+        "\"friction.at_rest\"",
+        "leave `friction.at_rest` out",
+    );
+}
+
+#[test]
+fn friction_in_a_file_that_cannot_be_used() {
+    let folder = tempfile::tempdir().unwrap();
+    let message = |content: &str| {
+        std::fs::write(folder.path().join("mu.csv"), content).unwrap();
+        let path = folder.path().join("case.toml");
+        std::fs::write(&path, "model = \"belt\"\n[friction]\nfile = \"mu.csv\"\n").unwrap();
+        judder_models::read(&path, &[]).map(|_| ()).unwrap_err().to_string()
+    };
+    for (content, said) in [
+        ("", "there are no numbers"),
+        ("0,1\n1,0.5\n", "must be a header such as `speed,coefficient`"),
+        ("speed [m/s],coefficient\n0,1\n", "a column of numbers without a unit has the unit `m/s`"),
+        ("speed,coefficient\n0,1\n0,0.5\n", "the speeds of the table of friction must ascend"),
+        ("speed,coefficient\n0,-1\n", "a friction coefficient is -1: it must be finite and not negative"),
+        ("speed,coefficient\n-1,1\n", "the speed of a friction coefficient is -1"),
+        ("speed,coefficient\n0,x\n", "`x` in line 2 is no finite number"),
+    ] {
+        let message = message(content);
+        assert!(message.contains(said), "{message}");
+    }
 }
 
 #[test]

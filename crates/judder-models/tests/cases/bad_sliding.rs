@@ -130,7 +130,7 @@ fn friction_that_cannot_be() {
     changed(
         "friction_coefficient = 0.3",
         "friction_coefficient = { velocity = [\"10 mm/s\", \"10 mm/s\"], coefficient = [0.4, 0.3] }",
-        "the speeds of the table of friction must ascend, but 0.01 m/s follows 0.01 m/s",
+        "the speeds of the table of friction must ascend, but 0.01 follows 0.01",
         "[\"10 mm/s\", \"10 mm/s\"]",
         "list the speeds from the slowest to the fastest",
     );
@@ -139,7 +139,7 @@ fn friction_that_cannot_be() {
         "friction_coefficient = { velocity = [\"0 m/s\", \"1 m/s\"], coefficient = [0.4] }",
         "the table of friction has 2 speeds and 1 coefficients",
         "[0.4]",
-        "as in { velocity = [\"0 mm/s\", \"10 mm/s\"], coefficient = [0.4, 0.3] }, two entries at least",
+        "as in { velocity = [\"0 mm/s\", \"10 mm/s\"], coefficient = [0.4, 0.3] }, as many of one as of the other",
     );
     changed(
         "interpolation = \"linear\"",

@@ -103,9 +103,24 @@ fn a_mass_on_a_belt() {
 }
 
 #[test]
+fn friction_of_a_belt_may_be_a_table() {
+    let table = "[friction]\nvelocity = [0, 0.5]\ncoefficient = [1.0, 0.6]\ninterpolation = \"monotone\"";
+    let text = BELT.replace("[friction]\nat_rest = 1.0", table);
+    let case = parse(&text, &[]).unwrap().of::<BeltCase>().unwrap().clone();
+    let friction = case.curve.as_ref().unwrap().friction().unwrap();
+    assert_eq!((friction.at(0.0).coefficient, friction.at(0.25).coefficient), (1.0, 0.8));
+    let written =
+        serde_json::json!({ "velocity": [0.0, 0.5], "coefficient": [1.0, 0.6], "interpolation": "monotone" });
+    assert_eq!(parse(&text, &[]).unwrap().resolved()["friction"], written);
+}
+
+#[test]
 fn the_resolved_case_shows_what_is_taken() {
     let json = parse(BELT, &[]).unwrap().resolved();
-    assert_eq!(json["friction"], serde_json::json!({ "at_rest": 1.0, "at_speed": 0.5, "decay_speed": 0.5 }));
+    assert_eq!(
+        json["friction"],
+        serde_json::json!({ "at_rest": 1.0, "at_speed": 0.5, "decay_speed": 0.5, "viscous": 0.0, "exponent": 1.0 })
+    );
     let basin = &json["analysis"][0];
     assert_eq!(basin["within"], serde_json::json!({ "x": [-2.0, 2.0], "velocity_x": [0.0, 2.0] }));
     assert_eq!((&basin["duration"], &basin["seed"]), (&serde_json::json!(2e4), &serde_json::json!(7)));

@@ -1,8 +1,8 @@
 //! Sliding cases that are read.
 
 use super::parse;
+use judder_contact::friction::{FallingFriction, Friction, TableInterpolation};
 use judder_models::sliding::case::SlidingCase;
-use judder_models::sliding::case::contact::{FrictionCoefficient, FrictionTableSettings};
 use judder_models::sliding::case::motion::PlaneAxis;
 use judder_models::sliding::case::observe::{PointNode, PointQuantity, Signal};
 use judder_models::sliding::growth::settings::GrowthAnalysis;
@@ -135,8 +135,13 @@ fn structures_points_and_analyses_go_by_their_names() {
 fn friction_may_fall_with_the_speed() {
     let table = "friction_coefficient = { velocity = [\"0 mm/s\", \"10 mm/s\"], coefficient = [0.4, 0.3] }";
     let case = sliding(&with_analyses("").replace("friction_coefficient = 0.3", &format!("{table} #")), &[]);
-    let expected = FrictionTableSettings { velocity: vec![0.0, 0.01], coefficient: vec![0.4, 0.3] };
-    assert_eq!(case.contact.friction, FrictionCoefficient::Table(expected));
+    let expected = Friction::table(vec![0.0, 0.01], vec![0.4, 0.3], TableInterpolation::Linear).unwrap();
+    assert_eq!(case.contact.friction.friction().unwrap(), expected);
+    let falls = "friction_coefficient = { at_rest = 0.4, at_speed = 0.3, decay_speed = \"10 mm/s\", viscous = \"0.1 s/m\", exponent = 2 }";
+    let case = sliding(&with_analyses("").replace("friction_coefficient = 0.3", &format!("{falls} #")), &[]);
+    let expected =
+        FallingFriction { viscous: 0.1, exponent: 2.0, ..FallingFriction::exponential([0.4, 0.3], 0.01) };
+    assert_eq!(case.contact.friction.friction().unwrap(), expected.into());
 }
 
 #[test]

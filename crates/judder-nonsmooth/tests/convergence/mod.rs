@@ -88,7 +88,7 @@ fn motion_with_impacts_is_of_first_order() {
 /// Stick and slip on a law that falls: the heat of some cycles comes at least with the step to that of a step that is much shorter, by both schemes to the same.
 #[test]
 fn stick_and_slip_come_to_the_same_heat() {
-    let falling = FallingFriction { at_rest: 0.6, at_speed: 0.3, decay_speed: 0.1 };
+    let falling = FallingFriction::exponential([0.6, 0.3], 0.1);
     let mut case = mass_on_plane(1.0, 100.0, [0.0, -10.0], 0.0, 0.1);
     case.interfaces[0].law = InterfaceLaw::Rigid(Friction::Falling(falling));
     let heat = |scheme: ContactScheme, step: f64| {

@@ -137,7 +137,7 @@ proptest! {
         is_driven in any::<bool>(),
     ) {
         let scheme = [IMPLICIT, ContactScheme::ForwardIncrement, implicit(0.7), implicit(1.0)][which];
-        let falling = FallingFriction { at_rest: 0.5, at_speed: 0.2, decay_speed: 0.3 };
+        let falling = FallingFriction::exponential([0.5, 0.2], 0.3);
         let law = match law {
             0 => coulomb(0.4),
             1 => InterfaceLaw::Rigid(Friction::Falling(falling)),

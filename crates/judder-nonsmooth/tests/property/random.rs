@@ -61,11 +61,10 @@ impl Drawn {
         };
         let law = match self.law {
             0 => coulomb(self.friction),
-            1 => InterfaceLaw::Rigid(Friction::Falling(FallingFriction {
-                at_rest: self.friction,
-                at_speed: 0.5 * self.friction,
-                decay_speed: 0.3,
-            })),
+            1 => InterfaceLaw::Rigid(Friction::Falling(FallingFriction::exponential(
+                [self.friction, 0.5 * self.friction],
+                0.3,
+            ))),
             _ => InterfaceLaw::Compliant(Pressure::PointStiffness(1e5), Friction::Constant(self.friction)),
         };
         let mut load = vec![0.0; size];

@@ -17,7 +17,7 @@ use judder_structure::complex_modes::{ComplexModeSettings, Region, complex_modes
 /// Growth in the march is the eigenvalue's to 2e-3, by both schemes, of every mode of the band that swings clearly.
 #[test]
 fn modes_grow_in_the_march_as_their_eigenvalues_say() {
-    let falling = FallingFriction { at_rest: 0.6, at_speed: 0.45, decay_speed: 0.5 };
+    let falling = FallingFriction::exponential([0.6, 0.45], 0.5);
     let laws = [
         InterfaceLaw::Rigid(Friction::Constant(0.5)),
         InterfaceLaw::Rigid(Friction::Falling(falling)),

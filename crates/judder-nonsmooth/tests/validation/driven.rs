@@ -2,7 +2,7 @@
 
 use crate::common::{IMPLICIT, assembly, coulomb, diagonal, mass_on_plane, settings};
 use judder_assembly::assembly::Assembly;
-use judder_assembly::friction::{Friction, FrictionTable};
+use judder_assembly::friction::{Friction, TableInterpolation};
 use judder_assembly::interface::InterfaceLaw;
 use judder_nonsmooth::contact_problem::PointMotion;
 use judder_nonsmooth::course::{Course, TimeFactor, TimeTable};
@@ -241,14 +241,14 @@ fn heat_that_halves_friction_halves_the_force() {
 #[test]
 fn friction_by_a_table_stops_a_block_as_its_closed_form() {
     let (gravity, thrown): (f64, f64) = (10.0, 1.5);
-    let law = FrictionTable { velocity: vec![0.0, 1.0, 2.0], coefficient: vec![0.2, 0.4, 0.3] };
+    let law = Friction::table(vec![0.0, 1.0, 2.0], vec![0.2, 0.4, 0.3], TableInterpolation::Linear).unwrap();
     // the time from one speed to a lower one of one piece
     let time = |from: f64, to: f64, at_rest: f64, slope: f64| {
         ((at_rest + slope * from) / (at_rest + slope * to)).ln() / (gravity * slope)
     };
     let all = time(thrown, 1.0, 0.5, -0.1) + time(1.0, 0.0, 0.2, 0.2);
     let mut case = mass_on_plane(1.0, 0.0, [0.0, -gravity], 0.0, REST);
-    case.interfaces[0].law = InterfaceLaw::Rigid(Friction::Table(law));
+    case.interfaces[0].law = InterfaceLaw::Rigid(law);
     for (scheme, allowed) in
         [(IMPLICIT, 2e-4), (ContactScheme::ForwardIncrement, 2e-4), (ContactScheme::Smoothed, 1e-2)]
     {

@@ -14,7 +14,6 @@ use judder_nonsmooth::scheme::ContactScheme;
 use judder_nonsmooth::travel::{EdgeNode, TravellingContact};
 use judder_sliding::body::{Body, ModalPoint};
 use judder_sliding::edge::{Interpolation, RunOff};
-use judder_sliding::friction::SlidingFriction;
 use judder_sliding::march::{ContactMethod, ContactState, March, MarchSample, MarchSettings, Predictor};
 use judder_sliding::motion::{Motion, Noise, Ramps};
 use judder_sliding::pair::{Pair, Slider, TrackBody};
@@ -65,15 +64,7 @@ fn pair(ride: Ride) -> Pair {
         ModalPoint { place: [0.1 * place, height], rows: [row(9, place, 0.2, 0.5), row(9, place, 0.0, 4.0)] }
     };
     let track = TrackBody { body: body(9, 700.0, 40.0), nodes: (0..21).map(node).collect() };
-    Pair::new(
-        slider,
-        track,
-        ride.interpolation,
-        true,
-        SlidingFriction::constant(FRICTION).unwrap(),
-        Vec::new(),
-    )
-    .unwrap()
+    Pair::new(slider, track, ride.interpolation, true, Friction::Constant(FRICTION), Vec::new()).unwrap()
 }
 
 /// The same as an assembly: modes are its freedoms.

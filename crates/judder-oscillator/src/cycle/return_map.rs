@@ -2,6 +2,7 @@
 
 use super::CycleError;
 use crate::motion::measures::Measures;
+use crate::motion::sliding_system::contact_change;
 use crate::motion::{ContactState, SlidingSystem};
 use judder_numerics::dense::product;
 use judder_numerics::piecewise::tangent::{SquareMatrix, identity, onto_plane, saltation};
@@ -47,8 +48,10 @@ pub fn return_map<const N: usize>(
         }
         if let Some(crossing) = advance.crossing.filter(|crossing| crossing.to != crossing.from) {
             monodromy = product(&saltation(system, &crossing), &monodromy);
-            pattern.push(crossing.to);
-            measures.changes += 1;
+            if let Some(change) = contact_change(&crossing) {
+                pattern.push(change.to);
+                measures.changes += 1;
+            }
         }
     })?;
     if pattern.len() > 1 && pattern.first() == pattern.last() {
@@ -86,12 +89,12 @@ fn fly<S: SlidingSystem<N>, const N: usize>(
     returns: usize,
     settings: StepSettings<N>,
     longest: f64,
-    mut watch: impl FnMut(&Advance<ContactState, N>),
+    mut watch: impl FnMut(&Advance<S::Mode, N>),
 ) -> Result<PiecewiseMarch<'_, S, N>, CycleError> {
     let section = system.section();
     let start = section.project(&start);
     let mut march =
-        PiecewiseMarch::new(system, system.contact_state(&start), start, settings)?.with_section(section);
+        PiecewiseMarch::new(system, system.starting_mode(&start), start, settings)?.with_section(section);
     let mut left = returns;
     while left > 0 {
         if march.time() >= longest {

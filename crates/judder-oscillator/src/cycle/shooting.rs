@@ -114,7 +114,7 @@ pub(super) fn finished<const N: usize>(
     let CycleGuess { start, around, residual } = guess;
     let scales = system.scales();
     let multipliers = multipliers(&scaled(&around.derivative, &scales))?;
-    let velocity = system.field(system.contact_state(&start), &start);
+    let velocity = system.field(system.starting_mode(&start), &start);
     let carried = from_fn(|i| (0..N).fold(0.0, |sum, j| sum + around.monodromy[i][j] * velocity[j]));
     let trivial_error = distance(&carried, &velocity, &scales) / distance(&velocity, &[0.0; N], &scales);
     Ok(Cycle { start, oscillations, around, multipliers, trivial_error, residual, iterations })

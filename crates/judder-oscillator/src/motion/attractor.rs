@@ -1,6 +1,7 @@
 //! Where a motion settles: steady sliding, a cycle, or neither within its time.
 
 use super::measures::Measures;
+use super::sliding_system::contact_change;
 use super::{ContactState, Interrupted, SlidingSystem};
 use judder_numerics::piecewise::{MarchError, PiecewiseMarch, StepSettings};
 use std::collections::VecDeque;
@@ -81,7 +82,7 @@ pub fn settle<const N: usize>(
     interrupted: Interrupted<'_>,
 ) -> Result<Attractor<N>, MarchError> {
     let (rest, scales) = (system.steady_sliding(), system.scales());
-    let mut march = PiecewiseMarch::new(system, system.contact_state(&start), start, settings)?
+    let mut march = PiecewiseMarch::new(system, system.starting_mode(&start), start, settings)?
         .with_section(system.section());
     let mut returns: VecDeque<(f64, [f64; N])> = VecDeque::new();
     let mut late = Measures::default();
@@ -94,11 +95,12 @@ pub fn settle<const N: usize>(
             && let Some(leg) = &advance.leg
         {
             system.measure(leg, rest[0], &mut late);
-            late.changes += usize::from(advance.crossing.is_some());
+            late.changes += usize::from(advance.crossing.as_ref().and_then(contact_change).is_some());
         }
         // after every step: not every motion to steady sliding oscillates
         let state = march.state();
-        if march.mode() == ContactState::SlipBehind && distance(&state, &rest, &scales) < patience.rest {
+        if march.mode().into() == ContactState::SlipBehind && distance(&state, &rest, &scales) < patience.rest
+        {
             return Ok(at_rest(&march, &returns, state));
         }
         if advance.on_section {
@@ -223,7 +225,7 @@ fn one_period<S: SlidingSystem<N>, const N: usize>(
         if let Some(leg) = &advance.leg {
             system.measure(leg, rest[0], &mut measures);
         }
-        measures.changes += usize::from(advance.crossing.is_some());
+        measures.changes += usize::from(advance.crossing.as_ref().and_then(contact_change).is_some());
         left -= usize::from(advance.on_section);
     }
     Ok(Attractor {

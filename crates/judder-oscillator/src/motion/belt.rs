@@ -1,118 +1,199 @@
-//! The mass on a belt: one degree of freedom, friction that falls with speed. The literature's benchmarks speak of it.
+//! The mass on a belt: one degree of freedom, friction against the speed of sliding. The literature's benchmarks speak of it.
 
 use super::ContactState;
 use super::measures::{Measures, Powers};
 use super::sliding_system::SlidingSystem;
 use crate::OscillatorError;
-pub use judder_contact::FallingFriction;
+pub use judder_contact::friction::{FallingFriction, Friction};
 use judder_numerics::piecewise::tangent::{SquareMatrix, along_leg};
 use judder_numerics::piecewise::{Advance, Leg, MarchError, PiecewiseMarch, PiecewiseSmooth};
 
-/// x″ + 2ξ x′ + x = −sgn(x′ − v) N μ(|x′ − v|), in units of the mass and the natural frequency; a state is x, x′.
+/// x″ + 2ξ x′ + x + κ x³ = −sgn(x′ − v) N μ(|x′ − v|), in units of the mass and the natural frequency; a state is x, x′.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BeltOscillator {
     damping: f64,
+    cubic_stiffness: f64,
     normal_force: f64,
     belt_velocity: f64,
-    friction: FallingFriction,
+    friction: Friction,
 }
+
+/// A mode of the mass on a belt: a contact state, and the piece of a friction table on which it slides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct BeltMode {
+    /// Stick or slip.
+    pub contact_state: ContactState,
+    /// The number of the piece, 0 in stick.
+    pub piece: usize,
+}
+
+impl From<BeltMode> for ContactState {
+    fn from(mode: BeltMode) -> Self {
+        mode.contact_state
+    }
+}
+
+/// Guards of a slip: the lower and the upper end of its piece of friction, rest below the lowest.
+const LOWER: usize = 0;
 
 impl BeltOscillator {
     /// ξ, N, v > 0 and the friction coefficient.
     ///
     /// # Errors
-    /// [`OscillatorError::InvalidGroup`] names the first number out of its range.
+    /// [`OscillatorError::InvalidGroup`] names the first number out of its range; [`OscillatorError::Friction`].
     pub fn new(
         damping: f64,
         normal_force: f64,
         belt_velocity: f64,
-        friction: FallingFriction,
+        friction: impl Into<Friction>,
     ) -> Result<Self, OscillatorError> {
         let mut numbers = [
             ("damping ξ", damping, false),
             ("normal force N", normal_force, true),
             ("belt velocity v", belt_velocity, true),
-            ("friction at rest μ_0", friction.at_rest, false),
-            ("friction at speed μ_∞", friction.at_speed, false),
-            ("decay speed v_0", friction.decay_speed, true),
         ]
         .into_iter();
         let is_wrong =
             |value: f64, is_positive: bool| !value.is_finite() || value < 0.0 || is_positive && value == 0.0;
+        let friction = friction.into();
+        friction.check()?;
         match numbers.find(|(_, value, is_positive)| is_wrong(*value, *is_positive)) {
             Some((name, value, is_positive)) => {
                 let requirement = if is_positive { "positive" } else { "zero or positive" };
                 Err(OscillatorError::InvalidGroup { name, value, requirement })
             }
-            None => Ok(Self { damping, normal_force, belt_velocity, friction }),
+            None => Ok(Self { damping, cubic_stiffness: 0.0, normal_force, belt_velocity, friction }),
         }
     }
 
-    /// ξ − N |μ′(v)|/2, at which steady sliding loses stability as it passes zero.
-    #[must_use]
-    pub fn equivalent_damping(&self) -> f64 {
-        self.damping + 0.5 * self.normal_force * self.friction.at(self.belt_velocity).1
+    /// The same with a spring that stiffens: κ ≥ 0, per squared length.
+    ///
+    /// # Errors
+    /// [`OscillatorError::InvalidGroup`].
+    pub fn with_cubic_stiffness(self, cubic_stiffness: f64) -> Result<Self, OscillatorError> {
+        if cubic_stiffness.is_finite() && cubic_stiffness >= 0.0 {
+            return Ok(Self { cubic_stiffness, ..self });
+        }
+        let (name, requirement) = ("cubic stiffness κ", "zero or positive");
+        Err(OscillatorError::InvalidGroup { name, value: cubic_stiffness, requirement })
     }
 
-    fn speed(&self, mode: ContactState, state: &[f64; 2]) -> f64 {
-        (mode.direction() * self.relative_velocity(state)).max(0.0)
+    /// ξ + N μ′(v)/2, at which steady sliding loses stability as it passes zero.
+    #[must_use]
+    pub fn equivalent_damping(&self) -> f64 {
+        self.damping + 0.5 * self.normal_force * self.friction.at(self.belt_velocity).slope
+    }
+
+    fn speed(&self, contact_state: ContactState, state: &[f64; 2]) -> f64 {
+        (contact_state.direction() * self.relative_velocity(state)).max(0.0)
     }
 
     fn structure(&self, [x, velocity]: &[f64; 2]) -> f64 {
-        2.0 * self.damping * velocity + x
+        2.0 * self.damping * velocity + x * (1.0 + self.cubic_stiffness * x * x)
+    }
+
+    /// The stiffness about a displacement.
+    fn stiffness(&self, x: f64) -> f64 {
+        1.0 + 3.0 * self.cubic_stiffness * x * x
+    }
+
+    /// Where the spring alone bears a force ≥ 0: the root of a convex function that rises, which Newton's method comes down to.
+    fn displacement(&self, force: f64) -> f64 {
+        let mut x = force;
+        loop {
+            let next = x - (self.structure(&[x, 0.0]) - force) / self.stiffness(x);
+            if next.is_nan() || next >= x {
+                return x;
+            }
+            x = next;
+        }
     }
 
     fn stick_limit(&self) -> f64 {
-        self.normal_force * self.friction.at_rest
+        self.normal_force * self.friction.at(0.0).coefficient
+    }
+
+    /// The velocity of the mass at which it slides with a speed: always the same bits.
+    fn velocity_at(&self, contact_state: ContactState, speed: f64) -> f64 {
+        self.belt_velocity + contact_state.direction() * speed
+    }
+
+    /// The mass's velocity at an end of the piece of friction on which it slides; its lower end is rest where there is no other.
+    fn end(&self, mode: BeltMode, guard: usize) -> f64 {
+        let [lower, upper] = self.friction.ends(mode.piece);
+        let speed = if guard == LOWER { lower.unwrap_or(0.0) } else { upper.unwrap_or(f64::INFINITY) };
+        self.velocity_at(mode.contact_state, speed)
     }
 }
 
 impl PiecewiseSmooth<2> for BeltOscillator {
-    type Mode = ContactState;
+    type Mode = BeltMode;
 
-    fn field(&self, mode: ContactState, state: &[f64; 2]) -> [f64; 2] {
-        let friction = self.normal_force * self.friction.at(self.speed(mode, state)).0;
-        match mode {
-            ContactState::Stick => [state[1], 0.0],
-            _ => [state[1], -mode.direction() * friction - self.structure(state)],
+    fn field(&self, mode: BeltMode, state: &[f64; 2]) -> [f64; 2] {
+        if mode.contact_state == ContactState::Stick {
+            return [state[1], 0.0];
         }
+        let friction = self.friction.on_piece(mode.piece, self.speed(mode.contact_state, state)).coefficient;
+        let direction = mode.contact_state.direction();
+        [state[1], -direction * (self.normal_force * friction) - self.structure(state)]
     }
 
-    fn jacobian(&self, mode: ContactState, state: &[f64; 2]) -> [[f64; 2]; 2] {
-        if mode == ContactState::Stick {
+    fn jacobian(&self, mode: BeltMode, state: &[f64; 2]) -> [[f64; 2]; 2] {
+        if mode.contact_state == ContactState::Stick {
             return [[0.0, 1.0], [0.0, 0.0]];
         }
-        let slope = self.normal_force * self.friction.at(self.speed(mode, state)).1;
-        [[0.0, 1.0], [-1.0, -2.0 * self.damping - mode.direction() * mode.direction() * slope]]
+        let slope = self.friction.on_piece(mode.piece, self.speed(mode.contact_state, state)).slope;
+        let direction = mode.contact_state.direction();
+        [
+            [0.0, 1.0],
+            [
+                -self.stiffness(state[0]),
+                -2.0 * self.damping - direction * direction * (self.normal_force * slope),
+            ],
+        ]
     }
 
-    fn guards(&self, mode: ContactState) -> usize {
-        if mode == ContactState::Stick { 2 } else { 1 }
+    fn guards(&self, mode: BeltMode) -> usize {
+        if mode.contact_state == ContactState::Stick || self.friction.ends(mode.piece)[1].is_some() {
+            2
+        } else {
+            1
+        }
     }
 
-    fn guard(&self, mode: ContactState, guard: usize, state: &[f64; 2]) -> f64 {
-        match (mode, guard) {
+    fn guard(&self, mode: BeltMode, guard: usize, state: &[f64; 2]) -> f64 {
+        match (mode.contact_state, guard) {
             (ContactState::Stick, 0) => self.stick_limit() - self.structure(state),
             (ContactState::Stick, _) => self.stick_limit() + self.structure(state),
-            _ => mode.direction() * self.relative_velocity(state),
+            (slip, LOWER) => slip.direction() * (state[1] - self.end(mode, LOWER)),
+            (slip, upper) => slip.direction() * (self.end(mode, upper) - state[1]),
         }
     }
 
-    fn guard_gradient(&self, mode: ContactState, guard: usize, _state: &[f64; 2]) -> [f64; 2] {
-        match (mode, guard) {
-            (ContactState::Stick, 0) => [-1.0, -2.0 * self.damping],
-            (ContactState::Stick, _) => [1.0, 2.0 * self.damping],
-            _ => [0.0, mode.direction()],
+    fn guard_gradient(&self, mode: BeltMode, guard: usize, state: &[f64; 2]) -> [f64; 2] {
+        match (mode.contact_state, guard) {
+            (ContactState::Stick, 0) => [-self.stiffness(state[0]), -2.0 * self.damping],
+            (ContactState::Stick, _) => [self.stiffness(state[0]), 2.0 * self.damping],
+            (slip, LOWER) => [0.0, slip.direction()],
+            (slip, _) => [0.0, -slip.direction()],
         }
     }
 
-    fn cross(&self, mode: ContactState, guard: usize, state: &[f64; 2]) -> (ContactState, [f64; 2]) {
-        match (mode, guard) {
-            (ContactState::Stick, 0) => (ContactState::SlipBehind, *state),
-            (ContactState::Stick, _) => (ContactState::SlipAhead, *state),
-            _ => {
+    fn cross(&self, mode: BeltMode, guard: usize, state: &[f64; 2]) -> (BeltMode, [f64; 2]) {
+        match (mode.contact_state, guard, self.friction.ends(mode.piece)[LOWER]) {
+            (ContactState::Stick, 0, _) => (self.mode(ContactState::SlipBehind, state), *state),
+            (ContactState::Stick, _, _) => (self.mode(ContactState::SlipAhead, state), *state),
+            (_, LOWER, None) => {
                 let at_rest = [state[0], self.belt_velocity];
-                (self.contact_state_at_rest(&at_rest), at_rest)
+                (self.mode(self.contact_state_at_rest(&at_rest), &at_rest), at_rest)
+            }
+            (contact_state, LOWER, Some(_)) => {
+                let at_corner = [state[0], self.end(mode, LOWER)];
+                (BeltMode { contact_state, piece: mode.piece - 1 }, at_corner)
+            }
+            (contact_state, upper, _) => {
+                let at_corner = [state[0], self.end(mode, upper)];
+                (BeltMode { contact_state, piece: mode.piece + 1 }, at_corner)
             }
         }
     }
@@ -121,6 +202,14 @@ impl PiecewiseSmooth<2> for BeltOscillator {
 impl SlidingSystem<2> for BeltOscillator {
     fn belt_velocity(&self) -> f64 {
         self.belt_velocity
+    }
+
+    fn mode(&self, contact_state: ContactState, state: &[f64; 2]) -> BeltMode {
+        let piece = match contact_state {
+            ContactState::Stick => 0,
+            slip => self.friction.piece(self.speed(slip, state)),
+        };
+        BeltMode { contact_state, piece }
     }
 
     fn contact_state_at_rest(&self, state: &[f64; 2]) -> ContactState {
@@ -136,11 +225,13 @@ impl SlidingSystem<2> for BeltOscillator {
     }
 
     fn steady_sliding(&self) -> [f64; 2] {
-        [self.normal_force * self.friction.at(self.belt_velocity).0, 0.0]
+        let force = self.normal_force * self.friction.at(self.belt_velocity).coefficient;
+        [self.displacement(force), 0.0]
     }
 
     fn scales(&self) -> [f64; 2] {
-        [self.stick_limit().max(self.belt_velocity), self.belt_velocity]
+        let held = self.displacement(self.stick_limit()).max(self.steady_sliding()[0]);
+        [held.max(self.belt_velocity), self.belt_velocity]
     }
 
     fn powers(&self, contact_state: ContactState, state: &[f64; 2]) -> Powers {
@@ -148,7 +239,7 @@ impl SlidingSystem<2> for BeltOscillator {
             ContactState::Stick => self.structure(state),
             _ => {
                 let speed = self.speed(contact_state, state);
-                -contact_state.direction() * self.normal_force * self.friction.at(speed).0
+                -contact_state.direction() * self.normal_force * self.friction.at(speed).coefficient
             }
         };
         Powers {
@@ -160,22 +251,23 @@ impl SlidingSystem<2> for BeltOscillator {
     }
 
     fn energy(&self, state: &[f64; 2]) -> f64 {
-        0.5 * (state[0] * state[0] + state[1] * state[1])
+        let square = state[0] * state[0];
+        0.5 * (square + state[1] * state[1]) + 0.25 * self.cubic_stiffness * square * square
     }
 
     fn advance(
         &self,
         march: &mut PiecewiseMarch<'_, Self, 2>,
         until: f64,
-    ) -> Result<Advance<ContactState, 2>, MarchError> {
+    ) -> Result<Advance<BeltMode, 2>, MarchError> {
         march.advance(until)
     }
 
-    fn along_leg(&self, leg: &Leg<ContactState, 2>, disturbance: &SquareMatrix<2>) -> SquareMatrix<2> {
+    fn along_leg(&self, leg: &Leg<BeltMode, 2>, disturbance: &SquareMatrix<2>) -> SquareMatrix<2> {
         along_leg(self, leg, disturbance)
     }
 
-    fn measure(&self, leg: &Leg<ContactState, 2>, centre: f64, measures: &mut Measures) {
-        measures.add(leg, centre, |state| self.powers(leg.mode, state));
+    fn measure(&self, leg: &Leg<BeltMode, 2>, centre: f64, measures: &mut Measures) {
+        measures.add(leg, centre, |state| self.powers(leg.mode.contact_state, state));
     }
 }

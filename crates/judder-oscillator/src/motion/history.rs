@@ -202,9 +202,10 @@ fn begin<S: SlidingSystem<N>, const N: usize>(
     start: [f64; N],
     settings: StepSettings<N>,
 ) -> Result<PiecewiseMarch<'_, S, N>, LostMotion> {
-    let contact_state = system.contact_state(&start);
-    let march = PiecewiseMarch::new(system, contact_state, start, settings);
-    let march = march.map_err(|source| LostMotion { source, contact_state, state: start.to_vec() })?;
+    let mode = system.starting_mode(&start);
+    let march = PiecewiseMarch::new(system, mode, start, settings);
+    let march =
+        march.map_err(|source| LostMotion { source, contact_state: mode.into(), state: start.to_vec() })?;
     Ok(march.with_section(system.section()))
 }
 
@@ -212,7 +213,7 @@ fn advance<S: SlidingSystem<N>, const N: usize>(
     system: &S,
     march: &mut PiecewiseMarch<'_, S, N>,
     until: f64,
-) -> Result<Advance<ContactState, N>, LostMotion> {
+) -> Result<Advance<S::Mode, N>, LostMotion> {
     system.advance(march, until).map_err(|source| lost(march, source))
 }
 
@@ -220,7 +221,7 @@ fn lost<S: SlidingSystem<N>, const N: usize>(
     march: &PiecewiseMarch<'_, S, N>,
     source: MarchError,
 ) -> LostMotion {
-    LostMotion { source, contact_state: march.mode(), state: march.state().to_vec() }
+    LostMotion { source, contact_state: march.mode().into(), state: march.state().to_vec() }
 }
 
 #[cfg(test)]
@@ -229,7 +230,7 @@ mod tests {
     use crate::motion::{BeltOscillator, FallingFriction};
 
     fn belt(damping: f64, velocity: f64) -> BeltOscillator {
-        let friction = FallingFriction { at_rest: 1.0, at_speed: 0.5, decay_speed: 0.5 };
+        let friction = FallingFriction::exponential([1.0, 0.5], 0.5);
         BeltOscillator::new(damping, 1.0, velocity, friction).unwrap()
     }
 

@@ -55,14 +55,14 @@ impl Default for Measures {
 impl Measures {
     /// Adds a leg, with the powers in each of its states; moments are taken about `centre`, which keeps the digits of a small motion
     /// about a distant place.
-    pub fn add<const N: usize>(
+    pub fn add<M: Copy + Into<ContactState>, const N: usize>(
         &mut self,
-        leg: &Leg<ContactState, N>,
+        leg: &Leg<M, N>,
         centre: f64,
         powers: impl Fn(&[f64; N]) -> Powers,
     ) {
         self.duration += leg.step;
-        self.times[usize::from(leg.mode.number())] += leg.step;
+        self.times[usize::from(leg.mode.into().number())] += leg.step;
         for (node, weight) in NODES.iter() {
             let state = leg.at(*node);
             let (x, share) = (state[0] - centre, weight * leg.step);

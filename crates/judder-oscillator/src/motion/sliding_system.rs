@@ -3,14 +3,19 @@
 use super::ContactState;
 use super::measures::{Measures, Powers};
 use judder_numerics::piecewise::tangent::SquareMatrix;
-use judder_numerics::piecewise::{Advance, Leg, MarchError, PiecewiseMarch, PiecewiseSmooth, SectionPlane};
+use judder_numerics::piecewise::{
+    Advance, GuardCrossing, Leg, MarchError, PiecewiseMarch, PiecewiseSmooth, SectionPlane,
+};
 
 /// An oscillator in sliding contact, as a system that changes between stick, slip and lift-off.
 ///
 /// A state holds N/2 displacements and then their velocities; the first displacement is x, along the sliding direction.
-pub trait SlidingSystem<const N: usize>: PiecewiseSmooth<N, Mode = ContactState> + Sync {
+pub trait SlidingSystem<const N: usize>: PiecewiseSmooth<N, Mode: Into<ContactState>> + Sync {
     /// The velocity of the substrate, in the units of the state.
     fn belt_velocity(&self) -> f64;
+
+    /// The mode of a contact state at a state: where its equations change within a contact state too, those of the state's place.
+    fn mode(&self, contact_state: ContactState, state: &[f64; N]) -> Self::Mode;
 
     /// What follows where the indenter is in contact and moves with the substrate.
     fn contact_state_at_rest(&self, state: &[f64; N]) -> ContactState;
@@ -39,15 +44,15 @@ pub trait SlidingSystem<const N: usize>: PiecewiseSmooth<N, Mode = ContactState>
         &self,
         march: &mut PiecewiseMarch<'_, Self, N>,
         until: f64,
-    ) -> Result<Advance<ContactState, N>, MarchError>
+    ) -> Result<Advance<Self::Mode, N>, MarchError>
     where
         Self: Sized;
 
     /// [`tangent::along_leg`](judder_numerics::piecewise::tangent::along_leg) for a motion of this oscillator.
-    fn along_leg(&self, leg: &Leg<ContactState, N>, disturbance: &SquareMatrix<N>) -> SquareMatrix<N>;
+    fn along_leg(&self, leg: &Leg<Self::Mode, N>, disturbance: &SquareMatrix<N>) -> SquareMatrix<N>;
 
     /// [`Measures::add`] for a motion of this oscillator.
-    fn measure(&self, leg: &Leg<ContactState, N>, centre: f64, measures: &mut Measures);
+    fn measure(&self, leg: &Leg<Self::Mode, N>, centre: f64, measures: &mut Measures);
 
     /// Whether the indenter presses on the substrate, or is about to.
     fn is_in_contact(&self, _state: &[f64; N]) -> bool {
@@ -74,10 +79,24 @@ pub trait SlidingSystem<const N: usize>: PiecewiseSmooth<N, Mode = ContactState>
         }
     }
 
+    /// The mode in which a motion goes on from any state.
+    fn starting_mode(&self, state: &[f64; N]) -> Self::Mode {
+        self.mode(self.contact_state(state), state)
+    }
+
     /// The plane ẋ = 0, crossed where x is largest.
     fn section(&self) -> SectionPlane<N> {
         let mut normal = [0.0; N];
         normal[N / 2] = 1.0;
         SectionPlane { normal, offset: 0.0 }
     }
+}
+
+/// A crossing as a change of the contact state; `None` where this stays, whatever else changes.
+pub(crate) fn contact_change<M: Copy + Into<ContactState>, const N: usize>(
+    crossing: &GuardCrossing<M, N>,
+) -> Option<GuardCrossing<ContactState, N>> {
+    let GuardCrossing { time, from, to, guard, state } = *crossing;
+    let (from, to) = (from.into(), to.into());
+    (from != to).then_some(GuardCrossing { time, from, to, guard, state })
 }

@@ -169,6 +169,10 @@ impl SlidingSystem<4> for StickSlip {
         self.coefficients.belt_velocity()
     }
 
+    fn mode(&self, contact_state: ContactState, _state: &[f64; 4]) -> ContactState {
+        contact_state
+    }
+
     fn contact_state_at_rest(&self, state: &[f64; 4]) -> ContactState {
         let [behind, ahead] = self.stick_margins(state);
         if behind < 0.0 {

@@ -6,13 +6,7 @@ use judder_oscillator::cycle::{Continuation, global_margin};
 use judder_oscillator::motion::{BeltOscillator, ContactState, FallingFriction, SlidingSystem};
 
 pub(crate) fn belt(velocity: f64) -> BeltOscillator {
-    BeltOscillator::new(
-        0.05,
-        1.0,
-        velocity,
-        FallingFriction { at_rest: 1.0, at_speed: 0.5, decay_speed: 0.5 },
-    )
-    .unwrap()
+    BeltOscillator::new(0.05, 1.0, velocity, FallingFriction::exponential([1.0, 0.5], 0.5)).unwrap()
 }
 
 fn settings(tolerance: f64) -> StepSettings<2> {
@@ -24,11 +18,11 @@ fn keeps_sticking(velocity: f64) -> bool {
     let oscillator = belt(velocity);
     let start = [1.0, velocity];
     let mut march =
-        PiecewiseMarch::new(&oscillator, oscillator.contact_state(&start), start, settings(1e-10)).unwrap();
+        PiecewiseMarch::new(&oscillator, oscillator.starting_mode(&start), start, settings(1e-10)).unwrap();
     let mut last_stick = 0.0;
     while march.time() < 400.0 {
         let advance = march.advance(400.0).unwrap();
-        if advance.crossing.is_some_and(|c| c.to == ContactState::Stick) {
+        if advance.crossing.is_some_and(|c| c.to.contact_state == ContactState::Stick) {
             last_stick = march.time();
         }
     }

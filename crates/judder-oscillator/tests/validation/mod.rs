@@ -9,6 +9,7 @@ mod least_period;
 pub(crate) mod limit_cycles;
 mod motion;
 mod on_the_edge;
+mod own_friction;
 mod stability_maps;
 mod thresholds;
 mod two_degrees;

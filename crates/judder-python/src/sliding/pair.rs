@@ -6,10 +6,10 @@ use crate::choice::named;
 use crate::errors;
 use crate::shown::shown;
 use crate::watched::{Manner, watched};
+use judder_contact::friction::{Friction, TableInterpolation};
 use judder_models::coupled_pair::{CoupledPair, coupled_pair};
 use judder_sliding::body::{Body, ModalPoint};
 use judder_sliding::edge::Interpolation;
-use judder_sliding::friction::SlidingFriction;
 use judder_sliding::motion::Motion;
 use judder_sliding::pair::{Observed, Pair, PairSide, Slider, TrackBody};
 use numpy::{IntoPyArray, PyArray1};
@@ -57,15 +57,16 @@ enum GivenFriction<'py> {
 }
 
 impl GivenFriction<'_> {
-    fn friction(&self) -> PyResult<SlidingFriction> {
+    fn friction(&self) -> PyResult<Friction> {
         let friction = match self {
-            Self::Constant(coefficient) => SlidingFriction::constant(*coefficient),
-            Self::Table(speeds, coefficients) => SlidingFriction::table(
+            Self::Constant(coefficient) => return Ok(Friction::Constant(*coefficient)),
+            Self::Table(speeds, coefficients) => Friction::table(
                 arrays::vector("friction", speeds)?,
                 arrays::vector("friction", coefficients)?,
+                TableInterpolation::Linear,
             ),
         };
-        friction.map_err(|error| errors::sliding(&error))
+        friction.map_err(|error| errors::sliding(&error.into()))
     }
 }
 

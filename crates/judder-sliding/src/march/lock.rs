@@ -9,9 +9,13 @@ use crate::pair::Pair;
 
 /// Where forces that change their sign from step to step do not die out on a path, if anywhere: with these factors of all modes,
 /// n·G(n ∓ μ t) must be positive.
-pub(super) fn first_lock(pair: &Pair, [start, end]: [f64; 2], factors: &[f64]) -> Option<SliderLock> {
+pub(super) fn first_lock(
+    pair: &Pair,
+    [start, end]: [f64; 2],
+    friction: f64,
+    factors: &[f64],
+) -> Option<SliderLock> {
     let compliance = ModalCompliance::new(pair, factors);
-    let friction = pair.friction().largest();
     let place = |position: f64| pair.edge_point(position).map_or(0, |at| at.segment);
     let (from, to) = (start.min(end), start.max(end));
     let places = (place(from)..=place(to))

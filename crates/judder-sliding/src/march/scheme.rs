@@ -75,7 +75,7 @@ impl Scheme {
 /// The largest stable step, s.
 ///
 /// Of central differences h ω ≤ 2 (√(1 + ζ²) − ζ) for every mode, with the larger of its own and the initial damping; of the exact
-/// scheme the step up to which the residual flexibility holds the contact against what the moving modes do between steps.
+/// scheme the step up to which the residual flexibility holds the contact against what the moving modes do between steps, with the largest friction coefficient.
 ///
 /// # Errors
 /// [`SlidingError::CutOff`]; [`SlidingError::SpragSlip`] and [`SlidingError::LocksAtOnce`] where no step does that.
@@ -84,6 +84,7 @@ pub(super) fn step_limit(
     scheme: Scheme,
     initial: Option<(f64, f64)>,
     path: [f64; 2],
+    friction: f64,
 ) -> Result<f64, SlidingError> {
     let eigenvalues = pair.eigenvalues();
     let damping: Vec<f64> = eigenvalues
@@ -101,12 +102,12 @@ pub(super) fn step_limit(
             let moving = eigenvalues.iter().zip(&damping).filter(|(value, _)| **value > 0.0);
             Ok(moving.map(limit).fold(f64::INFINITY, f64::min))
         }
-        Scheme::Exact { .. } => exact_limit(pair, scheme, path),
+        Scheme::Exact { .. } => exact_limit(pair, scheme, path, friction),
     }
 }
 
 /// The limit of the exact scheme, by bisection.
-fn exact_limit(pair: &Pair, scheme: Scheme, path: [f64; 2]) -> Result<f64, SlidingError> {
+fn exact_limit(pair: &Pair, scheme: Scheme, path: [f64; 2], friction: f64) -> Result<f64, SlidingError> {
     let eigenvalues = pair.eigenvalues();
     let swinging = eigenvalues.iter().copied().filter(|value| *value > 0.0);
     let (lowest, highest) =
@@ -126,7 +127,7 @@ fn exact_limit(pair: &Pair, scheme: Scheme, path: [f64; 2]) -> Result<f64, Slidi
         let step = 0.5 * (good + bad);
         let modes = eigenvalues.iter().zip(pair.damping());
         let factors: Vec<f64> = modes.map(|(value, d)| scheme.alternating(step, *value, d)).collect();
-        match first_lock(pair, path, &factors) {
+        match first_lock(pair, path, friction, &factors) {
             None => good = step,
             lock => (bad, first) = (step, lock),
         }

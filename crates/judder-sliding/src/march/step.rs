@@ -77,7 +77,7 @@ impl March<'_> {
     fn step(&mut self) -> Result<Result<MarchSample, RunOff>, SlidingError> {
         let step = self.settings.step;
         let drive = self.settings.motion.at((self.steps + 1) as f64 * step);
-        let friction = drive.friction * self.pair.friction().at(self.velocity);
+        let friction = drive.friction * self.pair.friction().at(self.velocity.abs()).coefficient;
         let disturbance = self.disturb(drive.noise);
         let (touch, approach, reaction) = match self.meet(&drive, friction)? {
             Ok(met) => met,

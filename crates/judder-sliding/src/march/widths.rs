@@ -3,10 +3,10 @@
 use super::{ContactMethod, March, MarchSample, MarchSettings, Predictor};
 use crate::body::{Body, ModalPoint};
 use crate::edge::Interpolation;
-use crate::friction::SlidingFriction;
 use crate::motion::{Motion, Noise, Ramps};
 use crate::pair::{Observed, Pair, PairSide, Slider, TrackBody};
 use crate::vectors::widths;
+use judder_contact::friction::Friction;
 use judder_numerics::counter::uniform;
 use pulp::Arch;
 
@@ -30,7 +30,7 @@ fn pair(interpolation: Interpolation) -> Pair {
     let track = TrackBody { body: body(37), nodes };
     let observed = [(PairSide::Slider, 3, 13), (PairSide::Track, 4, 37)]
         .map(|(side, stream, modes)| Observed { side, row: row(stream, modes), rigid: 0.0 });
-    let friction = SlidingFriction::constant(0.1).unwrap();
+    let friction = Friction::Constant(0.1);
     Pair::new(slider, track, interpolation, true, friction, observed.to_vec()).unwrap()
 }
 

@@ -1,9 +1,9 @@
 //! The pair of the beams paper, Tables 1 and 2, with the readings that its book chapter names.
 #![allow(dead_code, reason = "each test binary uses its part")]
 
+use judder_contact::friction::Friction;
 use judder_sliding::body::ModalPoint;
 use judder_sliding::edge::Interpolation;
-use judder_sliding::friction::SlidingFriction;
 use judder_sliding::motion::{InitialDamping, Motion, Noise, Ramps};
 use judder_sliding::pair::{Observed, Pair, PairSide, Slider, TrackBody};
 use judder_sliding::reduced::Reduced;
@@ -39,11 +39,11 @@ pub(crate) fn motion() -> Motion {
 
 /// The paper's pair.
 pub(crate) fn pair() -> Pair {
-    pair_with(Interpolation::Linear, SlidingFriction::constant(FRICTION).unwrap(), 20)
+    pair_with(Interpolation::Linear, Friction::Constant(FRICTION), 20)
 }
 
 /// The paper's pair with another interpolation, friction, number of fixed-interface modes.
-pub(crate) fn pair_with(interpolation: Interpolation, friction: SlidingFriction, modes: usize) -> Pair {
+pub(crate) fn pair_with(interpolation: Interpolation, friction: Friction, modes: usize) -> Pair {
     let (track, observed) = horizontal(modes);
     Pair::new(oblique(modes), track, interpolation, true, friction, vec![observed]).unwrap()
 }

@@ -1,11 +1,11 @@
 //! What is wrong is named with its place: in the track, in a list, along the path.
 
 use crate::common;
+use judder_contact::friction::Friction;
 use judder_numerics::words::plain;
 use judder_sliding::SlidingError;
 use judder_sliding::coupling::SteadyFriction;
 use judder_sliding::edge::{Interpolation, RunOff};
-use judder_sliding::friction::SlidingFriction;
 use judder_sliding::march::{
     ContactMethod, ContactState, March, MarchSample, MarchSettings, Predictor, Reached,
 };
@@ -101,7 +101,7 @@ fn a_march_that_cannot_go_on_says_where() {
     let pair = common::pair();
     let over = marched(&pair, ContactMethod::EnSubs, 1e-6, common::motion()).unwrap_err();
     assert!(over.to_string().contains("step of 1e-6 s is over its limit of 3.6"), "{over}");
-    let friction = SlidingFriction::constant(30.0).unwrap();
+    let friction = Friction::Constant(30.0);
     let locking = common::pair_with(Interpolation::Linear, friction, 20);
     let at_once = Ramps { friction: 0.0, ..common::motion().ramps };
     let motion = Motion { start: 0.02, ramps: at_once, ..common::motion() };
@@ -160,7 +160,7 @@ fn a_slider_that_flies_away_has_lifted_off() {
 /// the frame is far from it, and also near it, where C leaps. A frame that comes to the end runs off there, and which end it was is told.
 #[test]
 fn growth_without_bound_is_not_the_end_of_the_track() {
-    let rough = common::pair_with(Interpolation::Linear, SlidingFriction::constant(9.0).unwrap(), 20);
+    let rough = common::pair_with(Interpolation::Linear, Friction::Constant(9.0), 20);
     let marched = |pair: &Pair, motion: Motion| {
         let settings = MarchSettings {
             method: ContactMethod::EnSubs,
@@ -191,7 +191,7 @@ fn growth_without_bound_is_not_the_end_of_the_track() {
 #[test]
 fn an_initial_gap_is_never_a_kick() {
     for interpolation in [Interpolation::Linear, Interpolation::Hermite] {
-        let friction = SlidingFriction::constant(common::FRICTION).unwrap();
+        let friction = Friction::Constant(common::FRICTION);
         let pair = common::pair_with(interpolation, friction, 20);
         for (gap, duration) in [(1e-6, 0.1), (-1e-6, 0.1), (1e-6, 3e-3), (-1e-6, 3e-3)] {
             let ramps = Ramps { gap: duration, ..common::motion().ramps };

@@ -1,9 +1,9 @@
 //! States of rest on and about the nodes of a track, where the normal of a straight edge jumps.
 
 use crate::common;
+use judder_contact::friction::Friction;
 use judder_sliding::coupling::SteadyFriction;
 use judder_sliding::edge::{Interpolation, Touch};
-use judder_sliding::friction::SlidingFriction;
 use judder_sliding::pair::{Pair, TrackBody};
 use judder_sliding::plane::PlaneVector;
 use judder_sliding::statics::PairEquilibrium;
@@ -19,7 +19,7 @@ static PAIRS: LazyLock<Vec<Pair>> = LazyLock::new(|| {
 });
 
 fn pair(interpolation: Interpolation, every: usize) -> Pair {
-    let whole = common::pair_with(interpolation, SlidingFriction::constant(common::FRICTION).unwrap(), 20);
+    let whole = common::pair_with(interpolation, Friction::Constant(common::FRICTION), 20);
     let nodes = whole.track().nodes.iter().step_by(every).cloned().collect();
     let track = TrackBody { body: whole.track().body.clone(), nodes };
     let friction = whole.friction().clone();

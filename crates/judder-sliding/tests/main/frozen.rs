@@ -1,9 +1,9 @@
 //! Growth with the contact held, measured in marches, against eigenvalues.
 use crate::common;
+use judder_contact::friction::Friction;
 use judder_sliding::SlidingError;
 use judder_sliding::coupling::SteadyFriction;
 use judder_sliding::edge::{Interpolation, RunOff};
-use judder_sliding::friction::SlidingFriction;
 use judder_sliding::growth::{GrowthSettings, Held, frozen_growth};
 use judder_sliding::locus::{Conditions, Configuration, LocusSettings, locus, spectrum};
 use judder_sliding::march::{ContactMethod, March, MarchSettings, MarchStart, Predictor};
@@ -91,7 +91,7 @@ fn residual_flexibility_grows_as_the_deformed_eigenvalue() {
 /// So it does on a smooth edge, straight and curved: the bulge of 0.1 mm lies in C's way before the load deforms anything.
 #[test]
 fn growth_agrees_on_a_smooth_edge() {
-    let friction = SlidingFriction::constant(common::FRICTION).unwrap();
+    let friction = Friction::Constant(common::FRICTION);
     let straight = common::pair_with(Interpolation::Hermite, friction, 20);
     let curved = common::bulging(&straight, 1e-4);
     assert!(curved.undeformed(0.074).unwrap().gap < -5e-5);

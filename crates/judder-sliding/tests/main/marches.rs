@@ -1,10 +1,10 @@
 //! The marches on the pair of the beams paper.
 use crate::common;
+use judder_contact::friction::Friction;
 use judder_numerics::signal::Decimation;
 use judder_numerics::signal::decimate::Decimator;
 use judder_sliding::coupling::{Coupling, SteadyFriction};
 use judder_sliding::edge::{Interpolation, RunOff};
-use judder_sliding::friction::SlidingFriction;
 use judder_sliding::march::{
     ContactMethod, ContactState, March, MarchSample, MarchSettings, MarchStart, Predictor, Reached,
 };
@@ -127,7 +127,7 @@ fn the_shadow_energy_stays_for_ten_million_steps() {
 }
 
 fn shadow_energy(steps: u64) {
-    let frictionless = SlidingFriction::constant(0.0).unwrap();
+    let frictionless = Friction::Constant(0.0);
     let damped = common::pair_with(Interpolation::Linear, frictionless, 20);
     let pair = common::without_damping(&damped);
     let position = 0.0405;
@@ -261,7 +261,7 @@ fn a_foreign_checkpoint_changes_nothing() {
 fn locking_is_the_same_quantity_in_every_march() {
     let friction = 30.0;
     let locked = |friction: f64, method, step| {
-        let pair = common::pair_with(Interpolation::Linear, SlidingFriction::constant(friction).unwrap(), 20);
+        let pair = common::pair_with(Interpolation::Linear, Friction::Constant(friction), 20);
         let ramps = Ramps { friction: 0.0, ..common::motion().ramps };
         let motion = Motion { start: 0.0505, ramps, ..common::motion() };
         let settings = MarchSettings { method, predictor: Predictor::WithForce, step, motion };
@@ -294,7 +294,7 @@ fn locking_is_the_same_quantity_in_every_march() {
 /// breaks Signorini's or Coulomb's law.
 #[test]
 fn film_sticks_and_lifts_off() {
-    let pair = common::pair_with(Interpolation::Linear, SlidingFriction::constant(0.3).unwrap(), 20);
+    let pair = common::pair_with(Interpolation::Linear, Friction::Constant(0.3), 20);
     // a slow start under the whole load sticks; noise of the load's own size tears it off
     let motion = Motion {
         start: 0.09,
@@ -355,7 +355,7 @@ fn wrong_marches_are_named() {
     };
     let kick = at(kick).err();
     assert!(matches!(kick, Some(SlidingError::OpenAtStart { .. })), "{kick:?}");
-    let locking = common::pair_with(Interpolation::Linear, SlidingFriction::constant(30.0).unwrap(), 20);
+    let locking = common::pair_with(Interpolation::Linear, Friction::Constant(30.0), 20);
     let settings = MarchSettings {
         method: ContactMethod::EnSubs,
         predictor: Predictor::WithForce,
@@ -374,7 +374,7 @@ fn wrong_marches_are_named() {
 /// as smoothly as without that force in the geometry.
 #[test]
 fn a_smooth_node_is_crossed_without_a_click() {
-    let friction = SlidingFriction::constant(common::FRICTION).unwrap();
+    let friction = Friction::Constant(common::FRICTION);
     let pair = common::pair_with(Interpolation::Hermite, friction, 20);
     let ramps = Ramps { velocity: 2e-3, load: 4e-3, friction: 4e-3, gap: 0.0 };
     let motion = Motion { start: 0.0501, ramps, ..common::motion() };

@@ -1,10 +1,10 @@
 //! The laws of contact at every step of FiLM, on random pairs.
 
+use judder_contact::friction::{Friction, TableInterpolation};
 use judder_numerics::counter::uniform;
 use judder_sliding::SlidingError;
 use judder_sliding::body::{Body, ModalPoint};
 use judder_sliding::edge::Interpolation;
-use judder_sliding::friction::SlidingFriction;
 use judder_sliding::march::{ContactMethod, ContactState, March, MarchSample, MarchSettings, Predictor};
 use judder_sliding::motion::{Motion, Noise, Ramps};
 use judder_sliding::pair::{Pair, Slider, TrackBody};
@@ -29,7 +29,9 @@ fn pair(seed: u64, interpolation: Interpolation, friction: f64) -> Pair {
     let load = contact.rows[1].clone();
     let slider = Slider { body: body(1, 3), contact, load, inertia: vec![0.1; 3] };
     let track = TrackBody { body: body(2, 6), nodes: (0..5).map(node).collect() };
-    let friction = SlidingFriction::table(vec![0.01, 0.05], vec![friction, 0.8 * friction]).unwrap();
+    let friction =
+        Friction::table(vec![0.01, 0.05], vec![friction, 0.8 * friction], TableInterpolation::Linear)
+            .unwrap();
     Pair::new(slider, track, interpolation, true, friction, Vec::new()).unwrap()
 }
 

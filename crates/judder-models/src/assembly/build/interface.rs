@@ -21,6 +21,7 @@ use judder_assembly::search::{
     FoundPoints, KeptOfFaces, Sliding, TouchingBody, Track, contact_points, least_distance, usual_reach,
 };
 use judder_assembly::surface::Surface;
+use judder_contact::friction::FrictionError;
 use judder_sliding::locus::Configuration;
 use judder_structure::freedom::Direction;
 use judder_structure::mesh::Mesh;
@@ -144,7 +145,9 @@ pub(super) fn interfaces(
         made.push(Interface {
             name: contact.name.to_string(),
             points: found.points,
-            law: law(&contact.forces),
+            law: law(&contact.forces).map_err(|error| {
+                Unassembled::because(format!("contact.{}.friction_coefficient", contact.name), &error)
+            })?,
             all_closed: matches!(contact.forces, ContactForceSettings::Coulomb { all_closed: true, .. }),
         });
         nodes.push(found.nodes);
@@ -346,14 +349,14 @@ fn sliding(contact: &ContactInterface) -> Sliding {
 }
 
 /// The law of an interface; of a sphere, until its load is known, that of a rigid point without friction.
-fn law(forces: &ContactForceSettings) -> InterfaceLaw {
-    match forces {
+fn law(forces: &ContactForceSettings) -> Result<InterfaceLaw, FrictionError> {
+    Ok(match forces {
         ContactForceSettings::Coulomb { normal: NormalLaw::Rigid, friction, .. } => {
-            InterfaceLaw::Rigid(friction.clone())
+            InterfaceLaw::Rigid(friction.friction()?)
         }
         ContactForceSettings::Coulomb { normal: NormalLaw::Compliant(pressure), friction, .. } => {
-            InterfaceLaw::Compliant(pressure.clone(), friction.clone())
+            InterfaceLaw::Compliant(pressure.clone(), friction.friction()?)
         }
         ContactForceSettings::Asperity(_) => InterfaceLaw::Rigid(Friction::Constant(0.0)),
-    }
+    })
 }

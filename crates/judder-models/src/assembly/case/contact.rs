@@ -5,10 +5,10 @@ use super::named_list::NamedItem;
 use super::problem::AssemblyProblem;
 use super::structure::AssemblyStructure;
 use super::vector::{PLACE, VECTOR, check_direction};
+use crate::friction::FrictionSettings;
 use crate::sliding::case::plain_name::{PlainName, find_structure};
 use crate::structure::case::reduction::KeptNodes;
 use judder_assembly::AssemblyError;
-use judder_assembly::friction::Friction;
 use judder_assembly::pressure::Pressure;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
@@ -16,12 +16,14 @@ use judder_keys::declared::{Allowed, Named, Number, Setting, all, both, read_set
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
+use judder_keys::file_reference::FileReference;
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, word};
 use judder_sliding::edge::Interpolation;
 use judder_sliding::locus::Configuration;
 use judder_structure::rotation::RotatingFrame;
 use serde_json::{Value as Json, json};
+use std::path::Path;
 
 /// A contact interface: who slides on what, and what presses and drags between them.
 #[derive(Debug, Clone, Settings)]
@@ -60,9 +62,9 @@ pub enum ContactForceSettings {
         /// What presses: `rigid`, or a pressure or a force that follows the closure.
         #[key(default = NormalLaw::Rigid)]
         normal: NormalLaw,
-        /// Friction coefficient: a number, a table against the slip speed, or one that falls from rest.
+        /// Friction coefficient: a number, one that falls from rest and may rise again, or a table against the slip speed.
         #[key(name = "friction_coefficient", symbol = "μ")]
-        friction: Friction,
+        friction: FrictionSettings,
         /// Whether all points stay closed whatever their force.
         #[key(default = false)]
         all_closed: bool,
@@ -70,6 +72,16 @@ pub enum ContactForceSettings {
     /// A sphere on the substrate of the case, for one contact point, in place of normal and friction_coefficient; its keys are those of an oscillator case.
     #[key(example = "{ radius = \"10 mm\", law = \"oscillator-paper\", shear_strength = 0.01 }")]
     Asperity(AsperitySettings),
+}
+
+impl ContactForceSettings {
+    /// The file of its friction coefficient.
+    pub(super) fn file(&self) -> Option<&FileReference> {
+        match self {
+            Self::Coulomb { friction, .. } => friction.file(),
+            Self::Asperity(_) => None,
+        }
+    }
 }
 
 /// Nodes of a structure.
@@ -175,13 +187,11 @@ impl ContactInterface {
             let place = section.place_of(&[key]);
             move |error: AssemblyError| AssemblyProblem::Refused { reason: error.to_string() }.at(place)
         };
-        let ContactForceSettings::Coulomb { normal, friction, .. } = &self.forces else { return Ok(()) };
-        let friction = friction.check().map_err(refused("friction_coefficient"));
-        let pressure = match normal {
+        let ContactForceSettings::Coulomb { normal, .. } = &self.forces else { return Ok(()) };
+        match normal {
             NormalLaw::Rigid => Ok(()),
             NormalLaw::Compliant(pressure) => pressure.check().map_err(refused("normal")),
-        };
-        both(friction, pressure).map(drop)
+        }
     }
 
     /// Finds the structures, and refuses nodes that they cannot have, a structure that slides on itself, and vectors without a direction.
@@ -189,7 +199,14 @@ impl ContactInterface {
         &mut self,
         section: &Section<'_>,
         structures: &[AssemblyStructure],
+        folder: &Path,
     ) -> Result<(), Fault> {
+        let friction = match &mut self.forces {
+            ContactForceSettings::Coulomb { friction, .. } => {
+                friction.admit(section, "friction_coefficient", folder)
+            }
+            ContactForceSettings::Asperity(_) => Ok(()),
+        };
         let slider = match section.inner("slider")? {
             Some(own) => self.slider.admit(&own, structures),
             None => Ok(()),
@@ -211,7 +228,7 @@ impl ContactInterface {
             }
             TrackMotion::Rotation(own) => check_direction(&own.axis, section, &["sliding", "axis"]),
         };
-        both(both(slider, track), sliding)?;
+        both(both(slider, track), both(sliding, friction))?;
         let flat = match &self.track {
             TrackSettings::Plane(_) => Some("track.plane"),
             TrackSettings::Surface(track) => track.normal.as_ref().map(|_| "track.normal"),

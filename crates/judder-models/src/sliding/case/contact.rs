@@ -3,17 +3,17 @@
 use super::plain_name::find_structure;
 use super::problem::SlidingProblem;
 use super::structure::SlidingStructure;
+use crate::friction::FrictionSettings;
 use crate::structure::case::reduction::KeptNodes;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Named, Number, Setting, Several, both};
+use judder_keys::declared::{Named, Number, both};
 use judder_keys::dimension::Dimension;
-use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
 use judder_keys::section::Section;
 use judder_sliding::edge::Interpolation;
-use serde_json::Value as Json;
+use std::path::Path;
 
 /// Who slides on what, and friction.
 #[derive(Debug, Clone, PartialEq, Settings)]
@@ -24,9 +24,9 @@ pub struct SlidingContact {
     /// The other structure, and the nodes of its edge in their order: positions count from the first.
     #[key(example = "{ structure = \"…\", set = \"upper-corners\" }")]
     pub track: NodesOf,
-    /// Friction coefficient, or a table against the sliding speed.
-    #[key(name = "friction_coefficient", symbol = "μ", default = FrictionCoefficient::Constant(0.3))]
-    pub friction: FrictionCoefficient,
+    /// Friction coefficient: a number, one that falls from rest and may rise again, or a table against the sliding speed.
+    #[key(name = "friction_coefficient", symbol = "μ", default = FrictionSettings::Constant(0.3))]
+    pub friction: FrictionSettings,
     /// How the edge runs between its nodes.
     #[key(default = Interpolation::Linear)]
     pub interpolation: Interpolation,
@@ -46,44 +46,20 @@ pub struct NodesOf {
     pub nodes: KeptNodes,
 }
 
-/// The friction coefficient.
-#[derive(Debug, Clone, PartialEq)]
-pub enum FrictionCoefficient {
-    /// μ, whatever the speed.
-    Constant(f64),
-    /// μ against the sliding speed.
-    Table(FrictionTableSettings),
-}
-
-/// Friction against the sliding speed.
-#[derive(Debug, Clone, PartialEq, Settings)]
-#[settings(check = FrictionTableSettings::check)]
-pub struct FrictionTableSettings {
-    /// Sliding speeds, ascending, two at least.
-    #[key(rule = SPEEDS, symbol = "v", example = "[\"0 mm/s\", \"10 mm/s\"]")]
-    pub velocity: Vec<f64>,
-    /// Friction coefficients there, linear between the speeds and constant beyond them.
-    #[key(rule = COEFFICIENTS, symbol = "μ(v)", example = "[0.4, 0.3]")]
-    pub coefficient: Vec<f64>,
-}
-
-const COEFFICIENT: Number = Number::non_negative(Dimension::NUMBER);
-const COEFFICIENTS: Several<Number> = Several { of: COEFFICIENT, length: [2, usize::MAX] };
-const SPEEDS: Several<Number> =
-    Several { of: Number::non_negative(Dimension::SPEED), length: [2, usize::MAX] };
-
 impl SlidingContact {
     /// Finds the structures, and refuses nodes that they cannot have and a structure that slides on itself.
     pub(super) fn admit(
         &mut self,
         section: &Section<'_>,
         structures: &[SlidingStructure; 2],
+        folder: &Path,
     ) -> Result<(), Fault> {
+        let friction = self.friction.admit(section, "friction_coefficient", folder);
         let slider = self.slider.admit(section, "slider", structures).and_then(|()| {
             check_one_node(&section.path("slider"), &self.slider.nodes)
                 .map_err(|problem| problem.at(section.place_of(&["slider"])))
         });
-        both(slider, self.track.admit(section, "track", structures))?;
+        both(both(slider, self.track.admit(section, "track", structures)), friction)?;
         let Some(node) = section.get("track") else { return Ok(()) };
         if self.slider.structure == self.track.structure {
             let name = self.track.structure.name.clone();
@@ -124,45 +100,5 @@ pub(super) fn check_one_node(key: &str, nodes: &KeptNodes) -> Result<(), Sliding
             Err(SlidingProblem::NotOneNode { key: key.to_owned(), found: nodes.len() })
         }
         _ => Ok(()),
-    }
-}
-
-impl Setting for FrictionCoefficient {
-    type Rule = ();
-
-    fn form((): &()) -> Allowed {
-        Allowed::Either(vec![f64::form(&COEFFICIENT), FrictionTableSettings::form(&())])
-    }
-
-    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
-        match node.data {
-            Data::Table(_) => FrictionTableSettings::read(section, key, node, &()).map(Self::Table),
-            _ => f64::read(section, key, node, &COEFFICIENT).map(Self::Constant),
-        }
-    }
-
-    fn write(&self, (): &()) -> Json {
-        match self {
-            Self::Constant(coefficient) => coefficient.write(&COEFFICIENT),
-            Self::Table(table) => table.write(&()),
-        }
-    }
-}
-
-impl FrictionTableSettings {
-    /// Refuses columns of different lengths, and speeds that do not ascend.
-    fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
-        let (speeds, coefficients) = (self.velocity.len(), self.coefficient.len());
-        if speeds != coefficients || speeds < 2 {
-            let problem = SlidingProblem::FrictionTable { speeds, coefficients };
-            return Err(problem.at(section.place_of(&["coefficient"])));
-        }
-        match self.velocity.windows(2).find(|pair| pair[0] >= pair[1]) {
-            Some(pair) => {
-                let problem = SlidingProblem::UnsortedSpeeds { before: pair[0], speed: pair[1] };
-                Err(problem.at(section.place_of(&["velocity"])))
-            }
-            None => Ok(()),
-        }
     }
 }

@@ -113,22 +113,6 @@ pub enum SlidingProblem {
         /// s_1, m.
         end: f64,
     },
-    /// Speeds of a table of friction that do not ascend.
-    #[error("the speeds of the table of friction must ascend, but {speed} m/s follows {before} m/s")]
-    UnsortedSpeeds {
-        /// The earlier speed, m/s.
-        before: f64,
-        /// The later one, m/s.
-        speed: f64,
-    },
-    /// A table of friction whose columns differ in length.
-    #[error("the table of friction has {speeds} speeds and {coefficients} coefficients")]
-    FrictionTable {
-        /// How many speeds.
-        speeds: usize,
-        /// How many coefficients.
-        coefficients: usize,
-    },
     /// A name of an analysis above, where there is none of the kind.
     #[error("there is no {what} above that could be `{name}`")]
     NothingAbove {
@@ -203,8 +187,6 @@ impl Problem for SlidingProblem {
             Self::OffTrack { .. } => "off the track",
             Self::NoCourse { .. } => "leads elsewhere",
             Self::OutsidePath { .. } => "not on the path",
-            Self::UnsortedSpeeds { .. } => "not ascending",
-            Self::FrictionTable { .. } => "of another length",
             Self::NothingAbove { .. } => "unknown name",
             Self::NotKept { .. } => "not kept",
             Self::SampleRate { .. } => "this rate",
@@ -247,10 +229,6 @@ impl SlidingProblem {
                 "the velocity is positive where `end` lies beyond `start`, negative where it lies before it"
             }
             Self::OutsidePath { .. } => "a march is a part of the motion, in its direction",
-            Self::UnsortedSpeeds { .. } => "list the speeds from the slowest to the fastest",
-            Self::FrictionTable { .. } => {
-                "as in { velocity = [\"0 mm/s\", \"10 mm/s\"], coefficient = [0.4, 0.3] }, two entries at least"
-            }
             Self::NothingAbove { what, .. } => return format!("let the {what} stand before what shows it"),
             Self::NotKept { march, quantity, .. } => {
                 return format!(

@@ -29,7 +29,7 @@ pub(super) fn run(
     let (velocity, load) = (case.motion.velocity, case.motion.load.force);
     let asked = GrowthSettings { method, step, position, velocity, load };
     let held = Held::new(pair, &asked)?;
-    held.coupling.check(position, pair.friction().at(velocity))?;
+    held.coupling.check(position, pair.friction().at(velocity.abs()).coefficient)?;
     let eigenvalue = meant(pair, &held, position, settings.frequency)?;
     if progress.interrupted() {
         return Err(ModelError::Interrupted);

@@ -2,6 +2,7 @@
 
 use super::{MotionHistory, Oscillation, PATH_POINTS, StateSample, TimeWindow};
 use crate::motion::measures::Measures;
+use crate::motion::sliding_system::contact_change;
 use crate::motion::{ContactState, SlidingSystem};
 use judder_numerics::piecewise::quartic::{first_fall, value};
 use judder_numerics::piecewise::{Advance, Leg, PiecewiseMarch};
@@ -54,7 +55,7 @@ impl<'a, S: SlidingSystem<N>, const N: usize> MotionRecorder<'a, S, N> {
         self.range = (state[0], state[0]);
     }
 
-    pub(super) fn add(&mut self, advance: &Advance<ContactState, N>) {
+    pub(super) fn add(&mut self, advance: &Advance<S::Mode, N>) {
         if let Some(leg) = &advance.leg {
             self.system.measure(leg, self.centre, &mut self.history.measures);
             self.add_samples(leg);
@@ -64,8 +65,8 @@ impl<'a, S: SlidingSystem<N>, const N: usize> MotionRecorder<'a, S, N> {
                 self.add_return(leg);
             }
         }
-        if let Some(crossing) = advance.crossing.filter(|crossing| crossing.from != crossing.to) {
-            self.history.events.push(crossing);
+        if let Some(change) = advance.crossing.as_ref().and_then(contact_change) {
+            self.history.events.push(change);
             self.history.measures.changes += 1;
         }
     }
@@ -75,34 +76,38 @@ impl<'a, S: SlidingSystem<N>, const N: usize> MotionRecorder<'a, S, N> {
         self.window.duration * self.history.samples.len() as f64 / (self.window.points - 1) as f64
     }
 
-    fn add_samples(&mut self, leg: &Leg<ContactState, N>) {
+    fn add_samples(&mut self, leg: &Leg<S::Mode, N>) {
         while self.history.samples.len() < self.window.points && self.next_time() <= leg.time + leg.step {
             let time = self.next_time();
             let fraction = ((time - leg.time) / leg.step).clamp(0.0, 1.0);
-            self.history.samples.push(StateSample { time, contact_state: leg.mode, state: leg.at(fraction) });
+            self.history.samples.push(StateSample {
+                time,
+                contact_state: leg.mode.into(),
+                state: leg.at(fraction),
+            });
         }
     }
 
-    fn add_to_path(&mut self, leg: &Leg<ContactState, N>, changes: bool) {
-        if leg.mode == ContactState::Stick && !changes {
+    fn add_to_path(&mut self, leg: &Leg<S::Mode, N>, changes: bool) {
+        if leg.mode.into() == ContactState::Stick && !changes {
             return;
         }
         if self.history.path.len() == PATH_POINTS {
             self.history.path.pop_front();
         }
         let time = leg.time + leg.step;
-        self.history.path.push_back(StateSample { time, contact_state: leg.mode, state: leg.end });
+        self.history.path.push_back(StateSample { time, contact_state: leg.mode.into(), state: leg.end });
     }
 
     /// Takes note of how far x goes along a leg: a smallest x within it is where x' rises through zero.
-    fn widen(&mut self, leg: &Leg<ContactState, N>) {
+    fn widen(&mut self, leg: &Leg<S::Mode, N>) {
         let turn = first_fall(&leg.dense[N / 2].map(|c| -c)).map(|fraction| value(&leg.dense[0], fraction));
         for x in [leg.dense[0][0], leg.end[0]].into_iter().chain(turn) {
             self.range = (self.range.0.min(x), self.range.1.max(x));
         }
     }
 
-    fn add_return(&mut self, leg: &Leg<ContactState, N>) {
+    fn add_return(&mut self, leg: &Leg<S::Mode, N>) {
         let time = leg.time + leg.step;
         if let Some(last) = self.last_return {
             let amplitude = 0.5 * (self.range.1 - self.range.0);
@@ -116,7 +121,7 @@ impl<'a, S: SlidingSystem<N>, const N: usize> MotionRecorder<'a, S, N> {
     pub(super) fn finish(mut self, march: &PiecewiseMarch<'_, S, N>) -> MotionHistory<N> {
         // the last point of the grid may lie a rounding error beyond the last step
         while self.history.samples.len() < self.window.points {
-            let (time, contact_state, state) = (self.next_time(), march.mode(), march.state());
+            let (time, contact_state, state) = (self.next_time(), march.mode().into(), march.state());
             self.history.samples.push(StateSample { time, contact_state, state });
         }
         let energy = self.system.energy(&march.state());

@@ -1,12 +1,12 @@
 //! The same spectrum by three ways.
 
 use crate::common;
+use judder_contact::friction::Friction;
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::coupling::{Coupling, SteadyFriction};
 use judder_sliding::dense_forms::ThreeField;
 use judder_sliding::edge::Interpolation;
-use judder_sliding::friction::SlidingFriction;
 use judder_sliding::pair::Pair;
 use judder_sliding::spectrum::{Spectrum, WantedEigenvalues};
 use judder_sliding::statics::PairEquilibrium;
@@ -19,7 +19,7 @@ const SHIFT: f64 = 2e4;
 const LIMIT: f64 = TAU * 40e3;
 
 fn pair(friction: f64) -> Pair {
-    common::pair_with(Interpolation::Linear, SlidingFriction::constant(friction).unwrap(), 20)
+    common::pair_with(Interpolation::Linear, Friction::Constant(friction), 20)
 }
 
 fn coupling(pair: &Pair, position: f64, is_deformed: bool) -> Coupling {

@@ -1,6 +1,5 @@
 //! What the keys make of an assembly.
 
-use super::series_file::columns;
 use super::settings::{
     CourseSettings, DrivenSettings, FactorSettings, FrictionOverTemperature, TemperatureSettings,
 };
@@ -10,7 +9,10 @@ use crate::assembly::build::Unassembled;
 use crate::assembly::case::load::{Load, LoadAmount};
 use crate::assembly::march::settings::AssemblyMarch;
 use crate::error::ModelError;
+use crate::number_columns::number_columns;
+use judder_keys::declared::Number;
 use judder_keys::dimension::Dimension;
+use judder_keys::file_reference::FileReference;
 use judder_nonsmooth::NonsmoothError;
 use judder_nonsmooth::course::{Course, TimeFactor, TimeTable};
 use judder_nonsmooth::excitation::{BandNoise, DrivingSignal, Excitation, FrequencySweep};
@@ -168,6 +170,16 @@ impl MotionDrive {
         }
         warnings
     }
+}
+
+/// Two columns in SI units; `header` is what the file could begin with.
+fn columns(
+    file: &FileReference,
+    dimensions: [Dimension; 2],
+    header: &str,
+) -> Result<[Vec<f64>; 2], ModelError> {
+    let found = number_columns(&file.path, dimensions.map(|own| Number::any(own).scaled()), header)?;
+    Ok(found.map(|column| column.into_iter().map(|value| value.number).collect()))
 }
 
 impl DrivenSettings {

@@ -1,12 +1,11 @@
 //! What changes over the time of a motion: speeds, loads and friction by a course, forces and the acceleration of the base by signals.
 //!
 //! - [`settings`]: the keys. [`signal`]: those of a signal.
-//! - `drive`: what they make of an assembly. `series_file`: tables in files.
+//! - `drive`: what they make of an assembly.
 //! - `arrays`: what is kept of it.
 
 mod arrays;
 mod drive;
-mod series_file;
 pub mod settings;
 pub mod signal;
 

@@ -127,7 +127,11 @@ impl<const N: usize> Branches<N> {
             value: point.value,
             frequency: point.hopf.frequency,
             lyapunov_coefficient: point.hopf.coefficient,
-            criticality: if point.hopf.is_subcritical() { "subcritical" } else { "supercritical" },
+            criticality: match (point.hopf.is_degenerate(), point.hopf.is_subcritical()) {
+                (true, _) => "degenerate",
+                (false, true) => "subcritical",
+                (false, false) => "supercritical",
+            },
         });
         ToldBranches {
             hopf_points: hopf_points.collect(),

@@ -1,0 +1,208 @@
+//! The friction coefficient of a case, of every model that has one: a number, one that falls and rises with the speed, a table in the case
+//! or in a file.
+
+use crate::number_columns::ColumnFile;
+use judder_contact::friction::{FallingFriction, Friction, FrictionError, TableInterpolation};
+use judder_keys::Settings;
+use judder_keys::declared::{Allowed, Number, Scaled, Setting, Settings, Several};
+use judder_keys::dimension::Dimension;
+use judder_keys::document::{Data, Node};
+use judder_keys::error::Fault;
+use judder_keys::file_reference::FileReference;
+use judder_keys::numeric_key::{Range, Value};
+use judder_keys::problem::{Placed, Problem};
+use judder_keys::section::Section;
+use serde_json::Value as Json;
+use std::path::Path;
+use thiserror::Error;
+
+/// The friction coefficient against the speed of sliding.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FrictionSettings {
+    /// μ, whatever the speed.
+    Constant(f64),
+    /// One that falls from rest, and may rise again.
+    Falling(FallingFriction),
+    /// A table against the speed.
+    Table(FrictionCurve<false>),
+}
+
+/// A friction coefficient of one's own against the speed.
+#[derive(Debug, Clone, PartialEq, Settings)]
+#[settings(title = "`{path}`")]
+pub struct FrictionCurve<const IN_GROUPS: bool> {
+    /// Speeds and coefficients.
+    #[key(flatten)]
+    pub columns: FrictionColumns<IN_GROUPS>,
+    /// How the coefficient runs between the speeds; it is constant beyond them.
+    #[key(default = TableInterpolation::Linear)]
+    pub interpolation: TableInterpolation,
+}
+
+/// The columns of a table of friction; its speeds are groups of a model without units, or have units.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub enum FrictionColumns<const IN_GROUPS: bool> {
+    /// Lists.
+    Lists {
+        /// Speeds of sliding, ascending.
+        #[key(rule = Several { of: speed(IN_GROUPS), length: [1, usize::MAX] }, symbol = "v")]
+        velocity: Vec<Value>,
+        /// Friction coefficients there.
+        #[key(rule = COEFFICIENTS, symbol = "μ(v)")]
+        coefficient: Vec<f64>,
+    },
+    /// A table in a file in place of velocity and coefficient, with a header such as `speed [m/s],coefficient`; of a model without units `speed,coefficient`.
+    File(ColumnFile),
+}
+
+const COEFFICIENT: Number = Number::non_negative(Dimension::NUMBER);
+const COEFFICIENTS: Several<Number> = Several { of: COEFFICIENT, length: [1, usize::MAX] };
+
+const fn speed(in_groups: bool) -> Scaled {
+    match in_groups {
+        true => Scaled::number("v", Range::NonNegative),
+        false => Scaled {
+            dimension: Dimension::SPEED,
+            group: None,
+            range: Range::NonNegative,
+            is_difference: false,
+        },
+    }
+}
+
+/// Numbers that make no friction coefficient.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error(transparent)]
+struct FrictionProblem(FrictionError);
+
+impl Problem for FrictionProblem {
+    fn kind(&self) -> &'static str {
+        "Friction"
+    }
+
+    fn label(&self) -> &'static str {
+        match self.0 {
+            FrictionError::Coefficient { .. } | FrictionError::Number { .. } => "out of range",
+            FrictionError::Speeds { .. } => "not ascending",
+            FrictionError::Columns { .. } => "of another length",
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        let help = match self.0 {
+            FrictionError::Coefficient { .. } | FrictionError::Number { .. } => return None,
+            FrictionError::Speeds { .. } => "list the speeds from the slowest to the fastest",
+            FrictionError::Columns { .. } => {
+                "as in { velocity = [\"0 mm/s\", \"10 mm/s\"], coefficient = [0.4, 0.3] }, as many of one as of the other"
+            }
+        };
+        Some(help.to_owned())
+    }
+}
+
+impl<const IN_GROUPS: bool> FrictionCurve<IN_GROUPS> {
+    /// The friction coefficient.
+    ///
+    /// # Errors
+    /// [`FrictionError`] for columns that make none.
+    pub fn friction(&self) -> Result<Friction, FrictionError> {
+        let (speeds, coefficients) = match &self.columns {
+            FrictionColumns::Lists { velocity, coefficient } => {
+                (velocity.iter().map(|speed| speed.number).collect(), coefficient.clone())
+            }
+            FrictionColumns::File(ColumnFile { columns: [speeds, coefficients], .. }) => {
+                (speeds.clone(), coefficients.clone())
+            }
+        };
+        Friction::table(speeds, coefficients, self.interpolation)
+    }
+
+    /// Finds its file, which is relative to a folder, and refuses columns that make no coefficient; `section` is that of the curve.
+    pub(crate) fn admit(&mut self, section: &Section<'_>, folder: &Path) -> Result<(), Fault> {
+        if let FrictionColumns::File(own) = &mut self.columns {
+            let header = if IN_GROUPS { "speed,coefficient" } else { "speed [m/s],coefficient" };
+            own.find(
+                section,
+                "file",
+                folder,
+                ([speed(IN_GROUPS), Number::any(Dimension::NUMBER).scaled()], header),
+            )?;
+        }
+        let refused = |error: FrictionError| {
+            let key = match error {
+                FrictionError::Coefficient { .. } | FrictionError::Columns { .. } => "coefficient",
+                FrictionError::Speeds { .. } | FrictionError::Number { .. } => "velocity",
+            };
+            FrictionProblem(error).at(section.place_of(&[key, "file"]))
+        };
+        self.friction().map(drop).map_err(refused)
+    }
+
+    pub(crate) fn file(&self) -> Option<&FileReference> {
+        match &self.columns {
+            FrictionColumns::Lists { .. } => None,
+            FrictionColumns::File(own) => Some(&own.file),
+        }
+    }
+}
+
+impl FrictionSettings {
+    /// The friction coefficient.
+    ///
+    /// # Errors
+    /// [`FrictionError`] for numbers that make none.
+    pub fn friction(&self) -> Result<Friction, FrictionError> {
+        match self {
+            Self::Constant(coefficient) => Ok(Friction::Constant(*coefficient)),
+            Self::Falling(falling) => Ok(Friction::Falling(*falling)),
+            Self::Table(curve) => curve.friction(),
+        }
+    }
+
+    /// Finds its file, which is relative to a folder, and refuses numbers that make no coefficient; it stands under `key` of `section`.
+    pub(crate) fn admit(&mut self, section: &Section<'_>, key: &str, folder: &Path) -> Result<(), Fault> {
+        match self {
+            Self::Table(curve) => section.inner(key)?.map_or(Ok(()), |own| curve.admit(&own, folder)),
+            Self::Constant(_) | Self::Falling(_) => {
+                let refused = |error| FrictionProblem(error).at(section.place_of(&[key]));
+                self.friction().and_then(|own| own.check()).map_err(refused)
+            }
+        }
+    }
+
+    pub(crate) fn file(&self) -> Option<&FileReference> {
+        match self {
+            Self::Table(curve) => curve.file(),
+            Self::Constant(_) | Self::Falling(_) => None,
+        }
+    }
+}
+
+/// A number, or a table against the speed.
+impl Setting for FrictionSettings {
+    type Rule = ();
+
+    fn form((): &()) -> Allowed {
+        let forms = [FallingFriction::form(&()), FrictionCurve::<false>::form(&())];
+        Allowed::Either([f64::form(&COEFFICIENT)].into_iter().chain(forms).collect())
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
+        let Data::Table(table) = &node.data else {
+            return f64::read(section, key, node, &COEFFICIENT).map(Self::Constant);
+        };
+        let own = FallingFriction::keys();
+        match table.entries.iter().any(|entry| own.contains(&entry.key.as_str())) {
+            true => FallingFriction::read(section, key, node, &()).map(Self::Falling),
+            false => FrictionCurve::read(section, key, node, &()).map(Self::Table),
+        }
+    }
+
+    fn write(&self, (): &()) -> Json {
+        match self {
+            Self::Constant(coefficient) => coefficient.write(&COEFFICIENT),
+            Self::Falling(falling) => Setting::write(falling, &()),
+            Self::Table(curve) => Setting::write(curve, &()),
+        }
+    }
+}

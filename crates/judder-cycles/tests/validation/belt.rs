@@ -33,7 +33,8 @@ pub(super) fn mass_on_belt() -> Assembly {
 /// as the belt again (Runge–Kutta of the fourth order), and is carried back to where it left.
 pub(super) fn by_the_motion_itself() -> [f64; 3] {
     const STEP: f64 = 1e-5;
-    let rate = |[x, v]: [f64; 2]| [v, FALLING.at((v - SPEED).abs()).0 - DAMPING * v - STIFFNESS * x];
+    let rate =
+        |[x, v]: [f64; 2]| [v, FALLING.at((v - SPEED).abs()).coefficient - DAMPING * v - STIFFNESS * x];
     let leaves = (FALLING.at_rest - DAMPING * SPEED) / STIFFNESS;
     let along = |[x, v]: [f64; 2], [dx, dv]: [f64; 2], by: f64| [x + by * dx, v + by * dv];
     let mut at = [leaves + 1e-12, SPEED - 1e-12];

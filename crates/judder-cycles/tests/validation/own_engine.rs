@@ -32,7 +32,7 @@ pub(super) fn settled<const N: usize>(system: &impl SlidingSystem<N>, start: [f6
 pub(super) fn known<const N: usize>(system: &impl SlidingSystem<N>, cycle: &Cycle<N>) -> Known {
     let settings = shooting(system).settings;
     let mut march =
-        PiecewiseMarch::new(system, system.contact_state(&cycle.start), cycle.start, settings).unwrap();
+        PiecewiseMarch::new(system, system.starting_mode(&cycle.start), cycle.start, settings).unwrap();
     let (mut first, mut second) = ([0.0; N], [0.0; N]);
     while march.time() < cycle.period() {
         let Some(leg) = system.advance(&mut march, cycle.period()).unwrap().leg else { continue };

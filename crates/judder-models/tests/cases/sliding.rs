@@ -2,6 +2,7 @@
 
 use super::parse;
 use judder_contact::friction::{FallingFriction, Friction, TableInterpolation};
+use judder_models::friction::FrictionSettings;
 use judder_models::sliding::case::SlidingCase;
 use judder_models::sliding::case::motion::PlaneAxis;
 use judder_models::sliding::case::observe::{PointNode, PointQuantity, Signal};
@@ -67,7 +68,7 @@ fn the_template_is_the_beams_paper() {
     );
     assert_eq!(
         (&case.contact.friction, case.contact.interpolation),
-        (&FrictionCoefficient::Constant(0.3), Interpolation::Linear)
+        (&FrictionSettings::Constant(0.3), Interpolation::Linear)
     );
     let motion = &case.motion;
     assert_eq!((motion.start, motion.end, motion.velocity), (0.01, 0.0985, 0.03));

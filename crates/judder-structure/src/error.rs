@@ -37,6 +37,12 @@ pub enum StructureError {
         /// Why.
         what: &'static str,
     },
+    /// A box cannot be chamfered so.
+    #[error("there is no such chamfer: {what}")]
+    NoChamfer {
+        /// What it must do.
+        what: &'static str,
+    },
     /// A body that turns has elements of the plane.
     #[error("{kind}s cannot turn: gyroscopic and centrifugal terms are those of bricks and tetrahedra")]
     NoRotation {

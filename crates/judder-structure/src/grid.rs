@@ -1,9 +1,14 @@
 //! A box of elements of one kind: for tests, benchmarks, and whoever needs a simple body.
 
 use crate::StructureError;
+use crate::chamfer::{BoxSide, ChamferedFace};
 use crate::element::ElementKind;
 use crate::mesh::{Mesh, MeshBlock};
 use std::collections::BTreeMap;
+
+/// Cells along a side, as case files take them.
+#[cfg(feature = "keys")]
+pub const CELLS: judder_keys::declared::Whole = judder_keys::declared::Whole { from: 1, to: 100_000 };
 
 /// A box whose cells hold one quadrilateral or brick each, two triangles, or six tetrahedra.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,9 +34,37 @@ impl Grid {
     /// # Errors
     /// [`StructureError::InvalidNumber`] for a size or a number of cells that is not positive.
     pub fn mesh(&self, material: &str, place: impl Fn([f64; 3]) -> [f64; 3]) -> Result<Mesh, StructureError> {
+        self.mesh_with(None, material, place)
+    }
+
+    /// The mesh with chamfers at the ends of a face, its corners moved by `place` afterwards.
+    ///
+    /// The set of the face, as `y-min`, has the nodes that the chamfers leave of it, with those on the edges between; `chamfer-x-min`, …: the nodes of a
+    /// flank, with both of its edges; `y-min-whole`: the face with its flanks. The sides that meet the face are as long as the chamfers leave them.
+    ///
+    /// # Errors
+    /// As [`Self::mesh`]; [`StructureError::NoChamfer`] for chamfers that would fold elements.
+    pub fn chamfered_mesh(
+        &self,
+        chamfered: &ChamferedFace,
+        material: &str,
+        place: impl Fn([f64; 3]) -> [f64; 3],
+    ) -> Result<Mesh, StructureError> {
+        chamfered.check(self.kind.dimension(), self.size, self.cells)?;
+        self.mesh_with(Some(chamfered), material, place)
+    }
+
+    fn mesh_with(
+        &self,
+        chamfered: Option<&ChamferedFace>,
+        material: &str,
+        place: impl Fn([f64; 3]) -> [f64; 3],
+    ) -> Result<Mesh, StructureError> {
         self.check()?;
-        let dimension = self.kind.dimension();
-        let mut nodes = GridNodes { places: self.corners(&place), middles: BTreeMap::new() };
+        let places = self.corners(|steps, even| {
+            place(chamfered.map_or(even, |own| own.place(self.size, self.cells, steps, even)))
+        });
+        let mut nodes = GridNodes { places, middles: BTreeMap::new() };
         let mut connectivity = Vec::new();
         for cell in self.each_cell() {
             let corners = self.corners_of(cell);
@@ -43,7 +76,7 @@ impl Grid {
                 }
             }
         }
-        let node_sets = self.node_sets(dimension, &nodes);
+        let node_sets = self.node_sets(chamfered, &nodes);
         let blocks = vec![MeshBlock { kind: self.kind, material: material.to_owned(), connectivity }];
         Ok(Mesh { nodes: nodes.places, blocks, node_sets, ..Mesh::default() })
     }
@@ -65,14 +98,16 @@ impl Grid {
         if self.kind.dimension() == 3 { self.cells[2] + 1 } else { 1 }
     }
 
-    fn corners(&self, place: &impl Fn([f64; 3]) -> [f64; 3]) -> Vec<[f64; 3]> {
+    fn corners(&self, place: impl Fn([usize; 3], [f64; 3]) -> [f64; 3]) -> Vec<[f64; 3]> {
         let at = |k: usize, step: usize| self.size[k] * step as f64 / self.cells[k] as f64;
         let depth = |layer: usize| if self.layers() == 1 { 0.0 } else { at(2, layer) };
         let rows = move |layer| (0..=self.cells[1]).map(move |row| (row, layer));
         (0..self.layers())
             .flat_map(rows)
             .flat_map(|(row, layer)| (0..=self.cells[0]).map(move |column| (column, row, layer)))
-            .map(|(column, row, layer)| place([at(0, column), at(1, row), depth(layer)]))
+            .map(|(column, row, layer)| {
+                place([column, row, layer], [at(0, column), at(1, row), depth(layer)])
+            })
             .collect()
     }
 
@@ -106,21 +141,46 @@ impl Grid {
     }
 
     /// The nodes on each side: corners by their place in the grid, middles whose corners are both there.
-    fn node_sets(&self, dimension: usize, nodes: &GridNodes) -> BTreeMap<String, Vec<usize>> {
+    fn node_sets(
+        &self,
+        chamfered: Option<&ChamferedFace>,
+        nodes: &GridNodes,
+    ) -> BTreeMap<String, Vec<usize>> {
         let mut sets = BTreeMap::new();
-        for (axis, name) in ["x", "y", "z"].into_iter().enumerate().take(dimension) {
-            for (end, suffix) in [(0, "min"), (self.cells[axis], "max")] {
-                let is_on = |node: usize| self.step_of(node)[axis] == end;
-                let corners = self.number(self.cells_with_layers()) + 1;
-                let mut set: Vec<usize> = (0..corners).filter(|node| is_on(*node)).collect();
-                set.extend(
-                    nodes.middles.iter().filter(|((a, b), _)| is_on(*a) && is_on(*b)).map(|(_, n)| *n),
-                );
-                set.sort_unstable();
-                sets.insert(format!("{name}-{suffix}"), set);
+        for side in BoxSide::BY_AXIS.into_iter().take(self.kind.dimension()).flatten() {
+            let is_on = |node: usize| self.is_on(side, node);
+            let Some(chamfered) = chamfered.filter(|own| own.face == side) else {
+                sets.insert(side.to_string(), self.set_of(nodes, is_on));
+                continue;
+            };
+            let step = |node: usize| self.step_of(node)[chamfered.along];
+            let is_flat = |node: usize| is_on(node) && chamfered.is_flat(step(node), self.cells);
+            sets.insert(side.to_string(), self.set_of(nodes, is_flat));
+            for (name, steps) in chamfered.flanks(self.cells) {
+                let is_flank = |node: usize| is_on(node) && steps.contains(&step(node));
+                sets.insert(name, self.set_of(nodes, is_flank));
             }
         }
-        with_edges(sets)
+        let mut sets = with_edges(sets);
+        if let Some(own) = chamfered {
+            let whole = self.set_of(nodes, |node| self.is_on(own.face, node));
+            sets.insert(format!("{}-whole", own.face), whole);
+        }
+        sets
+    }
+
+    /// Whether a corner is on a side of the box.
+    fn is_on(&self, side: BoxSide, node: usize) -> bool {
+        self.step_of(node)[side.axis()] == if side.is_max() { self.cells[side.axis()] } else { 0 }
+    }
+
+    /// The corners that are somewhere, and the middles whose corners both are.
+    fn set_of(&self, nodes: &GridNodes, is_on: impl Fn(usize) -> bool) -> Vec<usize> {
+        let corners = self.number(self.cells_with_layers()) + 1;
+        let mut set: Vec<usize> = (0..corners).filter(|node| is_on(*node)).collect();
+        set.extend(nodes.middles.iter().filter(|((a, b), _)| is_on(*a) && is_on(*b)).map(|(_, n)| *n));
+        set.sort_unstable();
+        set
     }
 
     fn cells_with_layers(&self) -> [usize; 3] {

@@ -2,7 +2,7 @@
 //!
 //! In the order in which the data flows:
 //!
-//! - [`mesh`]: nodes, elements, named sets; [`beam`] makes one of a straight beam, [`grid`] of a box, [`disc`] of a ring.
+//! - [`mesh`]: nodes, elements, named sets; [`beam`] makes one of a straight beam, [`grid`] of a box, with [`chamfer`]s where asked, [`disc`] of a ring.
 //! - [`material`]: linear elasticity, plane stress, plane strain.
 //! - [`element`]: shape functions, quadrature, stiffness and consistent mass of one element.
 //! - [`freedom`]: which displacements are free, tied, held.
@@ -28,6 +28,7 @@
 pub mod affine;
 pub mod assembly;
 pub mod beam;
+pub mod chamfer;
 pub mod complex_modes;
 pub mod craig_bampton;
 pub mod damping;

@@ -1,6 +1,6 @@
 //! The structure case: one linear structure alone, from a generator, a mesh file or the matrices of another program.
 //!
-//! - [`body`]: what elements, materials and supports make: `[structure]`.
+//! - [`body`]: what elements, materials and supports make: `[structure]`; [`chamfer`]: what is cut off a block.
 //! - [`matrices`]: what other programs assembled: `[matrices]`, sums of files with factors. [`arrays`]: the same as arrays in the case.
 //! - [`damping`]: `[damping]` of a body.
 //! - [`reduction`]: `[reduction]`, which freedoms and modes are kept.
@@ -9,6 +9,7 @@
 
 pub mod arrays;
 pub mod body;
+pub mod chamfer;
 pub mod damping;
 pub mod disc;
 pub mod extent;

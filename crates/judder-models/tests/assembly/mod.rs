@@ -1,5 +1,6 @@
 //! Assemblies end to end.
 
+mod chamfers;
 mod contributions;
 mod cycles;
 mod deformed;

@@ -1,4 +1,5 @@
 mod bending;
+mod chamfer;
 mod complex_modes;
 mod craig_bampton;
 mod crowds;

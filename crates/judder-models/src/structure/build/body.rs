@@ -54,11 +54,15 @@ fn block_mesh(block: &Block) -> Result<Mesh, Unbuilt> {
     let moved = |axis: usize, along: f64| origin.get(axis).map_or(along, |from| from + along);
     let turned = |place| block.orientation.as_ref().map_or(place, |own| own.turned(place));
     let grid = Grid { kind: block.element(), size, cells };
-    grid.mesh(OWN, |place| {
+    let place = |place| {
         let turned = turned(place);
         std::array::from_fn(|axis| moved(axis, turned[axis]))
-    })
-    .map_err(|error| Unbuilt::because("structure.block", &error))
+    };
+    let mesh = match &block.chamfer {
+        Some(chamfer) => grid.chamfered_mesh(&chamfer.chamfered(), OWN, place),
+        None => grid.mesh(OWN, place),
+    };
+    mesh.map_err(|error| Unbuilt::because("structure.block", &error))
 }
 
 fn disc_mesh(disc: &DiscSettings) -> Result<Mesh, Unbuilt> {

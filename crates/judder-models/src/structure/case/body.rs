@@ -1,7 +1,8 @@
 //! `[structure]`: elements with materials and supports.
 
+use super::chamfer::ChamferSettings;
 use super::disc::DiscSettings;
-use super::extent::{ELEMENTS_RANGE, LENGTH};
+use super::extent::LENGTH;
 use super::file_of_format;
 use super::lists::length;
 use super::orientation::Orientation;
@@ -16,6 +17,7 @@ use judder_keys::problem::Placed;
 use judder_keys::section::{Section, wrong_type};
 use judder_keys::{Choice, Settings};
 use judder_structure::element::ElementKind;
+use judder_structure::grid;
 use judder_structure::material::Elastic;
 use serde_json::Value as Json;
 use std::path::Path;
@@ -139,6 +141,12 @@ pub struct Block {
     /// How a block is turned about that corner; its sets keep their names.
     #[key(omitted)]
     pub orientation: Option<Orientation>,
+    /// What is cut off a block where a face of it ends, as at the leading and the trailing edge of a brake pad; none where left out.
+    #[key(
+        omitted,
+        example = "{ face = \"y-min\", x-min = { length = \"5 mm\", depth = \"2 mm\", cells = 2 } }"
+    )]
+    pub chamfer: Option<ChamferSettings>,
 }
 
 impl Block {
@@ -160,7 +168,9 @@ impl Block {
             }
         }
         let orientation = self.orientation.as_ref();
-        orientation.map_or(Ok(()), |own| own.fits(element.dimension() == 2, section))
+        orientation.map_or(Ok(()), |own| own.fits(element.dimension() == 2, section))?;
+        let chamfer = self.chamfer.as_ref();
+        chamfer.map_or(Ok(()), |own| own.fits(&self.size, &self.cells, section))
     }
 }
 
@@ -199,13 +209,13 @@ impl Support {
     }
 }
 
-const ELEMENTS_TWICE: Fixed<Whole> = Fixed { of: ELEMENTS_RANGE, what: "two numbers, along and across" };
+const ELEMENTS_TWICE: Fixed<Whole> = Fixed { of: grid::CELLS, what: "two numbers, along and across" };
 const PLACE: NumberPair =
     NumberPair { of: Number::any(Dimension::LENGTH), what: "two lengths, x and y", is_ascending: false };
 const SIDES: Several<Number> = Several { of: LENGTH, length: [2, 3] };
 const SUPPORTS: Several<()> = Several { of: (), length: [0, usize::MAX] };
 const CORNER: Several<Number> = Several { of: Number::any(Dimension::LENGTH), length: [2, 3] };
-const CELLS: Several<Whole> = Several { of: ELEMENTS_RANGE, length: [2, 3] };
+const CELLS: Several<Whole> = Several { of: grid::CELLS, length: [2, 3] };
 
 /// The endings of mesh files that are read.
 pub const MESH_ENDINGS: [&str; 2] = [".msh", ".inp"];

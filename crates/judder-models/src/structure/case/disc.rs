@@ -1,6 +1,6 @@
 //! `disc` of `[structure]`: discs and rings of bricks, with cells of another size where something touches them.
 
-use super::extent::{ELEMENTS_RANGE, LENGTH};
+use super::extent::LENGTH;
 use super::problem::StructureProblem;
 use judder_keys::Settings;
 use judder_keys::declared::{Number, NumberPair, Several, Whole};
@@ -10,13 +10,14 @@ use judder_keys::problem::Placed;
 use judder_keys::section::Section;
 use judder_structure::disc::{Disc as Ring, steps};
 use judder_structure::element::ElementKind;
+use judder_structure::grid;
 use std::f64::consts::TAU;
 
 /// Radii of a disc.
 const RADII: NumberPair = NumberPair { of: LENGTH, what: "two radii, inner and outer", is_ascending: true };
 const ANGLES: NumberPair =
     NumberPair { of: Number::any(Dimension::ANGLE), what: "two angles, from and to", is_ascending: true };
-const DISC_CELLS: Several<Whole> = Several { of: ELEMENTS_RANGE, length: [3, 3] };
+const DISC_CELLS: Several<Whole> = Several { of: grid::CELLS, length: [3, 3] };
 const AXIS: Several<Number> = Several { of: Number::any(Dimension::LENGTH), length: [3, 3] };
 
 /// A disc with a hole, or a ring, about an axis along z.
@@ -52,7 +53,7 @@ pub struct DiscBand {
     #[key(rule = RADII, symbol = "r", example = "[\"150 mm\", \"170 mm\"]")]
     pub radii: [f64; 2],
     /// Cells along the radius between them.
-    #[key(rule = ELEMENTS_RANGE)]
+    #[key(rule = grid::CELLS)]
     pub cells: usize,
 }
 
@@ -63,7 +64,7 @@ pub struct Sector {
     #[key(rule = ANGLES, symbol = "ϑ", example = "[\"-20 deg\", \"20 deg\"]")]
     pub angles: [f64; 2],
     /// Cells around the axis between them.
-    #[key(rule = ELEMENTS_RANGE)]
+    #[key(rule = grid::CELLS)]
     pub cells: usize,
 }
 

@@ -13,8 +13,10 @@ pub fn wilson(hits: usize, trials: usize) -> [f64; 2] {
     if !half.is_finite() {
         return [f64::NAN; 2];
     }
-    // rounding alone takes the ends of none and of all beyond 0 and 1
-    [(middle - half).max(0.0), (middle + half).min(1.0)]
+    // of none and of all the ends are 0 and 1, which rounding misses
+    let low = if hits == 0 { 0.0 } else { (middle - half).max(0.0) };
+    let high = if hits == trials { 1.0 } else { (middle + half).min(1.0) };
+    [low, high]
 }
 
 #[cfg(test)]
@@ -32,6 +34,9 @@ mod tests {
         ] {
             let [low, high] = wilson(hits, count);
             assert!((low - lower).abs() < 5e-5 && (high - upper).abs() < 5e-5, "{hits} {low} {high}");
+        }
+        for count in 1..2000 {
+            assert!(wilson(0, count)[0] == 0.0 && wilson(count, count)[1] == 1.0, "{count}");
         }
         assert!(wilson(0, 0).iter().all(|end| end.is_nan()));
     }

@@ -167,8 +167,8 @@ fn studies_without_a_cycle_to_begin_at() {
     flipped[whole.len() / 2] ^= 1;
     let told = |what: &str| {
         format!(
-            "{}: stored results cannot be read ({what}); `judder run --fresh` recomputes them",
-            forces.canonicalize().unwrap().display()
+            "the study `first` at which the cycle begins is damaged: `results.zarr/own/point_force_harmonics` cannot be read ({what}); \
+             run the case of that study again with `-o {place} --fresh`, or name another study"
         )
     };
     for damaged in [&flipped[..], &whole[..whole.len() / 2]] {
@@ -177,11 +177,17 @@ fn studies_without_a_cycle_to_begin_at() {
     }
     std::fs::remove_file(&chunk).unwrap();
     let missing = refused(lines, &[], there);
-    assert!(missing.contains("stored results cannot be read (a part is missing: "), "{missing}");
+    assert!(
+        missing.contains("cannot be read (a part is missing: ") && missing.contains("`first`"),
+        "{missing}"
+    );
     std::fs::write(&chunk, &whole).unwrap();
     std::fs::write(group.join("zarr.json"), "{}").unwrap();
     let bare = refused(lines, &[], there);
-    assert!(bare.contains("stored results cannot be read (its metadata do not list its arrays)"), "{bare}");
+    assert!(
+        bare.contains("`results.zarr/own` cannot be read (its metadata do not list its arrays)"),
+        "{bare}"
+    );
 }
 
 fn files(folder: &Path) -> Vec<PathBuf> {

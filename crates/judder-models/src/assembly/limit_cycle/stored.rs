@@ -18,7 +18,6 @@ use judder_keys::problem::Placed;
 use judder_keys::section::{Section, text};
 use judder_nonsmooth::contact::ContactPoints;
 use judder_store::{DatasetHead, StoreError, StudyReader, Variable, VariableValues};
-use judder_study::input_file::unusable;
 use num_complex::Complex64;
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
@@ -97,7 +96,10 @@ impl StudyReference {
         self.path = find_folder(&self.given, node, folder).map_err(|(path, what)| refused(path, what))?;
         let no_study = |error: StoreError| match error {
             StoreError::NoStudy { path } => refused(path, "is not the folder of a study"),
-            error => AssemblyProblem::Refused { reason: error.to_string() }.at(node.place),
+            error => {
+                let reason = self.damage(&error).unwrap_or_else(|| error.to_string());
+                AssemblyProblem::Refused { reason }.at(node.place)
+            }
         };
         let study = StudyReader::open(&self.path).map_err(no_study)?;
         let known = study.names().map_err(no_study)?;
@@ -126,6 +128,26 @@ impl StudyReference {
         format!("the study `{}` has no results of `{analysis}`, {others}", self.given)
     }
 
+    /// What of it is damaged, where an error says so, and what mends it: it is another study than the one that is run.
+    fn damage(&self, error: &StoreError) -> Option<String> {
+        let (path, what) = match error {
+            StoreError::DatasetUnreadable { path, source } => (path, source.to_string()),
+            StoreError::SummaryUnreadable { path, source } => (path, source.to_string()),
+            _ => return None,
+        };
+        let root = self.path.canonicalize().unwrap_or_else(|_| self.path.clone());
+        let below = path.strip_prefix(&root).unwrap_or(path);
+        Some(self.damaged(&format!("`{}` cannot be read ({what})", below.display())))
+    }
+
+    fn damaged(&self, what: &str) -> String {
+        format!(
+            "the study `{}` at which the cycle begins is damaged: {what}; run the case of that study again with `-o {} --fresh`, or name another study",
+            self.given,
+            self.path.display()
+        )
+    }
+
     /// The files of it that results depend on.
     pub(super) fn files(&self) -> &[FileReference] {
         &self.files
@@ -137,21 +159,34 @@ impl StudyReference {
         analysis: &str,
         of: &AssemblySubject<'_>,
     ) -> Result<Result<ForcesOverPeriod, Unassembled>, ModelError> {
+        let refused = |reason: &str| Ok(Err(Unassembled::because("start.study", &reason)));
+        let unread = |error: StoreError| match self.damage(&error) {
+            Some(reason) => refused(&reason),
+            None => Err(error.into()),
+        };
         let study = StudyReader::open(&self.path)?;
-        let head = study.head(analysis)?;
+        let head = match study.head(analysis) {
+            Ok(head) => head,
+            Err(error) => return unread(error),
+        };
         if let Err(reason) = holds_a_cycle(&head, analysis) {
             return Ok(Err(Unassembled::because("start.analysis", &reason)));
         }
         let read = |name: &str| study.read_rows(analysis, name, 0..usize::MAX);
-        let [forces, gaps, contacts] = [read(FORCES)?, read(GAP)?, read(CONTACT)?];
-        let damaged = || unusable(&self.path, &format!("the arrays of `{analysis}` do not fit each other"));
-        let stored = StoredCycle::new(&head, &forces, &gaps, contacts).ok_or_else(damaged)?;
+        let all = read(FORCES).and_then(|forces| Ok((forces, read(GAP)?, read(CONTACT)?)));
+        let (forces, gaps, contacts) = match all {
+            Ok(all) => all,
+            Err(error) => return unread(error),
+        };
+        let Some(stored) = StoredCycle::new(&head, &forces, &gaps, contacts) else {
+            return refused(&self.damaged(&format!("the arrays of `{analysis}` do not fit each other")));
+        };
         let width = ContactPoints::new(&of.built.assembly, &[])?.dimension;
         let own = of.built.assembly.interfaces.iter();
         let own: Vec<(&str, usize)> = own.map(|own| (own.name.as_str(), own.points.len())).collect();
         match stored.is_of(&own, width) {
             Ok(()) => Ok(Ok(stored.known())),
-            Err(reason) => Ok(Err(Unassembled::because("start.study", &reason))),
+            Err(reason) => refused(&reason),
         }
     }
 }

@@ -1,10 +1,12 @@
 //! Limit cycles of assemblies: against marches, stored over a period, and told where there is none.
 
 use crate::{case, number, run_into};
+use judder_report::{Axis, Scale};
 use judder_store::{StudyFolder, VariableValues};
 use judder_study::case::file::CaseFile;
 use judder_study::run::RunReport;
 use serde_json::Value;
+use std::path::Path;
 
 const BLOCK: &str = "assembly/cycle-of-a-block.toml";
 
@@ -204,11 +206,35 @@ fn a_cycle_that_shrinks_with_the_speed_tells_no_onset() {
     let sweep =
         "{ key = \"contact.sole.sliding.velocity\", from = \"0.01 m/s\", to = \"2 m/s\", points = 10 }";
     let file = judder_models::read(path, &[format!("analysis.less-friction.sweep={sweep}")]).unwrap();
-    let report = run_into(tempfile::tempdir().unwrap().path(), &file, &["less-friction"]);
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &file, &["less-friction"]);
     let told = &report.summary.results["less-friction"];
     assert!(numbers(&told["hopf_points"]).is_empty(), "{told:?}");
+    assert!(across(&file, folder.path()).iter().all(|own| matches!(own.scale, Scale::Linear)));
     assert_eq!(told["ends"][0], "shrinks below 2 % of its largest amplitude");
     assert!(report.messages.iter().any(|own| own.contains("no eigenvalue begins to grow there")));
+}
+
+/// The axes of the key in the figure of a branch.
+fn across(file: &CaseFile, folder: &Path) -> Vec<Axis> {
+    let dataset = StudyFolder::open(folder).unwrap().read_dataset("less-friction").unwrap();
+    let model = judder_models::REGISTRY.model_of(&file.case.resolved()).unwrap();
+    let figure = model.figure("less-friction", "", &dataset).unwrap();
+    figure.panels.into_iter().map(|panel| panel.x).collect()
+}
+
+/// A key whose values lie evenly in its logarithm is drawn so.
+#[test]
+fn a_branch_along_a_logarithmic_key_is_drawn_over_its_logarithm() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small/assembly-cycle.toml");
+    let set = ["scale=\"log\"", "points=2"].map(|own| format!("analysis.less-friction.sweep.{own}"));
+    let file =
+        judder_models::read(path, &[&set[..], &["analysis.less-friction.cycles=2".to_owned()]].concat())
+            .unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    run_into(folder.path(), &file, &["less-friction"]);
+    let axes = across(&file, folder.path());
+    assert!(axes.len() == 2 && axes.iter().all(|own| matches!(own.scale, Scale::Log)), "{axes:?}");
 }
 
 /// A march that comes back says the same as harmonics, and what is told is its.

@@ -158,7 +158,8 @@ pub(super) fn dataset(
             along("value", all(|own| own.value))
                 .units(&quantity.unit)
                 .long_name(&asked.sweep.path)
-                .attribute("label", quantity.label.as_str()),
+                .attribute("label", quantity.label.as_str())
+                .attribute("scale", asked.sweep.scale.name()),
         )?
         .with(
             along("rms", all(|own| own.rms))

@@ -190,8 +190,8 @@ fn without_an_onset_and_a_mode_that_grows_it_is_told_why_nothing_is_listed() {
     assert!(page.contains("none is listed: no mode of the band grows"));
     // of panels there is that of the knocks alone
     let picture = std::fs::read_to_string(folder.path().join("figures/squeal.svg")).unwrap();
-    assert!(picture.contains("what becomes of knocks") && !picture.contains("how loud"));
-    assert!(!picture.contains("how fast they grow") && !picture.contains("before their onset"));
+    assert!(picture.contains("what is left of the energy of knocks") && !picture.contains("how loud"));
+    assert!(!picture.contains("how fast modes grow") && !picture.contains("before their onset"));
 }
 
 /// A case of matrices has no dampings and moduli to be named, but entries.

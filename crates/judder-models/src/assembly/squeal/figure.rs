@@ -32,8 +32,12 @@ pub(super) fn squeal(dataset: &Dataset) -> Option<Vec<Panel>> {
     };
     let margins = reals(dataset, "margin").unwrap_or_default();
     let asked = [
-        panel(Axis::linear("Level of the cycle (dB re 1 µm/s^{2})"), [of_cycles?, level?], "how loud"),
-        panel(Axis::linear("Growth rate of the mode (1/s)"), [of_modes?, growth?], "how fast they grow"),
+        panel(
+            Axis::linear("Level of the cycle (dB re 1 µm/s^{2})"),
+            [of_cycles?, level?],
+            "how loud they are where they are loudest",
+        ),
+        panel(Axis::linear("Growth rate of the mode (1/s)"), [of_modes?, growth?], "how fast modes grow"),
         panel(
             Axis::linear("Margin, of the value at the onset (1)"),
             [of_modes?, margins],
@@ -59,7 +63,7 @@ fn knocks(dataset: &Dataset) -> Option<Panel> {
     Some(
         Panel::new(across, up, layers.collect())
             .with_legend(Legend::Below)
-            .with_title("what becomes of knocks"),
+            .with_title("what is left of the energy of knocks"),
     )
 }
 

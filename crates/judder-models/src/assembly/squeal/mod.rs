@@ -41,8 +41,8 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
     read: |case, section| Ok(Arc::new(AssemblySqueal::of(case.as_ref(), section)?)),
     picture: Some(Picture {
         draw: figure::squeal,
-        caption: "How loud the limit cycle of each mode that grows is at the observed point that is loudest, and how fast the mode grows about steady sliding. No motion comes to an unstable \
-        cycle. Margins, where they are asked for, say how far before its onset each mode has cycles already; knocks, what of their energy is left. Modes of which no cycle was found have a growth rate alone.",
+        caption: "Modes that grow about steady sliding, and the limit cycles to which they grow: each panel answers what stands above it. No motion comes to an unstable cycle, and of a mode of \
+        which no cycle was found the growth alone is known.",
     }),
 };
 

@@ -86,18 +86,53 @@ pub(super) struct MarginOfOnset {
     onset: Onset,
     mode: Option<usize>,
     reach: CycleReach,
-    margin: Option<f64>,
+    margin: Option<KnownMargin>,
     is_within: Option<bool>,
+}
+
+/// A margin, and what it may be off; not a number where that is not known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct KnownMargin {
+    pub(super) value: f64,
+    error: f64,
+}
+
+/// The place of a margin among others.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct MarginPlace {
+    /// One more than those that are larger whatever both may be off; none where that is not known of the margin itself.
+    pub(super) rank: Option<usize>,
+    /// The others that may be larger as well as smaller.
+    pub(super) tied: usize,
+}
+
+impl KnownMargin {
+    /// Whether it is larger than another whatever both may be off.
+    fn is_beyond(self, other: Self) -> bool {
+        self.value - self.error > other.value + other.error
+    }
+
+    /// Its place among all, itself one of them.
+    fn place(self, all: &[Option<Self>]) -> MarginPlace {
+        let others = || all.iter().flatten();
+        let larger = others().filter(|other| other.is_beyond(self)).count();
+        let smaller = others().filter(|other| self.is_beyond(**other)).count();
+        let rank = (!self.error.is_nan()).then_some(1 + larger);
+        MarginPlace { rank, tied: others().count() - 1 - larger - smaller }
+    }
 }
 
 impl MarginOfOnset {
     /// The margin beyond an onset at which a mode, of those that grow in the case, begins to grow; `own` is the value of the case.
     pub(super) fn new(onset: &Onset, mode: Option<usize>, reach: CycleReach, own: f64) -> Self {
         let is_whole = reach.end.is_whole();
-        let off = |value: f64| (value - onset.value).abs() / onset.value.abs();
+        let size = onset.value.abs();
         let margin = match reach.fold {
-            Some([fold, _]) => Some(off(fold)),
-            None => is_whole.then_some(0.0),
+            Some([fold, error]) => Some(KnownMargin {
+                value: (fold - onset.value).abs() / size,
+                error: (error + onset.error * fold.abs() / size) / size,
+            }),
+            None => is_whole.then_some(KnownMargin { value: 0.0, error: 0.0 }),
         };
         let sign = if onset.gains { 1.0 } else { -1.0 };
         let is_stable_side = sign * (own - onset.value) > 0.0;
@@ -177,8 +212,12 @@ struct MarginOfMode {
     reaches: Option<f64>,
     /// how far the fold lies from the onset, of the onset: so far before it a knock suffices
     margin: Option<f64>,
-    /// its place from the largest margin on
+    /// what it may be off; none where that is not known
+    margin_error: Option<f64>,
+    /// its place from the largest margin on, one more than those that are larger whatever they may be off; none where it is not known what it may be off itself
     rank: Option<usize>,
+    /// margins of other onsets that may be larger as well as smaller, for what they may be off
+    tied: Option<usize>,
     /// whether the mode has cycles but does not grow with the case as it is; none where it is not known
     knock: Option<bool>,
     /// how the branch of cycles ends
@@ -197,19 +236,19 @@ impl SoughtMargins {
     }
 
     /// The margin of each of so many modes that grow, and its place from the largest on among them.
-    pub(super) fn of_modes(&self, count: usize) -> Vec<Option<(f64, usize)>> {
+    pub(super) fn of_modes(&self, count: usize) -> Vec<Option<(KnownMargin, MarginPlace)>> {
         let margin = |mode: usize| self.onsets.iter().find(|own| own.mode == Some(mode))?.margin;
-        let all: Vec<Option<f64>> = (0..count).map(margin).collect();
-        let place = |own: f64| 1 + all.iter().flatten().filter(|other| **other > own).count();
-        all.iter().map(|own| own.map(|own| (own, place(own)))).collect()
+        let all: Vec<Option<KnownMargin>> = (0..count).map(margin).collect();
+        all.iter().map(|own| own.map(|own| (own, own.place(&all)))).collect()
     }
 }
 
 impl ToldMargins {
     pub(super) fn new(asked: &AssemblySqueal, sweep: &KeySweep, found: &SoughtMargins) -> Self {
-        let margins = || found.onsets.iter().filter_map(|own| own.margin);
+        let margins: Vec<Option<KnownMargin>> = found.onsets.iter().map(|own| own.margin).collect();
+        let known = || margins.iter().flatten().map(|own| own.value);
         let told = found.onsets.iter().map(|own| {
-            let rank = own.margin.map(|margin| 1 + margins().filter(|other| *other > margin).count());
+            let place = own.margin.map(|margin| margin.place(&margins));
             MarginOfMode {
                 onset: own.onset.value,
                 onset_error: own.onset.error,
@@ -219,8 +258,10 @@ impl ToldMargins {
                 fold: own.reach.fold.map(|[value, _]| value),
                 fold_error: own.reach.fold.map(|[_, error]| error),
                 reaches: own.reach.reaches,
-                margin: own.margin,
-                rank,
+                margin: own.margin.map(|margin| margin.value),
+                margin_error: own.margin.map(|margin| margin.error),
+                rank: place.and_then(|place| place.rank),
+                tied: place.map(|place| place.tied),
                 knock: own.is_within,
                 end: own.reach.end.words(sweep),
             }
@@ -230,8 +271,8 @@ impl ToldMargins {
             key: sweep.path.clone(),
             unit: any_key(&sweep.path, sweep.dimension).unit,
             own: Some(found.own).filter(|own| own.is_finite()),
-            largest: margins().reduce(f64::max),
-            unknown: found.onsets.len() - margins().count(),
+            largest: known().reduce(f64::max),
+            unknown: found.onsets.len() - known().count(),
             knock: is_within.then_some(true),
             knock_reason: match (is_within, found.onsets.is_empty()) {
                 (true, _) => "",
@@ -272,5 +313,24 @@ impl ToldMargins {
             !has_error || !own.reach.end.is_whole() && !matches!(own.reach.end, MarginEnd::Range)
         };
         found.onsets.iter().filter(is_missing).count()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn margins_that_their_errors_do_not_part_share_a_place() {
+        let all = [(0.3, 0.02), (0.27, 0.02), (0.24, 0.02), (0.1, 0.01), (0.2, f64::NAN)];
+        let all = all.map(|(value, error)| Some(KnownMargin { value, error }));
+        let places = all.map(|own| own.map(|own| own.place(&all)).map(|own| (own.rank, own.tied)));
+        // the first and the third are parted, the one between them from neither; of the last nothing is known
+        let expected = [(Some(1), 2), (Some(1), 3), (Some(2), 2), (Some(4), 1), (None, 4)];
+        assert_eq!(places, expected.map(Some));
+        let exact = [Some(KnownMargin { value: 0.0, error: 0.0 }); 2];
+        assert!(
+            exact.iter().flatten().all(|own| own.place(&exact) == MarginPlace { rank: Some(1), tied: 1 })
+        );
     }
 }

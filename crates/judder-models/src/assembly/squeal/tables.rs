@@ -56,10 +56,25 @@ fn margins(results: &Map<String, Value>) -> Option<PageTable> {
     let margins = results.get("margin")?;
     let mut onsets: Vec<&Value> = margins["onsets"].as_array()?.iter().collect();
     onsets.sort_by_key(|own| own["rank"].as_u64().unwrap_or(u64::MAX));
-    let keys = ["onset", "frequency_hz", "mode", "fold", "fold_error", "reaches", "margin", "knock", "end"];
+    let keys = [
+        "rank",
+        "tied",
+        "onset",
+        "frequency_hz",
+        "mode",
+        "fold",
+        "fold_error",
+        "reaches",
+        "margin",
+        "margin_error",
+        "knock",
+        "end",
+    ];
     let row = |own: &&Value| keys.map(|key| words(&own[key])).to_vec();
     let [key, unit] = ["key", "unit"].map(|name| margins[name].as_str().unwrap_or_default());
     let heads = [
+        "place",
+        "not told from so many others",
         "onset",
         "frequency (Hz)",
         "mode",
@@ -67,6 +82,7 @@ fn margins(results: &Map<String, Value>) -> Option<PageTable> {
         "fold may be off",
         "cycles reach",
         "margin",
+        "margin may be off",
         "knock in the case",
         "the branch",
     ];

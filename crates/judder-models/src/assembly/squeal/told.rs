@@ -78,10 +78,12 @@ pub(super) struct SquealingMode {
     /// how far before the onset of the mode a knock suffices, of the value of the key there
     #[result(unit = "1")]
     margin: Option<f64>,
-    /// its place from the largest margin on
+    /// its place from the largest margin on, one more than those that are larger whatever they may be off; none where it is not known what it may be off itself
     rank_by_margin: Option<usize>,
     #[result(hidden, column = "rank_by_margin")]
     place_by_margin: Option<f64>,
+    /// margins of other modes that may be larger as well as smaller, for what they may be off
+    tied_by_margin: Option<usize>,
     /// frequency of the mode about steady sliding
     #[result(summary = "mode_frequency_hz", unit = "Hz")]
     pub(super) mode_frequency: f64,
@@ -156,6 +158,7 @@ pub(super) fn ranked(modes: &[SoughtMode]) -> Vec<SquealingMode> {
             margin: None,
             rank_by_margin: None,
             place_by_margin: None,
+            tied_by_margin: None,
             mode_frequency: value.im / TAU,
             growth_rate: value.re,
             frequency,
@@ -207,12 +210,15 @@ impl ToldSqueal {
     ) -> Self {
         let of_modes = found.of_modes(self.modes.len());
         for (mode, own) in self.modes.iter_mut().zip(of_modes) {
-            mode.margin = own.map(|(margin, _)| margin);
-            mode.rank_by_margin = own.map(|(_, rank)| rank);
-            mode.place_by_margin = own.map(|(_, rank)| rank as f64);
+            let place = own.map(|(_, place)| place);
+            mode.margin = own.map(|(margin, _)| margin.value);
+            mode.rank_by_margin = place.and_then(|own| own.rank);
+            mode.place_by_margin = mode.rank_by_margin.map(|rank| rank as f64);
+            mode.tied_by_margin = place.map(|own| own.tied);
         }
         Self { margin: Some(ToldMargins::new(asked, sweep, found)), ..self }
     }
+
     /// That of all cycles found no motion comes to any.
     pub(super) fn all_unstable(&self) -> Option<String> {
         let cycles = || self.modes.iter().filter(|mode| mode.frequency.is_some());

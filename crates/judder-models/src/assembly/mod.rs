@@ -5,6 +5,7 @@
 //! - `interface_error`: what interface modes cost.
 //! - `swept`: steady sliding and small motions about it at any values of keys.
 //! - `meant_mode`: which mode about steady sliding an analysis means.
+//! - `periodic`: what has periodic motions that can be computed, with how many harmonics.
 //! - `cycles_along_key`: the first cycle of a mode along a key, and the branch through it.
 //! - `branch_checks`: what is checked of such a branch.
 //! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`, `spectrogram`, `limit_cycle`, `squeal`, `bifurcation`, `frequency_response`.
@@ -23,6 +24,7 @@ mod interface_error;
 pub mod limit_cycle;
 pub mod march;
 mod meant_mode;
+mod periodic;
 pub mod spectrogram;
 pub mod squeal;
 pub mod stability_map;

@@ -6,20 +6,18 @@ use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::contact::SurfaceOf;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::march::driven::settings::{item, items};
+use crate::assembly::periodic::admits_periodic;
 use crate::error::ModelError;
 use judder_cycles::balance::HarmonicForce;
 use judder_cycles::forced::{ResponseSettings, StepMeasure};
 use judder_cycles::path::PathRule;
-use judder_cycles::receptance::check_size;
 use judder_cycles::series::Series;
 use judder_keys::Settings;
 use judder_keys::declared::{Number, NumberPair, Settings as _, Several, Whole, all};
 use judder_keys::dimension::Dimension;
 use judder_keys::error::Fault;
-use judder_keys::memory::Memory;
 use judder_keys::problem::Placed;
 use judder_keys::section::Section;
-use judder_nonsmooth::contact::ContactPoints;
 use judder_structure::freedom::Direction;
 use judder_study::model::Refusal;
 use num_complex::Complex64;
@@ -95,10 +93,6 @@ const SEVERAL: Several<()> = Several { of: (), length: [1, usize::MAX] };
 const STEPS: f64 = 200.0;
 /// Of the largest forces so far: the first, the longest and the shortest step.
 const PACE: [f64; 3] = [0.01, 0.05, 1e-8];
-/// Dense matrices of all unknowns that a step of Newton's method holds.
-const MATRICES: usize = 5;
-/// What they may take.
-const LIMIT: Memory = Memory::DEFAULT;
 
 impl FrequencyResponse {
     /// Reads a response of a case, whose structures are known where it is.
@@ -143,13 +137,6 @@ impl FrequencyResponse {
         if let Err(refusal) = of.touches() {
             return Ok(Err(refusal));
         }
-        if let Some(travelling) = of.built.travelling.first() {
-            let name = &of.built.assembly.interfaces[travelling.interface].name;
-            let reason = format!(
-                "the points of the contact `{name}` travel along their track: no motion repeats itself there"
-            );
-            return refused("", reason);
-        }
         if of.built.watched.is_empty() {
             let reason = "nothing is observed: a response is told of the points of `[observe]`, such as points = [{ name = \"tip\", structure = \"…\", set = \"…\" }]";
             return refused("", reason.to_owned());
@@ -157,20 +144,7 @@ impl FrequencyResponse {
         if let Err(Unassembled { path, cause }) = self.force(of) {
             return Ok(Err(Refusal::key(path, *cause)));
         }
-        if let Err(error) = check_size(&of.built.assembly) {
-            return refused("", error.to_string());
-        }
-        let components = ContactPoints::new(&of.built.assembly, &[])?.rows.len();
-        let unknowns = components * (2 * self.harmonics + 1);
-        let taken = Memory { bytes: (8 * MATRICES * unknowns * unknowns) as u64 };
-        if taken > LIMIT {
-            let reason = format!(
-                "{} harmonics of {components} components of contact forces are {unknowns} unknowns, whose matrices take {taken}, more than {LIMIT}",
-                self.harmonics,
-            );
-            return refused("harmonics", reason);
-        }
-        Ok(Ok(()))
+        admits_periodic(of, Some(self.harmonics))
     }
 
     /// What swings, on the freedoms.

@@ -3,20 +3,17 @@
 use super::start::CycleStart;
 use crate::assembly::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
-use crate::assembly::case::problem::AssemblyProblem;
+use crate::assembly::periodic::{admits_periodic, largest_count};
 use crate::error::ModelError;
 use judder_cycles::backbone::BackboneSettings;
 use judder_cycles::cycle::{CycleSettings, HarmonicCount};
-use judder_cycles::receptance::check_size;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Number, Settings as _, Whole};
 use judder_keys::dimension::Dimension;
 use judder_keys::error::Fault;
-use judder_keys::memory::Memory;
 use judder_keys::numeric_key::Range;
 use judder_keys::section::Section;
 use judder_keys::{Choice, Settings};
-use judder_nonsmooth::contact::ContactPoints;
 use judder_study::model::Refusal;
 
 /// The limit cycle of a mode.
@@ -89,10 +86,6 @@ const LEFT_OUT: Number =
 /// What may be left out where the case does not say, and the most harmonics then.
 const SHARE: f64 = 0.01;
 const MOST: usize = 40;
-/// Dense matrices of all unknowns that a step of Newton's method holds.
-const MATRICES: usize = 5;
-/// What they may take.
-const LIMIT: Memory = Memory::DEFAULT;
 
 impl ModeCycle {
     /// Reads a cycle of a case, whose folder is known where it is.
@@ -149,32 +142,9 @@ pub(in crate::assembly) fn admits_cycles(
     of: &AssemblySubject<'_>,
     harmonics: Option<usize>,
 ) -> Result<Result<(), Refusal>, ModelError> {
-    if let Err(refusal) = of.touches().and_then(|()| of.slides()) {
-        return Ok(Err(refusal));
-    }
-    let refused = |key, reason| Ok(Err(Refusal::key(key, AssemblyProblem::Refused { reason })));
-    if let Some(travelling) = of.built.travelling.first() {
-        let name = &of.built.assembly.interfaces[travelling.interface].name;
-        let reason = format!(
-            "the points of the contact `{name}` travel along their track: no motion repeats itself there"
-        );
-        return refused("", reason);
-    }
-    if let Err(error) = check_size(&of.built.assembly) {
-        return refused("", error.to_string());
-    }
-    let components = components(of)?;
-    let most = largest_count(components);
-    match harmonics {
-        Some(count) if count > most => {
-            let unknowns = components * (2 * count + 1);
-            let taken = Memory { bytes: (8 * MATRICES * unknowns * unknowns) as u64 };
-            let reason = format!(
-                "{count} harmonics of {components} components of contact forces are {unknowns} unknowns, whose matrices take {taken}, more than {LIMIT}: give up to {most}"
-            );
-            refused("harmonics", reason)
-        }
-        _ => Ok(Ok(())),
+    match of.touches().and_then(|()| of.slides()) {
+        Ok(()) => admits_periodic(of, harmonics),
+        Err(refusal) => Ok(Err(refusal)),
     }
 }
 
@@ -199,15 +169,4 @@ fn meaningless(
         }
         _ => Ok(()),
     }
-}
-
-/// The most harmonics of so many components whose equations fit into memory.
-fn largest_count(components: usize) -> usize {
-    let unknowns = (LIMIT.bytes as f64 / (8 * MATRICES) as f64).sqrt();
-    ((unknowns / components.max(1) as f64 - 1.0) / 2.0).floor().max(1.0) as usize
-}
-
-/// Components of all contact points: two each in the plane, three in space.
-pub(in crate::assembly) fn components(of: &AssemblySubject<'_>) -> Result<usize, ModelError> {
-    Ok(ContactPoints::new(&of.built.assembly, &[])?.rows.len())
 }

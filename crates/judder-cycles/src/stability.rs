@@ -63,7 +63,7 @@ const MOST: usize = 400;
 /// Steps of a period at first, and at most.
 pub const FLOQUET_STEPS: [usize; 2] = [256, 4096];
 /// How many times the harmonics of a motion its multipliers are looked at with besides.
-const WIDER: usize = 4;
+pub const FLOQUET_WIDER: usize = 4;
 /// A change from half as many steps that is small enough.
 const ENOUGH: f64 = 1e-3;
 
@@ -147,7 +147,7 @@ pub fn floquet_multipliers(
         }
     }
     // so do those of the motion under the forces that the laws make of it: a stick or a turn that harmonics alone show may change all of them
-    let (wide, unknown) = balance.with_left_out(&cycle.unknown, cycle.turning, WIDER)?;
+    let (wide, unknown) = balance.with_left_out(&cycle.unknown, cycle.turning, FLOQUET_WIDER)?;
     let beside = PeriodicMotion { unknown, ..cycle.clone() };
     let other = with_steps(&wide, &beside, found.steps, go_on)?;
     found.error = found.error.max(apart(&found.values, &other.values));

@@ -10,6 +10,7 @@ mod told;
 
 use super::AssemblySubject;
 use super::limit_cycle::settings::{LOWEST, MODES, admits_cycles, no_mode_is_meant};
+use super::limit_cycle::stability::multipliers_estimated;
 use super::limit_cycle::start::CycleStart;
 use super::swept::SWEPT;
 use crate::assembly::case::AssemblyCase;
@@ -111,11 +112,15 @@ impl Analysis<AssemblyCase> for CycleDiagram {
         ToldCycleBranch::declared()
     }
 
-    fn estimate(&self, _: &AssemblySubject<'_>) -> Result<String, ModelError> {
+    fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {
         let path = &self.sweep.path;
         let harmonics = self.harmonics;
+        let multipliers = match multipliers_estimated(of, self.stability, None) {
+            words if words.is_empty() => words,
+            words => format!("{words}, for each of up to {} cycles", 2 * self.cycles),
+        };
         Ok(format!(
-            "limit cycles along {path} with {harmonics} harmonics, and each of its folds once more with {}",
+            "limit cycles along {path} with {harmonics} harmonics, and each of its folds once more with {}{multipliers}",
             FOLD_REFINEMENT * harmonics
         ))
     }

@@ -56,7 +56,7 @@ impl Analysis<AssemblyCase> for FrequencyResponse {
     fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {
         let points: usize = of.built.nodes.iter().map(Vec::len).sum();
         let [from, to] = self.frequency.map(|own| short(own / TAU));
-        let multipliers = match multipliers_estimated(of, self.stability, run::ROWS) {
+        let multipliers = match multipliers_estimated(of, self.stability, Some(run::ROWS)) {
             words if words.is_empty() => words,
             words => format!("{words} for each of up to {} motions", self.points),
         };

@@ -68,7 +68,7 @@ impl Analysis<AssemblyCase> for ModeCycle {
 
     fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {
         let points: usize = of.built.nodes.iter().map(Vec::len).sum();
-        let multipliers = multipliers_estimated(of, self.solver.stability, HILL_ROWS);
+        let multipliers = multipliers_estimated(of, self.solver.stability, Some(HILL_ROWS));
         if let Some(start) = &self.start {
             let words = start.words();
             return Ok(format!("the limit cycle {words} with {points} contact points{multipliers}"));

@@ -5,8 +5,8 @@ use crate::error::ModelError;
 use judder_cycles::backbone::PeriodicMotion;
 use judder_cycles::balance::HarmonicBalance;
 use judder_cycles::stability::{
-    CircleCrossing, CycleStability, FLOQUET_STEPS, FloquetMultipliers, HillMultipliers, HillRefusal,
-    floquet_multipliers, hill_multipliers,
+    CircleCrossing, CycleStability, FLOQUET_STEPS, FLOQUET_WIDER, FloquetMultipliers, HillMultipliers,
+    HillRefusal, floquet_multipliers, hill_multipliers,
 };
 use judder_store::{Dataset, Variable};
 use judder_study::Progress;
@@ -200,20 +200,21 @@ fn with_phase(values: &[Complex64], phase: Option<Complex64>) -> Vec<Complex64> 
     all
 }
 
-/// What the multipliers of a motion are reckoned from, in words; nothing where they are not asked for.
+/// What the multipliers of a motion are reckoned from, in words, with Hill's method up to so many rows where it is asked; nothing where they are not asked for.
 pub(in crate::assembly) fn multipliers_estimated(
     of: &AssemblySubject<'_>,
     is_asked: bool,
-    rows: usize,
+    hill_rows: Option<usize>,
 ) -> String {
-    let ([least, most], motions) = (FLOQUET_STEPS, 2 * of.built.assembly.size());
-    match is_asked {
-        true => format!(
-            ", Floquet multipliers by {} to {most} steps of up to {motions} small motions and by Hill's method up to {rows} rows",
-            2 * least,
-        ),
-        false => String::new(),
+    if !is_asked {
+        return String::new();
     }
+    let ([least, most], motions) = (FLOQUET_STEPS, 2 * of.built.assembly.size());
+    let hill = hill_rows.map_or_else(String::new, |rows| format!(", and by Hill's method up to {rows} rows"));
+    format!(
+        ", Floquet multipliers by {} to {most} steps of up to {motions} small motions, once more with {FLOQUET_WIDER} times the harmonics{hill}",
+        2 * least,
+    )
 }
 
 /// Whether motions along a branch are stable, and their largest multipliers where they are known, with what the largest may be off.

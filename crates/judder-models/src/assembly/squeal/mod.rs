@@ -20,6 +20,7 @@ use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::limit_cycle::stability::multipliers_estimated;
 use crate::error::ModelError;
+use judder_cycles::fold::FOLD_REFINEMENT;
 use judder_cycles::stability::HILL_ROWS;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
@@ -79,13 +80,17 @@ impl Analysis<AssemblyCase> for AssemblySqueal {
         let [from, to] = self.band.map(|omega| short(omega / TAU));
         let margins = self.margin_sweep().map_or_else(String::new, |sweep| {
             let (path, values) = (&sweep.path, sweep.values.len());
-            format!("; modes at {values} values of {path}, and a branch of cycles from each onset")
+            let harmonics = self.margin_harmonics();
+            let more = FOLD_REFINEMENT * harmonics;
+            format!(
+                "; modes at {values} values of {path}, and a branch of cycles with {harmonics} harmonics from each onset, its fold once more with {more}"
+            )
         });
         let knocks = self.knocks.as_ref().map_or_else(String::new, |own| {
             let steps = (own.duration / own.step).ceil();
             format!("; {} knocks of {steps} steps each", own.samples)
         });
-        let multipliers = multipliers_estimated(of, self.solver.stability, HILL_ROWS);
+        let multipliers = multipliers_estimated(of, self.solver.stability, Some(HILL_ROWS));
         Ok(format!(
             "the limit cycles of the modes from {from} to {to} Hz that grow, with {points} contact points{multipliers}{margins}{knocks}"
         ))

@@ -123,6 +123,58 @@ impl Quantity {
     }
 }
 
+/// A unit as a case file writes it, in which values that vary are shown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WrittenUnit {
+    /// As written, `mm/s`; empty of plain numbers.
+    pub name: String,
+    /// One of it in SI units, beside its zero.
+    factor: f64,
+    /// Its zero in SI units, which only that of degrees Celsius is not.
+    zero: f64,
+}
+
+impl WrittenUnit {
+    /// That of a quantity such as `"30 mm/s"`; `None` where the text is no quantity.
+    pub fn of(text: &str) -> Option<Self> {
+        let text = text.trim();
+        let (_, length) = leading_number(text)?;
+        Self::called(text[length..].trim())
+    }
+
+    /// The unit of this name; `None` where there is none.
+    pub fn called(name: &str) -> Option<Self> {
+        let of = |number: u8| Quantity::parse(&format!("{number} {name}")).ok().map(|own| own.number);
+        let (zero, one) = (of(0)?, of(1)?);
+        Some(Self { name: name.to_owned(), factor: one - zero, zero })
+    }
+
+    /// That in which values are kept.
+    pub fn si(dimension: Dimension) -> Self {
+        let name = if dimension.is_number() { String::new() } else { dimension.unit() };
+        Self { name, factor: 1.0, zero: 0.0 }
+    }
+
+    /// A value in SI units, in this one.
+    pub fn value(&self, si: f64) -> f64 {
+        self.difference(si - self.zero)
+    }
+
+    /// By how much values in SI units differ, in this one.
+    pub fn difference(&self, si: f64) -> f64 {
+        let own = si / self.factor;
+        // 0.03 m/s is 30 mm/s, and not what rounding makes of it
+        let rounded = || format!("{own:.12e}").parse().unwrap_or(own);
+        if self.factor == 1.0 && self.zero == 0.0 { si } else { rounded() }
+    }
+
+    /// A value in SI units in words, with the unit.
+    pub fn text(&self, si: f64) -> String {
+        let value = self.value(si);
+        if self.name.is_empty() { value.to_string() } else { format!("{value} {}", self.name) }
+    }
+}
+
 /// The decimal number with which `text` begins, and its length in bytes; infinite where it exceeds `f64`.
 pub fn leading_number(text: &str) -> Option<(f64, usize)> {
     let bytes = text.as_bytes();
@@ -341,5 +393,20 @@ mod tests {
         fn a_number_in_si_units_comes_back(number in proptest::num::f64::NORMAL) {
             prop_assert_eq!(Quantity::parse(&format!("{number:e} N/m")).unwrap().number, number);
         }
+    }
+
+    #[test]
+    fn values_are_shown_in_the_unit_in_which_they_were_written() {
+        for (written, si, shown) in [
+            ("30 mm/s", 0.03, "30 mm/s"),
+            ("1.5", 0.25, "0.25"),
+            ("20 °C", 293.15, "20 °C"),
+            ("2e9 N/m^3", 2.5e9, "2500000000 N/m^3"),
+            ("45 deg", PI / 6.0, "30 deg"),
+        ] {
+            assert_eq!(WrittenUnit::of(written).unwrap().text(si), shown);
+        }
+        assert!((WrittenUnit::called("°C").unwrap().difference(3.0) - 3.0).abs() < 1e-12);
+        assert!(WrittenUnit::of("30 furlong").is_none() && WrittenUnit::of("mm").is_none());
     }
 }

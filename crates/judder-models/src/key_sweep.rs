@@ -7,10 +7,11 @@ use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node, STEPS_LIMIT};
 use judder_keys::error::Fault;
 use judder_keys::problem::{Placed, Problem};
-use judder_keys::quantity::Quantity;
+use judder_keys::quantity::{Quantity, WrittenUnit};
 use judder_keys::section::Section;
-use judder_study::case::key_sweep::{AnyNumber, VariedKey, of_one_dimension, shown, written};
+use judder_study::case::key_sweep::{AnyNumber, Ends, VariedKey, of_one_dimension, written};
 use judder_study::case::scale::{Spacing, spaced};
+use judder_study::report_tables::short;
 use serde_json::{Value as Json, json};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -41,12 +42,19 @@ pub struct KeySweep {
     pub dimension: Dimension,
     /// How they are spaced, for the axis of figures.
     pub scale: Spacing,
+    /// In which unit the case has them, and they are shown.
+    pub unit: WrittenUnit,
 }
 
 impl KeySweep {
     /// A value with its unit.
     pub fn text(&self, value: f64) -> String {
-        shown(value, self.dimension)
+        self.unit.text(value)
+    }
+
+    /// The name of the unit in which values are shown; `1` of plain numbers.
+    pub fn shown_unit(&self) -> String {
+        if self.unit.name.is_empty() { "1".to_owned() } else { self.unit.name.clone() }
     }
 
     /// A value as a case file would have it.
@@ -130,6 +138,47 @@ impl KeySweep {
     }
 }
 
+/// The key under which a summary and an array say in which unit their values are shown.
+pub(crate) const SHOWN_UNIT: &str = "shown_unit";
+
+/// Values of a key as tables and figures show them: in the unit in which the case has them.
+pub(crate) struct ShownValues(WrittenUnit);
+
+impl ShownValues {
+    /// In the unit of this name, of a result that names none in SI units.
+    pub(crate) fn called(name: Option<&str>) -> Self {
+        Self(name.and_then(WrittenUnit::called).unwrap_or_else(|| WrittenUnit::si(Dimension::NUMBER)))
+    }
+
+    /// As a table or an entry of a summary says.
+    pub(crate) fn of(told: &Json) -> Self {
+        Self::called(told[SHOWN_UNIT].as_str())
+    }
+
+    /// A value of a summary.
+    pub(crate) fn value(&self, own: &Json) -> String {
+        short(&own.as_f64().map_or(Json::Null, |own| json!(self.0.value(own))))
+    }
+
+    /// A difference of values of a summary.
+    pub(crate) fn difference(&self, own: &Json) -> String {
+        short(&own.as_f64().map_or(Json::Null, |own| json!(self.0.difference(own))))
+    }
+
+    /// The values of an array.
+    pub(crate) fn values(&self, own: &[f64]) -> Vec<f64> {
+        own.iter().map(|own| self.0.value(*own)).collect()
+    }
+
+    /// A key with the unit.
+    pub(crate) fn head(&self, key: &str) -> String {
+        match self.0.name.as_str() {
+            "" | "1" => key.to_owned(),
+            unit => format!("{key} ({unit})"),
+        }
+    }
+}
+
 /// What a case was read from, to read it anew with other values.
 pub(crate) struct Origin {
     root: Node,
@@ -155,6 +204,12 @@ impl Origin {
             }
             _ => None,
         }
+    }
+
+    /// The unit in which the case gives a number at a dotted path.
+    pub(crate) fn unit(&self, path: &str) -> Option<WrittenUnit> {
+        let node = path.split('.').try_fold(&self.root, |node, step| node.step(step))?;
+        self.number(path).map(|(_, dimension)| unit_of(Some(node), dimension))
     }
 
     /// The dotted paths of all numbers that the case gives, items of lists by their names.
@@ -220,12 +275,23 @@ impl Origin {
     }
 }
 
+/// The unit in which a number of this dimension is written.
+fn unit_of(node: Option<&Node>, dimension: Dimension) -> WrittenUnit {
+    let written = node.and_then(|node| match &node.data {
+        Data::Text(text) => WrittenUnit::of(text),
+        _ => None,
+    });
+    written.unwrap_or_else(|| WrittenUnit::si(dimension))
+}
+
 fn of_list(path: &str, node: &Node, values: &[AnyNumber]) -> Result<KeySweep, Fault> {
     let (values, _, dimension) = of_one_dimension("sweep.values", node, values, 2)?;
     if !values.is_sorted_by(|a, b| a < b) && !values.is_sorted_by(|a, b| a > b) {
         return Err(StructureProblem::UnsortedValues.at(node.place));
     }
-    Ok(KeySweep { path: path.to_owned(), values, dimension, scale: Spacing::Linear })
+    let first = if let Data::List(nodes) = &node.data { nodes.first() } else { None };
+    let unit = unit_of(first, dimension);
+    Ok(KeySweep { path: path.to_owned(), values, dimension, scale: Spacing::Linear, unit })
 }
 
 fn of_range(varied: &VariedKey<SWEEP_LIMIT>, table: &Section<'_>) -> Result<KeySweep, Fault> {
@@ -235,7 +301,9 @@ fn of_range(varied: &VariedKey<SWEEP_LIMIT>, table: &Section<'_>) -> Result<KeyS
     let (ends, points) = both(varied.ends(table), points)?;
     let points = points as u64;
     let values = (0..points).map(|index| spaced(ends.values, points, ends.scale, index)).collect();
-    Ok(KeySweep { path: varied.key.clone(), values, dimension: ends.dimension, scale: ends.scale })
+    let Ends { dimension, scale, .. } = ends;
+    let unit = unit_of(table.get("from"), dimension);
+    Ok(KeySweep { path: varied.key.clone(), values, dimension, scale, unit })
 }
 
 /// What can be wrong with a sweep of any number of a case.

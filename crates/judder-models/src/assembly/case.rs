@@ -39,6 +39,7 @@ use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::file_reference::FileReference;
 use judder_keys::problem::Placed;
+use judder_keys::quantity::WrittenUnit;
 use judder_keys::schema::object;
 use judder_keys::section::Section;
 use judder_study::case::analysis::{Planned, read_analyses};
@@ -175,6 +176,11 @@ impl AssemblyCase {
     /// A number that the case gives at a dotted path, in SI units, with its dimension.
     pub(super) fn number(&self, path: &str) -> Option<(f64, Dimension)> {
         self.origin.number(path)
+    }
+
+    /// The unit in which the case gives it.
+    pub(super) fn unit(&self, path: &str) -> Option<WrittenUnit> {
+        self.origin.unit(path)
     }
 
     /// The dotted paths of all numbers that the case gives, items of lists by their names.

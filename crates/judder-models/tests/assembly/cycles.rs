@@ -204,13 +204,22 @@ fn cycles_along_a_key_shrink_to_steady_sliding_at_the_onset() {
 fn a_cycle_that_shrinks_with_the_speed_tells_no_onset() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small/assembly-cycle.toml");
     let sweep =
-        "{ key = \"contact.sole.sliding.velocity\", from = \"0.01 m/s\", to = \"2 m/s\", points = 10 }";
+        "{ key = \"contact.sole.sliding.velocity\", from = \"10 mm/s\", to = \"2 m/s\", points = 10 }";
     let file = judder_models::read(path, &[format!("analysis.less-friction.sweep={sweep}")]).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let report = run_into(folder.path(), &file, &["less-friction"]);
     let told = &report.summary.results["less-friction"];
     assert!(numbers(&told["hopf_points"]).is_empty(), "{told:?}");
-    assert!(across(&file, folder.path()).iter().all(|own| matches!(own.scale, Scale::Linear)));
+    let axes = across(&file, folder.path());
+    assert!(axes.iter().all(|own| matches!(own.scale, Scale::Linear)));
+    // values are told in SI units, and shown as the case has them
+    assert!(
+        told["unit"] == "m/s"
+            && told["shown_unit"] == "mm/s"
+            && numbers(&told["value"]).iter().all(|own| *own <= 2.0)
+    );
+    assert!(axes.iter().all(|own| own.label == "contact.sole.sliding.velocity (mm/s)"), "{axes:?}");
+    assert!(report.messages.iter().all(|own| !own.contains("velocity = 0.")), "{:?}", report.messages);
     assert_eq!(told["ends"][0], "shrinks below 2 % of its largest amplitude");
     assert!(report.messages.iter().any(|own| own.contains("no eigenvalue begins to grow there")));
 }

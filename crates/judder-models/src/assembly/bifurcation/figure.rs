@@ -1,10 +1,11 @@
 //! Limit cycles along a key: stable solid, unstable dashed.
 
+use crate::key_sweep::{SHOWN_UNIT, ShownValues};
 use judder_report::palette::Style;
 use judder_report::runs::through;
 use judder_report::{Layer, Legend, Panel, Role};
 use judder_store::Dataset;
-use judder_study::pictures::{axis, codes, reals};
+use judder_study::pictures::{axis, codes, reals, text};
 
 /// How a cycle is drawn, by the code of its stability.
 const KINDS: [(u8, &str); 3] =
@@ -16,7 +17,7 @@ pub(super) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
 }
 
 /// The bifurcations that there are, a kind a marker.
-fn marked(dataset: &Dataset, name: &str) -> Vec<Layer> {
+fn marked(dataset: &Dataset, name: &str, shown: &ShownValues) -> Vec<Layer> {
     let (Some(value), Some(up), Some(kinds)) = (
         reals(dataset, "bifurcation_value"),
         reals(dataset, &format!("bifurcation_{name}")),
@@ -24,21 +25,25 @@ fn marked(dataset: &Dataset, name: &str) -> Vec<Layer> {
     ) else {
         return Vec::new();
     };
+    let value = shown.values(value);
     let of = |(code, label): (u8, &'static str)| {
         let own = || (0..kinds.len()).filter(|k| kinds[*k] == code);
         let pick = |all: &[f64]| own().map(|k| all[k]).collect::<Vec<f64>>();
-        (own().count() > 0)
-            .then(|| Layer::points(label, pick(value), pick(up), Role::Series(usize::from(code) + 1).solid()))
+        (own().count() > 0).then(|| {
+            Layer::points(label, pick(&value), pick(up), Role::Series(usize::from(code) + 1).solid())
+        })
     };
     (0..).zip(super::named::KINDS).filter_map(of).collect()
 }
 
 fn over_key(dataset: &Dataset, name: &str) -> Option<Panel> {
     let (value, up) = (reals(dataset, "value")?, reals(dataset, name)?);
-    let stable = codes(dataset, "stable")?;
+    let (key, stable) = (dataset.variable("value")?, codes(dataset, "stable")?);
+    let shown = ShownValues::called(text(key, SHOWN_UNIT));
+    let value = shown.values(value);
     let of = |code: u8| {
         // a stretch between unlike cycles is drawn as the one after it
-        let (x, y) = through(value, up, |k| stable[k + 1] == code);
+        let (x, y) = through(&value, up, |k| stable[k + 1] == code);
         let style = match code {
             1 => Role::FullBoundary.solid(),
             0 => Role::FullBoundary.dashed(),
@@ -50,7 +55,10 @@ fn over_key(dataset: &Dataset, name: &str) -> Option<Panel> {
         let (x, y, style) = of(*code);
         (!x.is_empty()).then(|| Layer::line(*label, x, y, style))
     });
-    let layers = layers.chain(marked(dataset, name));
-    let (across, upwards) = (axis(dataset.variable("value")?), axis(dataset.variable(name)?));
+    let layers = layers.chain(marked(dataset, name, &shown));
+    let (mut across, upwards) = (axis(key), axis(dataset.variable(name)?));
+    if text(key, SHOWN_UNIT).is_some_and(|unit| unit != "1") {
+        across.label = shown.head(&key.long_name);
+    }
     Some(Panel::new(across, upwards, layers.collect()).with_legend(Legend::Below))
 }

@@ -1,5 +1,6 @@
 //! The bifurcations of a branch in the report.
 
+use crate::key_sweep::{SHOWN_UNIT, ShownValues};
 use judder_report::page::PageTable;
 use judder_study::report_tables::{listed, short};
 use serde_json::{Map, Value};
@@ -11,10 +12,8 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     else {
         return Vec::new();
     };
-    let key = match told("unit") {
-        "" | "1" => told("key").to_owned(),
-        unit => format!("{} ({unit})", told("key")),
-    };
+    let shown = ShownValues::called(results.get(SHOWN_UNIT).and_then(Value::as_str));
+    let key = shown.head(told("key"));
     let heads = ["", &key, "may be off", "between", "frequency (Hz)", "velocity along the slip, rms (m/s)"];
     let harmonics = short(results.get("harmonics").unwrap_or(&Value::Null));
     let caption = format!(
@@ -22,9 +21,9 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     );
     let row = |_, own: &Value| {
         let kind = own["kind"].as_str().unwrap_or_default().to_owned();
-        let [value, error, frequency, rms] =
-            ["value", "error", "frequency_hz", "rms"].map(|name| short(&own[name]));
-        let between = format!("{} … {}", short(&own["between"][0]), short(&own["between"][1]));
+        let (value, error) = (shown.value(&own["value"]), shown.difference(&own["error"]));
+        let [frequency, rms] = ["frequency_hz", "rms"].map(|name| short(&own[name]));
+        let between = format!("{} … {}", shown.value(&own["between"][0]), shown.value(&own["between"][1]));
         vec![kind, value, error, between, frequency, rms]
     };
     vec![listed(&caption, &heads, all, row)]

@@ -4,6 +4,7 @@ use super::CycleDiagram;
 use super::named::{KINDS, NamedBifurcation, hopf_point, named};
 use crate::assembly::limit_cycle::stability::{KnownStability, with_multipliers};
 use crate::error::ModelError;
+use crate::key_sweep::SHOWN_UNIT;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey, CycleBranchEnd};
 use judder_store::{Dataset, Results, Variable};
 use judder_study::labels::{SweptQuantity, any_key};
@@ -30,6 +31,8 @@ pub(super) struct ToldCycleBranch {
     key: String,
     /// its unit
     unit: String,
+    /// the unit in which the case has its values, in which tables and figures show them
+    shown_unit: String,
     /// its value at each cycle, in the order along the branch
     value: Vec<f64>,
     /// the frequency of each cycle, in Hz
@@ -77,6 +80,7 @@ impl ToldCycleBranch {
         Self {
             key: asked.sweep.path.clone(),
             unit: quantity(asked).unit,
+            shown_unit: asked.sweep.shown_unit(),
             value: Vec::new(),
             frequency_hz: Vec::new(),
             rms: Vec::new(),
@@ -159,7 +163,8 @@ pub(super) fn dataset(
                 .units(&quantity.unit)
                 .long_name(&asked.sweep.path)
                 .attribute("label", quantity.label.as_str())
-                .attribute("scale", asked.sweep.scale.name()),
+                .attribute("scale", asked.sweep.scale.name())
+                .attribute(SHOWN_UNIT, asked.sweep.shown_unit()),
         )?
         .with(
             along("rms", all(|own| own.rms))

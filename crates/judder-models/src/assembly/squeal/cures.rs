@@ -6,6 +6,7 @@ use crate::assembly::eigen::band;
 use crate::assembly::swept::{SWEPT, SweptAssembly};
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
+use judder_keys::quantity::WrittenUnit;
 use judder_store::Results;
 use judder_study::Progress;
 use judder_study::case::scale::Spacing;
@@ -50,6 +51,8 @@ struct ToldCure {
     value: f64,
     /// its unit
     unit: String,
+    /// the unit in which the case has it, in which tables show it
+    shown_unit: String,
     /// what the growth rate gains with the number's relative change, in 1/s; none where the mode was not found beside it
     growth_by_change: Option<f64>,
     /// the relative change that takes the growth rate to zero at first order; none where that would take the number below zero
@@ -97,7 +100,9 @@ pub(super) fn cures(
         progress.go_on()?;
         let Some((value, dimension)) = of.case.number(path) else { return Ok(None) };
         let ends = [1.0 - STEP, 1.0 + STEP].map(|factor| factor * value);
-        let sweep = KeySweep { path: path.clone(), values: ends.to_vec(), dimension, scale: Spacing::Linear };
+        let unit = of.case.unit(path).unwrap_or_else(|| WrittenUnit::si(dimension));
+        let (path, values, scale) = (path.clone(), ends.to_vec(), Spacing::Linear);
+        let sweep = KeySweep { path, values, dimension, scale, unit };
         let found = match value == 0.0 {
             true => ToldCure::none(&sweep, value, "it is zero, of which there is no relative change"),
             false => cure(of, &sweep, value, mode),
@@ -226,6 +231,7 @@ impl ToldCure {
             key: sweep.path.clone(),
             value,
             unit: any_key(&sweep.path, sweep.dimension).unit,
+            shown_unit: sweep.shown_unit(),
             growth_by_change: None,
             change: None,
             smooth: None,

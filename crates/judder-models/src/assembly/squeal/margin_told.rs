@@ -175,6 +175,8 @@ pub(super) struct ToldMargins {
     key: String,
     /// its unit
     unit: String,
+    /// the unit in which the case has its values, in which tables show them
+    shown_unit: String,
     /// its value in the case; none where it gives none
     own: Option<f64>,
     /// the largest margin that is known
@@ -270,6 +272,7 @@ impl ToldMargins {
         Self {
             key: sweep.path.clone(),
             unit: any_key(&sweep.path, sweep.dimension).unit,
+            shown_unit: sweep.shown_unit(),
             own: Some(found.own).filter(|own| own.is_finite()),
             largest: known().reduce(f64::max),
             unknown: found.onsets.len() - known().count(),

@@ -14,6 +14,7 @@ use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
+use judder_keys::quantity::WrittenUnit;
 use judder_keys::section::{Section, list, wrong_type};
 use judder_study::case::scale::Spacing;
 use judder_study::case::study_sweep::SEEDS;
@@ -163,6 +164,7 @@ impl Setting for MarginSweep {
                 values: (0..FACTORS).map(|k| k as f64 / (FACTORS - 1) as f64).collect(),
                 dimension: Dimension::NUMBER,
                 scale: Spacing::Linear,
+                unit: WrittenUnit::si(Dimension::NUMBER),
             }),
             Data::Table(_) => Some(KeySweep::read(section, key, node, &MARGIN)?),
             _ => {

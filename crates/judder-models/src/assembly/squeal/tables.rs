@@ -1,6 +1,7 @@
 //! The ranking of modes that grow in the report.
 
 use crate::assembly::meant_mode::mode_at;
+use crate::key_sweep::{SHOWN_UNIT, ShownValues};
 use judder_report::page::PageTable;
 use judder_study::report_tables::short;
 use serde_json::{Map, Value};
@@ -70,8 +71,15 @@ fn margins(results: &Map<String, Value>) -> Option<PageTable> {
         "knock",
         "end",
     ];
-    let row = |own: &&Value| keys.map(|key| words(&own[key])).to_vec();
-    let [key, unit] = ["key", "unit"].map(|name| margins[name].as_str().unwrap_or_default());
+    let shown = ShownValues::of(margins);
+    let cell = |own: &Value, key: &str| match key {
+        _ if own[key].is_null() => String::new(),
+        "onset" | "fold" | "reaches" => shown.value(&own[key]),
+        "fold_error" => shown.difference(&own[key]),
+        _ => words(&own[key]),
+    };
+    let row = |own: &&Value| keys.map(|key| cell(own, key)).to_vec();
+    let along = shown.head(margins["key"].as_str().unwrap_or_default());
     let heads = [
         "place",
         "not told from so many others",
@@ -88,7 +96,7 @@ fn margins(results: &Map<String, Value>) -> Option<PageTable> {
     ];
     let rows: Vec<Vec<String>> = onsets.iter().map(row).collect();
     let head = heads.map(String::from).to_vec();
-    let caption = format!("How far before its onset a knock suffices, along {key} ({unit})");
+    let caption = format!("How far before its onset a knock suffices, along {along}");
     (!rows.is_empty()).then_some(PageTable { caption, head, rows })
 }
 
@@ -137,7 +145,8 @@ fn cures(results: &Map<String, Value>) -> Option<PageTable> {
         let change =
             change.map_or_else(String::new, |own| format!("{:+.1} %", 100.0 * own).replace('-', "−"));
         let rest = ["growth_by_change", "reason"].map(|key| words(&own[key]));
-        [vec![words(&own["key"]), words(&own["value"]), words(&own["unit"]), change], rest.to_vec()].concat()
+        let value = ShownValues::of(own).value(&own["value"]);
+        [vec![words(&own["key"]), value, words(&own[SHOWN_UNIT]), change], rest.to_vec()].concat()
     };
     let heads =
         ["number", "value", "unit", "change that suffices", "growth rate by relative change (1/s)", ""];

@@ -55,22 +55,16 @@ impl BlockTemplate<'_> {
         }
     }
 
-    /// The readings that the verdict is about, each with its head.
-    fn judged<'b>(
+    /// The readings that the verdict is about, or all others, each with its head.
+    fn readings<'b>(
         &self,
         board: &'b Scoreboard,
         claim: &'b Claim,
+        is_judged: bool,
     ) -> impl Iterator<Item = (&'b str, &'b str)> {
-        readings(board, claim).take(board.judged)
-    }
-
-    /// All other readings, likewise.
-    fn others<'b>(
-        &self,
-        board: &'b Scoreboard,
-        claim: &'b Claim,
-    ) -> impl Iterator<Item = (&'b str, &'b str)> {
-        readings(board, claim).skip(board.judged)
+        let all = board.ours.iter().zip(&claim.ours).enumerate();
+        let own = all.filter(move |(k, _)| (*k < board.judged) == is_judged);
+        own.map(|(_, (head, cell))| (head.as_str(), cell.as_str()))
     }
 
     fn has_others(&self, board: &Scoreboard) -> bool {
@@ -89,11 +83,6 @@ impl BlockTemplate<'_> {
             _ => 0,
         }
     }
-}
-
-/// What we find with each reading, beside the head of its reading.
-fn readings<'b>(board: &'b Scoreboard, claim: &'b Claim) -> impl Iterator<Item = (&'b str, &'b str)> {
-    board.ours.iter().zip(&claim.ours).map(|(head, cell)| (head.as_str(), cell.as_str()))
 }
 
 /// The page as one HTML file that asks for nothing outside itself; the same bytes for the same page.

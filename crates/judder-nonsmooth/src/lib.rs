@@ -10,6 +10,7 @@
 //! - [`scheme`]: Moreau–Jean, forward increment Lagrange multipliers, and a smoothed contact to doubt them.
 //! - [`course`]: what speeds, loads and friction are multiplied by over time; [`excitation`]: forces that follow signals.
 //! - [`march`]: a motion, step by step, with its balance of energy.
+//! - [`energy`]: its mechanical energy about steady sliding, and how that falls.
 //! - [`statistics`]: what its points do on average. [`mode_share`], [`growth`]: how much of a mode a motion has, and how that grows.
 
 pub mod bodies;
@@ -17,6 +18,7 @@ pub mod contact;
 pub mod contact_problem;
 pub mod course;
 mod elimination;
+pub mod energy;
 mod error;
 pub mod excitation;
 pub mod gauss_seidel;

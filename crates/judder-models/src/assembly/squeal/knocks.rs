@@ -1,12 +1,12 @@
 //! The basin of steady sliding by knocks: impulses at an observed point, marched until it is clear what becomes of them.
 
-use super::knock_energy::EnergyAboutSliding;
 use super::settings::Knocks;
 use crate::assembly::AssemblySubject;
 use crate::assembly::march::settings::SchemeWord;
 use crate::error::ModelError;
 use judder_assembly::row::Row;
 use judder_assembly::steady::SteadySliding;
+use judder_nonsmooth::energy::{EnergyAboutSliding, EnergyWindows};
 use judder_nonsmooth::march::NonsmoothMarch;
 use judder_numerics::counter::uniform;
 use judder_numerics::share::wilson;
@@ -26,14 +26,12 @@ const SETTLES: u8 = 0;
 const VIBRATES: u8 = 1;
 const OPEN: u8 = 2;
 
-/// The share of the duration from which on energies are compared, and the windows into which the rest is parted.
+/// The share of the duration from which on energies are compared.
 const FROM: f64 = 0.6;
-const WINDOWS: usize = 16;
 /// What of the energy of the first half of them is left in the second at most where a motion settles, and of its energy at first at most where it has settled.
 const KEEPS: f64 = 0.95;
 const GONE: f64 = 1e-6;
-/// Standard errors by which the energy of a motion that keeps vibrating falls more slowly than small motions do, and the share of the rate of these that it may fall by.
-const ERRORS: f64 = 3.0;
+/// The share of the rate of small motions at which the energy of one that keeps vibrating may fall.
 const SLOWER: f64 = 0.1;
 /// By what power of e the energy of small motions falls over all windows at least, where a motion is told from them.
 const LONG: f64 = 1.0;
@@ -218,7 +216,7 @@ impl KnownSmallMotions {
         let keeps = || match (self.slowest, windows.fastest_fall()) {
             _ if self.grows => last >= KEEPS * earlier,
             (Some(rate), Some(fall)) => {
-                let is_long = rate * step * windows.steps as f64 >= LONG;
+                let is_long = rate * step * windows.steps() as f64 >= LONG;
                 is_long && has_changed && fall / step <= SLOWER * rate
             }
             _ => false,
@@ -231,49 +229,6 @@ impl KnownSmallMotions {
             _ if keeps() => VIBRATES,
             _ => OPEN,
         }
-    }
-}
-
-/// Mean energies over windows of equal length.
-struct EnergyWindows {
-    sums: [f64; WINDOWS],
-    counts: [u64; WINDOWS],
-    steps: u64,
-}
-
-impl EnergyWindows {
-    fn new(steps: u64) -> Self {
-        Self { sums: [0.0; WINDOWS], counts: [0; WINDOWS], steps }
-    }
-
-    fn add(&mut self, step: u64, energy: f64) {
-        let window = (step * WINDOWS as u64 / self.steps.max(1)) as usize;
-        self.sums[window] += energy;
-        self.counts[window] += 1;
-    }
-
-    /// The means over both halves.
-    fn halves(&self) -> [f64; 2] {
-        [0..WINDOWS / 2, WINDOWS / 2..WINDOWS].map(|half| {
-            let count: u64 = self.counts[half.clone()].iter().sum();
-            self.sums[half].iter().sum::<f64>() / count.max(1) as f64
-        })
-    }
-
-    /// The fastest fall of the energy that its means allow for, of itself a step: by least squares of their logarithms; none where one of them is zero or a window is empty.
-    fn fastest_fall(&self) -> Option<f64> {
-        let logarithms: Vec<f64> =
-            self.sums.iter().zip(self.counts).map(|(sum, count)| (sum / count as f64).ln()).collect();
-        let count = WINDOWS as f64;
-        let mean = logarithms.iter().sum::<f64>() / count;
-        let place = |k: usize| k as f64 - 0.5 * (count - 1.0);
-        let spread: f64 = (0..WINDOWS).map(|k| place(k) * place(k)).sum();
-        let slope = logarithms.iter().enumerate().map(|(k, own)| place(k) * own).sum::<f64>() / spread;
-        let off = |(k, own): (usize, &f64)| (own - mean - slope * place(k)).powi(2);
-        let left = logarithms.iter().enumerate().map(off).sum::<f64>();
-        let error = (left / (count - 2.0) / spread).sqrt();
-        let fall = (ERRORS * error - slope) * count / self.steps as f64;
-        fall.is_finite().then_some(fall)
     }
 }
 

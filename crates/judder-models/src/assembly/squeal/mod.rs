@@ -1,12 +1,11 @@
 //! `squeal`: the cycles of all modes of a band that grow, ranked by how loud they are.
 //!
-//! - [`settings`]: the keys. `cycle`: the cycle of a mode. `margin`, `margin_told`: how far beyond its onset cycles reach. `knocks`, `knock_energy`: what becomes of impulses.
+//! - [`settings`]: the keys. `cycle`: the cycle of a mode. `margin`, `margin_told`: how far beyond its onset cycles reach. `knocks`: what becomes of impulses.
 //!   `cures`: what the growth rate follows. `run`, `told`: what is computed and told of all of them. `figure`, `tables`: how it is shown.
 
 mod cures;
 mod cycle;
 mod figure;
-mod knock_energy;
 mod knocks;
 mod margin;
 mod margin_told;

@@ -19,12 +19,14 @@
 //! - [`stability`]: Floquet multipliers by steps of small motions about a periodic one, and by Hill's method.
 //! - [`shooting`]: cycles by a march that comes back.
 //! - [`cycle`]: what is told of a limit cycle.
+//! - [`contributions`]: of which modes one is made up.
 //! - [`near`]: cycles near a periodic motion that is known from elsewhere. [`marched`]: the motion that a march comes to.
 //! - [`power`]: where the energy of a periodic motion comes from and goes to.
 
 pub mod backbone;
 pub mod balance;
 pub mod branch;
+pub mod contributions;
 mod crossing;
 pub mod cycle;
 mod error;

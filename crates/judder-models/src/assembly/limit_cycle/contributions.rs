@@ -1,29 +1,8 @@
-//! Of which modes a cycle is made up: shares of the modes of frictionless contact in the kinetic energy of its swing.
-//!
-//! These modes are orthogonal in the mass, so that their shares are none of each other's and sum to one or less: what is left over is
-//! swing that no mode told of has.
+//! Of which modes a cycle is made up, as it is told and stored.
 
-use crate::assembly::AssemblySubject;
 use crate::error::ModelError;
-use faer::c64;
-use judder_assembly::linearised::{Linearised, LinearisedTerms};
-use judder_assembly::steady::SteadySliding;
-use judder_cycles::cycle::AssemblyCycle;
+use judder_cycles::contributions::{ModeContribution, ModeContributions};
 use judder_store::{Dataset, Results, Variable};
-use judder_structure::StructureError;
-use judder_structure::assembly::Sparse;
-use judder_structure::modes::{Mode, WantedModes, modes};
-use judder_structure::statics::product;
-use std::f64::consts::TAU;
-
-/// Modes that are told, those with the largest shares.
-const TOLD: usize = 20;
-/// What harmonics may have of the kinetic energy of the swing above which no mode is sought.
-const LITTLE: f64 = 0.01;
-/// How far above the last harmonic that matters, and the mode of the cycle, modes are sought.
-const BEYOND: f64 = 1.5;
-/// What is left over no more than this is rounding.
-const ROUNDING: f64 = 1e-12;
 
 /// The arrays.
 pub(super) const FREQUENCIES: &str = "mode_frequency";
@@ -31,125 +10,41 @@ pub(super) const SHARES: &str = "mode_contribution";
 /// The attribute.
 pub(super) const LEFT_OVER: &str = "contributions_left_over";
 
-/// The modes of frictionless contact in a cycle.
-pub(super) struct ModeContributions {
-    /// By rising frequency.
-    pub(super) modes: Vec<ModeContribution>,
-    /// The share of the kinetic energy that they have not.
-    pub(super) left_over: f64,
-}
-
 /// A mode of frictionless contact in a cycle.
 #[derive(Clone, Results)]
-pub(super) struct ModeContribution {
+pub(super) struct ToldContribution {
     /// its frequency, in Hz
     frequency_hz: f64,
     /// its share in the kinetic energy of the swing
     share: f64,
 }
 
-impl ModeContributions {
-    /// Those of a cycle beside a mode of so many rad/s; an error of the structure where its modes are not found.
-    pub(super) fn of(
-        of: &AssemblySubject<'_>,
-        steady: &SteadySliding,
-        cycle: &AssemblyCycle<'_>,
-        mode: f64,
-    ) -> Result<Result<Self, StructureError>, ModelError> {
-        let about = Linearised::new(&of.built.assembly, steady, LinearisedTerms::default())?;
-        let swing = CycleSwing::of(cycle, &about.structures[0])?;
-        let highest = BEYOND * (swing.matters() as f64 * cycle.frequency()).max(mode);
-        let (mass, stiffness) = about.frictionless()?;
-        let found = match modes(&stiffness, &mass, WantedModes::Band(0.0, highest / TAU)) {
-            Ok(found) => found.modes,
-            Err(error) => return Ok(Err(error)),
-        };
-        let share = |mode: &Mode| ModeContribution {
-            frequency_hz: mode.frequency_hz(),
-            share: swing.share(&about.expanded_real(&mode.shape)),
-        };
-        let mut told: Vec<ModeContribution> = found.iter().map(share).collect();
-        // stable: of equal shares the lower modes
-        told.sort_by(|a, b| b.share.total_cmp(&a.share));
-        told.truncate(TOLD);
-        told.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
-        let left_over = 1.0 - told.iter().map(|own| own.share).sum::<f64>();
-        let left_over = if left_over > ROUNDING { left_over } else { 0.0 };
-        Ok(Ok(Self { modes: told, left_over }))
-    }
-
-    /// Adds their arrays, where there are any, and what is left over.
-    pub(super) fn stored(&self, dataset: Dataset) -> Result<Dataset, ModelError> {
-        let dataset = dataset.attribute(LEFT_OVER, self.left_over)?;
-        if self.modes.is_empty() {
-            return Ok(dataset);
-        }
-        let along = |name: &str, values: Vec<f64>| Variable::new(name, &["mode"], &[values.len()], values);
-        let frequencies = self.modes.iter().map(|own| own.frequency_hz).collect();
-        let shares = self.modes.iter().map(|own| own.share).collect();
-        let frequencies = along(FREQUENCIES, frequencies)
-            .units("Hz")
-            .long_name("frequency of a mode of frictionless contact, of those with the largest shares")
-            .attribute("label", "Frequency of the mode (Hz)");
-        let shares = along(SHARES, shares)
-            .units("1")
-            .long_name("its share in the kinetic energy of the swing of the cycle")
-            .attribute("label", "Share in the kinetic energy (1)");
-        Ok(dataset.with(frequencies)?.with(shares)?)
+impl From<&ModeContribution> for ToldContribution {
+    fn from(own: &ModeContribution) -> Self {
+        Self { frequency_hz: own.frequency_hz, share: own.share }
     }
 }
 
-/// Velocities of a cycle at all freedoms, but for the factor ω.
-struct CycleSwing {
-    /// M h X of each harmonic, real and imaginary parts.
-    momenta: Vec<[Vec<f64>; 2]>,
-    /// h² Xᴴ M X of each.
-    energies: Vec<f64>,
-}
-
-impl CycleSwing {
-    fn of(cycle: &AssemblyCycle<'_>, mass: &Sparse) -> Result<Self, ModelError> {
-        let (_, harmonics) = cycle.balance.coordinates(&cycle.motion.unknown, cycle.motion.turning)?;
-        let bodies = cycle.balance.bodies();
-        let velocities = |(harmonic, own): (f64, &Vec<c64>)| {
-            [|x: &c64| x.re, |x: &c64| x.im].map(|part: fn(&c64) -> f64| {
-                bodies.freedoms(&own.iter().map(|x| harmonic * part(x)).collect::<Vec<f64>>())
-            })
-        };
-        let numbered = (1..).map(f64::from).zip(&harmonics);
-        let velocities: Vec<[Vec<f64>; 2]> = numbered.map(velocities).collect();
-        let momenta: Vec<_> =
-            velocities.iter().map(|own| own.each_ref().map(|part| product(mass, part))).collect();
-        let energy = |(velocity, momentum): (&[Vec<f64>; 2], &[Vec<f64>; 2])| -> f64 {
-            velocity.iter().zip(momentum).map(|(a, b)| dot(a, b)).sum()
-        };
-        let energies = velocities.iter().zip(&momenta).map(energy).collect();
-        Ok(Self { momenta, energies })
+/// Adds their arrays, where there are any, and what is left over.
+pub(super) fn with_contributions(
+    dataset: Dataset,
+    ModeContributions { modes, left_over }: &ModeContributions,
+) -> Result<Dataset, ModelError> {
+    let dataset = dataset.attribute(LEFT_OVER, *left_over)?;
+    if modes.is_empty() {
+        return Ok(dataset);
     }
-
-    /// Twice the mean kinetic energy of all harmonics.
-    fn energy(&self) -> f64 {
-        self.energies.iter().sum()
-    }
-
-    /// The last harmonic that matters.
-    fn matters(&self) -> usize {
-        let mut above = self.energy();
-        let little = LITTLE * above;
-        let falls = self.energies.iter().position(|own| {
-            above -= own;
-            above <= little
-        });
-        falls.map_or(self.energies.len(), |place| place + 1)
-    }
-
-    /// The share of a mode with φᵀ M φ = 1.
-    fn share(&self, shape: &[f64]) -> f64 {
-        let own: f64 = self.momenta.iter().flatten().map(|part| dot(shape, part).powi(2)).sum();
-        if own > 0.0 { own / self.energy() } else { 0.0 }
-    }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+    let along = |name: &str, of: fn(&ModeContribution) -> f64| {
+        let values: Vec<f64> = modes.iter().map(of).collect();
+        Variable::new(name, &["mode"], &[values.len()], values)
+    };
+    let frequencies = along(FREQUENCIES, |own| own.frequency_hz)
+        .units("Hz")
+        .long_name("frequency of a mode of frictionless contact, of those with the largest shares")
+        .attribute("label", "Frequency of the mode (Hz)");
+    let shares = along(SHARES, |own| own.share)
+        .units("1")
+        .long_name("its share in the kinetic energy of the swing of the cycle")
+        .attribute("label", "Share in the kinetic energy (1)");
+    Ok(dataset.with(frequencies)?.with(shares)?)
 }

@@ -2,7 +2,7 @@
 
 use super::arrays::dataset;
 use super::checks::{INSTANTS, checks};
-use super::contributions::ModeContributions;
+use super::contributions::with_contributions;
 use super::search::{CycleOfMode, differentiated, left_out};
 use super::settings::{CycleMethod, LOWEST, ModeCycle, USUAL_STEPS};
 use super::stability::KnownStability;
@@ -16,6 +16,7 @@ use crate::sliding::march::sound::{AUDIO_RATE, SoundFile, sound_of};
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::SteadySliding;
 use judder_cycles::CyclesError;
+use judder_cycles::contributions::ModeContributions;
 use judder_cycles::cycle::AssemblyCycle;
 use judder_cycles::shooting::{ShootingSettings, ShotCycle, shoot};
 use judder_cycles::stability::HILL_ROWS;
@@ -65,9 +66,10 @@ fn told(
     outcome.dataset = dataset(of, sought, Some(&stability))?;
     outcome.warnings.extend(words_of(sought, cycle).into_iter().chain(stability.doubt()));
     progress.go_on()?;
-    let made_of = match ModeContributions::of(of, steady, cycle, sought.eigenvalue.im)? {
+    let about = Linearised::new(&of.built.assembly, steady, LinearisedTerms::default())?;
+    let made_of = match ModeContributions::of(cycle, &about, sought.eigenvalue.im)? {
         Ok(made_of) => {
-            outcome.dataset = made_of.stored(std::mem::take(&mut outcome.dataset))?;
+            outcome.dataset = with_contributions(std::mem::take(&mut outcome.dataset), &made_of)?;
             Some(made_of)
         }
         Err(error) => {

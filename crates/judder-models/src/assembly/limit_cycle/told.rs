@@ -1,6 +1,6 @@
 //! What is told of a cycle.
 
-use super::contributions::{ModeContribution, ModeContributions};
+use super::contributions::ToldContribution;
 use super::search::{CycleOfMode, acceleration_mean_square};
 use super::settings::ModeCycle;
 use super::stability::KnownStability;
@@ -8,6 +8,7 @@ use crate::assembly::AssemblySubject;
 use crate::assembly::march::levels::level;
 use crate::error::ModelError;
 use crate::sliding::march::sound::ToldSound;
+use judder_cycles::contributions::ModeContributions;
 use judder_cycles::cycle::{AssemblyCycle, PointCycle};
 use judder_cycles::power::CyclePower;
 use judder_cycles::shooting::ShotCycle;
@@ -86,7 +87,7 @@ pub(super) struct ToldModeCycle {
     /// each contact
     contacts: ByName<ContactInCycle>,
     /// the modes of frictionless contact with the largest shares in the kinetic energy of its swing, up to 20, by rising frequency
-    mode_contributions: Option<Vec<ModeContribution>>,
+    mode_contributions: Option<Vec<ToldContribution>>,
     /// the share that they have not
     contributions_left_over: Option<f64>,
     /// accelerations of the observed points
@@ -261,7 +262,7 @@ impl ToldModeCycle {
                 circulation: (power.circulation != 0.0).then_some(power.circulation),
             },
             energy_balance: power.imbalance(),
-            mode_contributions: made_of.map(|own| own.modes.clone()),
+            mode_contributions: made_of.map(|own| own.modes.iter().map(ToldContribution::from).collect()),
             contributions_left_over: made_of.map(|own| own.left_over),
             levels: levels(of, cycle)?.into_iter().collect(),
             contacts: contacts.into_iter().collect(),

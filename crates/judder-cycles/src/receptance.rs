@@ -24,7 +24,7 @@ pub use at_harmonic::{AtHarmonic, HarmonicSlopes};
 pub(crate) use body_step::BodyStep;
 
 /// Freedoms up to which bodies are taken: some seconds of their modes, a dense system a harmonic where their damping joins these.
-const MOST: usize = 1200;
+pub const MOST_FREEDOMS: usize = 1200;
 
 /// Whether periodic motions of so large an assembly are computed.
 ///
@@ -32,7 +32,9 @@ const MOST: usize = 1200;
 /// [`CyclesError::TooManyFreedoms`].
 pub fn check_size(assembly: &Assembly) -> Result<(), CyclesError> {
     match assembly.size() {
-        freedoms if freedoms > MOST => Err(CyclesError::TooManyFreedoms { freedoms, most: MOST }),
+        freedoms if freedoms > MOST_FREEDOMS => {
+            Err(CyclesError::TooManyFreedoms { freedoms, most: MOST_FREEDOMS })
+        }
         _ => Ok(()),
     }
 }

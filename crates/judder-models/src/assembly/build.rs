@@ -37,14 +37,16 @@ pub(crate) use watched::WatchedRow;
 
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
+use crate::assembly::case::structure::BodyReduction;
 use crate::error::ModelError;
-use crate::structure::build::Unbuilt;
+use crate::structure::build::{Structure, Unbuilt};
 use interface::Touching;
 use judder_assembly::AssemblyError;
 use judder_assembly::assembly::{Assembly, stacked};
 use judder_assembly::row::Row;
 use judder_assembly::steady::SteadySliding;
 use judder_assembly::tie::Bond;
+use judder_cycles::CyclesError;
 use judder_keys::cause::Cause;
 use judder_nonsmooth::travel::TravellingContact;
 use judder_structure::assembly::Sparse;
@@ -114,11 +116,19 @@ impl From<Unassembled> for ModelError {
 impl BuiltAssembly {
     /// Reads, assembles and brings together what a case describes.
     pub(crate) fn new(case: &AssemblyCase) -> Result<Self, Unassembled> {
+        Self::with_at_most(case, None)
+    }
+
+    /// The same, refused before a body is reduced where that leaves more freedoms than so many.
+    pub(crate) fn with_at_most(case: &AssemblyCase, most: Option<usize>) -> Result<Self, Unassembled> {
         let structures = (0..case.structures.len())
             .map(|index| BuiltBody::structure(case, index))
             .collect::<Result<Vec<_>, _>>()?;
         let touching = interface::touching(case, &structures)?;
         interface_modes::admit(case)?;
+        if let Some(most) = most {
+            admit_reductions(case, &structures, &touching, most)?;
+        }
         let mut bodies: Vec<BuiltBody> = Vec::with_capacity(structures.len());
         for (index, structure) in structures.into_iter().enumerate() {
             let before = bodies.last().map_or([0, 0], BuiltBody::end);
@@ -258,6 +268,35 @@ impl BuiltAssembly {
                 ))
             }
             None => error.into(),
+        }
+    }
+}
+
+/// Refuses reductions that keep more freedoms than so many, as far as that is known before they are made: not of what ties take.
+fn admit_reductions(
+    case: &AssemblyCase,
+    structures: &[Structure],
+    touching: &Touching,
+    most: usize,
+) -> Result<(), Unassembled> {
+    let is_reduced = |index: &usize| matches!(case.structures[*index].reduction, BodyReduction::Modes(_));
+    if !case.ties.is_empty() || !(0..structures.len()).any(|index| is_reduced(&index)) {
+        return Ok(());
+    }
+    let size = |(index, own)| BuiltBody::least_size(case, index, own, &touching.of_body(index));
+    let sizes = structures.iter().enumerate().map(size).collect::<Result<Vec<usize>, _>>()?;
+    let freedoms: usize = sizes.iter().sum();
+    let largest = (0..sizes.len()).filter(is_reduced).max_by_key(|index| sizes[*index]);
+    match largest.filter(|_| freedoms > most) {
+        None => Ok(()),
+        Some(largest) => {
+            let (name, own) = (&case.structures[largest].name, sizes[largest]);
+            let path = format!("structure.{name}.reduction");
+            let error = CyclesError::TooManyFreedoms { freedoms, most };
+            Err(Unassembled::because(
+                path,
+                &format!("{error}: the reduction of `{name}` keeps {own} of them"),
+            ))
         }
     }
 }

@@ -17,7 +17,8 @@ use serde_json::{Value, json};
 
 /// What is known of an assembly before anything is computed: mass, size and first frequency of every body, the points of every contact.
 pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> Result<Resolved, ModelError> {
-    let built = BuiltAssembly::new(case).map_err(|unassembled| unassembled.placed(file))?;
+    let most = case.analyses.iter().filter_map(|own| own.kind.most_freedoms()).min();
+    let built = BuiltAssembly::with_at_most(case, most).map_err(|unassembled| unassembled.placed(file))?;
     let bodies = built.bodies.iter().map(KnownBody::new).collect::<Result<Vec<_>, _>>()?;
     let mut text = format!("{}\n\nbodies\n", title(&case.title));
     let heads = ["", "freedoms", "mass (kg)", "size (m)", "first frequency (Hz)", "sets of nodes"];

@@ -269,7 +269,9 @@ impl Model for AssemblyCase {
     }
 
     fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
-        let built = BuiltAssembly::new(self).map_err(|unassembled| unassembled.placed(file))?;
+        let most = wanted(self, file, is_wanted).filter_map(|(_, asked)| asked.most_freedoms()).min();
+        let built =
+            BuiltAssembly::with_at_most(self, most).map_err(|unassembled| unassembled.placed(file))?;
         for (place, asked) in wanted(self, file, is_wanted) {
             let subject = AssemblySubject { case: self, built: &built, name: place.name };
             asked.fits(&subject).map_err(StudyError::from)?.map_err(|refusal| refusal.placed(place))?;

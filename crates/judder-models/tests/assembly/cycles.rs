@@ -3,8 +3,9 @@
 use crate::{case, number, run_into};
 use judder_report::{Axis, Scale};
 use judder_store::{StudyFolder, VariableValues};
+use judder_study::Silent;
 use judder_study::case::file::CaseFile;
-use judder_study::run::RunReport;
+use judder_study::run::{RunOptions, RunReport, run};
 use serde_json::Value;
 use std::path::Path;
 
@@ -370,4 +371,19 @@ fn a_branch_that_begins_at_a_march_goes_through_its_fold_to_its_hopf_point() {
     let (off, error) = ((number(&fold["value"]) - 1.5562).abs(), number(&fold["error"]));
     println!("fold off by {off:.1e}, said to be off by at most {error:.1e}");
     assert!(off < error && error < 0.02, "{fold:?}");
+}
+
+/// What a reduction leaves is known before its modes are computed: from what is kept and how many modes are asked for.
+#[test]
+fn reductions_that_keep_too_many_freedoms_are_refused_before_they_are_made() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small/assembly-cycle.toml");
+    let foot =
+        ["block.cells=[40, 20]", "reduction={ count = 1300 }"].map(|own| format!("structure.foot.{own}"));
+    let file = judder_models::read(path, &foot).unwrap();
+    let error = run(&file, tempfile::tempdir().unwrap().path(), &RunOptions::default(), &Silent).unwrap_err();
+    let (told, of) = (
+        error.to_string(),
+        "periodic motions are computed of up to 1200; reduce the bodies: the reduction of `foot` keeps",
+    );
+    assert!(told.contains(of), "{told}");
 }

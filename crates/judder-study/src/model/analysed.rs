@@ -21,6 +21,11 @@ pub trait Analysis<M: Analysed + ?Sized>: AsAny + DynClone + fmt::Debug + Send +
         1
     }
 
+    /// How many freedoms of motion it takes at most, for a model that knows of them before it makes what has them; none where it takes any number.
+    fn most_freedoms(&self) -> Option<usize> {
+        None
+    }
+
     /// Refuses what is known to be too much before anything is computed.
     ///
     /// # Errors

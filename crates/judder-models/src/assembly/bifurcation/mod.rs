@@ -17,6 +17,7 @@ use crate::assembly::case::AssemblyCase;
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
 use judder_cycles::fold::FOLD_REFINEMENT;
+use judder_cycles::receptance::MOST_FREEDOMS;
 use judder_keys::Settings;
 use judder_keys::declared::{Number, Settings, Whole};
 use judder_keys::dimension::Dimension;
@@ -93,6 +94,10 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 };
 
 impl Analysis<AssemblyCase> for CycleDiagram {
+    fn most_freedoms(&self) -> Option<usize> {
+        Some(MOST_FREEDOMS)
+    }
+
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         match admits_cycles(of, Some(self.harmonics))? {
             Ok(()) => self.start.as_ref().map_or(Ok(Ok(())), |start| start.fits(of)),

@@ -23,7 +23,7 @@ use judder_structure::craig_bampton::{CraigBampton, CutOff};
 use judder_structure::freedom::{Direction, Numbering, Supports};
 use judder_structure::interface_modes::InterfaceModes;
 use num_complex::Complex64;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
 
 /// A body with its matrices on its freedoms, or on what a reduction leaves of them: its coordinates.
@@ -112,6 +112,26 @@ impl BuiltBody {
             body.soften(&softening).map_err(|error| Unassembled::because(path("rotation"), &error))?;
         }
         Ok(body)
+    }
+
+    /// How many coordinates a body has at least, which is known before its reduction is made.
+    pub(super) fn least_size(
+        case: &AssemblyCase,
+        index: usize,
+        structure: &Structure,
+        touching: &TouchingNodes,
+    ) -> Result<usize, Unassembled> {
+        let (load, _) = load(case, index, structure)?;
+        let BodyReduction::Modes(reduced) = case.structures[index].reduction else { return Ok(load.len()) };
+        let is_needed = |freedom: &usize| load[*freedom] != 0.0;
+        let mut kept: BTreeSet<usize> = (0..load.len()).filter(is_needed).collect();
+        kept.extend(freedoms_of(structure, &touching.joined));
+        // those of contacts may become interface modes
+        if reduced.interface_modes.is_none() {
+            kept.extend(freedoms_of(structure, &touching.in_contact));
+        }
+        let modes = if let FixedModes::Count(count) = reduced.modes { count } else { 0 };
+        Ok(load.len().min(kept.len() + modes))
     }
 
     /// How many coordinates it has.
@@ -216,8 +236,8 @@ impl BuiltBody {
 
     /// The body on the freedoms that contacts and loads need, or on interface modes of the contacts, and fixed-interface modes.
     fn reduce(&mut self, asked: ReducedBody, touching: &TouchingNodes) -> Result<(), AssemblyError> {
-        let joined = self.freedoms_of(&touching.joined);
-        let of_contacts = self.freedoms_of(&touching.in_contact);
+        let joined = freedoms_of(&self.structure, &touching.joined);
+        let of_contacts = freedoms_of(&self.structure, &touching.in_contact);
         // the centrifugal force acts everywhere, and needs none
         let of_load =
             |(k, force): (usize, &f64)| *force != self.centrifugal.as_ref().map_or(0.0, |own| own[k]);
@@ -252,13 +272,6 @@ impl BuiltBody {
         self.project(basis, &mass, &stiffness)
     }
 
-    /// The freedoms of nodes.
-    fn freedoms_of(&self, nodes: &[usize]) -> Vec<usize> {
-        let layout = self.structure.layout.iter();
-        let of_nodes = layout.flat_map(|layout| nodes.iter().filter_map(|node| layout.freedoms.get(*node)));
-        of_nodes.flatten().flatten().copied().collect()
-    }
-
     /// Its matrices and loads on the coordinates of a basis, on which mass and stiffness are known.
     fn project(
         &mut self,
@@ -286,6 +299,13 @@ pub(super) struct TouchingNodes {
     pub(super) in_contact: Vec<usize>,
     /// and those of springs and ties.
     pub(super) joined: Vec<usize>,
+}
+
+/// The freedoms of nodes.
+fn freedoms_of(structure: &Structure, nodes: &[usize]) -> Vec<usize> {
+    let layout = structure.layout.iter();
+    let of_nodes = layout.flat_map(|layout| nodes.iter().filter_map(|node| layout.freedoms.get(*node)));
+    of_nodes.flatten().flatten().copied().collect()
 }
 
 /// A body as a case of its own.

@@ -15,6 +15,7 @@ use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::limit_cycle::stability::multipliers_estimated;
 use crate::error::ModelError;
+use judder_cycles::receptance::MOST_FREEDOMS;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
@@ -41,6 +42,10 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 };
 
 impl Analysis<AssemblyCase> for FrequencyResponse {
+    fn most_freedoms(&self) -> Option<usize> {
+        Some(MOST_FREEDOMS)
+    }
+
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         self.admitted(of)
     }

@@ -20,6 +20,7 @@ use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::meant_mode::mode_near;
 use crate::error::ModelError;
+use judder_cycles::receptance::MOST_FREEDOMS;
 use judder_cycles::stability::HILL_ROWS;
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
@@ -47,6 +48,10 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 };
 
 impl Analysis<AssemblyCase> for ModeCycle {
+    fn most_freedoms(&self) -> Option<usize> {
+        Some(MOST_FREEDOMS)
+    }
+
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         match self.solver.fits(of)? {
             Ok(()) => self.start.as_ref().map_or(Ok(Ok(())), |start| start.fits(of)),

@@ -20,6 +20,7 @@ use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::limit_cycle::stability::multipliers_estimated;
 use crate::error::ModelError;
 use judder_cycles::fold::FOLD_REFINEMENT;
+use judder_cycles::receptance::MOST_FREEDOMS;
 use judder_cycles::stability::HILL_ROWS;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
@@ -47,6 +48,10 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 };
 
 impl Analysis<AssemblyCase> for AssemblySqueal {
+    fn most_freedoms(&self) -> Option<usize> {
+        Some(MOST_FREEDOMS)
+    }
+
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         if let Err(refusal) = self.solver.fits(of)? {
             return Ok(Err(refusal));

@@ -30,7 +30,9 @@ class Varied:
     """How many points there are along each."""
 
     def __init__(self, keys: Mapping[str, Any]) -> None:
-        self.fixed, arrays, named = {}, {}, {}
+        self.fixed = {}
+        arrays: dict[str, Any] = {}
+        named: dict[str, Any] = {}
         self._units: dict[str, str | None] = {}
         for given, value in keys.items():
             key, values, unit = _split(given, value)

@@ -6,7 +6,7 @@ import html
 import json
 import os
 import webbrowser
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
@@ -53,8 +53,8 @@ class Example(Shown):
         """
         return Path(_judder.written_example(self.name, _places.writable(folder)))
 
-    def _told(self) -> list[tuple[str, str]]:
-        return [(name, own) for name, own in super()._told() if name != "text"]
+    def _told(self) -> Iterator[tuple[str, str]]:
+        return ((name, own) for name, own in super()._told() if name != "text")
 
 
 class _Examples(dict[str, Example]):

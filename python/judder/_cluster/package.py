@@ -44,11 +44,11 @@ class Package:
         """The package of a case: its name, its text, what is changed in it, and the files that it names, as it calls them and where they are."""
         name, text, overrides, named = told
         files = tuple((given, Path(path).read_bytes()) for given, path in named)
-        told = hashlib.blake2b(repr((name, text, overrides)).encode(), digest_size=16)
+        digest = hashlib.blake2b(repr((name, text, overrides)).encode(), digest_size=16)
         for given, content in files:
-            told.update(f"{len(given)} {given} {len(content)} ".encode())
-            told.update(content)
-        return cls(name, text, tuple(overrides), files, told.hexdigest())
+            digest.update(f"{len(given)} {given} {len(content)} ".encode())
+            digest.update(content)
+        return cls(name, text, tuple(overrides), files, digest.hexdigest())
 
     @property
     def size(self) -> int:

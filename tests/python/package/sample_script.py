@@ -21,6 +21,19 @@ def points() -> float:
     return point.growth_rate
 
 
+def arrays() -> float:
+    found = judder.oscillator.points(velocity=(np.linspace(1.0, 50.0), "mm/s"), shear_strength=[[0.01], [0.05]], quantities=["growth_rate"], threads=2)
+    print(found.growth_rate.max(), judder.contact.Law("hertz").evaluate([0.1], 1e-3, threads=1).force[0])
+    return float(found.velocity[0])
+
+
+def programs() -> None:
+    print(judder.examples()["mode-coupling"].write("here"), judder.demo("mode-coupling").complete, judder.demo(output=Path("out")).scoreboard[0].verdict)
+    print(judder.new("belt"), judder.schema()["$defs"], judder.report("out").name, judder.reproduce("beams-paper", quick=True).report)
+    with judder.explore({"model": "oscillator"}, browser=False) as page:
+        print(page.address)
+
+
 def maps() -> None:
     law = judder.contact.Law.from_function(bell, velocity=(1e-6, 1e2), indentation=(1e-6, 1e-1))
     found = judder.oscillator.stability_map(

@@ -85,7 +85,7 @@ def test_parquet_has_every_bit_unit_and_class(studies, tmp_path):
                     assert said.get("flag_values", "") == codes
                 assert table.schema.metadata[b"judder_hash"].decode() == dataset.attrs["judder_hash"]
                 assert json.loads(table.schema.metadata[b"results"]) == study.results[name]
-                assert table.schema.metadata[b"source"].decode() == f"judder {judder.__version__}"
+                assert table.schema.metadata[b"source"].decode() == f"judder {study.summary['version']}"
                 assert table.schema.metadata[b"case"].decode() == study.summary["study"]["source"]
 
 

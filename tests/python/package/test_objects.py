@@ -402,3 +402,24 @@ def test_objects_set_over_a_case_file_have_the_same_names_everywhere(tmp_path):
     assert (tmp_path / "first" / "inputs" / "structure.mesh.inp").is_file()
     with pytest.raises(judder.CaseError, match="no/such.toml"):
         judder.run("no/such.toml", set=changes)
+
+
+@pytest.mark.expensive
+def test_shapes_and_meshes_go_through_pyvista_and_meshio(tmp_path):
+    import pyvista
+
+    points, squares, sets, _ = plate()
+    found = judder.models.Structure(structure={"mesh": {"points": points, "cells": {"quad": squares}, "point_sets": sets}, **HELD}).modes(count=3)
+    (tmp_path / "modes.vtu").write_bytes(found.files["fields/modes.vtu"])
+    grid, mesh = pyvista.read(tmp_path / "modes.vtu"), meshio.read(tmp_path / "modes.vtu")
+    assert np.array_equal(grid.points, found.data.place.values) and np.array_equal(mesh.points, found.data.place.values)
+    assert np.array_equal(mesh.cells_dict["quad"], squares) and grid.n_cells == len(squares)
+    for index, name in enumerate(grid.array_names):
+        shape = found.data.shape.values[index]
+        assert np.allclose(grid[name], shape, rtol=1e-12, atol=1e-12) and np.array_equal(mesh.point_data[name], grid[name])
+        assert f"{float(found.data.frequency[index]):.6f} Hz" in name
+    # and back: the mesh that pyvista holds is the mesh that was given
+    again = {"points": np.asarray(grid.points)[:, :2], "cells": {"quad": grid.cells.reshape(-1, 5)[:, 1:]}, "point_sets": sets}
+    expected = found.data.frequency
+    assert judder.models.Structure(structure={"mesh": again, **HELD}).modes(count=3).data.frequency.equals(expected)
+    assert judder.models.Structure(structure={"mesh": meshio.Mesh(mesh.points[:, :2], mesh.cells, point_sets=sets), **HELD}).modes(count=3).data.frequency.equals(expected)

@@ -354,6 +354,7 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> PiecewiseMarch<'a, S, N> {
             end: trial.end,
             dense: trial.dense,
         };
+        let was_above = !self.starts_on_section && self.above_section().is_some_and(|above| above > 0.0);
         self.starts_at_edge = false;
         self.time += trial.step;
         self.state = trial.end;
@@ -363,7 +364,22 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> PiecewiseMarch<'a, S, N> {
             Some(StepTarget::Guard(guard)) => Some(self.change(guard)),
             _ => None,
         };
+        // a guard may stand on the section itself
+        if crossing.is_some() && was_above && self.falls_through_section() {
+            self.starts_on_section = true;
+        }
         Advance { leg: Some(leg), crossing, on_section: self.starts_on_section }
+    }
+
+    /// How far the state lies above the section.
+    fn above_section(&self) -> Option<f64> {
+        self.section.as_ref().map(|section| section.value(&self.state))
+    }
+
+    /// Whether the state lies on the section, or a rounding error beyond it, and falls.
+    fn falls_through_section(&self) -> bool {
+        let fall = self.section.as_ref().map(|section| rate(&section.normal, &self.field));
+        self.above_section().is_some_and(|above| above <= 0.0) && fall.is_some_and(|fall| fall < 0.0)
     }
 
     fn change(&mut self, guard: usize) -> GuardCrossing<S::Mode, N> {

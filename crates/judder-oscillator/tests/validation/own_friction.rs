@@ -21,8 +21,8 @@ fn falling_between_rises(interpolation: TableInterpolation) -> BeltOscillator {
     BeltOscillator::new(0.005, 1.0, 0.4, friction).unwrap()
 }
 
-fn cycle_of(system: &BeltOscillator) -> Cycle<2> {
-    shoot(system, [system.steady_sliding()[0] + 0.18, 0.0], 1, &SHOOTING).unwrap()
+fn cycle_of(system: &BeltOscillator, amplitude: f64) -> Cycle<2> {
+    shoot(system, [system.steady_sliding()[0] + amplitude, 0.0], 1, &SHOOTING).unwrap()
 }
 
 /// A table that samples the exponential law of the literature at so many even steps has its stick-slip cycle; what is left falls with their square.
@@ -51,13 +51,33 @@ fn a_table_that_samples_a_law_has_its_cycle() {
     assert!(error(bent) < 0.1 * error(coarse), "{:e} {:e}", error(bent), error(coarse));
 }
 
+/// A corner at the very speed of the belt is met where x is largest: the motion returns there all the same.
+#[test]
+fn a_corner_at_the_speed_of_the_belt_hides_no_return() {
+    let law = FallingFriction::exponential([1.0, 0.5], 0.5);
+    let period = |speeds: Vec<f64>| {
+        let coefficients = speeds.iter().map(|speed| law.at(*speed).coefficient).collect();
+        let friction = Friction::table(speeds, coefficients, TableInterpolation::Monotone).unwrap();
+        let system = BeltOscillator::new(0.05, 1.0, 1.5, friction).unwrap();
+        let found = from_simulation(&system, [1.0, 1.5], &SHOOTING, &Patience::default(), &|| false).unwrap();
+        assert!(found.trivial_error < 1e-6, "{:e}", found.trivial_error);
+        found.period()
+    };
+    let even = |steps: usize| (0..=steps).map(|k| 4.5 * k as f64 / steps as f64).collect();
+    // 1.5 is a speed of the first table, not of the second
+    let (with, without) = (period(even(60)), period(even(61)));
+    assert!((with / without - 1.0).abs() < 1e-5, "{with} {without}");
+}
+
 /// Of two states the product of the multipliers, one of which is 1, is exp ∮ −(2ξ + N μ′(|v|)) dt (N. H. Abel, J. Liouville); μ′ jumps at each
 /// corner, where a step ends to the bit.
 #[test]
 fn the_multiplier_is_that_of_the_divergence_through_corners() {
-    for interpolation in [TableInterpolation::Linear, TableInterpolation::Monotone] {
+    for (interpolation, amplitude) in
+        [(TableInterpolation::Linear, 0.19), (TableInterpolation::Monotone, 0.28)]
+    {
         let system = falling_between_rises(interpolation);
-        let cycle = cycle_of(&system);
+        let cycle = cycle_of(&system, amplitude);
         assert_eq!(cycle.around.pattern, [ContactState::SlipBehind]);
         assert_eq!(cycle.around.measures.changes, 0, "corners are no changes of the contact state");
         let mut march =
@@ -78,8 +98,8 @@ fn the_multiplier_is_that_of_the_divergence_through_corners() {
         }
         assert_eq!(corners, 4);
         let multiplier = cycle.largest_multiplier();
-        assert!((multiplier / divergence.exp() - 1.0).abs() < 1e-7, "{multiplier} {}", divergence.exp());
-        assert!(cycle.trivial_error < 1e-7, "{:e}", cycle.trivial_error);
+        assert!((multiplier / divergence.exp() - 1.0).abs() < 1e-6, "{multiplier} {}", divergence.exp());
+        assert!(cycle.trivial_error < 1e-6, "{:e}", cycle.trivial_error);
     }
 }
 
@@ -89,12 +109,12 @@ fn the_derivative_of_the_return_is_that_of_differences() {
         let system = falling_between_rises(interpolation);
         let start = [system.steady_sliding()[0] + 0.25, 0.0];
         let around = return_map(&system, start, 1, SETTINGS, 100.0).unwrap();
-        let h = 1e-5;
+        let h = 1e-4;
         let [above, below] =
             [h, -h].map(|by| returned_state(&system, [start[0] + by, 0.0], 1, SETTINGS, 100.0).unwrap()[0]);
         let difference = (above - below) / (2.0 * h);
         assert!(
-            (around.derivative[0][0] - difference).abs() < 1e-6,
+            (around.derivative[0][0] - difference).abs() < 1e-5,
             "{} {difference}",
             around.derivative[0][0]
         );
@@ -116,8 +136,8 @@ fn a_spring_that_stiffens_swings_with_the_period_of_duffing() {
         }
         let period = 4.0 * std::f64::consts::FRAC_PI_2 / a / (1.0 + bend).sqrt();
         let around = return_map(&system, [amplitude, 0.0], 1, SETTINGS, 100.0).unwrap();
-        assert!((around.time / period - 1.0).abs() < 1e-9, "{} {period}", around.time);
-        assert!((around.state[0] / amplitude - 1.0).abs() < 1e-9);
+        assert!((around.time / period - 1.0).abs() < 1e-8, "{} {period}", around.time);
+        assert!((around.state[0] / amplitude - 1.0).abs() < 1e-8);
     }
     assert!(system.with_cubic_stiffness(-0.1).is_err());
 }
@@ -128,10 +148,10 @@ fn steady_sliding_on_a_spring_that_stiffens() {
     let law = FallingFriction::exponential([1.0, 0.5], 0.5);
     let system = BeltOscillator::new(0.05, 1.0, 1.5, law).unwrap().with_cubic_stiffness(4.0).unwrap();
     let [x, _] = system.steady_sliding();
-    assert!((x + 4.0 * x.powi(3) - law.at(1.5).coefficient).abs() < 1e-15);
+    assert!((x + 4.0 * x.powi(3) - law.at(1.5).coefficient).abs() < 1e-14);
     let start = [x + 0.3, 0.0];
     let around = return_map(&system, start, 1, SETTINGS, 100.0).unwrap();
     let moved = |by: f64| returned_state(&system, [start[0] + by, 0.0], 1, SETTINGS, 100.0).unwrap()[0];
-    let difference = (moved(1e-5) - moved(-1e-5)) / 2e-5;
-    assert!((around.derivative[0][0] - difference).abs() < 1e-6, "{} {difference}", around.derivative[0][0]);
+    let difference = (moved(1e-4) - moved(-1e-4)) / 2e-4;
+    assert!((around.derivative[0][0] - difference).abs() < 1e-5, "{} {difference}", around.derivative[0][0]);
 }

@@ -27,6 +27,13 @@ pub enum ValidityConcern {
         /// The largest ŷ of the range of validity.
         limit: f64,
     },
+    /// The indentation is less than that of any computed contact of a cylinder.
+    TooShallow {
+        /// ŷ at the point.
+        indentation: f64,
+        /// The smallest ŷ of the table.
+        limit: f64,
+    },
     /// The speed is in the tail of the fitted friction bell, which falls faster than the true friction.
     FrictionTail {
         /// v̂ at the point.
@@ -63,6 +70,12 @@ impl fmt::Display for ValidityConcern {
                 f,
                 "indentation y/R = {} is beyond {limit}, where the contact is no longer shallow",
                 plain(*indentation)
+            ),
+            Self::TooShallow { indentation, limit } => write!(
+                f,
+                "indentation y/R = {} is below {}, where the computed table begins: how it goes on is assumed",
+                plain(*indentation),
+                plain(*limit)
             ),
             Self::FrictionTail { velocity, widths, limit } => write!(
                 f,

@@ -33,7 +33,7 @@ pub use collapsed::CollapsedLaw;
 pub use data::LawData;
 pub use error::{FailedPoint, LawError};
 pub use knots::Knots;
-pub use limits::LawIndenter;
+pub use limits::{LawIndenter, LawLayer};
 pub use material::{LawMaterial, LawTerm};
 pub use origin::LawOrigin;
 pub use quantities::{KnotValues, LawErrors, PerQuantity};
@@ -44,6 +44,7 @@ use crate::contact_law::{ContactLaw, ValidityConcern};
 use crate::fitted::FittedLaw;
 use crate::hertz::HertzLaw;
 use crate::response::{ContactResponse, LawPoint};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// A contact law that a case can name.
@@ -76,6 +77,24 @@ impl Law {
             Self::Collapsed(law) => law.knows_its_errors(),
             Self::Tabulated(law) => law.knows_its_errors(),
             Self::Sampled(law) => law.knows_its_errors(),
+        }
+    }
+
+    /// The law for a length L/R across the sliding, where it is one per length: [`TabulatedLaw::over_length`].
+    #[must_use]
+    pub fn over_length(self, length: f64) -> Self {
+        match self {
+            Self::Tabulated(law) => Self::Tabulated(Arc::new(law.as_ref().clone().over_length(length))),
+            other => other,
+        }
+    }
+
+    /// a/R, half the length along the sliding of a contact of area Ã: the radius of a circle, or half the width of a line contact.
+    #[must_use]
+    pub fn half_length(&self, area: f64) -> f64 {
+        match self {
+            Self::Tabulated(law) => law.half_length(area),
+            _ => (area / PI).sqrt(),
         }
     }
 

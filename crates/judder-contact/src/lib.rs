@@ -17,11 +17,13 @@
 //! - [`fitted`]: the three fitted functions of the oscillator paper (eqs. 34–39), as printed and with the corrected velocity axis.
 //! - [`fit`]: these functions fitted to computed contacts, with confidence intervals (appendix B).
 //! - [`hertz`]: the elastic contact in closed form, the test bench of everything else.
+//! - [`cylinder_on_layer`]: the elastic contact of a cylinder with a layer, spectrally exact: that of line contacts.
 //! - [`law`]: the laws by name, with their ranges of validity; the computed ones: tables, sweeps, files.
 //!
 //! Everything is dimensionless: v̂ = v τ/R and ŷ = y/R go in; F̃_k = F_k/(E0* R²), Ã = A/R² and μ_visc come out.
 
 pub mod contact_law;
+pub mod cylinder_on_layer;
 pub mod fit;
 pub mod fitted;
 pub mod friction;
@@ -60,6 +62,7 @@ mod book {
     chapter!(SlidingContact, "theory/sliding-contact");
     chapter!(TransientContact, "theory/transient-contact");
     chapter!(ComputedLaws, "theory/computed-laws");
+    chapter!(LineContact, "theory/line-contact");
     chapter!(Figure3, "figures/figure-3");
     chapter!(Figure13, "figures/figure-13");
     chapter!(Figure14, "figures/figure-14");

@@ -8,11 +8,12 @@ use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::law_name::LawName;
 use crate::within_law::unknown_errors;
-use judder_contact::law::LawIndenter;
 use judder_contact::law::file::from_json;
 use judder_contact::law::material::{LawMaterial, LawTerm};
+use judder_contact::law::{LawIndenter, LawLayer};
 use judder_contact::{FittedLaw, HertzLaw, Law};
 use judder_keys::numeric_key::Form;
+use judder_numerics::words::plain;
 use judder_oscillator::groups::Scales;
 use judder_oscillator::{Coefficients, Contact, Groups};
 use judder_study::Progress;
@@ -61,7 +62,12 @@ pub(crate) fn contact(
         (Some(law), _) => law,
         (None, LawName::Bem) => {
             let material = Material::new(&case.substrate, &case.inputs)?;
-            let computed = computed_law::of_paraboloid(&material, case.law_accuracy, points, progress)?;
+            let computed = match line_of(case) {
+                Some(line) => {
+                    computed_law::of_cylinder(&material, line.layer, case.law_accuracy, points, progress)?
+                }
+                None => computed_law::of_paraboloid(&material, case.law_accuracy, points, progress)?,
+            };
             missed = computed.missed(case.law_accuracy);
             computed.law
         }
@@ -76,22 +82,75 @@ pub(crate) fn contact(
 /// # Errors
 /// A substrate that cannot be.
 pub fn with_law(case: &OscillatorCase, law: Law) -> Result<CaseContact, ModelError> {
-    let of_origin = shape_warning(case, &law).into_iter().chain(law_warning(case, &law)?);
+    let of_origin = shape_warning(case, &law)?.into_iter().chain(law_warning(case, &law)?);
     let warnings = of_origin.chain(unknown_errors(&law)).collect();
+    let law = match line_of(case) {
+        Some(line) => law.over_length(line.length),
+        None => law,
+    };
     Ok(CaseContact { contact: Contact { law, friction_load: case.friction_load }, warnings })
 }
 
-/// That a law was computed for another indenter than the paraboloid of an oscillator, in words.
-fn shape_warning(case: &OscillatorCase, law: &Law) -> Option<String> {
-    let shape = match law.data()?.origin().indenter {
-        LawIndenter::Paraboloid => return None,
-        LawIndenter::Sphere => "a sphere",
+/// A cylinder on its layer, over its radius.
+struct LineOfCase {
+    layer: LawLayer,
+    /// L/R.
+    length: f64,
+}
+
+/// The cylinder of a case that has one.
+fn line_of(case: &OscillatorCase) -> Option<LineOfCase> {
+    let [radius, poisson_ratio] =
+        [OscillatorKey::Radius, OscillatorKey::PoissonRatio].map(|key| case.inputs.number(key));
+    let (length, thickness) = case.length.zip(case.substrate.thickness)?;
+    let layer = LawLayer { thickness: thickness / radius, poisson_ratio };
+    Some(LineOfCase { layer, length: length / radius })
+}
+
+/// That a law was computed for another indenter than that of an oscillator, in words.
+///
+/// # Errors
+/// A law per length for a paraboloid, another for a cylinder.
+fn shape_warning(case: &OscillatorCase, law: &Law) -> Result<Option<String>, ModelError> {
+    /// What thickness and Poisson's ratio of one layer may differ by in the last digits.
+    const SAME: f64 = 1e-9;
+    let Some(data) = law.data() else { return Ok(None) };
+    let shape = match (data.origin().indenter, line_of(case)) {
+        (LawIndenter::Paraboloid, None) => return Ok(None),
+        (LawIndenter::Sphere, None) => "a sphere",
+        (LawIndenter::Cylinder(made_for), Some(line)) => {
+            let own = line.layer;
+            let differs = (made_for.thickness / own.thickness - 1.0).abs() > SAME
+                || (made_for.poisson_ratio - own.poisson_ratio).abs() > SAME;
+            return Ok(differs.then(|| {
+                format!(
+                    "the law `{}` was computed for a layer of h/R = {} with ν = {}, this one has {} and {}: the law does not know the difference",
+                    case.law.name(),
+                    plain(made_for.thickness),
+                    made_for.poisson_ratio,
+                    plain(own.thickness),
+                    own.poisson_ratio
+                )
+            }));
+        }
+        (LawIndenter::Cylinder(_), None) => {
+            return Err(ModelError::Unsupported(format!(
+                "the law `{}` is that of a cylinder, per length: set indenter.shape = \"cylinder\" with `length`, and substrate.thickness",
+                case.law.name()
+            )));
+        }
+        (LawIndenter::Paraboloid | LawIndenter::Sphere, Some(_)) => {
+            return Err(ModelError::Unsupported(format!(
+                "the law `{}` was not computed for a cylinder: leave indenter.shape out, or compute it, law = \"bem\"",
+                case.law.name()
+            )));
+        }
     };
-    Some(format!(
+    Ok(Some(format!(
         "the law `{}` was computed for {shape}, an oscillator case says a radius alone, that of a paraboloid: at a tenth of the radius the two differ by 1 % in \
          force, 3 % in area",
         case.law.name()
-    ))
+    )))
 }
 
 fn read_law(case: &OscillatorCase) -> Result<Law, ModelError> {

@@ -8,7 +8,7 @@ use judder_contact::law::sweep::{
     CollapseRequest, SolvedLawPoint, SweepEnd, SweepLevel, SweepObserver, SweepRange, SweepRequest,
     collapse_sweep, sweep,
 };
-use judder_contact::law::{LawErrors, LawIndenter, LawOrigin};
+use judder_contact::law::{LawErrors, LawIndenter, LawLayer, LawOrigin};
 use judder_contact::steady::MEMORY;
 use judder_contact::{Law, LawError};
 use judder_study::Progress;
@@ -160,8 +160,17 @@ fn compute_anew(
             (Law::Collapsed(Arc::new(found.law)), found.end, found.levels, found.points)
         }
         LawMethod::Sweep => {
+            let (velocity, indentation) = (task.velocity, task.indentation);
+            let range = match task.indenter {
+                LawIndenter::Cylinder(layer) => {
+                    SweepRange::covering_line(velocity, indentation, &material, layer)?
+                }
+                LawIndenter::Paraboloid | LawIndenter::Sphere => {
+                    SweepRange::covering(velocity, indentation, &material)?
+                }
+            };
             let request = SweepRequest {
-                range: SweepRange::covering(task.velocity, task.indentation, &material)?,
+                range,
                 origin: LawOrigin { material, indenter: task.indenter, source },
                 accuracy,
                 most_points: MOST_POINTS,
@@ -237,6 +246,37 @@ pub fn of_paraboloid(
         method: LawMethod::Collapse,
         velocity: (f64::MIN_POSITIVE, f64::MAX),
         indentation: (f64::MIN_POSITIVE, f64::MAX),
+        accuracy,
+        memory: MEMORY,
+    };
+    compute(&task, points, progress)
+}
+
+/// δ over the thickness of a layer down to which the law of a cylinder on it is computed: a tenth is where linear theory ends, and more is told.
+const DEEPEST_IN_A_LAYER: f64 = 0.2;
+/// The same of a thin layer, as δ R/h²: a contact twenty times as wide as two thicknesses.
+const WIDEST_ON_A_LAYER: f64 = 60.0;
+/// δ over the deepest from which it is computed.
+const SHALLOWEST_IN_A_LAYER: f64 = 1e-4;
+
+/// The law `bem` of a layer under a cylinder, of the length R.
+///
+/// # Errors
+/// As [`compute`].
+pub fn of_cylinder(
+    material: &Material,
+    layer: LawLayer,
+    accuracy: f64,
+    points: KnownPoints<'_>,
+    progress: &dyn Progress,
+) -> Result<ComputedLaw, ModelError> {
+    let deepest = (DEEPEST_IN_A_LAYER * layer.thickness).min(WIDEST_ON_A_LAYER * layer.thickness.powi(2));
+    let task = LawTask {
+        material,
+        indenter: LawIndenter::Cylinder(layer),
+        method: LawMethod::Sweep,
+        velocity: (f64::MIN_POSITIVE, f64::MAX),
+        indentation: (SHALLOWEST_IN_A_LAYER * deepest, deepest),
         accuracy,
         memory: MEMORY,
     };

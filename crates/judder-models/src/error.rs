@@ -2,6 +2,7 @@
 
 use judder_assembly::AssemblyError;
 use judder_contact::LawError;
+use judder_contact::cylinder_on_layer::CylinderError;
 use judder_contact::indenter::IndenterError;
 use judder_contact::material::MaterialError;
 use judder_contact::periodic_contact::PeriodicContactError;
@@ -112,6 +113,9 @@ pub enum ModelError {
     /// The contact has no answer.
     #[error("the contact has no answer: {0}")]
     Contact(#[from] SteadyError),
+    /// The elastic contact of a cylinder with its layer cannot be.
+    #[error(transparent)]
+    Cylinder(#[from] CylinderError),
     /// A motion cannot be followed to its end.
     #[error("the motion cannot be followed: {0}")]
     Motion(LostMotion),
@@ -250,6 +254,7 @@ impl ModelFault for ModelError {
             Self::WrongModel { .. }
             | Self::Material(_)
             | Self::Indenter(_)
+            | Self::Cylinder(_)
             | Self::Key(_)
             | Self::Unsupported(_)
             | Self::Signal(_)

@@ -1,9 +1,11 @@
 //! From `[indenter]` to the surface that presses on the substrate.
 
+use crate::contact::case::ContactCase;
 use crate::contact::shape::{GeneratedSurface, HeightFile, ShapeSettings};
 use crate::error::ModelError;
+use crate::oscillator::keys::OscillatorKey;
 use judder_contact::indenter::{HeightMap, IndenterShape as Surface, RoughSurface, Roughness};
-use judder_contact::law::LawIndenter;
+use judder_contact::law::{LawIndenter, LawLayer};
 use judder_contact::steady::profile::Profile;
 use judder_exchange::heights::{HeightsError, read_heights};
 use judder_study::input_file::{bytes, unusable};
@@ -60,14 +62,20 @@ fn generated(rough: &GeneratedSurface, radius: f64) -> RoughSurface {
     }
 }
 
-/// The indenter as a law knows it.
+/// The indenter of a case as a law knows it; its radius is in m.
 ///
 /// # Errors
 /// A shape without a law.
-pub(crate) fn of_law(shape: &ShapeSettings) -> Result<LawIndenter, ModelError> {
-    match shape {
-        ShapeSettings::Paraboloid => Ok(LawIndenter::Paraboloid),
-        ShapeSettings::Sphere => Ok(LawIndenter::Sphere),
-        other => Err(ModelError::Unsupported(format!("there is no law for the shape `{}`", other.name()))),
+pub(crate) fn of_law(case: &ContactCase, radius: f64) -> Result<LawIndenter, ModelError> {
+    let poisson_ratio = case.inputs.number(OscillatorKey::PoissonRatio);
+    match (&case.shape, case.substrate.thickness) {
+        (ShapeSettings::Paraboloid, _) => Ok(LawIndenter::Paraboloid),
+        (ShapeSettings::Sphere, _) => Ok(LawIndenter::Sphere),
+        (ShapeSettings::Cylinder, Some(thickness)) => {
+            Ok(LawIndenter::Cylinder(LawLayer { thickness: thickness / radius, poisson_ratio }))
+        }
+        (other, _) => {
+            Err(ModelError::Unsupported(format!("there is no law for the shape `{}`", other.name())))
+        }
     }
 }

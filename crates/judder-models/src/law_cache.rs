@@ -134,8 +134,13 @@ fn key(case: &OscillatorCase) -> String {
     let numbers =
         [OscillatorKey::RubberyModulus, OscillatorKey::GlassyModulus, OscillatorKey::RetardationTime]
             .map(|key| case.inputs.number(key));
-    let OscillatorCase { law, law_file, law_accuracy, friction_load, substrate, .. } = case;
-    format!("{substrate:?} {numbers:?} {law:?} {law_file:?} {law_accuracy:?} {friction_load:?}")
+    let OscillatorCase { law, law_file, law_accuracy, friction_load, substrate, length, .. } = case;
+    let of_line = length.map(|length| {
+        [OscillatorKey::Radius, OscillatorKey::PoissonRatio]
+            .map(|key| case.inputs.number(key))
+            .map(|n| (length, n))
+    });
+    format!("{substrate:?} {numbers:?} {law:?} {law_file:?} {law_accuracy:?} {friction_load:?} {of_line:?}")
 }
 
 /// A contact law over speeds and depths: each array has a row a depth, a column a speed.

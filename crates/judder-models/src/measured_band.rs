@@ -67,14 +67,15 @@ impl MeasuredBand {
     }
 }
 
-/// ω τ at a state of steady sliding.
-pub(crate) fn excited(state: &SteadyState) -> f64 {
-    quasi_steady::excited(state.coefficients.velocity, state.equilibrium.response.area.value)
+/// ω τ at a state of steady sliding in a contact.
+pub(crate) fn excited(contact: &Contact, state: &SteadyState) -> f64 {
+    let half_length = contact.law.half_length(state.equilibrium.response.area.value);
+    quasi_steady::excited(state.coefficients.velocity, half_length)
 }
 
 /// The same at an operating point; `None` where there is no steady sliding.
 pub(crate) fn excited_at(contact: &Contact, inputs: &OscillatorInputs) -> Option<f64> {
-    SteadyState::new(contact, inputs).ok().map(|state| excited(&state))
+    SteadyState::new(contact, inputs).ok().map(|state| excited(contact, &state))
 }
 
 #[cfg(test)]

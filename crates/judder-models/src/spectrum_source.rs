@@ -267,7 +267,7 @@ mod tests {
             let shift =
                 Shift::Wlf(Wlf { first: 10.0, second: TemperatureDifference(second), reference: 300.0 });
             let temperature = Some(crate::substrate::temperature::Temperature { temperature: 310.0, shift });
-            let substrate = Substrate { source: source.clone(), temperature };
+            let substrate = Substrate { source: source.clone(), temperature, ..Substrate::default() };
             let moved = FoundSpectrum::of(&substrate, &OscillatorInputs::default()).unwrap();
             let data = one_curve(moduli(&dma(295.0)), &substrate).unwrap();
             let most = judder_contact::material::prony_fit::MOST_TERMS;

@@ -11,6 +11,7 @@ mod contact;
 mod global_margin;
 mod growing;
 mod held;
+mod line;
 mod live;
 mod march;
 mod motion;

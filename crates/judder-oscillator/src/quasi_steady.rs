@@ -12,7 +12,7 @@
 
 use judder_contact::law::material::LawTerm;
 use num_complex::Complex64;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Eq. (3) where x oscillates with a period and an amplitude: (ω − v_d/A_x) τ, to be small against 1; in the units of the oscillator.
 #[must_use]
@@ -65,9 +65,9 @@ pub struct QuasiSteady {
 }
 
 impl QuasiSteady {
-    /// Eq. (3) at τ̃ = ω_nx τ and v̂ = v τ/R, in a contact of this area over R², on a substrate of these terms; `None` for one without.
+    /// Eq. (3) at τ̃ = ω_nx τ and v̂ = v τ/R, in a contact of half length a/R, on a substrate of these terms; `None` for one without.
     #[must_use]
-    pub fn new(retardation_time: f64, velocity: f64, area: f64, terms: &[LawTerm]) -> Option<Self> {
+    pub fn new(retardation_time: f64, velocity: f64, half_length: f64, terms: &[LawTerm]) -> Option<Self> {
         /// Of the compliance: a term with less is no part of what creeps.
         const SHARE: f64 = 0.01;
         let whole: f64 = terms.iter().map(|term| term.compliance).sum();
@@ -76,15 +76,15 @@ impl QuasiSteady {
         Some(Self {
             figure: retardation_time,
             longest: retardation_time * longest,
-            memory: retardation_time * memory_time(excited(velocity, area), terms),
+            memory: retardation_time * memory_time(excited(velocity, half_length), terms),
         })
     }
 }
 
-/// ω τ at which sliding excites its substrate: v τ/a, for v τ/R and A/R² with half the length of the contact a = √(A/π).
+/// ω τ at which sliding excites its substrate: v τ/a, for v τ/R and half the length of the contact, a/R.
 #[must_use]
-pub fn excited(velocity: f64, area: f64) -> f64 {
-    velocity / (area / PI).sqrt()
+pub fn excited(velocity: f64, half_length: f64) -> f64 {
+    velocity / half_length
 }
 
 /// T/τ at v τ/a.
@@ -130,12 +130,12 @@ mod tests {
 
     #[test]
     fn terms_that_stand_for_one_are_one() {
-        let at = |terms: &[LawTerm]| QuasiSteady::new(0.4, 0.02, 3e-4, terms).unwrap();
+        let at = |terms: &[LawTerm]| QuasiSteady::new(0.4, 0.02, 1e-2, terms).unwrap();
         let (one, two) = (at(&[term(1.0, 0.9)]), at(&[term(1.0, 0.45), term(1.0, 0.45)]));
         assert!((one.memory - two.memory).abs() < 1e-15 && one.figure == 0.4 && one.longest == 0.4);
         // a term of a thousandth is not the one that decides
         assert_eq!(at(&[term(1.0, 0.9), term(1e3, 9e-4)]).longest, 0.4);
-        assert_eq!(QuasiSteady::new(0.4, 0.02, 3e-4, &[]), None);
+        assert_eq!(QuasiSteady::new(0.4, 0.02, 1e-2, &[]), None);
     }
 
     #[test]

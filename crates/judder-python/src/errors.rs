@@ -181,6 +181,7 @@ pub(crate) fn model(error: &ModelError) -> PyErr {
         ModelError::Structure(_) => told("StructureError", error),
         ModelError::Material(_)
         | ModelError::Indenter(_)
+        | ModelError::Cylinder(_)
         | ModelError::Periodic(_)
         | ModelError::Transient(_) => told("ContactError", error),
         _ => told("StudyError", error),

@@ -5,6 +5,9 @@ use crate::surface::grid::SurfaceGrid;
 use judder_numerics::words::plain;
 use thiserror::Error;
 
+/// The least thickness of a layer, in cells: the product rules of the wake's kernel resolve a tenth of a cell.
+pub(super) const THINNEST: f64 = 0.1;
+
 /// Why there is no operator for a grid and a substrate.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum KernelError {
@@ -73,6 +76,37 @@ pub enum KernelError {
     Reference {
         /// The distance.
         value: f64,
+    },
+    /// The thickness of a layer is not a length.
+    #[error("the thickness of the layer is {value}, and must be positive and finite")]
+    Thickness {
+        /// h.
+        value: f64,
+    },
+    /// No layer has this Poisson's ratio.
+    #[error("Poisson's ratio of the layer is {value}, and must lie between -1 and 1/2")]
+    PoissonRatio {
+        /// ν.
+        value: f64,
+    },
+    /// A layer under cells that are squares.
+    #[error(
+        "a layer of finite thickness is known for line contacts alone, and this one has {rows} rows of cells"
+    )]
+    LayerOfRows {
+        /// Cells along y.
+        rows: usize,
+    },
+    /// A line contact on a layer that is given a reference distance.
+    #[error("the surface of a layer has a place at rest: its line contact takes no reference distance")]
+    LayerWithReference,
+    /// A layer much thinner than a cell.
+    #[error(
+        "the layer is {} of a cell thick, and at least {THINNEST} is needed: the contact is far wider than the layer is thick", plain(*thickness)
+    )]
+    ThinLayer {
+        /// h over the side of a cell.
+        thickness: f64,
     },
     /// Wakes reach from one period into the next.
     #[error(

@@ -1,6 +1,7 @@
 //! Sliding of long strips, the plane-strain contact of a cylinder across the direction of sliding.
 
-use super::check::KernelError;
+use super::check::{KernelError, THINNEST};
+use super::layer::BondedLayer;
 use super::recurrence::{WakeRecurrence, WakeRow};
 use super::sliding::SlidingOperator;
 use super::spectra::KernelSpectra;
@@ -58,9 +59,9 @@ impl SlidingOperator {
         reference: f64,
         allowed: u64,
     ) -> Result<Self, KernelError> {
-        Self::check(&grid, substrate, allowed)?;
-        if grid.rows != 1 {
-            return Err(KernelError::Rows { rows: grid.rows });
+        Self::check_line(&grid, substrate, allowed)?;
+        if substrate.layer.is_some() {
+            return Err(KernelError::LayerWithReference);
         }
         if !(reference > 0.0 && reference.is_finite()) {
             return Err(KernelError::Reference { value: reference });
@@ -73,23 +74,57 @@ impl SlidingOperator {
         spectra.at_itself -= kernel.values.iter().copied().fold(f64::INFINITY, f64::min);
         Ok(Self::with_spectra(grid, Arc::new(spectra)))
     }
+
+    /// The operator of a line contact on the substrate's layer, whose surface is at rest far from the contact: displacements are what they are.
+    ///
+    /// # Errors
+    /// What [`SlidingOperator::new`] refuses of grids and materials, a grid of more than one row, a layer far thinner than a strip is wide.
+    pub(crate) fn on_layer(
+        grid: SurfaceGrid,
+        substrate: &SlidingSubstrate,
+        layer: &BondedLayer,
+        allowed: u64,
+    ) -> Result<Self, KernelError> {
+        Self::check_line(&grid, substrate, allowed)?;
+        let in_strips = layer.in_units(grid.cell);
+        let thickness = in_strips.thickness();
+        if thickness < THINNEST {
+            return Err(KernelError::ThinLayer { thickness });
+        }
+        let in_cells = substrate.in_cells(grid.cell);
+        let shift = in_cells.collocation_shift(1.0);
+        let kernel = strip_kernel(grid.columns, shift, &in_cells, |x| in_strips.displacement(x));
+        let mut spectra = KernelSpectra::from_kernel(&kernel, shift, &in_cells);
+        // behind a strip a layer may bulge
+        spectra.at_itself -= kernel.values.iter().copied().fold(0.0, f64::min);
+        Ok(Self::with_spectra(grid, Arc::new(spectra)))
+    }
+
+    fn check_line(grid: &SurfaceGrid, substrate: &SlidingSubstrate, allowed: u64) -> Result<(), KernelError> {
+        Self::check(grid, substrate, allowed)?;
+        if grid.rows == 1 { Ok(()) } else { Err(KernelError::Rows { rows: grid.rows }) }
+    }
 }
 
-/// The kernel of a line of strips, by the recurrence of [`WakeKernel::new`]; lengths in strips.
+/// The kernel of a line of strips on a half-space; lengths in strips.
 #[must_use]
 pub fn line_kernel(columns: usize, shift: f64, reference: f64, substrate: &SlidingSubstrate) -> WakeKernel {
+    strip_kernel(columns, shift, substrate, |x| displacement(x, reference))
+}
+
+/// The kernel of strips of which one moves the surface by `displacement`, by the recurrence of [`WakeKernel::new`]; lengths in strips.
+fn strip_kernel(
+    columns: usize,
+    shift: f64,
+    substrate: &SlidingSubstrate,
+    displacement: impl Fn(f64) -> f64,
+) -> WakeKernel {
     let fill = |x: f64, out: &mut [f64]| {
         for (index, value) in out.iter_mut().enumerate() {
-            *value = displacement(x + index as f64, reference);
+            *value = displacement(x + index as f64);
         }
     };
-    let places = WakeRow::new(
-        1.0 - columns as f64 - shift,
-        padded(columns),
-        0.0,
-        |x| displacement(x, reference),
-        fill,
-    );
+    let places = WakeRow::new(1.0 - columns as f64 - shift, padded(columns), 0.0, &displacement, fill);
     let mut values = vec![0.0; padded(columns)];
     places.add_kernel(substrate, &WakeRecurrence::all(substrate), &mut values);
     WakeKernel { columns, rows: 1, values }

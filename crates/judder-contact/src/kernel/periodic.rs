@@ -36,7 +36,7 @@ impl SlidingOperator {
         substrate: &SlidingSubstrate,
         allowed: u64,
     ) -> Result<Self, KernelError> {
-        Self::check(&grid, substrate, allowed)?;
+        Self::check_half_space(&grid, substrate, allowed)?;
         let period = grid.columns as f64 * grid.cell;
         let memory = memory_of_a_period(period, substrate);
         if memory > PERIODIC_MEMORY {

@@ -24,7 +24,7 @@ impl SlidingOperator {
     /// # Errors
     /// [`KernelError`]: a grid or a substrate that has no kernel, and more memory than `allowed` bytes.
     pub fn new(grid: SurfaceGrid, substrate: &SlidingSubstrate, allowed: u64) -> Result<Self, KernelError> {
-        Self::check(&grid, substrate, allowed)?;
+        Self::check_half_space(&grid, substrate, allowed)?;
         let spectra = KernelSpectra::unbounded(grid.columns, grid.rows, &substrate.in_cells(grid.cell));
         Ok(Self::with_spectra(grid, Arc::new(spectra)))
     }
@@ -40,9 +40,21 @@ impl SlidingOperator {
         allowed: u64,
         cache: &KernelCache,
     ) -> Result<Self, KernelError> {
-        Self::check(&grid, substrate, allowed)?;
+        Self::check_half_space(&grid, substrate, allowed)?;
         let spectra = cache.spectra(grid.columns, grid.rows, &substrate.in_cells(grid.cell));
         Ok(Self::with_spectra(grid, spectra))
+    }
+
+    /// As [`check`](Self::check), for squares, under which no layer is known.
+    pub(super) fn check_half_space(
+        grid: &SurfaceGrid,
+        substrate: &SlidingSubstrate,
+        allowed: u64,
+    ) -> Result<(), KernelError> {
+        if substrate.layer.is_some() {
+            return Err(KernelError::LayerOfRows { rows: grid.rows });
+        }
+        Self::check(grid, substrate, allowed)
     }
 
     /// Checks a grid and a substrate before an operator is made of them that may take `allowed` bytes.

@@ -63,13 +63,16 @@ fn spectrum_bytes(wide: usize, high: usize) -> u64 {
     modes.saturating_mul(size_of::<Complex64>() as u64)
 }
 
-/// |q|/(2 J(q_x)) e^{i q_x s}, the inverse symbol on the grid taken as periodic; its mean takes half the lowest wave.
+/// |q|/(2 J(q_x)) e^{i q_x s}, over f(q h) of a layer, the inverse symbol on the grid taken as periodic; its mean takes half the lowest wave.
 pub(crate) fn inverse_symbol(transform: PaddedTransform, shift: f64, substrate: &SlidingSubstrate) -> Filter {
     let lowest = PI / transform.wide().max(transform.high()) as f64;
     let factors = symbol(
         &transform,
         |along| Complex64::from_polar(0.5, along * shift) / substrate.compliance(along),
-        |wave| wave.max(lowest),
+        |wave| {
+            let wave = wave.max(lowest);
+            wave / substrate.transfer(wave)
+        },
     );
     Filter { transform, factors }
 }

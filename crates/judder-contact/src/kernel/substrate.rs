@@ -1,5 +1,6 @@
 //! The substrate as an indenter sees it that slides at one speed.
 
+use super::layer::BondedLayer;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
@@ -32,20 +33,29 @@ pub struct SlidingSubstrate {
     pub instantaneous: f64,
     /// The terms of the creep spectrum.
     pub terms: Vec<WakeTerm>,
+    /// The layer on a rigid base that it is, of line contacts alone; otherwise a half-space.
+    pub layer: Option<BondedLayer>,
 }
 
 impl SlidingSubstrate {
     /// An elastic half-space of modulus E0.
     #[must_use]
     pub fn elastic() -> Self {
-        Self { instantaneous: 1.0, terms: Vec::new() }
+        Self { instantaneous: 1.0, terms: Vec::new(), layer: None }
     }
 
     /// One retardation time: `contrast` is E∞/E0, `length` is v τ.
     #[must_use]
     pub fn single(contrast: f64, length: f64) -> Self {
         let instantaneous = 1.0 / contrast;
-        Self { instantaneous, terms: vec![WakeTerm { compliance: 1.0 - instantaneous, length }] }
+        let terms = vec![WakeTerm { compliance: 1.0 - instantaneous, length }];
+        Self { instantaneous, terms, layer: None }
+    }
+
+    /// The same material as a layer.
+    #[must_use]
+    pub fn as_layer(self, layer: BondedLayer) -> Self {
+        Self { layer: Some(layer), ..self }
     }
 
     /// Whether a wake is about as long as a cell, from a third to one and a half: shorter ones are a lag, longer ones are resolved.
@@ -60,7 +70,8 @@ impl SlidingSubstrate {
         self.instantaneous + self.terms.iter().map(|term| term.compliance).sum::<f64>()
     }
 
-    /// J(q) = E0/E∞ + Σ C_k E0/(1 − i q ℓ_k): a pressure e^{iqx} that slides to +x moves the surface by 2 J(q)/|q| e^{iqx}.
+    /// J(q) = E0/E∞ + Σ C_k E0/(1 − i q ℓ_k): a pressure e^{iqx} that slides to +x moves the surface by 2 J(q)/|q| e^{iqx}, times
+    /// [`f(qh)`](BondedLayer::transfer) of a layer.
     ///
     /// This is eq. (30) of the oscillator paper at ω = −q v; its imaginary part dissipates.
     #[must_use]
@@ -70,6 +81,12 @@ impl SlidingSubstrate {
         })
     }
 
+    /// f(q h) of a layer, 1 of a half-space: what it yields to a wave over what a half-space does.
+    #[must_use]
+    pub fn transfer(&self, wave_number: f64) -> f64 {
+        self.layer.as_ref().map_or(1.0, |layer| layer.transfer(wave_number))
+    }
+
     /// The same substrate with its lengths in cells of side `cell`, ascending and distinct.
     ///
     /// Equal lengths are merged; a wake shorter than any cell resolves belongs to the instantaneous answer, and one that
@@ -77,8 +94,11 @@ impl SlidingSubstrate {
     /// computations that arrive at the same ratio ℓ/h by different roundings share one kernel.
     #[must_use]
     pub fn in_cells(&self, cell: f64) -> Self {
-        let mut scaled =
-            Self { instantaneous: self.instantaneous, terms: Vec::with_capacity(self.terms.len()) };
+        let mut scaled = Self {
+            instantaneous: self.instantaneous,
+            terms: Vec::with_capacity(self.terms.len()),
+            layer: self.layer.as_ref().map(|layer| layer.in_units(cell)),
+        };
         let mut terms = self.terms.clone();
         terms.sort_by(|a, b| a.length.total_cmp(&b.length));
         for term in terms {

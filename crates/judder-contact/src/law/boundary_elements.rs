@@ -4,6 +4,8 @@ use super::limits::LawIndenter;
 use super::material::LawMaterial;
 use super::quantities::PerQuantity;
 use super::sweep::LawSample;
+use crate::indenter::IndenterShape;
+use crate::kernel::check::KernelError;
 use crate::kernel::substrate::{SlidingSubstrate, WakeTerm};
 use crate::steady::profile::{Paraboloid, Profile, Sphere};
 use crate::steady::refinement::ErrorEstimate;
@@ -72,7 +74,7 @@ pub fn sample(
     accuracy: f64,
     memory: u64,
 ) -> Result<LawSample, SampleError> {
-    let substrate = material.sliding(velocity);
+    let substrate = indenter.substrate(material, velocity).map_err(SteadyError::from)?;
     let contact = solve(&SteadyQuestion {
         substrate: &substrate,
         profile: indenter.profile(),
@@ -107,17 +109,30 @@ impl LawMaterial {
             .iter()
             .map(|term| WakeTerm { compliance: term.compliance, length: velocity * term.retardation_time })
             .collect();
-        SlidingSubstrate { instantaneous: 1.0 / self.modulus_ratio, terms }
+        SlidingSubstrate { instantaneous: 1.0 / self.modulus_ratio, terms, layer: None }
     }
 }
 
 impl LawIndenter {
+    /// What it slides on at v̂ = v τ/R, lengths in R: a half-space of the material, or its layer.
+    ///
+    /// # Errors
+    /// A layer that cannot be.
+    pub fn substrate(self, material: &LawMaterial, velocity: f64) -> Result<SlidingSubstrate, KernelError> {
+        let sliding = material.sliding(velocity);
+        match self {
+            Self::Paraboloid | Self::Sphere => Ok(sliding),
+            Self::Cylinder(layer) => Ok(sliding.as_layer(layer.layer()?)),
+        }
+    }
+
     /// Its surface.
     #[must_use]
     pub fn profile(self) -> &'static dyn Profile {
         match self {
             Self::Paraboloid => &Paraboloid,
             Self::Sphere => &Sphere,
+            Self::Cylinder(_) => &IndenterShape::Cylinder { radius: 1.0 },
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::law::limits::LawIndenter;
 use crate::law::material::LawMaterial;
 use crate::law::origin::LawOrigin;
 use crate::law::quantities::{KnotValues, LawErrors, PerQuantity};
-use crate::law::scaled::{FrictionReference, SPEED_RATES, ScaledLogarithm, ln_speed, logarithms};
+use crate::law::scaled::{LawReference, SPEED_RATES, ScaledLogarithm, ln_speed, logarithms};
 use crate::law::scatter::{self, Doubt, Tabulated};
 use crate::law::slow::put_theory;
 use crate::law::spline::{left_out, pieces};
@@ -26,7 +26,7 @@ const DEEPEST: f64 = 0.1;
 #[derive(Debug, Clone, PartialEq)]
 pub struct CollapsedLaw {
     data: LawData,
-    reference: FrictionReference,
+    reference: LawReference,
     /// `[a][quantity]`: sums over the functions of ln z (a), as in a table's patch.
     pieces: Vec<[[f64; 4]; 4]>,
     /// A piece each.
@@ -47,7 +47,7 @@ impl CollapsedLaw {
     ) -> Result<Self, LawError> {
         let material = material.checked()?;
         check_values(&speeds, 1, &values)?;
-        let reference = FrictionReference::new(&material);
+        let reference = LawReference::new(&material, LawIndenter::Paraboloid);
         let limits = LawIndenter::Paraboloid.logarithms(1.0, &material)?;
         let mut scaled = logarithms(&reference, &speeds, 1, &values);
         let slow = put_theory(&mut scaled, &speeds, &[limits], &material);

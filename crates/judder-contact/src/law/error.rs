@@ -1,5 +1,7 @@
 //! Why a law cannot be made, read or swept.
 
+use crate::cylinder_on_layer::CylinderError;
+use crate::kernel::check::KernelError;
 use std::fmt;
 use thiserror::Error;
 
@@ -104,6 +106,12 @@ pub enum LawError {
         /// 1 − E0/E∞.
         expected: f64,
     },
+    /// A layer under a cylinder that cannot be.
+    #[error(transparent)]
+    Layer(#[from] KernelError),
+    /// A cylinder that its layer cannot hold at a depth.
+    #[error(transparent)]
+    Cylinder(#[from] CylinderError),
     /// A law file is not JSON, or lacks a field, or has one too many.
     #[error("law file: {0}")]
     Json(#[from] serde_json::Error),

@@ -44,10 +44,12 @@ struct LawDocument {
     indenter: LawIndenter,
     material: LawMaterial,
     knots: KnotLists,
-    /// f = F̃/ŷ^{3/2}, g = Ã/ŷ, m = μ/√ŷ, speed fastest.
+    /// f = F̃/ŷ^{3/2}, g = Ã/ŷ, m = μ/√ŷ, speed fastest; of a cylinder f = F̃/ŷ and g = Ã/√ŷ, of the length R.
     values: KnotValues,
     errors: LawErrors,
-    limits: Limits,
+    /// Null for a cylinder, whose limits depend on the depth.
+    #[serde(deserialize_with = "Option::deserialize")]
+    limits: Option<Limits>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -87,8 +89,21 @@ impl Limits {
         }
     }
 
-    fn check(&self, material: &LawMaterial) -> Result<(), LawError> {
-        let exact = Self::new(material);
+    fn of(indenter: LawIndenter, material: &LawMaterial) -> Option<Self> {
+        (!indenter.is_line()).then(|| Self::new(material))
+    }
+
+    fn check(found: Option<&Self>, indenter: LawIndenter, material: &LawMaterial) -> Result<(), LawError> {
+        let exact = Self::of(indenter, material).unwrap_or_else(Self::none);
+        found.unwrap_or(&Self::none()).agrees(&exact)
+    }
+
+    /// Those of an indenter that has none.
+    fn none() -> Self {
+        Self { slow_force: 0.0, fast_force: 0.0, area: 0.0, slow_friction: 0.0, fast_friction: 0.0 }
+    }
+
+    fn agrees(&self, exact: &Self) -> Result<(), LawError> {
         for (name, found, expected) in [
             ("slow_force", self.slow_force, exact.slow_force),
             ("fast_force", self.fast_force, exact.fast_force),
@@ -131,7 +146,7 @@ pub fn to_json(law: &Law) -> Result<Option<String>, LawError> {
         },
         values: values.clone(),
         errors: *data.errors(),
-        limits: Limits::new(&origin.material),
+        limits: Limits::of(origin.indenter, &origin.material),
     };
     Ok(Some(serde_json::to_string_pretty(&document)?))
 }
@@ -156,7 +171,7 @@ pub fn from_json(text: &str) -> Result<Law, LawError> {
     }
     let document: LawDocument = serde_json::from_str(text)?;
     let material = document.material.checked()?;
-    document.limits.check(&material)?;
+    Limits::check(document.limits.as_ref(), document.indenter, &material)?;
     check_errors(&document.errors)?;
     let speeds = Knots::from_list(SPEED_AXIS, &document.knots.ln_speeds)?;
     let (values, errors) = (document.values, document.errors);

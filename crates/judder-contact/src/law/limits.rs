@@ -1,27 +1,53 @@
 //! What is known exactly about an indenter: the elastic contact, and friction in very slow and very fast sliding.
 
+use crate::cylinder_on_layer::{CylinderError, CylinderOnLayer};
+use crate::kernel::check::KernelError;
+use crate::kernel::layer::BondedLayer;
 use crate::law::error::LawError;
 use crate::law::material::LawMaterial;
 use crate::law::quantities::PerQuantity;
 use judder_numerics::quadrature::gauss_legendre;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
 
 /// The indenter of a computed law.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum LawIndenter {
     /// Height r²/2R: everything depends on v τ/√(R δ) alone.
     Paraboloid,
     /// Height R − √(R² − r²): a paraboloid where it is shallow.
     Sphere,
+    /// Height x²/2R for every y, on a layer: a line contact, whose law is that of the length R.
+    Cylinder(LawLayer),
 }
 
-/// The elastic contact of an indenter with a half-space at one depth, over that of the paraboloid of the same radius.
+/// The layer under a cylinder.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LawLayer {
+    /// h/R, its thickness.
+    pub thickness: f64,
+    /// ν.
+    pub poisson_ratio: f64,
+}
+
+impl LawLayer {
+    /// As kernels know it, lengths in R.
+    ///
+    /// # Errors
+    /// As [`BondedLayer::new`].
+    pub fn layer(self) -> Result<BondedLayer, KernelError> {
+        BondedLayer::new(self.thickness, self.poisson_ratio)
+    }
+}
+
+/// The elastic contact of an indenter at one depth, over that of the paraboloid of the same radius on a half-space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ElasticContact {
-    /// F/(4/3 E* √R δ^{3/2}).
+    /// F/(4/3 E* √R δ^{3/2}); of a cylinder F/(E* δ) per length.
     pub force: f64,
-    /// A/(π R δ).
+    /// A/(π R δ); of a cylinder the width over √(R δ).
     pub area: f64,
     /// Mean curvature of the indenter under the elastic pressure, times R: the friction of slow sliding over a paraboloid's.
     pub slow_friction: f64,
@@ -55,6 +81,22 @@ fn integral(end: f64, function: impl Fn(f64) -> f64) -> f64 {
 }
 
 impl LawIndenter {
+    /// Whether its law is one per length: that of the length R.
+    #[must_use]
+    pub fn is_line(self) -> bool {
+        matches!(self, Self::Cylinder(_))
+    }
+
+    /// F̃/f, Ã/g and μ/m at ŷ, the powers of the depth that a law is tabulated over.
+    pub(crate) fn units(self, indentation: f64) -> PerQuantity<f64> {
+        let root = indentation.sqrt();
+        if self.is_line() {
+            PerQuantity { force: indentation, area: root, friction: root }
+        } else {
+            PerQuantity { force: indentation * root, area: indentation, friction: root }
+        }
+    }
+
     /// The elastic contact at ŷ = δ/R.
     ///
     /// Any smooth axisymmetric indenter is a sequence of flat punches (Sneddon 1965; Johnson, *Contact Mechanics*, 5.2): with δ(a) the
@@ -62,8 +104,12 @@ impl LawIndenter {
     /// ∫p u = 2 ∫F dδ. Both the pressure near the edge and that of a punch with the indenter's slope grow as δ′(a), so the friction of
     /// slow sliding falls with its square. Sphere: δ = a artanh(a/R); paraboloid: δ = a²/R.
     ///
+    /// A cylinder on its layer: [`CylinderOnLayer`], whose curvature is 1/R everywhere. Of its width the shift takes a part of 2a, not of
+    /// π a/2 on average; the moment of the trailing edge's singularity is 4π c T with T of the tilted stamp, as the two-dimensional edge
+    /// field is the same under any smooth part of the displacement, and the friction of slow sliding falls by (π/2) K T/F (s − 2 m/s) v̂.
+    ///
     /// # Errors
-    /// A sphere at ŷ that is not between 0 and 1: the half-space knows no such contact.
+    /// A sphere at ŷ that is not between 0 and 1: the half-space knows no such contact; [`CylinderError`](crate::cylinder_on_layer::CylinderError).
     pub fn elastic(self, indentation: f64) -> Result<ElasticContact, LawError> {
         match self {
             Self::Paraboloid => Ok(ElasticContact {
@@ -75,6 +121,7 @@ impl LawIndenter {
                 friction_slope: 1.0,
             }),
             Self::Sphere if indentation > 0.0 && indentation < 1.0 => Ok(sphere(indentation)),
+            Self::Cylinder(layer) => Ok(cylinder(&layer.layer()?, indentation)?),
             Self::Sphere => Err(LawError::InvalidNumber {
                 name: "indentation δ/R of a sphere",
                 value: indentation,
@@ -105,6 +152,19 @@ impl LawIndenter {
             },
         })
     }
+}
+
+fn cylinder(layer: &BondedLayer, indentation: f64) -> Result<ElasticContact, CylinderError> {
+    let contact = CylinderOnLayer::of_indentation(layer, indentation)?;
+    let root = indentation.sqrt();
+    Ok(ElasticContact {
+        force: contact.force / indentation,
+        area: 2.0 * contact.half_width / root,
+        slow_friction: 1.0,
+        fast_friction: contact.twice_the_work / (0.8 * contact.force * indentation),
+        area_slope: 0.25 * PI * root / contact.half_width,
+        friction_slope: 0.25 * PI * PI * contact.edge * contact.tilted_edge * root / contact.force,
+    })
 }
 
 fn sphere(indentation: f64) -> ElasticContact {
@@ -148,7 +208,6 @@ fn contact_radius(indentation: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f64::consts::PI;
 
     #[test]
     fn sphere_against_the_closed_form_of_sneddon() {

@@ -1,12 +1,13 @@
 //! The bounded, smooth logarithms that a law is tabulated in, and the way back.
 //!
-//! With z = v̂/√ŷ, f = F̃/ŷ^{3/2}, g = Ã/ŷ, m = μ/√ŷ:
+//! With z = v̂/√ŷ, f = F̃/ŷ^{3/2}, g = Ã/ŷ, m = μ/√ŷ (of a cylinder f = F̃/ŷ and g = Ã/√ŷ, per length):
 //!
-//! - force: ln(f/(4/3)), from 0 to ln(E∞/E0) for a paraboloid;
-//! - area: ln(g/π), 0 at both ends;
+//! - force: ln(f/(4/3)), from 0 to ln(E∞/E0) for a paraboloid; ln f of a cylinder;
+//! - area: ln(g/π), 0 at both ends; ln g of a cylinder;
 //! - friction: ln(m/m0), 0 at both ends, with m0 = s z/(1 + (s/r) z²), which has the exact slow (s z) and fast (r/z) limits.
 
 use crate::law::knots::Knots;
+use crate::law::limits::LawIndenter;
 use crate::law::material::LawMaterial;
 use crate::law::quantities::{KnotValues, PerQuantity};
 use crate::response::{ContactResponse, LawPoint, WithDerivatives};
@@ -27,19 +28,37 @@ pub(crate) struct ScaledLogarithm {
     pub(crate) by_ln_indentation: f64,
 }
 
-/// The reference friction m0.
+/// What the logarithms are counted from: the units of force and area, and the reference friction m0.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct FrictionReference {
+pub(crate) struct LawReference {
+    /// f and g whose logarithms are 0.
+    units: [f64; 2],
+    /// The same times the length that a law per length is told for.
+    told: [f64; 2],
+    /// Whether it is a law per length.
+    is_line: bool,
     /// s, slope at rest.
     slow: f64,
     /// s/r.
     ratio: f64,
 }
 
-impl FrictionReference {
-    pub(crate) fn new(material: &LawMaterial) -> Self {
+impl LawReference {
+    pub(crate) fn new(material: &LawMaterial, indenter: LawIndenter) -> Self {
         let slow = material.slow_friction();
-        Self { slow, ratio: slow / material.fast_friction() }
+        let is_line = indenter.is_line();
+        let units = if is_line { [1.0; 2] } else { [HERTZ_FORCE, PI] };
+        Self { units, told: units, is_line, slow, ratio: slow / material.fast_friction() }
+    }
+
+    /// Force and area for a length L/R, where the law is one per length.
+    pub(crate) fn over(self, length: f64) -> Self {
+        Self { told: self.units.map(|unit| length * unit), ..self }
+    }
+
+    /// Half the length along the sliding, over R, of a contact of this area: the radius of a circle, half the width of a line.
+    pub(crate) fn half_length(&self, area: f64) -> f64 {
+        if self.is_line { 0.5 * area / self.told[1] } else { (area / PI).sqrt() }
     }
 
     /// ln m0 at ln z, without overflow.
@@ -51,8 +70,8 @@ impl FrictionReference {
     /// The scaled logarithms of f, g, m at ln z.
     pub(crate) fn scale(&self, ln_speed: f64, values: PerQuantity<f64>) -> PerQuantity<f64> {
         PerQuantity {
-            force: (values.force / HERTZ_FORCE).ln(),
-            area: (values.area / PI).ln(),
+            force: (values.force / self.units[0]).ln(),
+            area: (values.area / self.units[1]).ln(),
             friction: values.friction.ln() - self.logarithm(ln_speed),
         }
     }
@@ -66,8 +85,14 @@ impl FrictionReference {
         // at constant v̂, ln z falls by half of what ln ŷ gains
         let along = |q: &ScaledLogarithm| q.by_ln_indentation - 0.5 * q.by_ln_speed;
         let PerQuantity { force, area, friction } = scaled;
-        let stiffness = HERTZ_FORCE * y.sqrt() * exp(force.value);
-        let width = PI * exp(area.value);
+        let [force_unit, area_unit] = self.told;
+        let root = y.sqrt();
+        // F̃/ŷ and Ã/ŷ, and the powers of ŷ of F̃ and Ã in units of f and g
+        let (stiffness, force_power, width, area_power) = if self.is_line {
+            (force_unit * exp(force.value), 1.0, area_unit * exp(area.value) / root, 0.5)
+        } else {
+            (force_unit * root * exp(force.value), 1.5, area_unit * exp(area.value), 1.0)
+        };
         // s z²: in an order in which neither factor overflows before the product does
         let share = 1.0 / (1.0 + self.ratio * ((v * per_y) * v));
         let slope = self.slow * exp(friction.value) * share;
@@ -75,12 +100,12 @@ impl FrictionReference {
             force: WithDerivatives {
                 value: stiffness * y,
                 by_velocity: stiffness * y * force.by_ln_speed * per_v,
-                by_indentation: stiffness * (1.5 + along(&force)),
+                by_indentation: stiffness * (force_power + along(&force)),
             },
             area: WithDerivatives {
                 value: width * y,
                 by_velocity: width * y * area.by_ln_speed * per_v,
-                by_indentation: width * (1.0 + along(&area)),
+                by_indentation: width * (area_power + along(&area)),
             },
             friction: WithDerivatives {
                 value: slope * v,
@@ -108,7 +133,7 @@ pub(crate) const INDENTATION_AXIS: &str = "ln(δ/R)";
 
 /// The scaled logarithms of values at all knots; the values are positive and as many as the knots.
 pub(crate) fn logarithms(
-    reference: &FrictionReference,
+    reference: &LawReference,
     speeds: &Knots,
     rows: usize,
     values: &KnotValues,

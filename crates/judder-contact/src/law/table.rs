@@ -8,7 +8,7 @@ use crate::law::limits::SpeedLimits;
 use crate::law::material::LawMaterial;
 use crate::law::origin::LawOrigin;
 use crate::law::quantities::{KnotValues, LawErrors, NAMES, PerQuantity};
-use crate::law::scaled::{FrictionReference, SPEED_RATES, ScaledLogarithm, ln_speed, logarithms};
+use crate::law::scaled::{LawReference, SPEED_RATES, ScaledLogarithm, ln_speed, logarithms};
 use crate::law::scatter::{self, Doubt, Tabulated};
 use crate::law::slow::put_theory;
 use crate::law::spline::{Tail, left_out, pieces};
@@ -107,20 +107,20 @@ pub(crate) fn along_speed(patch: &TablePatch, weights: &[f64; 4]) -> [[f64; 4]; 
 }
 
 /// A law over speed and depth as a C² table in ln z and ln ŷ, z = v̂/√ŷ = v τ/√(R δ), of the logarithms of f = F̃/ŷ^{3/2}, g = Ã/ŷ and
-/// m = μ/√ŷ.
+/// m = μ/√ŷ; of a cylinder on a layer of f = F̃/ŷ and g = Ã/√ŷ, per length R or for the one of [`over_length`](Self::over_length).
 ///
 /// In these coordinates a paraboloid's law is a function of ln z alone, and a sphere's nearly so; few knots along ln ŷ suffice.
 /// Outside the table the law is still C²:
 ///
 /// - slow and fast: the exact limits ([`LawIndenter::elastic`](crate::law::limits::LawIndenter::elastic): Hertz with E0 and with E∞, friction
 ///   ∝ v and ∝ 1/v), approached as z, with its exact factor, then z² ln z, and as ln z/z;
-/// - shallow: the collapse on z, approached as ŷ;
+/// - shallow: the collapse on z, approached as ŷ; a cylinder's levels off, which [`concern`](ContactLaw::concern) says;
 /// - deep: f, g, m level off; [`concern`](ContactLaw::concern) says so.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TabulatedLaw {
     data: LawData,
     indentations: Knots,
-    reference: FrictionReference,
+    reference: LawReference,
     patches: Vec<TablePatch>,
     /// A patch each.
     doubts: Option<Vec<Doubt>>,
@@ -144,7 +144,7 @@ impl TabulatedLaw {
     ) -> Result<Self, LawError> {
         let origin = LawOrigin { material: origin.material.checked()?, ..origin };
         check_values(&speeds, indentations.count(), &values)?;
-        let reference = FrictionReference::new(&origin.material);
+        let reference = LawReference::new(&origin.material, origin.indenter);
         let limits = row_limits(&origin, &indentations)?;
         let mut scaled = logarithms(&reference, &speeds, indentations.count(), &values);
         let slow = put_theory(&mut scaled, &speeds, &limits, &origin.material);
@@ -161,6 +161,19 @@ impl TabulatedLaw {
                 .doubts();
         let data = LawData { origin, speeds, values, errors };
         Ok(Self { data, indentations, reference, patches, doubts, errors_by_axis })
+    }
+
+    /// The law for a length L/R across the sliding, where it is one per length (the length R); any other as it is.
+    #[must_use]
+    pub fn over_length(self, length: f64) -> Self {
+        let is_line = self.data.origin.indenter.is_line();
+        let reference = if is_line { self.reference.over(length) } else { self.reference };
+        Self { reference, ..self }
+    }
+
+    /// Half the length along the sliding, over R, of a contact of this Ã.
+    pub(super) fn half_length(&self, area: f64) -> f64 {
+        self.reference.half_length(area)
     }
 
     /// Whether there are knots enough to tell its errors.
@@ -183,6 +196,11 @@ impl TabulatedLaw {
     /// The largest interpolation error along the speed and along the depth, from the knots left out along each.
     pub(crate) fn errors_by_axis(&self) -> [PerQuantity<f64>; 2] {
         self.errors_by_axis
+    }
+
+    /// Whether a depth is above the shallowest knot of a cylinder, whose law has no limit there but a logarithm.
+    fn is_too_shallow(&self, at: &LawPoint) -> bool {
+        self.data.origin.indenter.is_line() && at.ln_indentation < self.indentations.first()
     }
 
     #[inline(always)]
@@ -211,9 +229,9 @@ impl ContactLaw for TabulatedLaw {
         self.reference.response(at, scaled)
     }
 
-    /// Unknown below the deepest knot, where the law levels off by assumption.
+    /// Unknown below the deepest knot, where the law levels off by assumption, and of a cylinder above the shallowest.
     fn doubt(&self, at: &LawPoint) -> Option<ContactResponse> {
-        if at.ln_indentation > self.indentations.last() {
+        if at.ln_indentation > self.indentations.last() || self.is_too_shallow(at) {
             return None;
         }
         let (speed, depth, patch) = self.places(at);
@@ -228,6 +246,9 @@ impl ContactLaw for TabulatedLaw {
         let (speed, depth, patch) = self.places(&at);
         if depth.piece == self.indentations.count() && at.ln_indentation > self.indentations.last() {
             return Some(ValidityConcern::TooDeep { indentation, limit: self.indentations.last().exp() });
+        }
+        if self.is_too_shallow(&at) {
+            return Some(ValidityConcern::TooShallow { indentation, limit: self.indentations.first().exp() });
         }
         let is_tail = speed.piece == 0 || speed.piece == self.data.speeds.count();
         // the term whose factor is known is no assumption

@@ -163,7 +163,7 @@ impl CreepSpectrum {
     pub fn sliding_at(&self, speed: f64) -> SlidingSubstrate {
         let (instantaneous, terms) = self.sliding_terms();
         let term = |(compliance, time): (f64, f64)| WakeTerm { compliance, length: speed * time };
-        SlidingSubstrate { instantaneous, terms: terms.into_iter().map(term).collect() }
+        SlidingSubstrate { instantaneous, terms: terms.into_iter().map(term).collect(), layer: None }
     }
 
     /// The same material with every retardation time multiplied by `factor`, as a change of temperature does.

@@ -54,7 +54,7 @@ pub fn friction_from_dissipation(grid: &SurfaceGrid, pressure: &[f64], substrate
 
 /// The friction force per length of a line contact, in E0* times the length unit, from the dissipation in the bulk.
 ///
-/// F_x = (1/2π) ∫ q · 2 Im[J(q)]/|q| · |P(q)|² dq, as [`friction_from_dissipation`] with all waves along x. Without the
+/// F_x = (1/2π) ∫ q · 2 Im[J(q)] f(q h)/|q| · |P(q)|² dq, f = 1 on a half-space, as [`friction_from_dissipation`] with all waves along x. Without the
 /// waves across, long ones weigh more: the quadrature begins where the longest wake is passed in a small part of a wave.
 #[must_use]
 pub fn friction_of_a_line(grid: &SurfaceGrid, pressure: &[f64], substrate: &SlidingSubstrate) -> f64 {
@@ -69,7 +69,7 @@ pub fn friction_of_a_line(grid: &SurfaceGrid, pressure: &[f64], substrate: &Slid
     for (wave, weight) in wave_numbers(patch.width(), patch.cell, HALVINGS + beyond) {
         patch.transform_rows(wave, &mut rows);
         let power = (rows.even_re[0].powi(2) + rows.even_im[0].powi(2)) / patch.sinc(wave).powi(2);
-        let part = weight * substrate.compliance(wave).im * power;
+        let part = weight * substrate.compliance(wave).im * substrate.transfer(wave) * power;
         resolved += part;
         if wave > 0.5 * shortest {
             last_octave += part;

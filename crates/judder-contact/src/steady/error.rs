@@ -16,7 +16,8 @@ pub enum SteadyError {
     },
     /// A line contact under an imposed depth.
     #[error(
-        "a line contact takes a load per length: its indentation depends on how far away the body is held, and none is given"
+        "a line contact on a half-space takes a load per length: its indentation depends on how far away the body is held; give the \
+         substrate's thickness, and it has one"
     )]
     LineIndentation,
     /// Too few cells to hold a contact.

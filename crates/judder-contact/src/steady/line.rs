@@ -4,7 +4,8 @@
 //! distance to what is held. Pressure, width and friction under a load do not depend on it. The depth that is told is
 //! measured against the surface that the same force on a line would leave at the distance R; a body that is held
 //! D below the surface goes down by (2/π) (ln D/R − ν/(2(1−ν))) F/E0* more
-//! ([`reference_at_depth`](crate::kernel::line::reference_at_depth)).
+//! ([`reference_at_depth`](crate::kernel::line::reference_at_depth)). The surface of a layer on a rigid base has a place at rest: there the
+//! depth is what it is, and may be imposed.
 
 use super::SteadyQuestion;
 use super::error::SteadyError;
@@ -25,6 +26,14 @@ pub(super) fn pose(
     grid: &SurfaceGrid,
     start: &LevelStart,
 ) -> Result<Posed, SteadyError> {
+    if let Some(layer) = &question.substrate.layer {
+        let operator = SlidingOperator::on_layer(*grid, question.substrate, layer, question.memory)?;
+        let loading = match question.loading {
+            Loading::Load(load) => Loading::Load(load * grid.cell),
+            depth @ Loading::Indentation(_) => depth,
+        };
+        return Ok(Posed { operator, loading, indentation: start.indentation, datum: 0.0 });
+    }
     let Loading::Load(load) = question.loading else {
         return Err(SteadyError::LineIndentation);
     };

@@ -49,7 +49,11 @@ impl CreepingSubstrate {
     #[must_use]
     pub fn sliding_at(&self, speed: f64) -> SlidingSubstrate {
         let wake = |term: &CreepingTerm| WakeTerm { compliance: term.compliance, length: speed * term.time };
-        SlidingSubstrate { instantaneous: self.instantaneous, terms: self.terms.iter().map(wake).collect() }
+        SlidingSubstrate {
+            instantaneous: self.instantaneous,
+            terms: self.terms.iter().map(wake).collect(),
+            layer: None,
+        }
     }
 
     /// E(ω)/E0 = 1/(E0/E∞ + Σ C_k E0/(1 + i ω τ_k)), eq. (30) of the oscillator paper for a sum of terms.

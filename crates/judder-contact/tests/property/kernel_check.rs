@@ -8,7 +8,7 @@ use judder_contact::surface::grid::SurfaceGrid;
 const GRID: SurfaceGrid = SurfaceGrid { columns: 8, rows: 4, cell: 0.1, origin: [0.0, 0.0] };
 
 fn one_term(instantaneous: f64, compliance: f64, length: f64) -> SlidingSubstrate {
-    SlidingSubstrate { instantaneous, terms: vec![WakeTerm { compliance, length }] }
+    SlidingSubstrate { instantaneous, terms: vec![WakeTerm { compliance, length }], layer: None }
 }
 
 /// Why there is no operator.

@@ -5,6 +5,7 @@ mod law_doubt;
 mod law_file;
 mod law_smoothness;
 mod law_sweep;
+mod line_law;
 mod material;
 mod rough_contact;
 mod sliding_operator;

@@ -50,7 +50,7 @@ fn summed(kernel: &WakeKernel, cell: f64, pressure: &[f64]) -> Vec<f64> {
 
 fn two_terms() -> SlidingSubstrate {
     let terms = vec![WakeTerm { compliance: 0.5, length: 0.3 }, WakeTerm { compliance: 0.4, length: 20.0 }];
-    SlidingSubstrate { instantaneous: 0.1, terms }
+    SlidingSubstrate { instantaneous: 0.1, terms, layer: None }
 }
 
 #[test]
@@ -117,10 +117,13 @@ fn equal_wakes_add_and_a_wake_of_no_length_is_none() {
     let grid = grid(9, 7, 0.25);
     let term = |compliance, length| WakeTerm { compliance, length };
     let parts = vec![term(0.5, 2.0), term(0.125, 0.0), term(0.25, 2.0)];
-    let mut parts =
-        SlidingOperator::new(grid, &SlidingSubstrate { instantaneous: 0.125, terms: parts }, u64::MAX)
-            .unwrap();
-    let whole = SlidingSubstrate { instantaneous: 0.25, terms: vec![term(0.75, 2.0)] };
+    let mut parts = SlidingOperator::new(
+        grid,
+        &SlidingSubstrate { instantaneous: 0.125, terms: parts, layer: None },
+        u64::MAX,
+    )
+    .unwrap();
+    let whole = SlidingSubstrate { instantaneous: 0.25, terms: vec![term(0.75, 2.0)], layer: None };
     let pressure = uneven(grid.len());
     assert_eq!(
         displaced(&mut parts, &pressure),
@@ -132,7 +135,8 @@ fn equal_wakes_add_and_a_wake_of_no_length_is_none() {
 #[test]
 fn terms_add() {
     let kernel = |instantaneous, terms: &[WakeTerm]| {
-        WakeKernel::new(30, 30, 0.2, &SlidingSubstrate { instantaneous, terms: terms.to_vec() }).values
+        WakeKernel::new(30, 30, 0.2, &SlidingSubstrate { instantaneous, terms: terms.to_vec(), layer: None })
+            .values
     };
     let whole = two_terms();
     let [one, other] = whole.terms[..] else { panic!("two terms") };
@@ -204,7 +208,7 @@ proptest! {
         columns in 0_usize..5, rows in 0_usize..5, cell in any::<f64>(), instantaneous in any::<f64>(),
         compliance in any::<f64>(), length in any::<f64>(),
     ) {
-        let substrate = SlidingSubstrate { instantaneous, terms: vec![WakeTerm { compliance, length }] };
+        let substrate = SlidingSubstrate { instantaneous, terms: vec![WakeTerm { compliance, length }], layer: None };
         let grid = grid(columns, rows, cell);
         if let Ok(mut operator) = SlidingOperator::new(grid, &substrate, u64::MAX) {
             let (pressure, mut out) = (vec![1.0; grid.len()], vec![0.0; grid.len()]);

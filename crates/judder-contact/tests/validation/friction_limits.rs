@@ -37,7 +37,7 @@ fn the_two_frictions_agree_to_one_per_cent() {
 fn two_equal_terms_are_one() {
     let one = SlidingSubstrate::single(10.0, 0.7);
     let half = WakeTerm { compliance: 0.45, length: 0.7 };
-    let two = SlidingSubstrate { instantaneous: 0.1, terms: vec![half, half] };
+    let two = SlidingSubstrate { instantaneous: 0.1, terms: vec![half, half], layer: None };
     let (one, two) =
         (paraboloid(&one, Loading::Indentation(1.0), 64), paraboloid(&two, Loading::Indentation(1.0), 64));
     assert_close(two.finest.force, one.finest.force, 1e-9);

@@ -20,8 +20,11 @@ fn the_kernel_of_strips_agrees_with_its_definition() {
         let numbers: Vec<f64> = line.split(',').map(|number| number.parse().unwrap()).collect();
         let [x, _, length, expected] = numbers[..] else { panic!("{line}") };
         let column = x.ceil();
-        let substrate =
-            SlidingSubstrate { instantaneous: 0.0, terms: vec![WakeTerm { compliance: 1.0, length }] };
+        let substrate = SlidingSubstrate {
+            instantaneous: 0.0,
+            terms: vec![WakeTerm { compliance: 1.0, length }],
+            layer: None,
+        };
         let kernel = line_kernel(STRIPS, column - x, 1000.0, &substrate);
         let error = kernel.values[(column + STRIPS as f64 - 1.0) as usize] / expected - 1.0;
         assert!(error.abs() < 1e-10, "x {x}, length {length}: {error:.1e}");

@@ -6,6 +6,8 @@ mod elastic_limits;
 mod friction_limits;
 mod hertz_by_gradients;
 mod high_contrast;
+mod hunter;
+mod layer_contact;
 mod line_contact;
 mod line_kernel;
 mod material;

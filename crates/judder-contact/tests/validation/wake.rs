@@ -26,7 +26,12 @@ fn the_kernel_agrees_with_its_definition_from_the_shortest_wake_to_the_longest()
         let column = x.ceil();
         let kernel = kernels.entry((length.to_bits(), (column - x).to_bits())).or_insert_with(|| {
             let terms = vec![WakeTerm { compliance: 1.0, length }];
-            WakeKernel::new(CELLS, CELLS, column - x, &SlidingSubstrate { instantaneous: 0.0, terms })
+            WakeKernel::new(
+                CELLS,
+                CELLS,
+                column - x,
+                &SlidingSubstrate { instantaneous: 0.0, terms, layer: None },
+            )
         });
         let index = y as usize * (2 * CELLS - 1) + (column + CELLS as f64 - 1.0) as usize;
         let error = kernel.values[index] / expected - 1.0;

@@ -2,6 +2,8 @@
 
 use crate::contact::problem::ContactProblem;
 use crate::error::ModelError;
+use judder_contact::LawError;
+use judder_contact::cylinder_on_layer::CylinderError;
 use judder_contact::kernel::check::KernelError;
 use judder_contact::periodic_contact::PeriodicContactError;
 use judder_contact::steady::SteadyError;
@@ -9,12 +11,16 @@ use judder_contact::transient::TransientError;
 use judder_keys::memory::Memory;
 use judder_study::model::Refusal;
 
-/// Refuses a depth, over R, at which the indenter has ended.
-pub(super) fn deep(indentation: f64, limit: f64) -> Result<(), Refusal> {
-    if indentation < limit {
-        return Ok(());
+/// Refuses a depth, over R, at which the indenter has ended, or the layer that it presses on.
+pub(super) fn deep(indentation: f64, limit: f64, thickness: Option<f64>) -> Result<(), Refusal> {
+    let refused = |problem| Err(Refusal::keys(&["indentation"], problem));
+    match thickness {
+        _ if indentation >= limit => refused(ContactProblem::TooDeep { indentation, limit }),
+        Some(thickness) if indentation >= thickness => {
+            refused(ContactProblem::ThroughLayer { indentation, thickness })
+        }
+        _ => Ok(()),
     }
-    Err(Refusal::keys(&["indentation"], ContactProblem::TooDeep { indentation, limit }))
 }
 
 /// Refuses a grid that takes more memory than allowed.
@@ -36,6 +42,14 @@ pub(super) fn blame(error: &ModelError) -> Option<Refusal> {
         }
         ModelError::Contact(SteadyError::BeyondIndenter { x, y }) => {
             Some(Refusal::keys(&["indentation", "load"], ContactProblem::BeyondHeights { x: *x, y: *y }))
+        }
+        ModelError::Cylinder(CylinderError::TooWide { indentation, thickness })
+        | ModelError::Law(LawError::Cylinder(CylinderError::TooWide { indentation, thickness })) => {
+            let (indentation, thickness) = (*indentation, *thickness);
+            Some(Refusal::keys(
+                &["indentation", "load"],
+                ContactProblem::WiderThanLayer { indentation, thickness },
+            ))
         }
         ModelError::Periodic(PeriodicContactError::Kernel(KernelError::LongWake {
             memory, allowed, ..

@@ -3,21 +3,27 @@
 use std::path::Path;
 
 use crate::REGISTRY;
+use crate::contact::problem::ContactProblem;
 use crate::contact::settings::ContactScope;
 use crate::contact::shape::ShapeSettings;
 use crate::contact::{Exciting, KINDS, MODEL};
+use crate::error::ModelError;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::law_name::LawName;
 use crate::substrate::blame::moduli_place;
 use crate::substrate::{RelaxationSource, Substrate, SubstrateKeys, refuse_conflicts};
+use judder_contact::kernel::layer::BondedLayer;
+use judder_contact::steady::SteadyError;
 use judder_keys::Settings;
-use judder_keys::declared::{Settings, both};
+use judder_keys::declared::{Number, Settings, both};
+use judder_keys::dimension::Dimension;
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
 use judder_keys::file_reference::FileReference;
 use judder_keys::keys::Numbers;
 use judder_keys::memory::Memory;
+use judder_keys::problem::Placed;
 use judder_keys::section::Section;
 use judder_study::case::analysis::{Planned, read_analyses};
 use judder_study::case::root::{document, read_root};
@@ -35,6 +41,8 @@ pub struct ContactCase {
     pub substrate: Substrate,
     /// The shape of the indenter.
     pub shape: ShapeSettings,
+    /// L in m, across the sliding, of a cylinder.
+    pub length: Option<f64>,
     /// The analyses in the order of the case file.
     pub analyses: Vec<Planned<Arc<dyn Exciting>>>,
 }
@@ -61,9 +69,23 @@ struct IndenterKeys {
     numbers: Numbers<OscillatorKey>,
     /// The shape of the indenter.
     shape: ShapeSettings,
+    /// Length of a cylinder across the sliding; all is told per length where left out.
+    #[key(rule = Number::positive(Dimension::LENGTH), symbol = "L", omitted)]
+    length: Option<f64>,
 }
 
 impl ContactCase {
+    /// The layer under a cylinder, with lengths in the radius (in m); `None` for a half-space.
+    ///
+    /// # Errors
+    /// A layer that cannot be.
+    pub(crate) fn layer(&self, radius: f64) -> Result<Option<BondedLayer>, ModelError> {
+        let poisson_ratio = self.inputs.number(OscillatorKey::PoissonRatio);
+        let layer =
+            self.substrate.thickness.map(|thickness| BondedLayer::new(thickness / radius, poisson_ratio));
+        Ok(layer.transpose().map_err(SteadyError::from)?)
+    }
+
     /// The files that the case names.
     pub fn files(&self) -> Vec<&FileReference> {
         let heights = match &self.shape {
@@ -82,7 +104,7 @@ impl ContactCase {
         root: &Section<'_>,
         folder: &Path,
     ) -> Result<Self, Fault> {
-        let ContactSections { substrate, indenter: IndenterKeys { numbers, shape }, .. } = sections;
+        let ContactSections { substrate, indenter: IndenterKeys { numbers, shape, length }, .. } = sections;
         let mut inputs = OscillatorInputs::default();
         inputs.set_all(&numbers);
         let shape = match root.inner("indenter")? {
@@ -90,7 +112,11 @@ impl ContactCase {
             None => Ok(shape),
         };
         let (substrate, shape) = both(substrate.found(root, &mut inputs, folder), shape)?;
-        let case = Self { title, inputs, substrate, shape, analyses: Vec::new() };
+        if shape != ShapeSettings::Cylinder {
+            let refused = |section: &str, key: &'static str| line_key(root, section, key, shape.name());
+            both(refused("substrate", "thickness"), refused("indenter", "length"))?;
+        }
+        let case = Self { title, inputs, substrate, shape, length, analyses: Vec::new() };
         if case.knows_moduli() {
             // an elastic substrate is in order: it is the limit
             inputs.check(LawName::Hertz).map_err(|cause| cause.at(moduli_place(root)))?;
@@ -110,10 +136,23 @@ impl ContactCase {
         let sections = ContactSections {
             memory_limit: Memory::DEFAULT,
             substrate: self.substrate.keys(&self.inputs),
-            indenter: IndenterKeys { numbers, shape: self.shape.clone() },
+            indenter: IndenterKeys { numbers, shape: self.shape.clone(), length: self.length },
         };
         sections.write_table(&mut json);
         self.substrate.written(json, self.inputs.time_form())
+    }
+}
+
+/// Refuses a key that only a cylinder has.
+pub(crate) fn line_key(
+    root: &Section<'_>,
+    section: &str,
+    key: &'static str,
+    shape: &'static str,
+) -> Result<(), Fault> {
+    match root.inner(section)?.and_then(|section| section.get(key)) {
+        Some(node) => Err(ContactProblem::LineKey { key, shape }.at(node.place)),
+        None => Ok(()),
     }
 }
 
@@ -127,6 +166,7 @@ pub(crate) fn read(node: &Node, folder: &Path) -> Result<ContactCase, Fault> {
     let scope = case.as_ref().ok().map(|(case, memory)| ContactScope {
         shape: case.shape.clone(),
         inputs: case.inputs,
+        is_layer: case.substrate.thickness.is_some(),
         moduli_known: case.knows_moduli(),
         memory: *memory,
     });

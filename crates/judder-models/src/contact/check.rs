@@ -5,6 +5,7 @@ use crate::contact::case::ContactCase;
 use crate::error::ModelError;
 use crate::estimate::title;
 use crate::material::ContactScales;
+use crate::oscillator::check::line_rows;
 use crate::oscillator::keys::OscillatorKey;
 use crate::spectrum_source::temperature_warning;
 use judder_contact::kernel::sliding::SlidingOperator;
@@ -110,6 +111,7 @@ fn key_rows(case: &ContactCase, scales: &ContactScales) -> Vec<Vec<String>> {
             let unit = if value.form == Form::Si { key.rule.dimension.unit() } else { String::new() };
             vec![key.path.to_owned(), number(value.number), unit]
         })
+        .chain(line_rows(case.substrate.thickness, case.length))
         .collect()
 }
 

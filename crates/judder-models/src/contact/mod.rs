@@ -100,7 +100,8 @@ impl<'a> ContactSubject<'a> {
 
     /// Refuses a depth at which the indenter has ended.
     fn is_not_too_deep(&self, indentation: f64) -> Result<Result<(), Refusal>, ModelError> {
-        Ok(blame::deep(indentation, self.profile()?.deepest()))
+        let thickness = self.case.substrate.thickness.map(|thickness| thickness / self.scales.scales.radius);
+        Ok(blame::deep(indentation, self.profile()?.deepest(), thickness))
     }
 }
 

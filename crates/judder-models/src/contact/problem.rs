@@ -53,6 +53,38 @@ pub enum ContactProblem {
         /// The shape in words, with the reason.
         what: &'static str,
     },
+    /// What only a cylinder has, of another shape.
+    #[error("`{key}` is of a line contact, not of the shape `{shape}`")]
+    LineKey {
+        /// The key.
+        key: &'static str,
+        /// The shape of the case.
+        shape: &'static str,
+    },
+    /// A depth of a cylinder on a half-space, which has none.
+    #[error(
+        "{what} of a cylinder needs `substrate.thickness`: on a half-space its depth depends on how far away it is measured"
+    )]
+    NoThickness {
+        /// What was asked for, in words.
+        what: &'static str,
+    },
+    /// A depth that is that of the layer.
+    #[error("the indentation is {indentation} R, and the layer is {thickness} R thick", indentation = plain(*.indentation), thickness = plain(*.thickness))]
+    ThroughLayer {
+        /// δ/R.
+        indentation: f64,
+        /// h/R.
+        thickness: f64,
+    },
+    /// A contact that is far wider than its layer is thick.
+    #[error("at an indentation of {} R the contact is far wider than the layer is thick, {} R", plain(*indentation), plain(*thickness))]
+    WiderThanLayer {
+        /// δ/R.
+        indentation: f64,
+        /// h/R.
+        thickness: f64,
+    },
     /// Wave lengths of a rough surface that do not descend.
     #[error(
         "the wave lengths of `indenter.shape.rough` must descend: {longer} {from} m, {shorter} {to} m",
@@ -154,7 +186,12 @@ impl Problem for ContactProblem {
         match self {
             Self::UnsortedTimes { .. } => "not ascending",
             Self::Cells { .. } => "out of range",
-            Self::Shape { .. } | Self::Collapse { .. } | Self::Endless { .. } => "another shape",
+            Self::Shape { .. } | Self::Collapse { .. } | Self::Endless { .. } | Self::LineKey { .. } => {
+                "another shape"
+            }
+            Self::NoThickness { .. } => "of a half-space",
+            Self::ThroughLayer { .. } => "too deep",
+            Self::WiderThanLayer { .. } => "too wide",
             Self::WaveLengths { .. } => "these lengths",
             Self::FixedKey { .. } => "fixed",
             Self::NoSpectrum => "no spectrum",
@@ -186,6 +223,14 @@ impl ContactProblem {
             }
             Self::Collapse { .. } => "leave `method` out, or use method = \"sweep\"".to_owned(),
             Self::Endless { .. } => "give `load`, and leave this key out".to_owned(),
+            Self::LineKey { .. } => "leave it out, or set indenter.shape = \"cylinder\"".to_owned(),
+            Self::NoThickness { .. } => {
+                "give the thickness of the layer, which a rigid base holds; one `contact` may have a `load` instead".to_owned()
+            }
+            Self::ThroughLayer { .. } => {
+                "give far less: a layer is linear while the indentation is a small part of its thickness".to_owned()
+            }
+            Self::WiderThanLayer { .. } => "press less, or take a thicker layer".to_owned(),
             Self::WaveLengths { .. } => "period ≥ roll_off > cut_off ≥ two cells".to_owned(),
             Self::NoSpectrum => "give a positive density at one time at least".to_owned(),
             Self::Memory { needed, .. } => {

@@ -145,6 +145,8 @@ pub const FREQUENCIES: usize = 200;
 pub(crate) struct ContactScope {
     pub(crate) shape: ShapeSettings,
     pub(crate) inputs: OscillatorInputs,
+    /// Whether the substrate is a layer of given thickness.
+    pub(crate) is_layer: bool,
     /// Whether the moduli are known: measured data decide them later.
     pub(crate) moduli_known: bool,
     /// The memory limit of the case.
@@ -161,6 +163,18 @@ impl ContactScope {
     fn has_moduli(&self, section: &Section<'_>) -> Result<(), Fault> {
         let checked = if self.moduli_known { self.inputs.check(LawName::Bem) } else { Ok(()) };
         checked.map_err(|cause| cause.at(section.place))
+    }
+
+    /// Refuses an analysis of a law where the indenter has none: a cylinder has one on a layer.
+    fn has_law(&self, kind: &'static str, section: &Section<'_>) -> Result<(), Fault> {
+        match self.shape {
+            ShapeSettings::Cylinder if kind != "contact-law" => self.is_round(kind, section),
+            ShapeSettings::Cylinder if self.is_layer => Ok(()),
+            ShapeSettings::Cylinder => {
+                Err(ContactProblem::NoThickness { what: "the contact law" }.at(section.place))
+            }
+            _ => self.is_round(kind, section),
+        }
     }
 
     /// Refuses an analysis of this kind where the indenter is neither a paraboloid nor a sphere.
@@ -206,9 +220,7 @@ impl ContactSettings {
         let Some(scope) = scope else { return Self::read_table(section) };
         let is_line = scope.shape == ShapeSettings::Cylinder;
         let (endless, what): (&[_], _) = match &scope.shape {
-            ShapeSettings::Cylinder => {
-                (&["indentation", "domain"], "a cylinder, whose depth depends on how far away it is measured")
-            }
+            ShapeSettings::Cylinder => (&["domain"], "a cylinder, whose contact is a strip and no square"),
             shape if shape.is_periodic() => {
                 (&["domain", "cells"], "a surface that repeats itself, whose heights are the coarsest grid")
             }
@@ -218,7 +230,14 @@ impl ContactSettings {
             Some(node) => Err(ContactProblem::Endless { key, what }.at(node.place)),
             None => Ok(()),
         }));
-        let loading = refused.and_then(|_| LoadingSettings::is_one(section, is_line));
+        let on_half_space = match section.get("indentation") {
+            Some(node) if is_line && !scope.is_layer => {
+                Err(ContactProblem::NoThickness { what: "the indentation" }.at(node.place))
+            }
+            _ => Ok(()),
+        };
+        let loading = both(refused, on_half_space)
+            .and_then(|_| LoadingSettings::is_one(section, is_line && !scope.is_layer));
         let load = section
             .get("load")
             .map(|node| if is_line { LINE_LOAD } else { LOAD }.read("load", node).map(UnreadLoad));
@@ -245,7 +264,7 @@ impl LawSettings {
         section: &Section<'_>,
     ) -> Result<Self, Fault> {
         let Some(scope) = scope else { return Self::read_table(section) };
-        let has_law = scope.is_round(kind, section).and_then(|()| scope.has_moduli(section));
+        let has_law = scope.has_law(kind, section).and_then(|()| scope.has_moduli(section));
         let ((), mut settings) = both(has_law, Self::read_table(section))?;
         settings.memory = scope.memory_limit(section, settings.memory);
         match section.get("method") {

@@ -35,9 +35,13 @@ pub(crate) fn lattice(
     Ok([cells; 2])
 }
 
-/// Cells a side that the contacts of a law usually need.
-pub(crate) fn cells_of_law(law: &LawSettings) -> usize {
-    cells_for(sweep_accuracy(law.accuracy).contacts)
+/// Columns and rows that the contacts of a law usually need.
+pub(crate) fn lattice_of_law(shape: &ShapeSettings, law: &LawSettings) -> [usize; 2] {
+    let accuracy = sweep_accuracy(law.accuracy).contacts;
+    match shape {
+        ShapeSettings::Cylinder => [strips_for(accuracy), 1],
+        _ => [cells_for(accuracy); 2],
+    }
 }
 
 /// Cells a side that an accuracy of the force usually needs.

@@ -5,6 +5,8 @@ pub(crate) mod swept_keys;
 use std::path::Path;
 
 use crate::REGISTRY;
+use crate::contact::case::line_key;
+use crate::contact::problem::ContactProblem;
 use crate::contact::settings::{ACCURACY, LAW_ACCURACY};
 use crate::oscillator::inputs::{OscillatorInputs, TimeForm};
 use crate::oscillator::keys::OscillatorKey;
@@ -13,15 +15,16 @@ use crate::oscillator::problem::OscillatorProblem;
 use crate::oscillator::{KINDS, MODEL, Operated};
 use crate::substrate::blame::moduli_place;
 use crate::substrate::{RelaxationSource, Substrate, SubstrateKeys, refuse_conflicts};
-use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Allowed, Setting, Settings, both};
+use judder_keys::declared::{Allowed, Number, Setting, Settings, both};
+use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::file_reference::{FileReference, read_file_reference};
 use judder_keys::keys::Numbers;
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, word};
+use judder_keys::{Choice, Settings};
 use judder_oscillator::FrictionLoad;
 use judder_study::case::analysis::{Planned, read_analyses};
 use judder_study::case::root::{document, read_root};
@@ -46,6 +49,8 @@ pub struct OscillatorCase {
     pub inputs: OscillatorInputs,
     /// What is said of the substrate beside its numeric keys.
     pub substrate: Substrate,
+    /// L in m, across the sliding, of a cylinder on the layer that the substrate is then; a paraboloid has none.
+    pub length: Option<f64>,
     /// The analyses in the order of the case file.
     pub analyses: Vec<Planned<Arc<dyn Operated>>>,
 }
@@ -61,6 +66,7 @@ impl Default for OscillatorCase {
             friction_load: FrictionLoad::NormalLoad,
             inputs: OscillatorInputs::default(),
             substrate: Substrate::default(),
+            length: None,
             analyses: Vec::new(),
         }
     }
@@ -69,9 +75,19 @@ impl Default for OscillatorCase {
 impl OscillatorCase {
     /// Whether the other has the same oscillator in the same contact, whatever its analyses are.
     pub(crate) fn is_like(&self, other: &Self) -> bool {
-        let Self { title, inputs, law, law_file, law_accuracy, friction_load, substrate, analyses: _ } = self;
+        let Self {
+            title,
+            inputs,
+            law,
+            law_file,
+            law_accuracy,
+            friction_load,
+            substrate,
+            length,
+            analyses: _,
+        } = self;
         let of_contact = (law, law_file, law_accuracy, friction_load);
-        (title, inputs, substrate) == (&other.title, &other.inputs, &other.substrate)
+        (title, inputs, substrate, length) == (&other.title, &other.inputs, &other.substrate, &other.length)
             && of_contact == (&other.law, &other.law_file, &other.law_accuracy, &other.friction_load)
     }
 
@@ -94,8 +110,8 @@ pub(crate) struct OscillatorSections {
     #[key(default)]
     substrate: SubstrateKeys,
     /// What slides.
-    #[key(rule = "indenter")]
-    indenter: Numbers<OscillatorKey>,
+    #[key(default)]
+    indenter: IndenterSection,
     /// The forces of the contact.
     #[key(default)]
     contact: ContactSection,
@@ -105,6 +121,69 @@ pub(crate) struct OscillatorSections {
     /// Speed and load.
     #[key(rule = "operation")]
     operation: Numbers<OscillatorKey>,
+}
+
+/// `[indenter]`; of an assembly what a contact says of it.
+#[derive(Debug, Clone, Settings)]
+pub(crate) struct IndenterSection {
+    #[key(flatten, rule = "indenter")]
+    numbers: Numbers<OscillatorKey>,
+    /// Shape of the indenter, a paraboloid where left out; a cylinder takes `length`, the law `bem` and a `substrate.thickness`.
+    #[key(omitted)]
+    shape: Option<LawShape>,
+    /// Length of a cylinder across the sliding.
+    #[key(rule = Number::positive(Dimension::LENGTH), symbol = "L", omitted)]
+    length: Option<f64>,
+}
+
+/// The shape of an indenter that has a law.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
+#[choice(what = "shape")]
+pub(crate) enum LawShape {
+    /// h = r²/2R.
+    Paraboloid,
+    /// h = x²/2R for all of its length: a line contact.
+    Cylinder,
+}
+
+impl IndenterSection {
+    /// Puts it into a case whose substrate and law are told; `section` is where it stands, `root` the whole case.
+    pub(crate) fn tell(
+        &self,
+        case: &mut OscillatorCase,
+        section: Option<&Section<'_>>,
+        root: &Section<'_>,
+    ) -> Result<(), Fault> {
+        case.inputs.set_all(&self.numbers);
+        let (Some(LawShape::Cylinder), Some(section)) = (self.shape, section) else {
+            let shape = LawShape::Paraboloid.name();
+            let length = match section.and_then(|section| section.get("length")) {
+                Some(node) => Err(ContactProblem::LineKey { key: "length", shape }.at(node.place)),
+                None => Ok(()),
+            };
+            return both(length, line_key(root, "substrate", "thickness", shape)).map(drop);
+        };
+        let refused = |problem: OscillatorProblem| Err(problem.at(section.place_of(&["shape"])));
+        let layer = match case.substrate.thickness {
+            Some(_) => Ok(()),
+            None => refused(OscillatorProblem::LineOnHalfSpace),
+        };
+        let law = match case.law {
+            LawName::Bem | LawName::File => Ok(()),
+            law => refused(OscillatorProblem::LawOfLine { law }),
+        };
+        let length =
+            self.length.ok_or_else(|| section.missing("length", "length = \"0.6 m\", across the sliding"));
+        let (length, _) = both(length, both(layer, law))?;
+        case.length = Some(length);
+        Ok(())
+    }
+
+    /// The same as a case says it, every number filled in.
+    pub(crate) fn of(case: &OscillatorCase) -> Self {
+        let numbers = case.inputs.numbers("indenter", |_| true);
+        Self { numbers, shape: case.length.map(|_| LawShape::Cylinder), length: case.length }
+    }
 }
 
 /// `[contact]`; of an assembly what a contact says of a sphere.
@@ -241,7 +320,8 @@ impl OscillatorCase {
         let substrate = substrate.found(root, &mut case.inputs, folder);
         let contact = contact.tell(&mut case, root.inner("contact")?.as_ref(), folder);
         (case.substrate, ()) = both(substrate, contact)?;
-        for numbers in [&indenter, &oscillator, &operation] {
+        indenter.tell(&mut case, root.inner("indenter")?.as_ref(), root)?;
+        for numbers in [&oscillator, &operation] {
             case.inputs.set_all(numbers);
         }
         check_terms(&case).map_err(|cause| cause.at(moduli_place(root)))?;
@@ -253,7 +333,7 @@ impl OscillatorCase {
         let numbers = |section| self.inputs.numbers(section, |_| true);
         OscillatorSections {
             substrate: self.substrate.keys(&self.inputs),
-            indenter: numbers("indenter"),
+            indenter: IndenterSection::of(self),
             contact: ContactSection::of(self),
             oscillator: numbers("oscillator"),
             operation: numbers("operation"),

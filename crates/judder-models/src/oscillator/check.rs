@@ -53,7 +53,8 @@ pub(super) fn resolve(case: &OscillatorCase, resolved: Value) -> Result<Resolved
             let substrate = KnownSubstrate::of(case)?;
             // how large the contact is an elastic one tells near enough
             let hertz = Contact { law: Law::Hertz(HertzLaw::default()), friction_load: case.friction_load };
-            let excited = excited_at(&hertz, &case.inputs).filter(|_| case.law == LawName::Bem);
+            let is_round = case.law == LawName::Bem && case.length.is_none();
+            let excited = excited_at(&hertz, &case.inputs).filter(|_| is_round);
             (
                 QuasiSteadyCondition::at(&case.inputs, None, &substrate.terms),
                 substrate.band.and_then(|band| band.warning(excited)),
@@ -115,7 +116,15 @@ fn key_rows(case: &OscillatorCase) -> Vec<Vec<String>> {
             };
             vec![key.path.to_owned(), number(value.number), unit]
         })
+        .chain(line_rows(case.substrate.thickness, case.length))
         .collect()
+}
+
+/// The lengths of a cylinder on its layer, in m.
+pub(crate) fn line_rows(thickness: Option<f64>, length: Option<f64>) -> impl Iterator<Item = Vec<String>> {
+    let rows = [("substrate.thickness", thickness), ("indenter.length", length)];
+    let row = |(key, value): (&str, Option<f64>)| Some(vec![key.to_owned(), number(value?), "m".to_owned()]);
+    rows.into_iter().filter_map(row)
 }
 
 /// Name, group, and the quantity that it stands for.

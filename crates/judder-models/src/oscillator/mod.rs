@@ -9,7 +9,7 @@
 //! - A folder each: `equivalent_damping`, `spectrum`, `critical`, `stability_map`, `engines`; those of motion in `motion`.
 
 pub mod case;
-mod check;
+pub(crate) mod check;
 pub mod contact_case;
 pub mod critical;
 pub mod curves;
@@ -257,7 +257,9 @@ impl Model for OscillatorCase {
 
     fn shared(&self, resolved: &Value) -> Option<Vec<Value>> {
         let parts = [&resolved["substrate"], &resolved["files"], &resolved["contact"]["law"]];
-        (self.law == LawName::Bem).then(|| parts.map(Value::clone).to_vec())
+        // the law of a paraboloid is that of any radius
+        let of_line = self.length.map(|_| &resolved["indenter"]);
+        (self.law == LawName::Bem).then(|| parts.into_iter().chain(of_line).cloned().collect())
     }
 }
 

@@ -23,6 +23,17 @@ pub enum OscillatorProblem {
         /// The law in use.
         law: LawName,
     },
+    /// A cylinder on a half-space.
+    #[error(
+        "a cylinder needs `substrate.thickness`: on a half-space its depth depends on how far away it is measured"
+    )]
+    LineOnHalfSpace,
+    /// A law that was made for another indenter than a cylinder.
+    #[error("the law `{}` is not one of a cylinder", law.name())]
+    LawOfLine {
+        /// The law in use.
+        law: LawName,
+    },
     /// Prony compliances that leave no positive glassy modulus: 1/E∞ = 1/E0 − compliance.
     #[error("the prony compliance {compliance:e} 1/Pa is not below 1/E0 = {limit:e} 1/Pa")]
     PronyCompliance {
@@ -48,6 +59,8 @@ impl Problem for OscillatorProblem {
         match self {
             Self::LawTable { .. } => "LawTable",
             Self::SeveralTimes { .. } => "SeveralTimes",
+            Self::LineOnHalfSpace => "LineOnHalfSpace",
+            Self::LawOfLine { .. } => "LawOfLine",
             Self::PronyCompliance { .. } => "PronyCompliance",
             Self::GlassyBelowRubbery { .. } => "GlassyBelowRubbery",
         }
@@ -63,6 +76,8 @@ impl Problem for OscillatorProblem {
             Self::SeveralTimes { .. } => {
                 "give one term, or compute the law for this substrate: law = \"bem\""
             }
+            Self::LineOnHalfSpace => "give the thickness of the layer, which a rigid base holds",
+            Self::LawOfLine { .. } => "compute it on the layer of the case: law = \"bem\"",
             Self::PronyCompliance { .. } => "1/E∞ = 1/E0 − compliance must be positive",
             Self::GlassyBelowRubbery { law: LawName::Hertz, .. } => {
                 "E∞ must be above E0, or equal to it for an elastic substrate"

@@ -23,12 +23,12 @@ pub struct QuasiSteadyCondition {
     pub natural_frequency: f64,
 }
 
-/// A contact that slides, as far as eq. (3) asks: v τ/R, and A/R².
+/// A contact that slides, as far as eq. (3) asks: v τ/R, and half its length a/R.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SlidingTimes {
     pub(crate) velocity: f64,
     /// Not a number where nothing is known of steady sliding.
-    pub(crate) area: f64,
+    pub(crate) half_length: f64,
 }
 
 /// What is told of eq. (3) at the operating points of a case.
@@ -56,8 +56,10 @@ impl QuasiSteadyCondition {
         terms: &[LawTerm],
     ) -> Option<Self> {
         let steady = contact.and_then(|contact| SteadyState::new(contact, inputs).ok());
-        let area = steady.map_or(f64::NAN, |steady| steady.equilibrium.response.area.value);
-        let sliding = SlidingTimes { velocity: bridge::groups(inputs).velocity, area };
+        let half_length = steady.zip(contact).map_or(f64::NAN, |(steady, contact)| {
+            contact.law.half_length(steady.equilibrium.response.area.value)
+        });
+        let sliding = SlidingTimes { velocity: bridge::groups(inputs).velocity, half_length };
         let frequency = inputs.number(OscillatorKey::NaturalFrequency);
         Self::of_motion(frequency, inputs, sliding, terms)
     }
@@ -66,11 +68,11 @@ impl QuasiSteadyCondition {
     pub(crate) fn of_motion(
         frequency: f64,
         inputs: &OscillatorInputs,
-        SlidingTimes { velocity, area }: SlidingTimes,
+        SlidingTimes { velocity, half_length }: SlidingTimes,
         terms: &[LawTerm],
     ) -> Option<Self> {
         let figure = frequency * inputs.number(OscillatorKey::RetardationTime);
-        let figures = QuasiSteady::new(figure, velocity, area, terms)?;
+        let figures = QuasiSteady::new(figure, velocity, half_length, terms)?;
         Some(Self { figures, natural_frequency: frequency })
     }
 

@@ -66,6 +66,7 @@ pub(crate) fn validity_warnings<'a>(
             Some(
                 concern @ (ValidityConcern::FrictionTail { .. }
                 | ValidityConcern::SpeedBeyondTable { .. }
+                | ValidityConcern::TooShallow { .. }
                 | ValidityConcern::BeyondSamples { .. }),
             ) => tail.push(concern),
             None => (),

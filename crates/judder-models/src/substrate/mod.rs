@@ -32,6 +32,8 @@ pub struct Substrate {
     pub source: RelaxationSource,
     /// The temperature, where it is not that at which the times hold.
     pub temperature: Option<Temperature>,
+    /// h in m, of a layer on a rigid base; a half-space has none.
+    pub thickness: Option<f64>,
 }
 
 impl Substrate {
@@ -161,6 +163,9 @@ pub(crate) struct SubstrateKeys {
     /// The rule by which temperature moves all times.
     #[key(omitted)]
     shift: Option<Shift>,
+    /// Thickness of the layer that a cylinder presses on, held by a rigid base; a half-space where left out.
+    #[key(rule = Number::positive(Dimension::LENGTH), symbol = "h", omitted)]
+    thickness: Option<f64>,
 }
 
 /// A series fitted to measured moduli.
@@ -266,13 +271,13 @@ impl SubstrateKeys {
         folder: &Path,
     ) -> Result<Substrate, Fault> {
         inputs.set_all(&self.numbers);
-        let temperature = self.temperature.zip(self.shift);
+        let (temperature, thickness) = (self.temperature.zip(self.shift), self.thickness);
         let temperature = temperature.map(|(temperature, shift)| Temperature { temperature, shift });
         let source = match root.inner("substrate")? {
             Some(section) => read_source(self, &section, inputs, folder)?,
             None => RelaxationSource::OneTime,
         };
-        Ok(Substrate { source, temperature })
+        Ok(Substrate { source, temperature, thickness })
     }
 }
 
@@ -381,6 +386,7 @@ impl Substrate {
         }
         keys.temperature = self.temperature.map(|own| own.temperature);
         keys.shift = self.temperature.map(|own| own.shift);
+        keys.thickness = self.thickness;
         keys
     }
 

@@ -318,10 +318,43 @@ fn a_speed_that_is_a_length() {
 fn a_law_of_a_cylinder() {
     refused(
         &contact("indenter = { shape = \"cylinder\" }\n[[analysis]]\nkind = \"contact-law\""),
-        "the analysis kind `contact-law` is for a paraboloid or a sphere, not for the shape `cylinder`",
+        "the contact law of a cylinder needs `substrate.thickness`: on a half-space its depth depends on how far away it is measured",
+        "[[analysis]]",
+        "give the thickness of the layer, which a rigid base holds; one `contact` may have a `load` instead",
+    );
+    refused(
+        &contact("indenter = { shape = \"cylinder\" }\n[[analysis]]\nkind = \"fit\""),
+        "the analysis kind `fit` is for a paraboloid or a sphere, not for the shape `cylinder`",
         "[[analysis]]",
         "the analysis kind `contact` takes any shape; this one, a paraboloid or a sphere",
     );
+}
+
+#[test]
+fn a_depth_of_a_cylinder_on_a_half_space() {
+    refused(
+        &contact(
+            "indenter = { shape = \"cylinder\" }\n[[analysis]]\nkind = \"contact\"\nvelocity = 1e-2\nindentation = 3e-3",
+        ),
+        "the indentation of a cylinder needs `substrate.thickness`: on a half-space its depth depends on how far away it is measured",
+        "3e-3",
+        "give the thickness of the layer, which a rigid base holds; one `contact` may have a `load` instead",
+    );
+}
+
+#[test]
+fn what_only_a_cylinder_has() {
+    for (text, key, place) in [
+        ("substrate = { thickness = \"2 mm\" }", "thickness", r#""2 mm""#),
+        ("indenter = { length = \"0.6 m\" }", "length", r#""0.6 m""#),
+    ] {
+        refused(
+            &contact(&format!("{text}\n[[analysis]]\nkind = \"modulus\"")),
+            &format!("`{key}` is of a line contact, not of the shape `paraboloid`"),
+            place,
+            "leave it out, or set indenter.shape = \"cylinder\"",
+        );
+    }
 }
 
 #[test]

@@ -314,3 +314,60 @@ friction_load = "contact""#),
 fn a_title_that_is_no_text() {
     refused(&key("title = 3"), "`title` is an integer, but must be a string", "3", "");
 }
+
+/// A cylinder, whose law is one of a layer.
+#[test]
+fn a_cylinder_without_what_it_needs() {
+    let line = |substrate: &str, law: &str, length: &str| {
+        key(&format!(
+            "substrate = {{ {substrate} }}\ncontact = {{ law = \"{law}\" }}\nindenter = {{ shape = \"cylinder\"{length} }}"
+        ))
+    };
+    let (thickness, length) = ("thickness = \"2 mm\"", ", length = \"0.6 m\"");
+    refused(
+        &line("", "bem", length),
+        "a cylinder needs `substrate.thickness`: on a half-space its depth depends on how far away it is measured",
+        "\"cylinder\"",
+        "give the thickness of the layer, which a rigid base holds",
+    );
+    refused(
+        &line(thickness, "oscillator-paper-corrected", length),
+        "the law `oscillator-paper-corrected` is not one of a cylinder",
+        "\"cylinder\"",
+        "compute it on the layer of the case: law = \"bem\"",
+    );
+    refused(
+        &line(thickness, "bem", ""),
+        "`indenter.length` is missing",
+        "{ shape = \"cylinder\" }",
+        "give length = \"0.6 m\", across the sliding",
+    );
+}
+
+#[test]
+fn what_only_a_cylinder_has() {
+    for (text, name, place) in [
+        ("substrate = { thickness = \"2 mm\" }", "thickness", "\"2 mm\""),
+        ("indenter = { length = \"0.6 m\" }", "length", "\"0.6 m\""),
+    ] {
+        refused(
+            &key(text),
+            &format!("`{name}` is of a line contact, not of the shape `paraboloid`"),
+            place,
+            "leave it out, or set indenter.shape = \"cylinder\"",
+        );
+    }
+}
+
+#[test]
+fn a_radius_that_would_make_another_law() {
+    let text = "substrate = { thickness = \"2 mm\" }\ncontact = { law = \"bem\" }\n\
+        indenter = { shape = \"cylinder\", length = \"0.6 m\" }\n[[analysis]]\nkind = \"spectrum\"\n\
+        sweep = { key = \"indenter.radius\", from = \"1 mm\", to = \"10 mm\", points = 3 }";
+    refused(
+        &key(text),
+        "`indenter.radius` cannot be swept: the law of a cylinder, which is computed for one radius on one layer, decides it",
+        "\"indenter.radius\"",
+        "sweep another key, or run the case once a value with `--set`",
+    );
+}

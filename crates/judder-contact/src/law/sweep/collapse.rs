@@ -8,6 +8,7 @@ use super::{
 use crate::law::collapsed::CollapsedLaw;
 use crate::law::error::LawError;
 use crate::law::knots::Knots;
+use crate::law::limits::LawIndenter;
 use crate::law::material::LawMaterial;
 use crate::law::quantities::PerQuantity;
 use crate::law::scaled::{SPEED_AXIS, velocity};
@@ -64,7 +65,7 @@ where
         let points: Vec<(f64, f64)> =
             speeds.iter().map(|ln_speed| (velocity(ln_speed, indentation.ln()), indentation)).collect();
         solving.solve(&points)?;
-        let (values, solver) = solving.values();
+        let (values, solver) = solving.values(LawIndenter::Paraboloid);
         let law =
             CollapsedLaw::new(request.material.clone(), request.source.clone(), speeds, values, solver)?;
         let errors = law.data().errors().interpolation;

@@ -7,6 +7,7 @@ use super::{
 };
 use crate::law::error::LawError;
 use crate::law::knots::Knots;
+use crate::law::limits::LawLayer;
 use crate::law::material::LawMaterial;
 use crate::law::origin::LawOrigin;
 use crate::law::quantities::PerQuantity;
@@ -51,11 +52,7 @@ impl SweepRange {
         indentations: (f64, f64),
         material: &LawMaterial,
     ) -> Result<Self, LawError> {
-        for (axis, (first, last)) in [("v τ/R", velocities), ("δ/R", indentations)] {
-            if !(first > 0.0 && first < last && last.is_finite()) {
-                return Err(LawError::NotAscending { axis, first, last });
-            }
-        }
+        check_ranges(velocities, indentations)?;
         material.clone().checked()?;
         let (slow, fast) = informative_speeds(material);
         let lowest = (velocities.0 / indentations.1.sqrt()).clamp(slow, 0.1 * fast);
@@ -64,6 +61,31 @@ impl SweepRange {
         Ok(Self {
             ln_speeds: (lowest.ln(), highest.ln()),
             ln_indentations: (shallowest.ln(), indentations.1.ln()),
+        })
+    }
+
+    /// What a cylinder's table needs to know about v̂ and ŷ between two values each: every depth, and z wherever the law is not its limit
+    /// yet, wakes being short or long beside contact and layer.
+    ///
+    /// # Errors
+    /// As [`covering`](Self::covering).
+    pub fn covering_line(
+        velocities: (f64, f64),
+        indentations: (f64, f64),
+        material: &LawMaterial,
+        layer: LawLayer,
+    ) -> Result<Self, LawError> {
+        check_ranges(velocities, indentations)?;
+        material.clone().checked()?;
+        let (slow, fast) = informative_speeds(material);
+        // √(R δ) in thicknesses: where the deepest contact is wider than the layer, where the shallowest is narrower
+        let [shallow, deep] = [indentations.0, indentations.1].map(|depth| depth.sqrt() / layer.thickness);
+        let (slow, fast) = (slow * (1.0 / deep).min(1.0), fast * (1.0 / shallow).max(1.0));
+        let lowest = (velocities.0 / indentations.1.sqrt()).clamp(slow, 0.1 * fast);
+        let highest = (velocities.1 / indentations.0.sqrt()).clamp(10.0 * lowest, fast.max(10.0 * lowest));
+        Ok(Self {
+            ln_speeds: (lowest.ln(), highest.ln()),
+            ln_indentations: (indentations.0.ln(), indentations.1.ln()),
         })
     }
 
@@ -119,7 +141,7 @@ where
     loop {
         let points = points(&speeds, &depths);
         solving.solve(&points)?;
-        let (values, solver) = solving.values();
+        let (values, solver) = solving.values(request.origin.indenter);
         let law = TabulatedLaw::new(request.origin.clone(), speeds, depths, values, solver)?;
         let errors = law.errors_by_axis();
         let [along_speed, along_indentation] = errors;
@@ -147,6 +169,15 @@ where
         before[axis] = errors[axis];
         (speeds, depths) = finer;
     }
+}
+
+fn check_ranges(velocities: (f64, f64), indentations: (f64, f64)) -> Result<(), LawError> {
+    for (axis, (first, last)) in [("v τ/R", velocities), ("δ/R", indentations)] {
+        if !(first > 0.0 && first < last && last.is_finite()) {
+            return Err(LawError::NotAscending { axis, first, last });
+        }
+    }
+    Ok(())
 }
 
 /// v̂, ŷ of every knot, speed fastest.

@@ -2,6 +2,7 @@
 
 use super::{LawSample, SolvedLawPoint, SweepObserver};
 use crate::law::error::{FailedPoint, LawError};
+use crate::law::limits::LawIndenter;
 use crate::law::quantities::{KnotValues, PerQuantity};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -82,15 +83,18 @@ where
     }
 
     /// f, g, m at the points of the level, in their order, and the largest errors of the solutions.
-    pub(super) fn values(&self) -> (KnotValues, PerQuantity<f64>) {
+    pub(super) fn values(&self, indenter: LawIndenter) -> (KnotValues, PerQuantity<f64>) {
         let mut values = KnotValues::default();
         let mut errors = PerQuantity::uniform(0.0_f64);
         for point in &self.level {
-            let y = point.indentation;
-            let sample = point.sample.values();
-            values.force.push(sample.force / (y * y.sqrt()));
-            values.area.push(sample.area / y);
-            values.friction.push(sample.friction / y.sqrt());
+            let over = point
+                .sample
+                .values()
+                .zip(indenter.units(point.indentation))
+                .map(|(value, unit)| value / unit);
+            values.force.push(over.force);
+            values.area.push(over.area);
+            values.friction.push(over.friction);
             errors = errors.zip(point.sample.errors()).map(|(a, b)| a.max(b));
         }
         (values, errors)

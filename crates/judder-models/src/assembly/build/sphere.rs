@@ -52,6 +52,8 @@ pub(crate) struct SphereState {
     pub(crate) normal_load: f64,
     /// A in m².
     pub(crate) area: f64,
+    /// a/R, half the length of the contact along the sliding.
+    pub(crate) half_length: f64,
     pub(crate) response: ContactResponse,
 }
 
@@ -174,6 +176,7 @@ impl SubstrateSphere {
             indentation: -point.gap / sphere.radius,
             normal_load: self.normal_load(),
             area: response.area.value * sphere.radius * sphere.radius,
+            half_length: sphere.contact.law.half_length(response.area.value),
             response,
         })
     }
@@ -184,14 +187,13 @@ impl SubstrateSphere {
         let law = &found.sphere.contact.law;
         let concern = law.concern(state.velocity, state.indentation).map(|concern| concern.to_string());
         let band = found.substrate.band.filter(|_| !law.is_formula());
-        let of_band =
-            band.and_then(|band| band.warning([excited(state.velocity, state.response.area.value)]));
+        let of_band = band.and_then(|band| band.warning([excited(state.velocity, state.half_length)]));
         found.warnings.iter().cloned().chain(concern).chain(of_band).collect()
     }
 
     /// Eq. (3) for small motions of a frequency in rad/s; `None` on an elastic substrate.
     pub(crate) fn condition(&self, state: &SphereState, frequency: f64) -> Option<QuasiSteadyCondition> {
-        let sliding = SlidingTimes { velocity: state.velocity, area: state.response.area.value };
+        let sliding = SlidingTimes { velocity: state.velocity, half_length: state.half_length };
         QuasiSteadyCondition::of_motion(
             frequency,
             &self.case.inputs,

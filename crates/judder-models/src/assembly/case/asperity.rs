@@ -1,7 +1,7 @@
-//! `asperity` of a contact: a sphere on the substrate of the case, with the keys of an oscillator case.
+//! `asperity` of a contact: a sphere, or a cylinder, on the substrate of the case, with the keys of an oscillator case.
 
 use super::problem::AssemblyProblem;
-use crate::oscillator::case::{ContactSection, OscillatorCase, check_terms};
+use crate::oscillator::case::{ContactSection, IndenterSection, OscillatorCase, check_terms};
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::substrate::blame::moduli_place;
@@ -9,7 +9,7 @@ use crate::substrate::{Substrate, SubstrateKeys};
 use judder_keys::Settings;
 use judder_keys::declared::Setting;
 use judder_keys::error::Fault;
-use judder_keys::keys::{Keys, Numbers};
+use judder_keys::keys::Keys;
 use judder_keys::numeric_key::{Scaled, Value};
 use judder_keys::problem::Placed;
 use judder_keys::section::Section;
@@ -19,8 +19,8 @@ use std::path::Path;
 /// A sphere on the substrate of the case.
 #[derive(Debug, Clone, Settings)]
 pub struct AsperitySettings {
-    #[key(flatten, rule = "indenter")]
-    indenter: Numbers<OscillatorKey>,
+    #[key(flatten)]
+    indenter: IndenterSection,
     #[key(flatten)]
     contact: ContactSection,
     /// Force that presses the sphere where the case has no loads; where it has, what they press with, from which it follows.
@@ -69,11 +69,11 @@ impl AsperitySettings {
         let mut case =
             OscillatorCase { substrate: substrate.clone(), inputs: *inputs, ..OscillatorCase::default() };
         self.contact.tell(&mut case, Some(section), folder)?;
-        case.inputs.set_all(&self.indenter);
+        self.indenter.tell(&mut case, Some(section), root)?;
         if let Some(load) = self.normal_load {
             case.inputs.set(OscillatorKey::NormalLoad, load);
         }
-        self.indenter = case.inputs.numbers("indenter", |_| true);
+        self.indenter = IndenterSection::of(&case);
         self.contact = ContactSection::of(&case);
         check_terms(&case).map_err(|cause| cause.at(moduli_place(root)))?;
         Ok(case)

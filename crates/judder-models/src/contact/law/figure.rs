@@ -34,17 +34,27 @@ impl<'a> DrawnPlane<'a> {
     }
 }
 
-/// Force, area and friction over speed for several indentations with Hertz's limits, and as maps.
+/// Force, area and friction over speed for several indentations with their elastic limits, and as maps.
 pub(crate) fn contact_law(dataset: &Dataset) -> Option<Vec<Panel>> {
     let plane = DrawnPlane::of(dataset)?;
     let contrast = dataset.attributes().get("contrast")?.as_f64()?;
-    let hertz = |quantity: &str, depth: f64| match quantity {
-        "force" => vec![4.0 / 3.0 * depth.powf(1.5), 4.0 / 3.0 * contrast * depth.powf(1.5)],
-        "area" => vec![PI * depth],
-        _ => Vec::new(),
+    let line = reals(dataset, "rest_force").zip(reals(dataset, "rest_area"));
+    let elastic = |quantity: &str, row: usize| {
+        let depth = plane.indentations[row];
+        let (force, area) =
+            line.map_or((4.0 / 3.0 * depth.powf(1.5), PI * depth), |(force, area)| (force[row], area[row]));
+        match quantity {
+            "force" => vec![force, contrast * force],
+            "area" => vec![area],
+            _ => Vec::new(),
+        }
+    };
+    let (quantities, limits) = match line {
+        Some(_) => (QUANTITIES_OF_A_LINE, "elastic limits"),
+        None => (QUANTITIES, "elastic limits (Hertz)"),
     };
     let mut panels = Vec::new();
-    for (quantity, label) in QUANTITIES {
+    for (quantity, label) in quantities {
         let values = reals(dataset, quantity)?;
         let rows = plane.drawn();
         let mut layers = Vec::new();
@@ -53,13 +63,13 @@ pub(crate) fn contact_law(dataset: &Dataset) -> Option<Vec<Panel>> {
             let role = Role::Graded { index, count: rows.len() };
             let name = format!("$δ$/$R$ = {}", short_number(rounded(depth)));
             layers.push(Layer::line(name, plane.velocities.to_vec(), plane.row(values, *row), role.solid()));
-            for limit in hertz(quantity, depth) {
+            for limit in elastic(quantity, *row) {
                 let level = vec![limit; plane.velocities.len()];
                 layers.push(Layer::line("", plane.velocities.to_vec(), level, role.dashed().with_width(0.7)));
             }
         }
         if quantity != "friction" {
-            layers.push(Layer::key("elastic limits (Hertz)", Role::Reference.dashed()));
+            layers.push(Layer::key(limits, Role::Reference.dashed()));
         }
         panels.push(Panel::new(axis(dataset.variable("velocity")?), Axis::log(label), layers));
         panels.push(map(dataset, &plane, values.to_vec(), Axis::log(label), ColourMap::Sequential)?);
@@ -72,6 +82,9 @@ const QUANTITIES: [(&str, &str); 3] = [
     ("area", "Area $A$/$R^{2}$ (−)"),
     ("friction", "Friction $μ_{visc}$ (−)"),
 ];
+
+const QUANTITIES_OF_A_LINE: [(&str, &str); 3] =
+    [("force", "Force per length $F$/($E_{0}^{*}$ $R$) (−)"), ("area", "Width $w$/$R$ (−)"), QUANTITIES[2]];
 
 /// A number to three digits, for a legend.
 fn rounded(value: f64) -> f64 {

@@ -6,7 +6,7 @@ mod run;
 pub use run::LawPlane;
 
 use super::check::ContactEstimate;
-use super::size::cells_of_law;
+use super::size::lattice_of_law;
 use super::{ContactSubject, Exciting, blame, usual_contacts};
 use crate::computed_law::KnownPoints;
 use crate::contact::case::ContactCase;
@@ -31,7 +31,7 @@ pub(crate) const KIND: Kind<Option<ContactScope>, Arc<dyn Exciting>> = Kind {
     read: |scope, section| Ok(Arc::new(LawSettings::of("contact-law", scope.as_ref(), section)?)),
     picture: Some(Picture {
         draw: figure::contact_law,
-        caption: "Force, area and friction over speed for several indentations (left; dashed: Hertz with $E_{0}$ and with $E_{∞}$) and over speed and \
+        caption: "Force, area and friction over speed for several indentations (left; dashed: elastic with $E_{0}$ and with $E_{∞}$) and over speed and \
         indentation (right).",
     }),
 };
@@ -46,8 +46,8 @@ impl Analysis<ContactCase> for LawSettings {
         if let Err(refusal) = of.is_not_too_deep(of.scales.length_of_span(&self.indentation))? {
             return Ok(Err(refusal));
         }
-        let cells = cells_of_law(self);
-        Ok(blame::large([cells; 2], SlidingOperator::memory_bytes(cells, cells), self.memory))
+        let lattice = lattice_of_law(&of.case.shape, self);
+        Ok(blame::large(lattice, SlidingOperator::memory_bytes(lattice[0], lattice[1]), self.memory))
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
@@ -64,7 +64,7 @@ impl Analysis<ContactCase> for LawSettings {
         let (method, accuracy) = (self.method.name(), self.accuracy);
         let points = [self.velocity.points, self.indentation.points];
         let asked = format!("{method}, {} × {} points, accuracy {accuracy:e}", points[0], points[1]);
-        let (contacts, lattice) = (usual_contacts(self.method), [cells_of_law(self); 2]);
+        let (contacts, lattice) = (usual_contacts(self.method), lattice_of_law(&of.case.shape, self));
         Ok(ContactEstimate { name: of.name.to_owned(), asked, contacts, lattice })
     }
 

@@ -10,7 +10,7 @@ use judder_contact::fit::{FitError, FitSample, LawFit, Weighting, fit_law};
 use judder_contact::law::file::to_json;
 use judder_contact::law::sweep::SolvedLawPoint;
 use judder_contact::law::{LawErrors, PerQuantity};
-use judder_contact::steady::{GridChoice, SteadyQuestion, solve};
+use judder_contact::steady::{GridChoice, SteadyError, SteadyQuestion, solve};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
 use judder_contact::{ContactLaw, Law, LawPoint};
 use judder_keys::numeric_key::Form;
@@ -56,7 +56,7 @@ impl LawPlane {
     ) -> Result<LawTask<'a>, ModelError> {
         Ok(LawTask {
             material: &scales.material,
-            indenter: indenter::of_law(&case.shape)?,
+            indenter: indenter::of_law(case, scales.scales.radius)?,
             method: settings.method,
             velocity: Self::ends(&self.velocities),
             indentation: Self::ends(&self.indentations),
@@ -226,10 +226,29 @@ fn dataset(plane: &LawPlane, computed: &ComputedLaw, scales: &ContactScales) -> 
         let values: Vec<f64> = points.iter().map(value).collect();
         Variable::new(name, &["sample"], &[values.len()], values).units("1").long_name(long_name)
     };
-    Ok(plane
-        .coordinates()?
-        .with(over_plane("force", values.force, "normal force F/(E0* R²)"))?
-        .with(over_plane("area", values.area, "contact area A/R²"))?
+    let is_line = computed.law.data().is_some_and(|data| data.origin().indenter.is_line());
+    let (force, area) = if is_line {
+        ("normal force per length F/(E0* R)", "width of the contact w/R")
+    } else {
+        ("normal force F/(E0* R²)", "contact area A/R²")
+    };
+    let mut coordinates = plane.coordinates()?;
+    if is_line {
+        // what Hertz's closed forms are of others
+        let at_rest =
+            plane.indentations.iter().map(|depth| computed.law.evaluate(&LawPoint::new(0.0, *depth)));
+        let (forces, widths) = at_rest.map(|found| (found.force.value, found.area.value)).unzip();
+        let over_depth = |name: &str, values: Vec<f64>, long_name: &str| {
+            let depths = [plane.indentations.len()];
+            Variable::new(name, &["indentation"], &depths, values).units("1").long_name(long_name)
+        };
+        coordinates = coordinates
+            .with(over_depth("rest_force", forces, "elastic force per length F/(E0* R) with E0"))?
+            .with(over_depth("rest_area", widths, "elastic width w/R"))?;
+    }
+    Ok(coordinates
+        .with(over_plane("force", values.force, force))?
+        .with(over_plane("area", values.area, area))?
         .with(over_plane("friction", values.friction, "viscoelastic friction coefficient"))?
         .with(sample("sample_velocity", |p| p.velocity, "v τ/R of a solved contact"))?
         .with(sample("sample_indentation", |p| p.indentation, "δ/R of a solved contact"))?
@@ -247,11 +266,13 @@ fn table(plane: &LawPlane, law: &Law) -> Result<Table, ModelError> {
     let indentation: Vec<f64> =
         plane.indentations.iter().flat_map(|depth| std::iter::repeat_n(*depth, columns)).collect();
     let values = plane.values(law);
+    let is_line = law.data().is_some_and(|data| data.origin().indenter.is_line());
+    let (force_unit, area_unit) = if is_line { ("E0* R", "R") } else { ("E0* R²", "R²") };
     Ok(Table::new()
         .column("velocity", "v τ/R", velocity)?
         .column("indentation", "R", indentation)?
-        .column("force", "E0* R²", values.force)?
-        .column("area", "R²", values.area)?
+        .column("force", force_unit, values.force)?
+        .column("area", area_unit, values.area)?
         .column("friction", "1", values.friction)?)
 }
 
@@ -271,7 +292,10 @@ fn checks(
     for (along, down) in PROBES {
         let (velocity, depth) = (between(&plane.velocities, along), between(&plane.indentations, down));
         let contact = solve(&SteadyQuestion {
-            substrate: &task.material.sliding(velocity),
+            substrate: &task
+                .indenter
+                .substrate(&task.material.of_law(), velocity)
+                .map_err(SteadyError::from)?,
             profile: task.indenter.profile(),
             loading: Loading::Indentation(depth),
             accuracy: 0.5 * task.accuracy,

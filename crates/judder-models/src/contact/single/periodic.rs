@@ -50,6 +50,7 @@ pub(super) fn run(
         friction_difference: contact.friction_difference(),
         converged: contact.converged,
         is_line: false,
+        length: None,
     };
     let fields = ContactFields::of_period(&contact.finest);
     let mut scalars = refined.told(&scales, velocity).scalars();

@@ -13,6 +13,8 @@ pub(super) struct Refined<'a> {
     pub(super) converged: bool,
     /// Whether forces and areas are per length.
     pub(super) is_line: bool,
+    /// The length across the sliding, in m, of a line that has one.
+    pub(super) length: Option<f64>,
 }
 
 /// What is told of a contact.
@@ -80,8 +82,8 @@ impl Refined<'_> {
             friction_difference: self.friction_difference,
             force_newton_per_metre: of_shape(true, r.force.value * (scales.force_unit() / radius)),
             width_metre: of_shape(true, r.area.value * radius),
-            force_newton: of_shape(false, r.force.value * scales.force_unit()),
-            area_square_metre: of_shape(false, r.area.value * (radius * radius)),
+            force_newton: self.over_length(r.force.value * scales.force_unit(), radius),
+            area_square_metre: self.over_length(r.area.value * (radius * radius), radius),
             indentation_metre: r.indentation.value * radius,
             peak_pressure_pascal: r.peak_pressure.value * scales.scales.reduced_modulus,
             velocity_metre_per_second: velocity * radius / scales.time,
@@ -98,6 +100,11 @@ impl Refined<'_> {
                 peak_pressure: r.peak_pressure.error,
             },
         }
+    }
+
+    /// A quantity of a contact that ends, or of the length R of a line, which is that of its length where it has one.
+    fn over_length(&self, value: f64, radius: f64) -> Option<f64> {
+        if self.is_line { self.length.map(|length| value * (length / radius)) } else { Some(value) }
     }
 
     /// The grids from coarse to fine.

@@ -8,6 +8,9 @@ use crate::contact::shape::ShapeSettings;
 use crate::error::ModelError;
 use crate::indenter::profile;
 use crate::material::ContactScales;
+use judder_contact::cylinder_on_layer::CylinderOnLayer;
+use judder_contact::kernel::layer::BondedLayer;
+use judder_contact::kernel::substrate::SlidingSubstrate;
 use judder_contact::steady::{GridChoice, SteadyContact, SteadyError, SteadyQuestion, solve_until};
 use judder_contact::unilateral::{Loading, UnilateralLimits};
 use judder_store::Results;
@@ -60,7 +63,9 @@ pub(crate) fn run(
 ) -> Result<Outcome, ModelError> {
     let scales = ContactScales::new(case)?;
     let velocity = scales.velocity(settings.velocity);
-    let substrate = scales.material.sliding(velocity);
+    let layer = case.layer(scales.scales.radius)?;
+    let sliding = scales.material.sliding(velocity);
+    let substrate = SlidingSubstrate { layer: layer.clone(), ..sliding };
     let profile = profile(&case.shape, scales.scales.radius)?;
     let question = SteadyQuestion {
         substrate: &substrate,
@@ -83,16 +88,32 @@ pub(crate) fn run(
         friction_difference: contact.friction_difference(),
         converged: contact.converged,
         is_line: profile.is_line(),
+        length: case.length,
     };
     Ok(Outcome {
         scalars: refined.told(&scales, velocity).scalars(),
         dataset: fields.dataset(&contact.refinement, &scales)?,
         table: Some(refined.history()?),
-        checks: checks(case, &contact, &question, velocity, scales.material.spectrum.contrast()),
+        checks: checks(case, &contact, &question, velocity, scales.material.spectrum.contrast())?,
         files: vec![(format!("fields/{name}.vtu"), fields.vtu()?)],
         missing: usize::from(!contact.converged),
-        warnings: refined.missed(settings.accuracy).into_iter().collect(),
+        warnings: refined
+            .missed(settings.accuracy)
+            .into_iter()
+            .chain(deep(&contact, layer.as_ref()))
+            .collect(),
         ..Outcome::default()
+    })
+}
+
+/// Beyond this part of its thickness a layer is no longer linear: strains are of its order.
+pub(crate) const DEEP_IN_A_LAYER: f64 = 0.1;
+
+/// That a cylinder is pressed in by a large part of its layer, in words.
+fn deep(contact: &SteadyContact, layer: Option<&BondedLayer>) -> Option<String> {
+    let part = contact.refinement.indentation.value / layer?.thickness();
+    (part > DEEP_IN_A_LAYER).then(|| {
+        format!("the indentation is {part:.2} of the thickness of the layer: strains are of that order, and the theory is one of small ones")
     })
 }
 
@@ -102,7 +123,7 @@ fn checks(
     question: &SteadyQuestion<'_>,
     velocity: f64,
     contrast: f64,
-) -> Vec<CheckRecord> {
+) -> Result<Vec<CheckRecord>, ModelError> {
     let errors = &contact.finest.solution.errors;
     let grid = contact.finest.grid;
     let size = format!("{} × {} cells", grid.columns, grid.rows);
@@ -132,32 +153,36 @@ fn checks(
             DISSIPATION_LIMIT,
         ));
     }
-    checks.extend(limits(case, contact, question, velocity, contrast));
-    checks
+    checks.extend(limits(case, contact, question, velocity, contrast)?);
+    Ok(checks)
 }
 
-/// The closed forms between and at which a paraboloid must lie.
+/// The closed forms between and at which a paraboloid must lie, and a cylinder on a layer.
 fn limits(
     case: &ContactCase,
     contact: &SteadyContact,
     question: &SteadyQuestion<'_>,
     velocity: f64,
     contrast: f64,
-) -> Vec<CheckRecord> {
+) -> Result<Vec<CheckRecord>, ModelError> {
     let mut checks = Vec::new();
-    if case.shape != ShapeSettings::Paraboloid {
-        return checks;
-    }
     let r = &contact.refinement;
-    let rubbery = 4.0 / 3.0 * r.indentation.value.powf(1.5);
+    let (rubbery, name, compared) = match (&case.shape, &question.substrate.layer) {
+        (ShapeSettings::Paraboloid, _) => (
+            4.0 / 3.0 * r.indentation.value.powf(1.5),
+            "the force lies between Hertz with E0 and with E∞",
+            "how far beyond the nearer of 4/3 δ^{3/2} and 4/3 (E∞/E0) δ^{3/2}, relative",
+        ),
+        (ShapeSettings::Cylinder, Some(layer)) => (
+            CylinderOnLayer::of_indentation(layer, r.indentation.value)?.force,
+            "the force lies between the elastic ones with E0 and with E∞",
+            "how far beyond the nearer of the spectral solutions on a layer of E0 and of E∞, relative",
+        ),
+        _ => return Ok(checks),
+    };
     let glassy = contrast * rubbery;
     let outside = (rubbery / r.force.value).max(r.force.value / glassy) - 1.0;
-    checks.push(CheckRecord::new(
-        "the force lies between Hertz with E0 and with E∞",
-        "how far beyond the nearer of 4/3 δ^{3/2} and 4/3 (E∞/E0) δ^{3/2}, relative",
-        outside.into(),
-        question.accuracy,
-    ));
+    checks.push(CheckRecord::new(name, compared, outside.into(), question.accuracy));
     let slow = velocity / r.indentation.value.sqrt();
     let moment: f64 = question.substrate.terms.iter().map(|term| term.compliance * term.length).sum();
     let longest = question.substrate.terms.iter().map(|term| term.length).fold(0.0, f64::max);
@@ -170,5 +195,5 @@ fn limits(
             (5.0 * question.accuracy).max(1e-2),
         ));
     }
-    checks
+    Ok(checks)
 }

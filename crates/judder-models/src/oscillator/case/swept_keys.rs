@@ -19,17 +19,23 @@ use judder_study::case::root::COMMON;
 pub(crate) struct OscillatorKeys {
     /// Its numbers and its law; none of a case in which something is wrong, of which nothing is checked.
     known: Option<(OscillatorInputs, LawName)>,
+    /// Whether the indenter is a cylinder, whose law is one of a radius, a thickness and a Poisson's ratio.
+    is_line: bool,
     /// What decides moduli and times together, where a series or data were given.
     decided_by: Option<&'static str>,
 }
 
 impl OscillatorKeys {
     /// Those of a case in which something is wrong.
-    pub(crate) const UNKNOWN: Self = Self { known: None, decided_by: None };
+    pub(crate) const UNKNOWN: Self = Self { known: None, is_line: false, decided_by: None };
 
     /// Those of this case.
     pub(crate) fn of(case: &OscillatorCase) -> Self {
-        Self { known: Some((case.inputs, case.law)), decided_by: case.substrate.decided_by() }
+        Self {
+            known: Some((case.inputs, case.law)),
+            is_line: case.length.is_some(),
+            decided_by: case.substrate.decided_by(),
+        }
     }
 
     /// What keeps a key from being swept.
@@ -42,6 +48,9 @@ impl OscillatorKeys {
             }
             _ if is_modulus && matches!(self.known, Some((_, LawName::Bem))) => {
                 Some("the law `bem`, which is computed for one substrate,".to_owned())
+            }
+            _ if self.is_line && matches!(key, OscillatorKey::Radius | OscillatorKey::PoissonRatio) => {
+                Some("the law of a cylinder, which is computed for one radius on one layer,".to_owned())
             }
             _ => None,
         }

@@ -135,7 +135,10 @@ pub(crate) fn work(case: &OscillatorCase, sweep: &StudySweep, wanted: &[Operatin
 
 /// Whether law and material are the same at every point.
 fn law_stays(case: &OscillatorCase, keys: &[(OscillatorKey, Form)]) -> bool {
-    let of_substrate = |key: OscillatorKey| key.entry().section() == "substrate";
-    let moves = keys.iter().any(|(key, _)| of_substrate(*key));
+    let is_line = case.length.is_some();
+    let of_law = |key: OscillatorKey| {
+        key.entry().section() == "substrate" || (is_line && key == OscillatorKey::Radius)
+    };
+    let moves = keys.iter().any(|(key, _)| of_law(*key));
     !(moves && (case.law == LawName::Bem || case.substrate.decided_by().is_some()))
 }

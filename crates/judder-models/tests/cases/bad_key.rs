@@ -338,7 +338,7 @@ fn a_cylinder_without_what_it_needs() {
     );
     refused(
         &line(thickness, "bem", ""),
-        "`indenter.length` is missing",
+        "[indenter] lacks the key `length`",
         "{ shape = \"cylinder\" }",
         "give length = \"0.6 m\", across the sliding",
     );
@@ -367,7 +367,7 @@ fn a_radius_that_would_make_another_law() {
     refused(
         &key(text),
         "`indenter.radius` cannot be swept: the law of a cylinder, which is computed for one radius on one layer, decides it",
-        "\"indenter.radius\"",
+        "indenter.radius",
         "sweep another key, or run the case once a value with `--set`",
     );
 }

@@ -59,10 +59,12 @@ fn a_depth_of_a_layers_thickness_and_a_contact_far_wider_than_it_are_refused() {
     }
 }
 
+/// On springs that bear next to nothing of the load.
 fn oscillator(length: &str, load: &str) -> OscillatorCase {
     let text = format!(
         "model = \"oscillator\"\n{BAR}\n[indenter]\nradius = \"10 mm\"\nshape = \"cylinder\"\nlength = \"{length}\"\n[contact]\n\
          law = {{ computed = true, accuracy = 0.1 }}\nfriction_load = \"contact-force\"\nshear_strength = 1e-3\n\
+         [oscillator]\nstiffness_x = \"1e-4 N/m\"\ncoupling = 0\n\
          [operation]\nvelocity = \"50 mm/s\"\nnormal_load = \"{load}\"\n"
     );
     judder_models::parse("case.toml", &text, &[]).unwrap().case.of::<OscillatorCase>().unwrap().clone()
@@ -74,9 +76,9 @@ fn an_oscillator_and_an_assembly_take_the_law_per_length() {
     let [one, two] = [("0.1 m", "2 N"), ("0.2 m", "4 N")].map(|(length, load)| {
         judder_models::point::point(&oscillator(length, load)).unwrap().steady.equilibrium
     });
-    assert!((two.indentation / one.indentation - 1.0).abs() < 1e-9, "{one:?} {two:?}");
-    assert!((two.response.area.value / (2.0 * one.response.area.value) - 1.0).abs() < 1e-9);
-    assert!((two.response.friction.value / one.response.friction.value - 1.0).abs() < 1e-9);
+    assert!((two.indentation / one.indentation - 1.0).abs() < 1e-7, "{one:?} {two:?}");
+    assert!((two.response.area.value / (2.0 * one.response.area.value) - 1.0).abs() < 1e-7);
+    assert!((two.response.friction.value / one.response.friction.value - 1.0).abs() < 1e-7);
     let text = format!(
         r#"
         model = "assembly"

@@ -43,6 +43,11 @@ pub trait PiecewiseSmooth<const N: usize> {
     /// ∂g/∂u.
     fn guard_gradient(&self, mode: Self::Mode, guard: usize, state: &[f64; N]) -> [f64; N];
 
+    /// Whether the fields on both sides of a guard meet there without a jump, and go on smoothly beyond it: where pieces of a force meet at a corner.
+    fn is_corner(&self, _mode: Self::Mode, _guard: usize) -> bool {
+        false
+    }
+
     /// The mode in which the motion goes on from a state on a guard, and the state itself, moved onto the guard exactly
     /// (by rounding alone), so that a guard of the next mode that stands on the same surface is exactly zero.
     fn cross(&self, mode: Self::Mode, guard: usize, state: &[f64; N]) -> (Self::Mode, [f64; N]);

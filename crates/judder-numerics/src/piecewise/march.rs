@@ -345,12 +345,14 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> PiecewiseMarch<'a, S, N> {
     /// Takes a step; `met` is what its end lies on.
     fn take(&mut self, trial: Trial<N>, met: Option<StepTarget>) -> Advance<S::Mode, N> {
         let method = if self.stiffness.is_stiff() { StepMethod::Implicit } else { StepMethod::Explicit };
+        let meets_edge =
+            matches!(met, Some(StepTarget::Guard(guard)) if !self.system.is_corner(self.mode, guard));
         let leg = Leg {
             mode: self.mode,
             method,
             time: self.time,
             step: trial.step,
-            is_at_edge: self.starts_at_edge || matches!(met, Some(StepTarget::Guard(_))),
+            is_at_edge: self.starts_at_edge || meets_edge,
             end: trial.end,
             dense: trial.dense,
         };
@@ -388,7 +390,7 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> PiecewiseMarch<'a, S, N> {
         self.mode = to;
         self.state = state;
         self.field = self.system.field(to, &state);
-        self.starts_at_edge = true;
+        self.starts_at_edge = !self.system.is_corner(from, guard);
         self.stiffness = Stiffness::default();
         self.step = self.step.min(self.first_step());
         GuardCrossing { time: self.time, from, to, guard, state }

@@ -179,6 +179,11 @@ impl PiecewiseSmooth<2> for BeltOscillator {
         }
     }
 
+    fn is_corner(&self, mode: BeltMode, guard: usize) -> bool {
+        let is_rest = guard == LOWER && self.friction.ends(mode.piece)[LOWER].is_none();
+        mode.contact_state != ContactState::Stick && !is_rest
+    }
+
     fn cross(&self, mode: BeltMode, guard: usize, state: &[f64; 2]) -> (BeltMode, [f64; 2]) {
         match (mode.contact_state, guard, self.friction.ends(mode.piece)[LOWER]) {
             (ContactState::Stick, 0, _) => (self.mode(ContactState::SlipBehind, state), *state),

@@ -8,6 +8,9 @@ use judder_keys::{declared::Number, dimension::Dimension};
 use std::fmt;
 use std::ops::RangeInclusive;
 
+/// The share of the height and of the length of a box that chamfers leave at least, so that rounding leaves no flat elements.
+pub const LEFT: f64 = 1e-6;
+
 /// A side of a box, by the axis across it and the end of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "keys", derive(judder_keys::Choice), choice(what = "side of a block"))]
@@ -164,10 +167,10 @@ impl ChamferedFace {
                 what: "its length, its depth and its cells must be positive",
             });
         }
-        if cuts().any(|own| own.depth >= size[across]) {
+        if cuts().any(|own| own.depth > (1.0 - LEFT) * size[across]) {
             return Err(StructureError::NoChamfer { what: "it must be less deep than the box" });
         }
-        if cuts().map(|own| own.length).sum::<f64>() >= size[along] {
+        if cuts().map(|own| own.length).sum::<f64>() > (1.0 - LEFT) * size[along] {
             return Err(StructureError::NoChamfer { what: "it must leave some of the length of the face" });
         }
         match cuts().fold(0, |sum: usize, own| sum.saturating_add(own.cells)) >= cells[along] {

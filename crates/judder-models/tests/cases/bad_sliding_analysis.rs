@@ -129,7 +129,7 @@ fn a_value_between_the_ends_of_a_sweep() {
     let KeySweepProblem::SweptValue { key, value, reason, .. } = case.at(sweep, -0.01).unwrap_err() else {
         panic!("a value")
     };
-    assert_eq!((key.as_str(), value.as_str()), ("motion.velocity", "-0.01 m/s"));
+    assert_eq!((key.as_str(), value.as_str()), ("motion.velocity", "-10 mm/s"));
     assert_eq!(reason, "a velocity of -0.01 m/s does not lead from 0.01 m to 0.0985 m");
 }
 

@@ -414,9 +414,9 @@ fn chamfers_of_sides_that_are_not_there() {
         "cut it at x-min, x-max or at z-min, z-max; a mesh file may have any shape",
     );
     refused(
-        &chamfered(2, &format!("{{ face = \"y-low\", x-min = {cut} }}")),
-        "unknown side of a block `y-low`",
-        "y-low",
+        &chamfered(2, &format!("{{ face = \"y-mid\", x-min = {cut} }}")),
+        "unknown side of a block `y-mid`",
+        "y-mid",
         "did you mean `y-min`? known: x-min, x-max, y-min, y-max, z-min, z-max",
     );
 }

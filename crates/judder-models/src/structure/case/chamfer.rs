@@ -4,7 +4,7 @@ use judder_keys::Settings;
 use judder_keys::error::Fault;
 use judder_keys::problem::{Placed, Problem};
 use judder_keys::section::Section;
-use judder_structure::chamfer::{BoxSide, Chamfer, ChamferedFace};
+use judder_structure::chamfer::{BoxSide, Chamfer, ChamferedFace, LEFT};
 use judder_study::text::short;
 use thiserror::Error;
 
@@ -76,12 +76,14 @@ impl ChamferSettings {
             Ok(own.map_or(section.place, |own| own.place_of(&[key])))
         };
         let (height, width, row) = (size[face.axis()], size[first.axis()], cells[first.axis()]);
-        if let Some((end, Chamfer { depth, .. })) = self.cuts().find(|(_, own)| own.depth >= height) {
+        if let Some((end, Chamfer { depth, .. })) =
+            self.cuts().find(|(_, own)| own.depth > (1.0 - LEFT) * height)
+        {
             return Err(ChamferProblem::Deep { face, end, depth, height }.at(place(end, "depth")?));
         }
         let last = self.cuts().last().map_or(first, |(end, _)| end);
         let length: f64 = self.cuts().map(|(_, own)| own.length).sum();
-        if length >= width {
+        if length > (1.0 - LEFT) * width {
             return Err(ChamferProblem::Long { face, length, width }.at(place(last, "length")?));
         }
         let taken: usize = self.cuts().map(|(_, own)| own.cells).sum();

@@ -18,6 +18,7 @@
 //! - [`reduction_report`]: a reduced structure beside the full one.
 //! - [`damping`]: Rayleigh's, and viscous in place of structural.
 //! - [`quadratic`]: mass, damping and stiffness of a structure that need not be symmetric, [`affine`]: as sums of matrices with factors.
+//! - [`asked_region`]: which eigenvalues are asked for.
 //! - [`complex_modes`]: all eigenvalues of a region of the complex plane, each with its error and verdict.
 //! - [`eigen_sweep`]: complex modes over parameters, followed from point to point.
 //! - [`onset`]: where along a parameter modes begin or cease to grow.
@@ -26,6 +27,7 @@
 //! - [`statics`]: displacements under loads that rest.
 
 pub mod affine;
+pub mod asked_region;
 pub mod assembly;
 pub mod beam;
 pub mod chamfer;

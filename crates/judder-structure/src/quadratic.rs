@@ -35,23 +35,12 @@ pub(crate) enum MatrixSide {
     Left,
 }
 
-/// Two plain numbers.
-#[cfg(feature = "keys")]
-const RANGE: judder_keys::declared::NumberPair = judder_keys::declared::NumberPair {
-    of: judder_keys::declared::Number::any(judder_keys::dimension::Dimension::NUMBER),
-    what: "two numbers, from and to",
-    is_ascending: true,
-};
-
 /// A rectangle of the complex plane: λ = re + i im.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "keys", derive(judder_keys::Settings))]
 pub struct Region {
     /// Growth rates from and to, 1/s.
-    #[cfg_attr(feature = "keys", key(rule = RANGE, example = "[-50.0, 1000.0], growth rates in 1/s"))]
     pub re: [f64; 2],
     /// Angular frequencies from and to, rad/s.
-    #[cfg_attr(feature = "keys", key(rule = RANGE, example = "[0.0, 20000.0], angular frequencies in rad/s"))]
     pub im: [f64; 2],
 }
 

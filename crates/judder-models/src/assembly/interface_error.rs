@@ -4,9 +4,11 @@ use super::AssemblySubject;
 use super::build::BuiltAssembly;
 use super::case::AssemblyCase;
 use crate::error::ModelError;
+use crate::structure::eigen::run::asked_of;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::SteadySliding;
-use judder_structure::complex_modes::{ComplexModeSettings, Region, complex_modes};
+use judder_structure::asked_region::AskedRegion;
+use judder_structure::complex_modes::{ComplexModeSettings, complex_modes};
 use num_complex::Complex64;
 
 /// An assembly with each freedom of its contacts kept, in steady sliding.
@@ -42,10 +44,11 @@ impl WithInterfaceFreedoms {
         &self,
         eigenvalues: &[Complex64],
         terms: LinearisedTerms,
-        region: &Region,
+        asked: &AskedRegion,
     ) -> Result<Result<f64, String>, ModelError> {
         let about = Linearised::new(&self.built.assembly, &self.steady, terms)?;
-        let found = complex_modes(&about.problem, region, &ComplexModeSettings::default())?;
+        let found = complex_modes(&about.problem, &asked.rectangle(), &ComplexModeSettings::default())?;
+        let found = asked_of(found, asked);
         let mut finer: Vec<Complex64> = found.modes.iter().map(|mode| mode.eigenvalue.value).collect();
         let (own, all) = (eigenvalues.len(), finer.len());
         if own != all || !found.complete() {

@@ -223,26 +223,18 @@ pub(crate) const MODEL: ModelKind = ModelKind {
     template: Template { name: "assembly", text: include_str!("template.toml"), lines: |_| String::new() },
     kinds: || KINDS.entries(),
     tables: &[
-        KindTables {
-            kind: steady_sliding::KIND.name,
-            report: steady_sliding::tables::report,
-            terminal: |_| None,
-        },
-        KindTables { kind: eigen::KIND.name, report: eigen::tables::report, terminal: |_| None },
-        KindTables { kind: march::KIND.name, report: march::tables::report, terminal: |_| None },
-        KindTables { kind: bifurcation::KIND.name, report: bifurcation::tables::report, terminal: |_| None },
-        KindTables { kind: squeal::KIND.name, report: squeal::tables::report, terminal: |_| None },
-        KindTables {
-            kind: frequency_response::KIND.name,
-            report: frequency_response::tables::report,
-            terminal: |_| None,
-        },
-        KindTables { kind: limit_cycle::KIND.name, report: limit_cycle::tables::report, terminal: |_| None },
-        KindTables {
-            kind: eigen_sweep::KIND.name,
-            report: crate::structure::eigen_sweep::tables::report,
-            terminal: |_| None,
-        },
+        KindTables::new(steady_sliding::KIND.name, |told| steady_sliding::tables::report(told.results)),
+        KindTables::new(eigen::KIND.name, |told| eigen::tables::report(told.results)),
+        KindTables::new(march::KIND.name, |told| march::tables::report(told.results)),
+        KindTables::new(bifurcation::KIND.name, |told| bifurcation::tables::report(told.results)),
+        KindTables::new(squeal::KIND.name, |told| squeal::tables::report(told.results)),
+        KindTables::new(frequency_response::KIND.name, |told| {
+            frequency_response::tables::report(told.results)
+        }),
+        KindTables::new(limit_cycle::KIND.name, |told| limit_cycle::tables::report(told.results)),
+        KindTables::new(eigen_sweep::KIND.name, |told| {
+            crate::structure::eigen_sweep::tables::report(told.results)
+        }),
     ],
     operating_quantities: &[],
 };

@@ -14,6 +14,7 @@ use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::{SteadySliding, pieces, steady_sliding};
 use judder_keys::Settings;
 use judder_nonsmooth::course::{Course, TimeFactor};
+use judder_structure::asked_region::AskedRegion;
 use judder_structure::complex_modes::{ComplexMode, ComplexModeSettings, Eigenvalue, Region, complex_modes};
 use judder_structure::eigen_sweep::{ProblemFamily, ProjectedProblem, SolvedPoint};
 use judder_structure::quadratic::Quadratic;
@@ -24,18 +25,20 @@ use std::sync::Arc;
 #[derive(Debug, Clone, Copy, PartialEq, Settings)]
 pub enum SoughtRegion {
     /// Between two frequencies, those that grow or decay by less than half a radian a radian.
-    #[key(rule = BAND, symbol = "ω", example = "[\"1 kHz\", \"10 kHz\"], or region = { re = […], im = […] }")]
+    #[key(rule = BAND, symbol = "ω", example = "[\"1 kHz\", \"10 kHz\"], or region = { frequency = […], damping_ratio = […] }")]
     Band([f64; 2]),
-    /// The rectangle of λ = re + i im in which eigenvalues are sought, in place of band.
-    #[key(example = "{ re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s")]
-    Region(Region),
+    /// Which eigenvalues λ = re + i im are asked for, in place of band: those of a rectangle, or of frequencies with damping ratios.
+    #[key(
+        example = "{ frequency = [\"0 Hz\", \"8 kHz\"], damping_ratio = [-0.1, 0.1] }, or { re = […], im = […] } in 1/s and rad/s"
+    )]
+    Region(AskedRegion),
 }
 
 impl SoughtRegion {
-    pub(super) fn region(self) -> Region {
+    pub(super) fn region(self) -> AskedRegion {
         match self {
             Self::Region(region) => region,
-            Self::Band([from, to]) => band(from, to),
+            Self::Band([from, to]) => AskedRegion::from(band(from, to)),
         }
     }
 }

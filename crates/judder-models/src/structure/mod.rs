@@ -2,7 +2,7 @@
 //!
 //! - `build`: from the keys of a case to matrices.
 //! - `undamped`: mass and stiffness, without damping and friction.
-//! - `fields`, `shapes`, `shape_panels`: shapes as files, as arrays, as pictures.
+//! - `fields`, `shapes`, `shape_panels`: shapes as files, as arrays, as pictures. `vectors`: those of imported matrices on their freedoms.
 //! - `check`: what `judder check` shows.
 //! - A folder each: `modes`, `reduction`, `eigen`, `eigen_sweep`, `receptance`.
 
@@ -18,6 +18,7 @@ pub mod reduction;
 pub(crate) mod shape_panels;
 pub(crate) mod shapes;
 mod undamped;
+pub(crate) mod vectors;
 
 use crate::error::ModelError;
 use crate::structure::case::scope::StructureScope;
@@ -30,7 +31,7 @@ use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::text::CaseText;
 use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Task, wanted};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{KindTables, ModelKind, Template};
+use judder_study::registry::{KindTables, ModelKind, Template, TerminalTable};
 use judder_study::resolve::Resolved;
 use std::sync::Arc;
 
@@ -87,9 +88,13 @@ pub const MODEL: ModelKind = ModelKind {
     kinds: || KINDS.entries(),
     operating_quantities: &[],
     tables: &[
-        KindTables { kind: eigen::KIND.name, report: eigen::tables::report, terminal: |_| None },
-        KindTables { kind: eigen_sweep::KIND.name, report: eigen_sweep::tables::report, terminal: |_| None },
-        KindTables { kind: modes::KIND.name, report: |_| Vec::new(), terminal: modes::tables::terminal },
+        KindTables::new(eigen::KIND.name, |told| eigen::tables::report(told.results)),
+        KindTables::new(eigen_sweep::KIND.name, |told| eigen_sweep::tables::report(told.results)),
+        KindTables {
+            kind: modes::KIND.name,
+            report: |_| Vec::new(),
+            terminal: TerminalTable::Own(|told| modes::tables::terminal(told.results)),
+        },
     ],
 };
 

@@ -54,11 +54,11 @@ pub(crate) fn with_layout(dataset: Dataset, layout: &StructureLayout) -> Result<
 }
 
 /// How many shapes are kept, with a warning where these are not all.
-fn kept(count: usize, bytes: usize, warnings: &mut Vec<String>) -> usize {
+pub(super) fn kept(what: &str, count: usize, bytes: usize, warnings: &mut Vec<String>) -> usize {
     let most = (SHAPE_BYTES / bytes.max(1)).max(1);
     if count > most {
         warnings.push(format!(
-            "the shapes of the first {most} of {count} modes are kept: more would be too large"
+            "the {what} of the first {most} of {count} modes are kept: more would be too large"
         ));
     }
     count.min(most)
@@ -72,7 +72,7 @@ pub(super) fn with_real(
     warnings: &mut Vec<String>,
 ) -> Result<Dataset, ModelError> {
     let points = layout.points.len();
-    let kept = kept(shapes.len(), 24 * points, warnings);
+    let kept = kept("shapes", shapes.len(), 24 * points, warnings);
     let values: Vec<f64> = shapes[..kept].iter().flat_map(|shape| layout.displacements(shape)).collect();
     let variable = Variable::new("shape", &["shown_mode", "point", "direction"], &[kept, points, 3], values);
     Ok(dataset.with(variable.units("1/√kg").long_name("shape of the mode, φᵀMφ = 1"))?)
@@ -86,7 +86,7 @@ pub(super) fn with_complex(
     warnings: &mut Vec<String>,
 ) -> Result<Dataset, ModelError> {
     let points = layout.points.len();
-    let kept = kept(shapes.len(), 48 * points, warnings);
+    let kept = kept("shapes", shapes.len(), 48 * points, warnings);
     let values: Vec<Complex64> =
         shapes[..kept].iter().flat_map(|shape| layout.displacements(shape)).collect();
     let variable = Variable::new("shape", &["shown_mode", "point", "direction"], &[kept, points, 3], values);

@@ -1,5 +1,7 @@
 //! Structure cases end to end: beams, a bar of bricks, a ring from a mesh file, matrices.
 
+mod asked;
+
 use crate::stopping::Stopping;
 use crate::{case, number, run_into};
 use judder_exchange::freedom_table::read_freedoms;

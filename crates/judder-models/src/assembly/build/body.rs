@@ -139,9 +139,14 @@ impl BuiltBody {
         self.load.len()
     }
 
+    /// How many freedoms it has, whatever a reduction keeps.
+    pub(crate) fn freedoms(&self) -> usize {
+        self.coordinates.len()
+    }
+
     /// Where coordinates and freedoms of the next body begin.
     pub(super) fn end(&self) -> [usize; 2] {
-        [self.first + self.size(), self.first_freedom + self.coordinates.len()]
+        [self.first + self.size(), self.first_freedom + self.freedoms()]
     }
 
     /// The displacement of a point as a form on the coordinates of the assembly; empty where it is held.

@@ -7,14 +7,13 @@ pub(super) mod tables;
 use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
 use crate::error::ModelError;
-use crate::structure::eigen::ToldRegion;
-use crate::structure::eigen::figure;
+use crate::structure::eigen::{ToldRegion, figure, within};
 use beyond_law::BeyondLaws;
 use judder_keys::Settings;
 use judder_keys::declared::{Number, NumberPair, Settings, Whole};
 use judder_keys::dimension::Dimension;
 use judder_store::{Declared, Results};
-use judder_structure::quadratic::Region;
+use judder_structure::asked_region::AskedRegion;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
@@ -45,9 +44,11 @@ pub enum SoughtModes {
     /// All between two frequencies that grow or decay by less than half a radian a radian, in place of count.
     #[key(rule = BAND, symbol = "ω")]
     Band([f64; 2]),
-    /// The rectangle of λ = re + i im in which eigenvalues are sought, in place of count.
-    #[key(example = "{ re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s")]
-    Region(Region),
+    /// Which eigenvalues λ = re + i im are asked for, in place of count: those of a rectangle, or of frequencies with damping ratios.
+    #[key(
+        example = "{ frequency = [\"0 Hz\", \"8 kHz\"], damping_ratio = [-0.1, 0.1] }, or { re = […], im = […] } in 1/s and rad/s"
+    )]
+    Region(AskedRegion),
 }
 
 /// Two frequencies.
@@ -90,9 +91,7 @@ impl Analysis<AssemblyCase> for AssemblyEigen {
             SoughtModes::Band([from, to]) => {
                 format!("complex modes from {} to {} Hz", short(from / TAU), short(to / TAU))
             }
-            SoughtModes::Region(Region { re: [from, to], im: [low, high] }) => {
-                format!("complex modes, Re from {from} to {to}, Im from {low} to {high}")
-            }
+            SoughtModes::Region(asked) => format!("complex modes, {}", within(&asked)),
         })
     }
 

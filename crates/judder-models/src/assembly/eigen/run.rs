@@ -2,14 +2,16 @@
 
 use super::beyond_law::BeyondLaws;
 use super::{AssemblyEigen, SoughtModes};
-use crate::assembly::build::ShownBodies;
+use crate::assembly::build::{BuiltAssembly, ShownBodies};
 use crate::assembly::interface_error::WithInterfaceFreedoms;
 use crate::assembly::{AssemblySubject, IMBALANCE};
 use crate::error::ModelError;
-use crate::structure::eigen::run::{ShownModes, found};
+use crate::structure::eigen::run::{ShownModes, asked_of, found};
+use crate::structure::vectors::ImportedFreedoms;
 use judder_assembly::linearised::{ContactTerm, Linearised, LinearisedTerms};
 use judder_assembly::work::{GrowthShares, Worker, growth_shares};
 use judder_store::{ByName, Results};
+use judder_structure::asked_region::AskedRegion;
 use judder_structure::complex_modes::{ComplexMode, ComplexModes, Verdict};
 use judder_structure::diagnosis::participations;
 use judder_structure::modes::{Mode, WantedModes, modes};
@@ -65,7 +67,8 @@ pub(super) fn run(of: &AssemblySubject<'_>, asked: &AssemblyEigen) -> Result<Out
     let steady = of.steady_or_untouched()?;
     let terms = LinearisedTerms { damping: asked.damping, friction_damping: asked.damping };
     let about = Linearised::new(&built.assembly, &steady, terms)?;
-    let (region, found) = sought(&about, asked.sought)?;
+    let (sought, found) = sought(&about, asked.sought)?;
+    let region = sought.rectangle();
     let shown = ShownBodies::new(&built.bodies);
     let modes = ShownModes {
         problem: &about.problem,
@@ -73,7 +76,9 @@ pub(super) fn run(of: &AssemblySubject<'_>, asked: &AssemblyEigen) -> Result<Out
         found: &found,
         layout: Some(&shown.layout),
         mesh: (!shown.mesh.blocks.is_empty()).then_some(&shown.mesh),
+        freedoms: imported(built),
         expanded: &|shape| built.expanded(&about.expanded(shape)),
+        expanded_left: &|shape| built.expanded(&about.expanded_left(shape)),
     };
     let mut outcome = modes.outcome(of.name, None)?;
     outcome.dataset = shown.with_bodies(outcome.dataset)?;
@@ -108,7 +113,7 @@ pub(super) fn run(of: &AssemblySubject<'_>, asked: &AssemblyEigen) -> Result<Out
     }
     let closed = steady.points.iter().filter(|point| point.is_closed).count();
     let left_out = built.left_out.clone();
-    let interface_modes_error = interface_modes_error(of, &found, terms, &region, &mut outcome.warnings)?;
+    let interface_modes_error = interface_modes_error(of, &found, terms, &sought, &mut outcome.warnings)?;
     outcome.scalars.extend(AssemblyModes { closed, left_out, interface_modes_error, growing }.scalars());
     let (beyond, warnings) = BeyondLaws::of(of, &steady, &found.modes);
     outcome.scalars.extend(beyond.scalars());
@@ -116,17 +121,26 @@ pub(super) fn run(of: &AssemblySubject<'_>, asked: &AssemblyEigen) -> Result<Out
     Ok(outcome)
 }
 
+/// The freedoms of bodies that are imported matrices.
+fn imported(built: &BuiltAssembly) -> ImportedFreedoms {
+    let mut freedoms = ImportedFreedoms::default();
+    for body in built.bodies.iter().filter(|body| body.structure.mesh().is_none()) {
+        freedoms.add(&body.name, body.first_freedom, body.freedoms(), body.structure.layout.as_ref());
+    }
+    freedoms
+}
+
 /// The error of interface modes, where there are some and it is known.
 fn interface_modes_error(
     of: &AssemblySubject<'_>,
     found: &ComplexModes,
     terms: LinearisedTerms,
-    region: &Region,
+    asked: &AskedRegion,
     warnings: &mut Vec<String>,
 ) -> Result<Option<f64>, ModelError> {
     let Some(finer) = WithInterfaceFreedoms::of(of)? else { return Ok(None) };
     let own: Vec<Complex64> = found.modes.iter().map(|mode| mode.eigenvalue.value).collect();
-    match finer.of_eigenvalues(&own, terms, region)? {
+    match finer.of_eigenvalues(&own, terms, asked)? {
         Ok(error) => Ok(Some(error)),
         Err(why) => {
             warnings.push(why);
@@ -135,14 +149,17 @@ fn interface_modes_error(
     }
 }
 
-/// The modes that an analysis asks for, and the rectangle in which there are no others.
-fn sought(about: &Linearised, sought: SoughtModes) -> Result<(Region, ComplexModes), ModelError> {
-    let region = match sought {
-        SoughtModes::Region(region) => region,
-        SoughtModes::Band([from, to]) => band(from, to),
-        SoughtModes::Count(count) => return lowest(about, count),
+/// The modes that an analysis asks for, and where there are no others.
+fn sought(about: &Linearised, sought: SoughtModes) -> Result<(AskedRegion, ComplexModes), ModelError> {
+    let asked = match sought {
+        SoughtModes::Region(asked) => asked,
+        SoughtModes::Band([from, to]) => AskedRegion::from(band(from, to)),
+        SoughtModes::Count(count) => {
+            let (region, lowest) = lowest(about, count)?;
+            return Ok((AskedRegion::from(region), lowest));
+        }
     };
-    Ok((region, found(&about.problem, &region)?))
+    Ok((asked, asked_of(found(&about.problem, &asked.rectangle())?, &asked)))
 }
 
 /// Growth rates that a band holds, over its upper frequency.

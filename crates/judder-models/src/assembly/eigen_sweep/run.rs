@@ -49,7 +49,8 @@ pub(super) fn run(
     settings: &AssemblySweep,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
-    let region = settings.sought.region();
+    let asked = settings.sought.region();
+    let region = asked.rectangle();
     let sweep = &settings.sweep;
     let family = SweptAssembly::new(of, vec![sweep], settings.damping);
     let method = settings.method.method();
@@ -58,7 +59,7 @@ pub(super) fn run(
         true => {
             let held =
                 SolvedSweep::new(&family.all_closed(), &sweep.values, method, &region, &Untold(progress))?;
-            Some(held.onsets)
+            Some(held.onsets.asked_of(&asked))
         }
         false => None,
     };
@@ -80,8 +81,7 @@ pub(super) fn run(
     });
     let beyond = has_modes_beyond.count();
     warnings.extend(beyond_laws(beyond, solved.states.len(), "values, for modes of the region"));
-    let branches =
-        SweptBranches::new(&region, axis, Curves::alone(), vec![solved.sweep], vec![solved.onsets]);
+    let branches = SweptBranches::new(&asked, axis, Curves::alone(), vec![solved.sweep], vec![solved.onsets]);
     warnings.extend(branches.warnings());
     let missing = branches.incomplete() + told.failures.len();
     let mut scalars = branches.scalars();

@@ -45,7 +45,7 @@ pub(super) fn run(
 ) -> Result<Outcome, ModelError> {
     let map = SolvedMap {
         family: SweptAssembly::new(of, vec![&settings.x, &settings.y], settings.damping),
-        region: settings.sought.region(),
+        region: settings.sought.region().rectangle(),
         x: &settings.x,
         y: &settings.y,
     };

@@ -49,6 +49,11 @@ impl StructureLayout {
         Self { points, names, freedoms, lines: Vec::new(), sets: BTreeMap::new() }
     }
 
+    /// Whether points lie apart, so that a shape is a picture.
+    pub(crate) fn has_places(&self) -> bool {
+        self.points.iter().any(|place| *place != self.points[0])
+    }
+
     /// A point in words: by the name of its set where that has no other, else by its number.
     pub(crate) fn word(&self, point: usize) -> String {
         let own = self.sets.iter().find(|(_, points)| points[..] == [point]);

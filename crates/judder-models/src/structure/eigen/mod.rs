@@ -12,20 +12,24 @@ use crate::structure::case::scope::StructureScope;
 use judder_keys::Settings;
 use judder_keys::declared::{Settings, both};
 use judder_store::{Declared, Results};
-use judder_structure::quadratic::Region;
+use judder_structure::asked_region::AskedRegion;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Task};
 use judder_study::outcome::Outcome;
+use judder_study::text::short;
 pub(crate) use run::ToldRegion;
 use serde_json::{Map, Value as Json};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Complex modes.
 #[derive(Debug, Clone, PartialEq, Settings)]
 pub struct EigenAnalysis {
-    /// The rectangle of λ = re + i im in which eigenvalues are sought.
-    #[key(example = "{ re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s")]
-    pub region: Region,
+    /// Which eigenvalues λ = re + i im are asked for: those of a rectangle, or of frequencies with damping ratios.
+    #[key(
+        example = "{ frequency = [\"0 Hz\", \"8 kHz\"], damping_ratio = [-0.1, 0.1] }, or { re = […], im = […] } in 1/s and rad/s"
+    )]
+    pub region: AskedRegion,
 }
 
 /// The kind.
@@ -44,6 +48,19 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
     }),
 };
 
+/// Where eigenvalues are sought, in words.
+pub(crate) fn within(asked: &AskedRegion) -> String {
+    match *asked {
+        AskedRegion::Rectangle { re: [from, to], im: [low, high] } => {
+            format!("Re from {from} to {to}, Im from {low} to {high}")
+        }
+        AskedRegion::Ratios { frequency, damping_ratio: [from, to] } => {
+            let [low, high] = frequency.map(|omega| short(omega / TAU));
+            format!("from {low} to {high} Hz, damping ratios from {from} to {to}")
+        }
+    }
+}
+
 impl Analysis<StructureCase> for EigenAnalysis {
     fn run(&self, of: &StructureSubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, of.structure, of.name, &self.region)
@@ -54,8 +71,7 @@ impl Analysis<StructureCase> for EigenAnalysis {
     }
 
     fn estimate(&self, _: &StructureSubject<'_>) -> Result<String, ModelError> {
-        let ([from, to], [low, high]) = (self.region.re, self.region.im);
-        Ok(format!("complex modes, Re from {from} to {to}, Im from {low} to {high}"))
+        Ok(format!("complex modes, {}", within(&self.region)))
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -2,11 +2,13 @@
 
 use super::super::fields::{self, ModeKind, NamedShape};
 use super::super::shapes;
+use super::super::vectors::{ImportedFreedoms, ModeVectors, ToldShape};
 use super::diagnosis::{self, Diagnosed};
 use crate::error::ModelError;
 use crate::structure::build::{Structure, StructureLayout};
 use crate::structure::case::StructureCase;
 use judder_store::{Results, Variable};
+use judder_structure::asked_region::AskedRegion;
 use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{
     ComplexMode, ComplexModeSettings, ComplexModes, Eigenvalue, Gap, Region, Verdict, complex_modes,
@@ -35,22 +37,28 @@ pub(crate) fn run(
     case: &StructureCase,
     structure: &Structure,
     name: &str,
-    sought: &Region,
+    asked: &AskedRegion,
 ) -> Result<Outcome, ModelError> {
     let problem = structure.at(case, &case.values())?;
-    let found = found(&problem, sought)?;
-    let diagnosis = diagnosis::of_growing(case, structure, sought, &found.modes)?;
+    let sought = asked.rectangle();
+    let found = asked_of(found(&problem, &sought)?, asked);
+    let diagnosis = diagnosis::of_growing(case, structure, &sought, &found.modes)?;
     let (told, checked) = match diagnosis {
         Some(own) => (Some(own.modes), Some((own.check, own.warnings))),
         None => (None, None),
     };
     let shown = ShownModes {
         problem: &problem,
-        sought,
+        sought: &sought,
         found: &found,
         layout: structure.layout.as_ref(),
         mesh: structure.mesh(),
+        freedoms: match structure.mesh() {
+            Some(_) => ImportedFreedoms::default(),
+            None => ImportedFreedoms::of_structure(problem.size(), structure.layout.as_ref()),
+        },
         expanded: &<[Complex64]>::to_vec,
+        expanded_left: &<[Complex64]>::to_vec,
     };
     let mut outcome = shown.outcome(name, told)?;
     if let Some((check, warnings)) = checked {
@@ -67,6 +75,12 @@ pub(crate) fn found(problem: &Quadratic, sought: &Region) -> Result<ComplexModes
     Ok(found)
 }
 
+/// Of the modes of a rectangle those that are asked for.
+pub(crate) fn asked_of(found: ComplexModes, asked: &AskedRegion) -> ComplexModes {
+    let modes = found.modes.into_iter().filter(|mode| asked.has(&mode.eigenvalue)).collect();
+    ComplexModes { modes, ..found }
+}
+
 /// Complex modes, and the body or bodies that swing in them.
 pub(crate) struct ShownModes<'a> {
     pub(crate) problem: &'a Quadratic,
@@ -74,8 +88,12 @@ pub(crate) struct ShownModes<'a> {
     pub(crate) found: &'a ComplexModes,
     pub(crate) layout: Option<&'a StructureLayout>,
     pub(crate) mesh: Option<&'a Mesh>,
-    /// A shape on the freedoms of the layout from one of the problem.
+    /// Those of imported matrices, whose vectors are stored.
+    pub(crate) freedoms: ImportedFreedoms,
+    /// A shape on the freedoms of the layout from one of the problem,
     pub(crate) expanded: &'a dyn Fn(&[Complex64]) -> Vec<Complex64>,
+    /// and a left one.
+    pub(crate) expanded_left: &'a dyn Fn(&[Complex64]) -> Vec<Complex64>,
 }
 
 impl ShownModes<'_> {
@@ -91,6 +109,8 @@ impl ShownModes<'_> {
         if values.is_empty() && found.complete() {
             warnings.push("the region has no eigenvalue".to_owned());
         }
+        let shapes: Vec<SwingingShape> = found.modes.iter().map(|mode| self.shape(mode)).collect();
+        let vectors = self.vectors(&shapes);
         let told = ToldRegion {
             eigenvalues: (1..).zip(&values).map(|(mode, value)| ToldMode::new(mode, value)).collect(),
             complete: found.complete(),
@@ -98,27 +118,31 @@ impl ShownModes<'_> {
             degrees_of_freedom: problem.size(),
             shifts: found.shifts.len(),
             diagnosis,
+            shapes: match self.layout.is_some_and(StructureLayout::has_places) {
+                true => None,
+                false => self.freedoms.told(&vectors),
+            },
         };
-        let shapes: Vec<SwingingShape> = found.modes.iter().map(|mode| self.shape(mode)).collect();
-        let vectors: Vec<Vec<Complex64>> = shapes.iter().map(|shape| shape.vector.clone()).collect();
+        let all: Vec<Vec<Complex64>> = shapes.iter().map(|shape| shape.vector.clone()).collect();
         let (count, codes) = (values.len(), values.iter().map(|value| code(value.verdict())).collect());
         let Outcome { scalars, dataset, table, .. } = Outcome::of(&told)?;
         let mut dataset = dataset
             .attribute("region", json!({ "re": sought.re, "im": sought.im }))?
             .with(Variable::classes("verdict", &["mode"], &[count], codes, &VERDICTS).long_name("verdict"))?
             .with(
-                Variable::new("mac", &["mode", "other_mode"], &[count; 2], shapes::complex_mac(&vectors))
+                Variable::new("mac", &["mode", "other_mode"], &[count; 2], shapes::complex_mac(&all))
                     .units("1")
                     .long_name("modal assurance criterion of two shapes"),
             )?;
         if let Some(layout) = self.layout {
             dataset = shapes::with_layout(dataset, layout)?;
-            dataset = shapes::with_complex(dataset, layout, &vectors, &mut warnings)?;
+            dataset = shapes::with_complex(dataset, layout, &all, &mut warnings)?;
         }
+        dataset = self.freedoms.with_vectors(dataset, &vectors, &mut warnings)?;
         let swinging = |(k, (mode, shape)): (usize, (&ComplexMode, SwingingShape))| {
             let (value, frequency) = (mode.eigenvalue.value, mode.eigenvalue.frequency_hz());
             let name = format!("mode {} ({:.6} + {:.6} i 1/s)", k + 1, value.re, value.im);
-            let SwingingShape { vector, modal_a } = shape;
+            let SwingingShape { vector, modal_a, .. } = shape;
             NamedShape { name, vector, frequency, mode: ModeKind::Complex { eigenvalue: value, modal_a } }
         };
         let shapes: Vec<NamedShape> = found.modes.iter().zip(shapes).enumerate().map(swinging).collect();
@@ -140,13 +164,36 @@ impl ShownModes<'_> {
         let largest = all.iter().map(|entry| entry.norm()).fold(0.0, f64::max);
         let size = if largest == 0.0 { 1.0 } else { largest };
         let scaled = |shape: &[Complex64]| shape.iter().map(|entry| entry / size).collect::<Vec<_>>();
-        SwingingShape { modal_a: modal_a(self.problem, mode, &scaled(&mode.right)), vector: scaled(&all) }
+        let right = scaled(&mode.right);
+        let a = bilinear(self.problem, mode, &right);
+        SwingingShape { modal_a: modal_a(mode, &right, a), bilinear: a, vector: scaled(&all) }
+    }
+
+    /// The right and left vectors of all modes, where freedoms are named.
+    fn vectors(&self, shapes: &[SwingingShape]) -> Vec<ModeVectors> {
+        let of = |(k, (mode, shape)): (usize, (&ComplexMode, &SwingingShape))| ModeVectors {
+            mode: k + 1,
+            eigenvalue: mode.eigenvalue.value,
+            frequency_hz: mode.eigenvalue.frequency_hz(),
+            right: shape.vector.clone(),
+            left: (self.expanded_left)(&mode.left)
+                .into_iter()
+                .map(|entry| entry / shape.bilinear.conj())
+                .collect(),
+        };
+        match self.freedoms.is_empty() {
+            true => Vec::new(),
+            false => self.found.modes.iter().zip(shapes).enumerate().map(of).collect(),
+        }
     }
 }
 
 /// A shape and the ψᴴ(2λM + C)φ that belongs to its size.
 struct SwingingShape {
     vector: Vec<Complex64>,
+    /// That of the left vector of length one,
+    bilinear: Complex64,
+    /// and that of the left vector that is scaled as test engineers have it.
     modal_a: Complex64,
 }
 
@@ -171,6 +218,9 @@ pub(crate) struct ToldRegion {
     /// why modes grow
     #[result(optional)]
     diagnosis: Option<Vec<Diagnosed>>,
+    /// the shapes of the fastest growing modes, of matrices whose freedoms have no places
+    #[result(optional)]
+    shapes: Option<Vec<ToldShape>>,
 }
 
 /// An eigenvalue, and what is known of it.
@@ -243,18 +293,22 @@ pub(crate) fn gap_warnings(gaps: &[Gap]) -> Vec<String> {
     warnings
 }
 
-/// a = ψᴴ(2λM + C)φ of a shape φ. The left vector ψ is scaled to ψ̄ = φ at the largest entry of φ, so that the receptance there is
-/// φ²/(a (iω − λ)) by this mode, and that of symmetric matrices is φ̄; where ψ vanishes there, it has length one.
-fn modal_a(problem: &Quadratic, mode: &ComplexMode, shape: &[Complex64]) -> Complex64 {
-    /// Of length one: below this an entry is rounding.
-    const ROUNDING: f64 = 1e-12;
+/// ψᴴ(2λM + C)φ of a shape φ, whose left vector ψ has length one.
+fn bilinear(problem: &Quadratic, mode: &ComplexMode, shape: &[Complex64]) -> Complex64 {
     let [re, im]: [Vec<f64>; 2] =
         [shape.iter().map(|u| u.re).collect(), shape.iter().map(|u| u.im).collect()];
     let work = |matrix: &Sparse| -> Complex64 {
         let images = product(matrix, &re).into_iter().zip(product(matrix, &im));
         images.zip(&mode.left).map(|((re, im), left)| left.conj() * Complex64::new(re, im)).sum()
     };
-    let a = 2.0 * mode.eigenvalue.value * work(problem.mass()) + work(problem.damping());
+    2.0 * mode.eigenvalue.value * work(problem.mass()) + work(problem.damping())
+}
+
+/// That of a shape φ, which is `a` where the left vector has length one. The left vector ψ is scaled to ψ̄ = φ at the largest entry of φ, so that the receptance there is
+/// φ²/(a (iω − λ)) by this mode, and that of symmetric matrices is φ̄; where ψ vanishes there, it has length one.
+fn modal_a(mode: &ComplexMode, shape: &[Complex64], a: Complex64) -> Complex64 {
+    /// Of length one: below this an entry is rounding.
+    const ROUNDING: f64 = 1e-12;
     let largest = shape.iter().zip(&mode.left).max_by(|a, b| a.0.norm().total_cmp(&b.0.norm()));
     match largest {
         Some((right, left)) if left.norm() > ROUNDING => a * right / left.conj(),

@@ -19,7 +19,18 @@ const NUMBERS: [(&str, &str); 6] = [
 pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     let list = |key: &str| results.get(key).and_then(Value::as_array).filter(|list| !list.is_empty());
     let diagnoses = list("diagnosis").into_iter().flatten().map(diagnosis);
-    list("eigenvalues").map(|values| eigenvalues(values)).into_iter().chain(diagnoses).collect()
+    let shapes = list("shapes").into_iter().flatten().map(shape);
+    list("eigenvalues").map(|values| eigenvalues(values)).into_iter().chain(shapes).chain(diagnoses).collect()
+}
+
+/// The largest displacements of a shape that has no places to be drawn at.
+fn shape(told: &Value) -> PageTable {
+    let freedoms = told["freedoms"].as_array().map_or(&[][..], Vec::as_slice);
+    let caption = format!("Shape of mode {} at {} Hz", told["mode"], short(&told["frequency_hz"]));
+    listed(&caption, &["freedom", "modulus, of the largest", "phase (°)"], freedoms, |number, name| {
+        let part = |key: &str| short(&told[key][number - 1]);
+        vec![word(name).to_owned(), part("modulus"), part("phase_deg")]
+    })
 }
 
 fn eigenvalues(values: &[Value]) -> PageTable {

@@ -5,17 +5,18 @@ use super::onsets::{LocatedOnsets, ToldDoubt, ToldOnset};
 use crate::axis::Curves;
 use crate::error::ModelError;
 use judder_store::{Dataset, Results, Table, Variable};
+use judder_structure::asked_region::AskedRegion;
 use judder_structure::complex_modes::Verdict;
 use judder_structure::eigen_sweep::{PointEigenvalues, SweptEigenvalues, Tracked};
-use judder_structure::quadratic::Region;
 use judder_study::axis::SweptAxis;
 use judder_study::outcome::{CheckRecord, Disagreement};
 use num_complex::Complex64;
 use serde_json::{Map, Value, json};
+use std::collections::BTreeSet;
 
 /// Eigenvalues of a region along an axis.
 pub(crate) struct SweptBranches<'a, I> {
-    region: &'a Region,
+    asked: &'a AskedRegion,
     axis: SweptAxis,
     curves: Curves<I>,
     /// One for each curve,
@@ -75,24 +76,38 @@ impl EigenvalueCurve {
     }
 }
 
+/// Numbers the branches that have eigenvalues, in the order in which they had been numbered.
+fn renumber(sweep: &mut SweptEigenvalues) {
+    let all = || sweep.points.iter().flat_map(|point| &point.eigenvalues);
+    let numbers: BTreeSet<usize> = all().map(|tracked| tracked.branch).collect();
+    let numbers: Vec<usize> = numbers.into_iter().collect();
+    for tracked in sweep.points.iter_mut().flat_map(|point| &mut point.eigenvalues) {
+        tracked.branch = numbers.binary_search(&tracked.branch).unwrap_or_default();
+    }
+    sweep.branches = numbers.len();
+}
+
 /// What stands where a branch has no eigenvalue.
 const NONE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
 /// The code of a verdict where a branch has no eigenvalue.
 const ABSENT: u8 = 3;
 
 impl<'a, I> SweptBranches<'a, I> {
-    /// The eigenvalues of every value are put in order.
+    /// Of the eigenvalues of every value those that are asked for, put in order.
     pub(crate) fn new(
-        region: &'a Region,
+        asked: &'a AskedRegion,
         axis: SweptAxis,
         curves: Curves<I>,
         mut sweeps: Vec<SweptEigenvalues>,
         onsets: Vec<LocatedOnsets>,
     ) -> Self {
         for point in sweeps.iter_mut().flat_map(|sweep| &mut sweep.points) {
+            point.eigenvalues.retain(|tracked| asked.has(&tracked.eigenvalue));
             point.eigenvalues.sort_by(|a, b| in_order(&a.eigenvalue, &b.eigenvalue));
         }
-        Self { region, axis, curves, sweeps, onsets }
+        sweeps.iter_mut().for_each(renumber);
+        let onsets = onsets.into_iter().map(|own| own.asked_of(asked)).collect();
+        Self { asked, axis, curves, sweeps, onsets }
     }
 
     /// All points, curve by curve.
@@ -158,7 +173,7 @@ impl<'a, I> SweptBranches<'a, I> {
                 verdicts[place] = code(eigenvalue.verdict());
             }
         }
-        let region = self.region;
+        let region = self.asked.rectangle();
         let meanings: Vec<(u8, &str)> = VERDICTS.into_iter().chain([(ABSENT, "not in the region")]).collect();
         let mut dataset = Dataset::new().attribute("region", json!({ "re": region.re, "im": region.im }))?;
         if let Some(family) = self.curves.coordinate() {

@@ -2,6 +2,7 @@
 
 use crate::error::ModelError;
 use judder_store::Results;
+use judder_structure::asked_region::AskedRegion;
 use judder_structure::complex_modes::Region;
 use judder_structure::onset::{Onset, OnsetsBetween, StabilityAt, onsets_between};
 use rayon::prelude::*;
@@ -52,6 +53,11 @@ impl LocatedOnsets {
     /// What is told of them.
     pub(crate) fn told(&self) -> Vec<ToldOnset> {
         self.onsets.iter().map(ToldOnset::from).collect()
+    }
+
+    /// Those of a region that is asked for: none where its modes grow or decay all.
+    pub(crate) fn asked_of(self, asked: &AskedRegion) -> Self {
+        if asked.has_undamped() { self } else { Self::default() }
     }
 
     /// What is told of where they are in doubt.

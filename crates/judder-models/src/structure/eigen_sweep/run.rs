@@ -10,7 +10,7 @@ use crate::structure::build::{Structure, factors};
 use crate::structure::case::StructureCase;
 use judder_store::Results;
 use judder_structure::affine::Factors;
-use judder_structure::complex_modes::{ComplexModeSettings, Eigenvalue, complex_modes};
+use judder_structure::complex_modes::{ComplexModeSettings, Eigenvalue, Region, complex_modes};
 use judder_structure::eigen_sweep::{PointEigenvalues, PreparedSweep};
 use judder_structure::onset::StabilityAt;
 use judder_study::Progress;
@@ -33,10 +33,11 @@ pub(super) fn run(
         .iter()
         .map(|inputs| along(case, settings, inputs))
         .collect::<Result<Vec<Vec<Factors>>, _>>()?;
+    let region = settings.region.rectangle();
     let prepared = PreparedSweep::new(
         &structure.family,
         points.iter().flatten().collect(),
-        &settings.region,
+        &region,
         ComplexModeSettings::default(),
         settings.method,
     )?;
@@ -47,7 +48,7 @@ pub(super) fn run(
     let onsets = curves.inputs.iter().zip(&sweeps).map(|(inputs, sweep)| {
         let known: Vec<Option<StabilityAt>> =
             sweep.points.iter().map(|point| Some(point.stability(Vec::new()))).collect();
-        LocatedOnsets::new(values, &known, &settings.region, &|value, within| {
+        LocatedOnsets::new(values, &known, &region, &|value, within| {
             progress.go_on()?;
             let factors = at(case, settings, inputs, value)?;
             Ok(prepared.within(&factors, within)?.stability(Vec::new()))
@@ -56,12 +57,12 @@ pub(super) fn run(
     let onsets = onsets.collect::<Result<_, _>>()?;
     let quantity = SweptQuantity { name: "value".to_owned(), ..parameter(name_of(&settings.sweep.path)) };
     let axis = SweptAxis { quantity, values: settings.sweep.values.clone(), scale: settings.sweep.scale };
-    let branches = SweptBranches::new(&settings.region, axis, curves, sweeps, onsets);
     let (all_factors, all_points): (Vec<&Factors>, Vec<&PointEigenvalues>) =
-        points.iter().flatten().zip(branches.points()).unzip();
+        points.iter().flatten().zip(sweeps.iter().flat_map(|sweep| &sweep.points)).unzip();
     (1..all_points.len()).for_each(|_| progress.advance());
-    let mut checks = vec![branches.completeness()];
-    checks.extend(against_full(structure, settings, &all_factors, &all_points)?);
+    let against_full = against_full(structure, &region, &all_factors, &all_points)?;
+    let branches = SweptBranches::new(&settings.region, axis, curves, sweeps, onsets);
+    let checks = [branches.completeness()].into_iter().chain(against_full).collect();
     let mut scalars = branches.scalars();
     scalars.extend(ToldEigenSweep::new(settings, &branches).scalars());
     Ok(Outcome {
@@ -98,7 +99,7 @@ fn at(
 /// A few points of a projected sweep, solved again on the full matrices: how far eigenvalues lie apart over the error that is shown.
 fn against_full(
     structure: &Structure,
-    settings: &EigenSweep,
+    region: &Region,
     factors: &[&Factors],
     points: &[&PointEigenvalues],
 ) -> Result<Option<CheckRecord>, ModelError> {
@@ -111,7 +112,7 @@ fn against_full(
     let mut found = Disagreement::default();
     for point in &chosen {
         let problem = structure.family.at(factors[*point])?;
-        let full = complex_modes(&problem, &settings.region, &ComplexModeSettings::default())?;
+        let full = complex_modes(&problem, region, &ComplexModeSettings::default())?;
         let projected = points[*point].eigenvalues.iter().map(|tracked| tracked.eigenvalue).collect();
         let full = full.modes.iter().map(|mode| mode.eigenvalue).collect();
         compare(projected, full, &mut found);

@@ -17,8 +17,8 @@ use judder_keys::numeric_key::Range;
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, finite_number, list, text};
 use judder_keys::{Choice, Settings};
+use judder_structure::asked_region::AskedRegion;
 use judder_structure::eigen_sweep::SweepMethod;
-use judder_structure::quadratic::Region;
 use judder_study::case::scale::Spacing;
 use serde_json::{Map, Value as Json, json};
 
@@ -29,8 +29,8 @@ pub struct EigenSweep {
     pub sweep: ParameterValues,
     /// One curve for each value of another parameter.
     pub family: Option<Family<ParameterKey>>,
-    /// Where eigenvalues are sought.
-    pub region: Region,
+    /// Which eigenvalues are asked for.
+    pub region: AskedRegion,
     /// How each value is solved.
     pub method: SweepMethod,
 }

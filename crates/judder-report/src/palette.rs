@@ -35,6 +35,27 @@ pub const GROUND: Colour = Colour(0xff, 0xff, 0xff);
 /// Side of the tile of a pattern, in points.
 pub(crate) const PATTERN_TILE: f64 = 4.0;
 
+/// What is drawn over the colour of an area.
+pub(crate) struct AreaPattern {
+    /// Its name within a document.
+    pub(crate) name: &'static str,
+    /// An SVG path on a tile of [`PATTERN_TILE`] by as much,
+    pub(crate) strokes: &'static str,
+    /// turned by so many degrees.
+    pub(crate) angle: f64,
+}
+
+/// The areas that have one.
+pub(crate) const PATTERNED: [Role; 7] = [
+    Role::Knock,
+    Role::KnockUnknown,
+    Role::WithinLaw,
+    Role::TurningNormal,
+    Role::ConvectedSlip,
+    Role::AcrossSlip,
+    Role::UnknownGrowth,
+];
+
 /// What a colour means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -59,6 +80,14 @@ pub enum Role {
     KnockUnknown,
     /// Area: the errors of the contact law decide, and there is no verdict; cross-hatched.
     WithinLaw,
+    /// Area: instability by forces that turn with a surface; hatched.
+    TurningNormal,
+    /// Area: instability by friction that follows what passes; dotted.
+    ConvectedSlip,
+    /// Area: instability by friction across the slip; cross-hatched.
+    AcrossSlip,
+    /// Area: an instability whose cause is not known; hatched the other way.
+    UnknownGrowth,
     /// Area: where along a parameter a pair is unstable, by whatever mechanism.
     UnstableZone,
     /// Area: the indenter moves with the substrate.
@@ -117,6 +146,10 @@ impl Role {
             Self::Flutter => Colour(0x5b, 0x90, 0xc4),
             Self::Both => Colour(0x6a, 0x46, 0x82),
             Self::LiftOff => Colour(0xdd, 0xe9, 0xf7),
+            Self::TurningNormal => Colour(0xe3, 0xb7, 0xcf),
+            Self::ConvectedSlip => Colour(0xb5, 0xdc, 0xf2),
+            Self::AcrossSlip => Colour(0xd9, 0xc7, 0xa3),
+            Self::UnknownGrowth => Colour(0xc9, 0xc9, 0xc9),
             Self::UnstableZone => Colour(0xf7, 0xdc, 0xcb),
             Self::Stick => Colour(0xb9, 0xd9, 0xb2),
             Self::SlipAhead => Colour(0xd8, 0x9f, 0xc1),
@@ -163,15 +196,22 @@ impl Role {
         }
     }
 
-    /// The strokes over the colour of a patterned area, as an SVG path on a tile of [`PATTERN_TILE`] by as much, turned by so many
-    /// degrees; `None` for a plain one.
-    pub(crate) fn pattern(self) -> Option<(&'static str, f64)> {
-        match self {
-            Self::Knock => Some(("M0 0H0.9V4H0z", -45.0)),
-            Self::KnockUnknown => Some(("M1 1h1.1v1.1h-1.1z", 45.0)),
-            Self::WithinLaw => Some(("M0 0H0.7V4H0z M0 0V0.7H4V0z", 45.0)),
-            _ => None,
-        }
+    /// What is drawn over the colour of a patterned area; `None` for a plain one.
+    pub(crate) fn pattern(self) -> Option<AreaPattern> {
+        const STRIPES: &str = "M0 0H0.9V4H0z";
+        const DOTS: &str = "M1 1h1.1v1.1h-1.1z";
+        const CROSSES: &str = "M0 0H0.7V4H0z M0 0V0.7H4V0z";
+        let (name, strokes, angle) = match self {
+            Self::Knock => ("knock", STRIPES, -45.0),
+            Self::KnockUnknown => ("knock-unknown", DOTS, 45.0),
+            Self::WithinLaw => ("within-law", CROSSES, 45.0),
+            Self::TurningNormal => ("turning-normal", STRIPES, -45.0),
+            Self::ConvectedSlip => ("convected-slip", DOTS, 45.0),
+            Self::AcrossSlip => ("across-slip", CROSSES, 45.0),
+            Self::UnknownGrowth => ("unknown-growth", STRIPES, 45.0),
+            _ => return None,
+        };
+        Some(AreaPattern { name, strokes, angle })
     }
 
     /// The same role drawn solid.
@@ -357,6 +397,15 @@ mod tests {
         for pair in areas.windows(2) {
             let step = lightness(pair[0].colour()) - lightness(pair[1].colour());
             assert!(step > 7.0, "{pair:?} are only {step:.1} apart");
+        }
+    }
+
+    /// What is patterned is told by its pattern, and light enough for that to be seen.
+    #[test]
+    fn patterned_areas_bear_their_pattern() {
+        for role in PATTERNED {
+            assert!(role.pattern().is_some());
+            assert!(lightness(role.colour()) - lightness(QUIET) > 30.0, "{role:?}");
         }
     }
 

@@ -40,7 +40,7 @@ fn line(role: Role) -> Value {
     json!({ "colour": role.colour().to_string(), "dash": dash, "marker": marker, "width": width })
 }
 
-const AREAS: [Role; 14] = [
+const AREAS: [Role; 18] = [
     Role::Stable,
     Role::Flutter,
     Role::NegativeDamping,
@@ -51,6 +51,10 @@ const AREAS: [Role; 14] = [
     Role::Knock,
     Role::KnockUnknown,
     Role::WithinLaw,
+    Role::TurningNormal,
+    Role::ConvectedSlip,
+    Role::AcrossSlip,
+    Role::UnknownGrowth,
     Role::UnstableZone,
     Role::Stick,
     Role::SlipAhead,

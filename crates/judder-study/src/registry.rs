@@ -2,6 +2,7 @@
 
 use crate::case::analysis::KindEntry;
 use crate::model::{Case, OperatingQuantity};
+use crate::report_tables::on_terminal;
 use judder_keys::cause::Cause;
 use judder_keys::declared::Declaration;
 use judder_keys::document::{Data, Node};
@@ -38,14 +39,47 @@ pub struct ModelKind {
 /// Rows of cells, the head first.
 pub type TableRows = Vec<Vec<String>>;
 
-/// Tables of a kind of analysis, from what its summary says.
+/// What tables of an analysis are made of.
+#[derive(Clone, Copy)]
+pub struct ToldAnalysis<'a> {
+    /// What was asked, in canonical form.
+    pub asked: &'a Json,
+    /// What its summary says.
+    pub results: &'a Map<String, Json>,
+}
+
+/// Tables of a kind of analysis.
 pub struct KindTables {
     /// The kind.
     pub kind: &'static str,
     /// Those of the report.
-    pub report: fn(&Map<String, Json>) -> Vec<PageTable>,
-    /// The rows of that on the terminal; `None` where there is none.
-    pub terminal: fn(&Map<String, Json>) -> Option<TableRows>,
+    pub report: fn(ToldAnalysis<'_>) -> Vec<PageTable>,
+    /// What the terminal shows.
+    pub terminal: TerminalTable,
+}
+
+/// What a kind of analysis shows on the terminal.
+pub enum TerminalTable {
+    /// The first rows of the first table of its report.
+    FirstOfReport,
+    /// Rows of its own; none where there are none.
+    Own(fn(ToldAnalysis<'_>) -> Option<TableRows>),
+}
+
+impl KindTables {
+    /// Those of a kind whose first table is what the terminal shows, too.
+    #[must_use]
+    pub const fn new(kind: &'static str, report: fn(ToldAnalysis<'_>) -> Vec<PageTable>) -> Self {
+        Self { kind, report, terminal: TerminalTable::FirstOfReport }
+    }
+
+    /// The rows on the terminal; none where there are none.
+    pub(crate) fn on_terminal(&self, told: ToldAnalysis<'_>) -> Option<TableRows> {
+        match self.terminal {
+            TerminalTable::FirstOfReport => on_terminal((self.report)(told)),
+            TerminalTable::Own(rows) => rows(told),
+        }
+    }
 }
 
 impl ModelKind {
@@ -106,11 +140,16 @@ impl Registry {
         self.0.iter().copied().find(|model| model.name == name)
     }
 
-    /// The tables of the kind of an analysis of this name; none where its kind has none.
-    pub(crate) fn tables(self, resolved: &Json, name: &str) -> Option<&'static KindTables> {
+    /// The tables of the kind of an analysis of this name, and what it was asked; none where its kind has none.
+    pub(crate) fn tables<'a>(
+        self,
+        resolved: &'a Json,
+        name: &str,
+    ) -> Option<(&'static KindTables, &'a Json)> {
         let analyses = resolved.get("analysis")?.as_array()?;
-        let kind = &analyses.iter().find(|own| own["name"] == name)?["kind"];
-        self.model_of(resolved)?.tables.iter().find(|own| *kind == own.kind)
+        let asked = analyses.iter().find(|own| own["name"] == name)?;
+        let tables = self.model_of(resolved)?.tables.iter().find(|own| asked["kind"] == own.kind)?;
+        Some((tables, asked))
     }
 
     /// The model of a case.

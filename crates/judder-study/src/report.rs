@@ -4,7 +4,7 @@ use crate::error::StudyError;
 use crate::ledger::Keepsakes;
 use crate::outcome::CheckRecord;
 use crate::pictures;
-use crate::registry::Registry;
+use crate::registry::{Registry, ToldAnalysis};
 use crate::report_tables;
 use judder_report::page::{Check, Code, Details, PageTable};
 use judder_report::{Figure, Page, PageBlock, PageSection, html, png, svg};
@@ -92,7 +92,10 @@ fn figures(
 fn tables(registry: Registry, summary: &Summary, name: &str) -> Vec<PageTable> {
     let Some(results) = summary.results.get(name) else { return Vec::new() };
     let of_kind = registry.tables(&summary.case, name);
-    of_kind.map_or_else(|| report_tables::of_sweep(results), |tables| (tables.report)(results))
+    match of_kind {
+        Some((tables, asked)) => (tables.report)(ToldAnalysis { asked, results }),
+        None => report_tables::of_sweep(results),
+    }
 }
 
 /// The analyses in the order of the case, then its sweeps.

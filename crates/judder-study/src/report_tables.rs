@@ -5,11 +5,36 @@ mod sweep;
 pub(crate) use sweep::tables as of_sweep;
 pub(crate) use sweep::{interval, probabilities, short_index};
 
+use crate::registry::TableRows;
 use judder_report::page::PageTable;
 use serde_json::Value;
 
 /// Rows that a table shows; all are in the CSV file.
 const ROWS: usize = 40;
+
+/// Rows that the terminal shows of a table.
+const TERMINAL_ROWS: usize = 12;
+
+/// The first rows of the first table for the terminal, below its head; none where there is no table.
+pub(crate) fn on_terminal(tables: Vec<PageTable>) -> Option<TableRows> {
+    let PageTable { head, mut rows, .. } = tables.into_iter().next()?;
+    let more = rows.len().saturating_sub(TERMINAL_ROWS);
+    rows.truncate(TERMINAL_ROWS);
+    let rest = (more > 0).then(|| vec![format!("… {more} more")]);
+    Some(
+        [head]
+            .into_iter()
+            .chain(rows)
+            .chain(rest)
+            .map(|row| row.iter().map(|cell| unmarked(cell)).collect())
+            .collect(),
+    )
+}
+
+/// A text of the report without the signs of its markup.
+fn unmarked(text: &str) -> String {
+    text.replace(['$', '{', '}'], "")
+}
 
 /// A table of a list, of which it shows the first rows: `row` makes one of an item and its number.
 pub fn listed(

@@ -1,6 +1,6 @@
 //! Tables that a run shows on the terminal, beside the report.
 
-use crate::registry::Registry;
+use crate::registry::{Registry, ToldAnalysis};
 use crate::report_tables::{interval, probabilities, short_index};
 use crate::text::columns;
 use judder_store::Summary;
@@ -10,7 +10,9 @@ use serde_json::{Map, Value};
 pub(crate) fn tables(registry: Registry, summary: &Summary, names: &[String]) -> Vec<String> {
     let table = |name: &String| {
         let result = summary.results.get(name)?;
-        let of_kind = registry.tables(&summary.case, name).and_then(|tables| (tables.terminal)(result));
+        let of_kind = registry
+            .tables(&summary.case, name)
+            .and_then(|(tables, asked)| tables.on_terminal(ToldAnalysis { asked, results: result }));
         let rows = of_kind.map(|rows| format!("{name}:\n{}", columns(&rows).trim_end()));
         rows.or_else(|| sweep(name, result))
     };

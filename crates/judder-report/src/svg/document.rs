@@ -5,7 +5,7 @@ use super::written::{append, number};
 use crate::figure::{Figure, Layer};
 use crate::layout::{Frame, Layout};
 use crate::markup::{escape, plain_html};
-use crate::palette::{GROUND, INK, PATTERN_TILE, QUIET, Role};
+use crate::palette::{AreaPattern, GROUND, INK, PATTERN_TILE, PATTERNED, QUIET, Role};
 use crate::typeface::{FAMILIES, SMALL_SIZE};
 use std::fmt::Arguments;
 
@@ -36,7 +36,7 @@ impl SvgDocument {
              patternTransform=\"rotate(45)\"><rect width=\"4\" height=\"4\" fill=\"{GROUND}\"/>\
              <rect width=\"1.2\" height=\"4\" fill=\"{hatch}\"/></pattern></defs>"
         ));
-        for role in [Role::Knock, Role::KnockUnknown, Role::WithinLaw] {
+        for role in PATTERNED {
             if uses(figure, role) {
                 document.define_pattern(role);
             }
@@ -46,23 +46,14 @@ impl SvgDocument {
     }
 
     fn define_pattern(&mut self, role: Role) {
-        let Some((strokes, angle)) = role.pattern() else { return };
-        let (name, tile) = (self.pattern_name(role), PATTERN_TILE);
+        let Some(AreaPattern { name, strokes, angle }) = role.pattern() else { return };
+        let (document, tile) = (self.name.clone(), PATTERN_TILE);
         self.put(format_args!(
-            "<defs><pattern id=\"{name}\" width=\"{tile}\" height=\"{tile}\" patternUnits=\"userSpaceOnUse\" \
+            "<defs><pattern id=\"{document}-{name}\" width=\"{tile}\" height=\"{tile}\" patternUnits=\"userSpaceOnUse\" \
              patternTransform=\"rotate({angle})\"><rect width=\"{tile}\" height=\"{tile}\" fill=\"{}\"/>\
              <path d=\"{strokes}\" fill=\"{QUIET}\"/></pattern></defs>",
             role.colour()
         ));
-    }
-
-    fn pattern_name(&self, role: Role) -> String {
-        let pattern = match role {
-            Role::Knock => "knock",
-            Role::WithinLaw => "within-law",
-            _ => "knock-unknown",
-        };
-        format!("{}-{pattern}", self.name)
     }
 
     /// An id of this document.
@@ -95,12 +86,10 @@ impl SvgDocument {
 
     /// The fill of an area of this meaning.
     pub(super) fn area_fill(&self, role: Role) -> String {
-        match role {
-            Role::Unresolved => format!("url(#{}-hatch)", self.name),
-            Role::Knock | Role::KnockUnknown | Role::WithinLaw => {
-                format!("url(#{})", self.pattern_name(role))
-            }
-            _ => role.colour().to_string(),
+        match role.pattern() {
+            _ if role == Role::Unresolved => format!("url(#{}-hatch)", self.name),
+            Some(pattern) => format!("url(#{}-{})", self.name, pattern.name),
+            None => role.colour().to_string(),
         }
     }
 

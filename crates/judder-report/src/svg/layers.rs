@@ -93,15 +93,16 @@ fn draw_region(document: &mut SvgDocument, region: &ShadedRegion, panel: &DrawnP
     document.put(format_args!("{}", rectangle(place, &fill)));
 }
 
-/// Draws a curve, points or a reference line.
-pub(super) fn draw_curve(document: &mut SvgDocument, layer: &Layer, panel: &DrawnPanel) {
+/// Draws a curve, points or a reference line; rims of points would cut the curves on which they lie.
+pub(super) fn draw_curve(document: &mut SvgDocument, layer: &Layer, panel: &DrawnPanel, has_curves: bool) {
     match layer {
         Layer::Line(line) => draw_line(document, line, panel),
         Layer::Points(points) => {
             let sizes = (0..points.x.len()).map(|k| points.sizes.as_ref().map_or(1.0, |sizes| sizes[k]));
             let places = places(points, panel).zip(sizes).filter_map(|(place, size)| Some((place?, size)));
             let places = places.filter(|((x, y), _)| near(*x, *y, panel.frame));
-            document.put(format_args!("{}", marker_path(&points.style, places)));
+            let is_rimmed = !points.style.crowded && (points.sizes.is_some() || !has_curves);
+            document.put(format_args!("{}", marker_path(&points.style, is_rimmed, places)));
         }
         Layer::Rule(rule) => {
             if let Some((x, y, end_x, end_y)) = rule_ends(rule, panel) {
@@ -173,18 +174,22 @@ pub(super) fn line_attributes(style: &Style) -> String {
 /// The size of markers that crowd, over that of others.
 const CROWDED: f64 = 0.45;
 
-/// One path with a marker of its size at every place.
-pub(super) fn marker_path(style: &Style, places: impl Iterator<Item = ((f64, f64), f64)>) -> String {
+/// One path with a marker of its size at every place, each with a light rim where they are rimmed.
+pub(super) fn marker_path(
+    style: &Style,
+    is_rimmed: bool,
+    places: impl Iterator<Item = ((f64, f64), f64)>,
+) -> String {
     let size = if style.crowded { CROWDED } else { 1.0 };
     let data: String = places.map(|((x, y), own)| marker(style.marker, x, y, own * size)).collect();
     let colour = style.role.colour();
-    match (style.marker, style.crowded) {
+    match (style.marker, is_rimmed) {
         (Marker::Cross, _) => {
             let width = number(1.1 * size);
             format!("<path d=\"{data}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\"/>")
         }
-        (_, true) => format!("<path d=\"{data}\" fill=\"{colour}\"/>"),
-        (_, false) => {
+        (_, false) => format!("<path d=\"{data}\" fill=\"{colour}\"/>"),
+        (_, true) => {
             format!("<path d=\"{data}\" fill=\"{colour}\" stroke=\"{GROUND}\" stroke-width=\"0.5\"/>")
         }
     }

@@ -34,8 +34,8 @@ pub(super) fn draw_entry(document: &mut SvgDocument, entry: &LegendEntry, x: f64
     }
     if let Some(style) = entry.marker {
         let alone = Style { crowded: false, ..style };
-        document
-            .put(format_args!("{}", marker_path(&alone, [((x + SAMPLE / 2.0, middle), 1.0)].into_iter())));
+        let place = [((x + SAMPLE / 2.0, middle), 1.0)];
+        document.put(format_args!("{}", marker_path(&alone, false, place.into_iter())));
     }
     let text = Text::new(&entry.label, SMALL_SIZE).anchored(Anchor::Start);
     document.text(&text, x + SAMPLE + SAMPLE_GAP, middle + 0.36 * SMALL_SIZE);

@@ -46,10 +46,11 @@ fn draw_panel(document: &mut SvgDocument, panel: &Panel, drawn: &DrawnPanel, ind
     for (number, layer) in panel.layers.iter().enumerate().filter(|_| on_map) {
         layers::draw_rim(document, layer, drawn, &name(number));
     }
+    let has_curves = panel.layers.iter().any(|layer| matches!(layer, Layer::Line(_)));
     for (number, layer) in panel.layers.iter().enumerate() {
         match layer {
             Layer::Line(line) if on_map => layers::draw_over_rim(document, line, drawn, &name(number)),
-            _ => layers::draw_curve(document, layer, drawn),
+            _ => layers::draw_curve(document, layer, drawn, has_curves),
         }
     }
     document.close_group();

@@ -98,10 +98,12 @@ function drawPoints(layer: PointsLayer, drawing: Drawing): Shape[] {
     if (isOnPlot(frame, x, y)) parts.push(marker(i)(x, y));
   }
   if (parts.length === 0) return [];
+  // rims would cut the lines on which points lie
+  const isRimmed = !layer.crowded && (layer.sizes !== undefined || !drawing.spec.layers.some((other) => other.kind === "line"));
   const rim = INK[drawing.overAreas ? "light" : drawing.theme].ground;
   const paint = layer.hollow
     ? { fill: "none", stroke: style.colour, "stroke-width": 1.5 }
-    : { fill: style.colour, ...(layer.crowded ? {} : { stroke: rim, "stroke-width": 0.8 }) };
+    : { fill: style.colour, ...(isRimmed ? { stroke: rim, "stroke-width": 0.8 } : {}) };
   return [shape("path", { d: parts.join(""), ...paint })];
 }
 

@@ -1,7 +1,9 @@
 /** Colours, dashes and markers by meaning, written by the tests of `judder-report` from its palette: change them there. */
 export const MEANINGS = {
   "areas": {
+    "across-slip": "#d9c7a3",
     "both": "#6a4682",
+    "convected-slip": "#b5dcf2",
     "destabilised-by-damping": "#6fb09a",
     "flutter": "#5b90c4",
     "knock": "#fbdcd4",
@@ -12,6 +14,8 @@ export const MEANINGS = {
     "slip-ahead": "#d89fc1",
     "stable": "#f3f3ef",
     "stick": "#b9d9b2",
+    "turning-normal": "#e3b7cf",
+    "unknown-growth": "#c9c9c9",
     "unresolved": "#8c8c8c",
     "unstable-zone": "#f7dccb",
     "within-law": "#dfdfe6"

@@ -14,6 +14,10 @@ const PATTERNS: Record<string, Partial<AreaStyle>> = {
   knock: { stroke: MEANINGS.quiet, pattern: "falling" },
   "knock-unknown": { stroke: MEANINGS.quiet, pattern: "dots" },
   "within-law": { stroke: MEANINGS.quiet, pattern: "crossed" },
+  "turning-normal": { stroke: MEANINGS.quiet, pattern: "falling" },
+  "convected-slip": { stroke: MEANINGS.quiet, pattern: "dots" },
+  "across-slip": { stroke: MEANINGS.quiet, pattern: "crossed" },
+  "unknown-growth": { stroke: MEANINGS.quiet, pattern: "rising" },
 };
 
 /** What is shown: the phase of what swings, and the labels whose layers are hidden. */

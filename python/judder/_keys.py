@@ -31,7 +31,9 @@ FILES: Final[dict[str, dict[str, tuple[str, ...]]]] = {
         "indenter.shape.heights": (),
         "substrate.dma.file": ("terms",),
     },
-    "belt": {},
+    "belt": {
+        "friction.file": ("at_rest", "at_speed", "coefficient", "decay_speed", "exponent", "interpolation", "velocity", "viscous"),
+    },
     "two-degrees": {},
     "structure": {
         "matrices.damping.*.file": ("factor", "triangle"),

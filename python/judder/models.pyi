@@ -100,6 +100,7 @@ class Oscillator(Model):
         points: int | None = None,
         tolerance: float | None = None,
         steps: int | None = None,
+        sound: bool | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> Result:
@@ -238,7 +239,7 @@ class Contact(Model):
         """A contact that is followed in time: histories of force, friction and area, work of a cycle."""
 
 class Belt(Model):
-    """One mass on a moving belt, friction that falls with speed."""
+    """One mass on a moving belt, friction against the speed of sliding."""
 
     def __init__(
         self,

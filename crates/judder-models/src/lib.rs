@@ -2,7 +2,7 @@
 //!
 //! In the order in which the data flows:
 //!
-//! - `swept_keys`, `read_sweep`, [`mod@sweep`]: what the analyses of a case vary. [`key_sweep`]: any number of a case, read anew at each value. `axis`, `labels`: how that is called.
+//! - `swept_keys`, `read_sweep`, [`mod@sweep`]: what the analyses of a case vary. [`key_sweep`]: any number of a case, read anew at each value. `axis`, `labels`: how that is called. `swept_tables`: what tables along it have in common.
 //! - [`substrate`], `spectrum_source`, [`material`], `indenter`: what substrate a case names, and the surface that presses.
 //! - `measured_band`: the frequencies that sliding excites, against those of measured moduli. `known_substrate`: what is to be said of the
 //!   substrate of an oscillator case.
@@ -50,6 +50,7 @@ pub mod structure;
 pub mod substrate;
 pub mod sweep;
 mod swept_keys;
+mod swept_tables;
 pub mod template;
 pub mod two_degrees;
 mod within_law;

@@ -155,6 +155,7 @@ impl SweptKeys for BeltKeys {
 
 impl MotionModel for BeltKeys {
     const FREQUENCY: &'static str = "Frequency $ω$ (−)";
+    const HAS_SECONDS: bool = false;
 
     type Analysis = Arc<dyn Analysis<BeltCase>>;
 

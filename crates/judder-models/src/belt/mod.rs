@@ -8,7 +8,9 @@ use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
 use crate::friction::FrictionCurve;
 use crate::motion::model::BeltModel;
-use crate::motion::{MotionCase, MotionOf};
+use crate::motion::settings::MotionKinds;
+use crate::motion::{MotionCase, MotionOf, tables};
+use crate::swept_tables::key_head;
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
 use judder_keys::keys::{Keys, lines};
@@ -17,7 +19,7 @@ use judder_study::case::analysis::Planned;
 use judder_study::case::text::CaseText;
 use judder_study::model::{Analysed, Analysis, Case, Model, Task};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, Template};
+use judder_study::registry::{KindTables, ModelKind, Template};
 use judder_study::resolve::Resolved;
 use std::sync::Arc;
 
@@ -50,6 +52,9 @@ impl MotionCase for BeltCase {
     }
 }
 
+/// What stands at the head of works.
+const ENERGY: &str = "energy (−)";
+
 /// The model.
 pub const MODEL: ModelKind = ModelKind {
     name: "belt",
@@ -65,7 +70,14 @@ pub const MODEL: ModelKind = ModelKind {
     },
     kinds: || case::KINDS.entries(),
     operating_quantities: &[],
-    tables: &[],
+    tables: &[
+        KindTables::new(MotionKinds::<BeltKeys>::HISTORY.name, |told| tables::motion(told, ENERGY)),
+        KindTables::new(MotionKinds::<BeltKeys>::LIMIT_CYCLE.name, |told| tables::motion(told, ENERGY)),
+        KindTables::new(MotionKinds::<BeltKeys>::BIFURCATION.name, |told| {
+            tables::diagram(told, &key_head::<BeltKey>(&told.asked["sweep"]))
+        }),
+        KindTables::new(MotionKinds::<BeltKeys>::BASIN.name, tables::fates),
+    ],
 };
 
 impl Model for BeltCase {

@@ -17,6 +17,7 @@ pub mod settings;
 pub mod shape;
 pub mod single;
 mod size;
+mod tables;
 pub mod transient;
 
 use crate::contact::case::{ContactCase, ContactSections};
@@ -42,7 +43,7 @@ use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::text::CaseText;
 use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Refusal, Task, wanted};
 use judder_study::outcome::{CheckRecord, Outcome};
-use judder_study::registry::{ModelKind, Template};
+use judder_study::registry::{KindTables, ModelKind, Template};
 use judder_study::resolve::Resolved;
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -146,7 +147,12 @@ pub const MODEL: ModelKind = ModelKind {
     },
     kinds: || KINDS.entries(),
     operating_quantities: &[],
-    tables: &[],
+    tables: &[
+        KindTables::new(single::KIND.name, tables::single),
+        KindTables::new(law::KIND.name, tables::law),
+        KindTables::new(fit::KIND.name, tables::fit),
+        KindTables::new(modulus::KIND.name, tables::modulus),
+    ],
 };
 
 impl Model for ContactCase {

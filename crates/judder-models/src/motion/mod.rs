@@ -1,8 +1,8 @@
 //! Motion with stick, slip and lift-off, of the oscillator and of a mass on a belt.
 //!
-//! - `model`: the two of them.
+//! - `model`: the two of them. `si`: what their units are in SI.
 //! - `becomes`: what motions settle to. `amplitude_spectrum`: how they swing.
-//! - `pictures`: their figures.
+//! - `pictures`: their figures. `tables`: those of reports.
 //! - A folder each: `history` (kind `motion`), `limit_cycle`, `bifurcation`, `basin`.
 
 mod amplitude_spectrum;
@@ -14,6 +14,8 @@ pub mod limit_cycle;
 pub(crate) mod model;
 pub mod pictures;
 pub mod settings;
+pub(crate) mod si;
+pub(crate) mod tables;
 
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};

@@ -5,6 +5,7 @@ use crate::belt::case::{BeltCase, BeltInputs, BeltKey};
 use crate::bridge;
 use crate::friction::FrictionCurve;
 use crate::motion::settings::{Following, MotionStart};
+use crate::motion::si::SiUnits;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::sweep::Sweep;
@@ -48,6 +49,8 @@ pub(crate) struct Operating<S> {
     pub(crate) system: S,
     /// The model's time units in a second; times of a model without seconds are plain numbers.
     per_second: f64,
+    /// What its units are in SI, where the case is written in SI.
+    pub(crate) si: Option<SiUnits>,
 }
 
 impl<S> Operating<S> {
@@ -110,6 +113,11 @@ pub(crate) trait Moving<const N: usize>: Sync {
     /// The oscillator.
     type System: SlidingSystem<N>;
 
+    /// The name of the analysis, after which files are called.
+    fn name(&self) -> &str {
+        ""
+    }
+
     /// Its time.
     const CLOCK: Clock;
     /// The coordinates of a state.
@@ -135,6 +143,8 @@ pub(crate) trait Moving<const N: usize>: Sync {
 
 /// The oscillator of a case.
 pub(crate) struct OscillatorModel<'a> {
+    /// Of the analysis.
+    pub(crate) name: &'a str,
     pub(crate) inputs: &'a OscillatorInputs,
     pub(crate) contact: &'a Contact,
 }
@@ -142,6 +152,10 @@ pub(crate) struct OscillatorModel<'a> {
 impl Moving<4> for OscillatorModel<'_> {
     type Key = OscillatorKey;
     type System = StickSlip;
+
+    fn name(&self) -> &str {
+        self.name
+    }
 
     const CLOCK: Clock = Clock { symbol: "θ", time: "time θ = ω_nx t", frequency: "frequency ω/ω_nx" };
     const COORDINATES: [Coordinate; 4] = [
@@ -190,6 +204,7 @@ impl Moving<4> for OscillatorModel<'_> {
         Ok(Operating {
             system: StickSlip::new(self.contact.clone(), coefficients)?,
             per_second: inputs.number(OscillatorKey::NaturalFrequency),
+            si: inputs.si_units(),
         })
     }
 
@@ -268,7 +283,7 @@ impl Moving<2> for BeltModel<'_> {
             [BeltKey::Damping, BeltKey::NormalForce, BeltKey::Velocity].map(number);
         let system = BeltOscillator::new(damping, normal_force, velocity, self.friction(&inputs))?
             .with_cubic_stiffness(number(BeltKey::CubicStiffness))?;
-        Ok(Operating { system, per_second: f64::NAN })
+        Ok(Operating { system, per_second: f64::NAN, si: None })
     }
 
     fn further(system: &BeltOscillator, sample: &StateSample<2>) -> Vec<f64> {

@@ -2,6 +2,7 @@
 
 use super::becomes::{BECOMES, CYCLE, IRREGULAR, UNCONFIRMED};
 use super::bifurcation::branch_layers as branches;
+use super::si;
 use judder_oscillator::motion::ContactState;
 use judder_report::figure::ShadedRegion;
 use judder_report::palette::Style;
@@ -29,6 +30,7 @@ const LIFT_OFF: u8 = ContactState::LiftOff.number();
 
 /// Whole motion, its end, phase portrait, spectrum, section; `frequency` stands at the axis of the spectrum.
 pub(crate) fn motion(dataset: &Dataset, frequency: &str) -> Option<Vec<Panel>> {
+    let dataset = &*si::shown(dataset);
     let time = reals(dataset, "time")?;
     let shown = ShownHistory::end_of(dataset, SHOWN)?;
     let whole = vec![Layer::line("", time.to_vec(), reals(dataset, "x")?.to_vec(), Role::Series(0).solid())];
@@ -44,6 +46,7 @@ pub(crate) fn motion(dataset: &Dataset, frequency: &str) -> Option<Vec<Panel>> {
 
 /// The last oscillations of a motion: displacement, relative velocity and contact area over time, then the phase portrait.
 pub fn ending(dataset: &Dataset, oscillations: f64) -> Option<Vec<Panel>> {
+    let dataset = &*si::shown(dataset);
     let shown = ShownHistory::end_of(dataset, oscillations)?;
     let histories = ["x", "relative_velocity", "contact_area"].into_iter().map(|name| shown.history(name));
     histories.chain([shown.portrait()]).collect()
@@ -51,6 +54,7 @@ pub fn ending(dataset: &Dataset, oscillations: f64) -> Option<Vec<Panel>> {
 
 /// One period, phase portrait, Floquet multipliers.
 pub(crate) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
+    let dataset = &*si::shown(dataset);
     let shown = ShownHistory::all_of(dataset)?;
     let mut panels = Vec::new();
     for name in ["x", "relative_velocity", "contact_area"] {
@@ -216,8 +220,9 @@ fn spectrum(dataset: &Dataset, along: &str) -> Option<Panel> {
     let shown =
         amplitude.iter().map(|a| if *a < DECADES * largest { DECADES * largest } else { *a }).collect();
     let layer = Layer::line("", frequency.to_vec(), shown, Role::Series(0).solid());
-    let up = Axis::log("Amplitude of $x$ (−)");
-    Some(Panel::new(Axis::linear(along), up, vec![layer]))
+    let label = |name: &str| text(dataset.variable(name)?, "label");
+    let up = Axis::log(label("amplitude").unwrap_or("Amplitude of $x$ (−)"));
+    Some(Panel::new(Axis::linear(label("frequency").unwrap_or(along)), up, vec![layer]))
 }
 
 /// Markers for so many points, small where they would hide each other.
@@ -234,25 +239,56 @@ fn of_direction(role: Role, direction: usize) -> Style {
 /// The states where x is largest: y over x, or for a model without y the next x over x.
 fn section(dataset: &Dataset) -> Option<Panel> {
     let x = reals(dataset, "section_x")?;
-    let along = axis(dataset.variable("section_x")?);
-    let (points, up) = match dataset.variable("section_y") {
-        Some(variable) => ((x.to_vec(), reals(dataset, "section_y")?.to_vec()), axis(variable)),
+    let (along, in_x) = (axis(dataset.variable("section_x")?), swing(dataset, "x")?);
+    let (points, up, upwards) = match dataset.variable("section_y") {
+        Some(variable) => {
+            let points = (x.to_vec(), reals(dataset, "section_y")?.to_vec());
+            (points, axis(variable), swing(dataset, "y")?)
+        }
         None => {
-            ((x.iter().skip(1).zip(x).map(|(_, x)| *x).collect(), x.iter().skip(1).copied().collect()), {
-                Axis::linear("The next largest $x$ (−)")
-            })
+            let points =
+                (x.iter().skip(1).zip(x).map(|(_, x)| *x).collect(), x.iter().skip(1).copied().collect());
+            let next = along.label.replace("Displacement", "The next largest");
+            (points, Axis::linear(next), in_x)
         }
     };
     if points.0.is_empty() {
         return None;
     }
+    let (along, up) = (above_rounding(along, &points.0, in_x), above_rounding(up, &points.1, upwards));
     let style = markers(Role::Series(1), points.0.len());
     let layer = Layer::points("", points.0, points.1, style);
     Some(Panel::new(along, up, vec![layer]).with_title("Poincaré section"))
 }
 
+/// How far a coordinate goes in the second half of a motion.
+fn swing(dataset: &Dataset, name: &str) -> Option<f64> {
+    let values = reals(dataset, name)?;
+    let (low, high) = ends(&values[values.len() / 2..]);
+    Some(high - low)
+}
+
+/// The least and the largest of values.
+fn ends(values: &[f64]) -> (f64, f64) {
+    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(*v), high.max(*v)))
+}
+
+/// An axis over values that spans no less than a hundredth of what they are a part of: the returns of a periodic motion differ by rounding alone.
+fn above_rounding(axis: Axis, values: &[f64], whole: f64) -> Axis {
+    const LEAST: f64 = 0.01;
+    const ROOM: f64 = 1.1;
+    let (low, high) = ends(values);
+    let (middle, half) = (0.5 * (low + high), 0.5 * ROOM * (high - low).max(LEAST * whole));
+    if half > 0.0 && half.is_finite() && middle.is_finite() {
+        axis.over(middle - half, middle + half)
+    } else {
+        axis
+    }
+}
+
 /// rms, largest x, shares of stick and lift-off along the swept key.
 pub(crate) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
+    let dataset = &*si::shown(dataset);
     let rms = dataset.variable("rms")?;
     let swept = dataset.variable(rms.dimensions.last()?)?;
     let values = reals(dataset, &swept.name)?;
@@ -293,7 +329,11 @@ pub(crate) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
         }
     }
     let mut panels = vec![
-        Panel::new(along(), amplitude_axis(&settled_rms(dataset)?, has_branches), amplitude),
+        Panel::new(
+            along(),
+            amplitude_axis(text(rms, "label"), &settled_rms(dataset)?, has_branches),
+            amplitude,
+        ),
         Panel::new(along(), Axis::linear("Share of the time (−)"), shares),
     ];
     panels.extend(largest(dataset, directions, along()));
@@ -315,10 +355,10 @@ const WIDE_WITH_BRANCHES: f64 = 10.0;
 
 /// The axis of an rms: logarithmic where motions differ widely; then steady sliding, with none, is a gap, or where its own line is
 /// drawn the end of an axis that is linear next to zero.
-fn amplitude_axis(rms: &[f64], has_branches: bool) -> Axis {
+fn amplitude_axis(label: Option<&str>, rms: &[f64], has_branches: bool) -> Axis {
     let moving = || rms.iter().copied().filter(|rms| *rms > 0.0);
     let (smallest, largest) = (moving().fold(f64::INFINITY, f64::min), moving().fold(0.0, f64::max));
-    let label = "rms of $x$ (−)";
+    let label = label.unwrap_or("rms of $x$ (−)");
     let wide = if has_branches { WIDE_WITH_BRANCHES } else { WIDE };
     match (largest > wide * smallest, has_branches) {
         (false, _) => Axis::linear(label),
@@ -349,13 +389,14 @@ fn largest(dataset: &Dataset, directions: &[String], along: Axis) -> Option<Pane
     let usual = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
     let up = match sizes.last() {
         Some(largest) if usual > 0.0 && *largest > WIDE * usual => Axis::symmetric_log(label, usual),
-        _ => Axis::linear(label),
+        _ => above_rounding(Axis::linear(label), x, usual),
     };
     Some(Panel::new(along, up, layers.collect()).with_title("Poincaré section"))
 }
 
 /// The starts by what becomes of them, over the first two coordinates that were drawn.
 pub(crate) fn basin(dataset: &Dataset) -> Option<Vec<Panel>> {
+    let dataset = &*si::shown(dataset);
     let drawn: Vec<&str> =
         dataset.attributes().get("drawn")?.as_array()?.iter().filter_map(serde_json::Value::as_str).collect();
     let first = *drawn.first()?;
@@ -368,4 +409,19 @@ pub(crate) fn basin(dataset: &Dataset) -> Option<Vec<Panel>> {
     });
     let along = |name: &str| dataset.variable(name).map(axis);
     Some(vec![Panel::new(along(first)?, along(second)?, layers.collect()).with_legend(Legend::Below)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounding_is_not_drawn_as_a_shape() {
+        let range = |values: &[f64]| above_rounding(Axis::linear(""), values, 2.0).range.unwrap();
+        let (low, high) = range(&[1.0, 1.0 + 1e-12]);
+        assert!((high - low - 0.022).abs() < 1e-9 && low < 1.0 && high > 1.0, "{low} {high}");
+        let (low, high) = range(&[0.0, 1.0]);
+        assert!((high - low - 1.1).abs() < 1e-12);
+        assert!(above_rounding(Axis::linear(""), &[0.0], 0.0).range.is_none());
+    }
 }

@@ -119,6 +119,9 @@ pub(crate) trait MotionModel: SweptKeys + Sized {
     /// What stands at an axis of frequencies.
     const FREQUENCY: &'static str;
 
+    /// Whether its cases can be written in SI.
+    const HAS_SECONDS: bool = true;
+
     /// The analyses of its cases.
     type Analysis;
 

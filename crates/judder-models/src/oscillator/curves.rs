@@ -1,11 +1,13 @@
 //! Curves over one swept quantity.
 
+use crate::motion::si::SiUnits;
 use crate::oscillator::margins::NOT_KNOWN;
 use judder_report::runs::{Curve, alone, apart};
 use judder_report::{Axis, Layer, Panel, Role};
 use judder_store::Dataset;
 use judder_study::pictures::{SweptCoordinates, axis, codes, complexes, reals, text};
 use num_complex::Complex64;
+use std::f64::consts::TAU;
 
 /// ξ_eq over the swept quantity, on an axis that shows both signs over many decades.
 pub(crate) fn equivalent_damping(dataset: &Dataset) -> Option<Vec<Panel>> {
@@ -34,11 +36,30 @@ pub(crate) fn equivalent_damping(dataset: &Dataset) -> Option<Vec<Panel>> {
     Some(vec![Panel::new(axis(swept.axis), vertical, layers)])
 }
 
-/// Growth rates and frequencies, of the full system and without damping; `unit` is what they are over, in the markup of labels.
-pub(crate) fn spectrum(dataset: &Dataset, unit: &str) -> Option<Vec<Panel>> {
+/// What stands at axes and heads of growth rates and of frequencies.
+pub(crate) struct SpectrumLabels {
+    pub(crate) growth: &'static str,
+    pub(crate) frequency: &'static str,
+}
+
+/// Those of a case that is written in SI.
+const IN_SI: SpectrumLabels =
+    SpectrumLabels { growth: "Growth rate Re $λ$ (1/s)", frequency: "Frequency Im $λ$/2π (Hz)" };
+
+/// Values times a factor.
+fn scaled(values: Vec<f64>, factor: f64) -> Vec<f64> {
+    values.into_iter().map(|value| factor * value).collect()
+}
+
+/// Growth rates and frequencies, of the full system and without damping; in SI where the case is written in SI.
+pub(crate) fn spectrum(dataset: &Dataset, labels: &SpectrumLabels) -> Option<Vec<Panel>> {
     let swept = SweptCoordinates::of(dataset, "eigenvalues")?;
     let full = complexes(dataset, "eigenvalues")?;
     let conservative = complexes(dataset, "conservative_eigenvalues")?;
+    let units = SiUnits::of(dataset).map(|units| units.second);
+    let (per_second, hertz) =
+        (units.map_or(1.0, f64::recip), units.map_or(1.0, |second| 1.0 / (TAU * second)));
+    let labels = if units.is_some() { &IN_SI } else { labels };
     let (mut growth, mut frequency) = (Vec::new(), Vec::new());
     let points = swept.values.len();
     for (system, values) in [("without damping", conservative), ("full system", full)] {
@@ -53,17 +74,22 @@ pub(crate) fn spectrum(dataset: &Dataset, unit: &str) -> Option<Vec<Panel>> {
                 let style = if is_full { role.solid() } else { role.dashed() };
                 let label = if mode == 0 { swept.label(curve, system) } else { String::new() };
                 let label = if swept.family.is_some() && !is_full { String::new() } else { label };
-                growth.push(Layer::line(label.clone(), swept.values.to_vec(), part(|l| l.re), style));
+                growth.push(Layer::line(
+                    label.clone(),
+                    swept.values.to_vec(),
+                    scaled(part(|l| l.re), per_second),
+                    style,
+                ));
                 // conjugates mirror each other: one half of the plane shows all
                 let upper = part(|l| if l.im >= 0.0 { l.im } else { f64::NAN });
-                frequency.push(Layer::line(label, swept.values.to_vec(), upper, style));
+                frequency.push(Layer::line(label, swept.values.to_vec(), scaled(upper, hertz), style));
             }
         }
     }
     growth.insert(0, Layer::horizontal_rule(0.0, ""));
     Some(vec![
-        Panel::new(axis(swept.axis), Axis::linear(format!("Growth rate Re $λ${unit}")), growth),
-        Panel::new(axis(swept.axis), Axis::linear(format!("Frequency Im $λ${unit}")), frequency),
+        Panel::new(axis(swept.axis), Axis::linear(labels.growth), growth),
+        Panel::new(axis(swept.axis), Axis::linear(labels.frequency), frequency),
     ])
 }
 

@@ -1,11 +1,12 @@
 //! The numbers and choices of one oscillator operating point.
 
+use crate::motion::si::SiUnits;
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::law_name::LawName;
 use crate::oscillator::problem::OscillatorProblem;
 use judder_keys::cause::Cause;
 use judder_keys::keys::{Keys, Numbers};
-use judder_keys::numeric_key::Value;
+use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::groups::Scales;
 use std::sync::LazyLock;
 
@@ -92,6 +93,22 @@ impl OscillatorInputs {
             radius: self.number(OscillatorKey::Radius),
             natural_frequency: self.number(OscillatorKey::NaturalFrequency),
         }
+    }
+
+    /// 1/ω_nx in s and x0 = F_n/k_x in m, where speed or load are given in SI.
+    pub(crate) fn si_units(&self) -> Option<SiUnits> {
+        let is_si = |key: OscillatorKey| self.get(key).form == Form::Si;
+        let Scales { reduced_modulus, radius, natural_frequency } = self.scales();
+        let load = self.get(OscillatorKey::NormalLoad);
+        let newtons = match load.form {
+            Form::Si => load.number,
+            Form::Group => load.number * reduced_modulus * radius * radius,
+        };
+        let units = SiUnits {
+            second: 1.0 / natural_frequency,
+            metre: newtons / self.number(OscillatorKey::StiffnessX),
+        };
+        (is_si(OscillatorKey::NormalLoad) || is_si(OscillatorKey::Velocity)).then_some(units)
     }
 
     /// How the relaxation of the substrate was given.

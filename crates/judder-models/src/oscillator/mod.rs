@@ -41,14 +41,16 @@ use crate::labels;
 use crate::material;
 use crate::motion::model::OscillatorModel;
 use crate::motion::settings::MotionKinds;
-use crate::motion::{MotionAnalysis, MotionCase, MotionOf};
+use crate::motion::{MotionAnalysis, MotionCase, MotionOf, tables as motion_tables};
 use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::case::{OscillatorCase, OscillatorSections};
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::law_name::LawName;
+use crate::oscillator::settings::SoughtThresholds;
 use crate::sweep::{Family, Sweep};
 use crate::swept_keys::SweptKeys;
+use crate::swept_tables::key_head;
 use judder_contact::law::sweep::SolvedLawPoint;
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
@@ -65,7 +67,7 @@ use judder_study::model::{
     Analysed, Analysis, Case, Model, OperatingPoints, OperatingQuantity, OperatingWork, Prepared, Task,
 };
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, Template};
+use judder_study::registry::{KindTables, ModelKind, Template};
 use judder_study::resolve::Resolved;
 use operating_points::OfOneLaw;
 use quasi_steady::{QuasiSteadyCondition, ToldCondition, of_motions};
@@ -128,6 +130,8 @@ fn points_of_curves(sweep: &Sweep<OscillatorKey>, family: Option<&Family<Oscilla
 
 /// An oscillator in its contact.
 pub struct OscillatorSubject<'a> {
+    /// The name of the analysis.
+    name: &'a str,
     case: &'a OscillatorCase,
     contact: &'a Contact,
 }
@@ -152,6 +156,9 @@ impl Analysed for OscillatorCase {
     }
 }
 
+/// What stands at the head of works.
+const ENERGY: &str = "over $k_{x}$ $x_{0}$² (−)";
+
 /// The model.
 pub const MODEL: ModelKind = ModelKind {
     name: "oscillator",
@@ -167,7 +174,32 @@ pub const MODEL: ModelKind = ModelKind {
     },
     kinds: || KINDS.entries(),
     operating_quantities: &operating_points::QUANTITIES,
-    tables: &[],
+    tables: &[
+        KindTables::new(equivalent_damping::KIND.name, equivalent_damping::tables::report),
+        KindTables::new(spectrum::KIND.name, |told| {
+            let swept = key_head::<OscillatorKey>(&told.asked["sweep"]);
+            spectrum::tables::unstable_ranges(told, &swept, &spectrum::LABELS)
+        }),
+        KindTables::new(critical::OF_SHEAR_STRENGTH.name, |told| {
+            critical::tables::report(SoughtThresholds::ShearStrength, told)
+        }),
+        KindTables::new(critical::OF_LOAD.name, |told| {
+            critical::tables::report(SoughtThresholds::Load, told)
+        }),
+        KindTables::new(stability_map::KIND.name, |told| {
+            stability_map::tables::report(told, spectrum::LABELS.frequency)
+        }),
+        KindTables::new(MotionKinds::<OscillatorKeys>::HISTORY.name, |told| {
+            motion_tables::motion(told, ENERGY)
+        }),
+        KindTables::new(MotionKinds::<OscillatorKeys>::LIMIT_CYCLE.name, |told| {
+            motion_tables::motion(told, ENERGY)
+        }),
+        KindTables::new(MotionKinds::<OscillatorKeys>::BIFURCATION.name, |told| {
+            motion_tables::diagram(told, &key_head::<OscillatorKey>(&told.asked["sweep"]))
+        }),
+        KindTables::new(MotionKinds::<OscillatorKeys>::BASIN.name, motion_tables::fates),
+    ],
 };
 
 impl Model for OscillatorCase {
@@ -211,8 +243,8 @@ impl Model for OscillatorCase {
         let keep = |point: &SolvedLawPoint| law.add(point);
         let CaseContact { contact, warnings } =
             bridge::contact(case, KnownPoints { known: &points, kept: &keep }, task.progress)?;
-        let own = &case.analyses[index].kind;
-        let mut outcome = own.run(&OscillatorSubject { case, contact: &contact }, task)?;
+        let Planned { name, kind: own, .. } = &case.analyses[index];
+        let mut outcome = own.run(&OscillatorSubject { name, case, contact: &contact }, task)?;
         outcome.warnings.extend(warnings);
         let (corners, substrate) = (own.corners(&case.inputs), KnownSubstrate::of(case)?);
         outcome.warnings.extend(substrate.band_warning(&contact, corners.iter().copied()));
@@ -273,7 +305,7 @@ impl MotionCase for OscillatorCase {
         of: &OscillatorSubject<'_>,
         task: Task<'_>,
     ) -> Result<Outcome, ModelError> {
-        asked.run(&OscillatorModel { inputs: &of.case.inputs, contact: of.contact }, task)
+        asked.run(&OscillatorModel { name: of.name, inputs: &of.case.inputs, contact: of.contact }, task)
     }
 }
 

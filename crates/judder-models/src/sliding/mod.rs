@@ -32,7 +32,7 @@ use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::text::CaseText;
 use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Refusal, Task, wanted};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{KindTables, ModelKind, Template};
+use judder_study::registry::{KindTables, ModelKind, Template, TerminalTable};
 use judder_study::resolve::Resolved;
 use spectrogram::settings::check_references;
 use std::path::Path;
@@ -103,12 +103,12 @@ pub const MODEL: ModelKind = ModelKind {
     kinds: || KINDS.entries(),
     operating_quantities: &[],
     tables: &[
-        KindTables { kind: locus::KIND.name, report: locus::tables::report, terminal: |_| None },
-        KindTables { kind: march::KIND.name, report: march::tables::report, terminal: |_| None },
+        KindTables::new(locus::KIND.name, |told| locus::tables::report(told.results)),
+        KindTables::new(march::KIND.name, |told| march::tables::report(told.results)),
         KindTables {
             kind: modes::KIND.name,
             report: |_| Vec::new(),
-            terminal: crate::structure::modes::tables::terminal,
+            terminal: TerminalTable::Own(|told| crate::structure::modes::tables::terminal(told.results)),
         },
     ],
 };

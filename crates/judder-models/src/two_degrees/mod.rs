@@ -15,8 +15,12 @@ pub mod stability_map;
 
 use crate::error::ModelError;
 use crate::estimate::Estimate;
+use crate::oscillator::curves::SpectrumLabels;
 use crate::oscillator::operating_points::{LINEAR_QUANTITIES, linear_values};
+use crate::oscillator::spectrum::tables::unstable_ranges;
+use crate::oscillator::stability_map::tables as map_tables;
 use crate::swept_keys::ParameterKeys;
+use crate::swept_tables::parameter_head;
 use crate::two_degrees::case::{TwoDegreesCase, TwoDegreesSections};
 use judder_keys::declared::Settings;
 use judder_study::Progress;
@@ -25,7 +29,7 @@ use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::text::CaseText;
 use judder_study::model::{Analysed, Analysis, Case, Model, OperatingQuantity, Task};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{ModelKind, Template};
+use judder_study::registry::{KindTables, ModelKind, Template};
 use judder_study::resolve::Resolved;
 use std::sync::Arc;
 
@@ -55,6 +59,12 @@ pub trait Varying: Analysis<TwoDegreesCase> {
 pub(crate) static KINDS: Kinds<ParameterKeys, Arc<dyn Varying>> =
     Kinds::new(&[spectrum::KIND, stability_map::KIND, critical::KIND]);
 
+/// What stands at axes and heads: matrices have the units that the user gives them.
+pub(crate) const LABELS: SpectrumLabels = SpectrumLabels {
+    growth: "Growth rate Re $λ$ (per unit of time)",
+    frequency: "Frequency Im $λ$ (rad per unit of time)",
+};
+
 /// The model.
 pub const MODEL: ModelKind = ModelKind {
     name: "two-degrees",
@@ -66,7 +76,13 @@ pub const MODEL: ModelKind = ModelKind {
     template: Template { name: "two-degrees", text: include_str!("template.toml"), lines: |_| String::new() },
     kinds: || KINDS.entries(),
     operating_quantities: &LINEAR_QUANTITIES,
-    tables: &[],
+    tables: &[
+        KindTables::new(spectrum::KIND.name, |told| {
+            unstable_ranges(told, &parameter_head(&told.asked["sweep"]), &LABELS)
+        }),
+        KindTables::new(stability_map::KIND.name, |told| map_tables::report(told, LABELS.frequency)),
+        KindTables::new(critical::KIND.name, critical::tables::report),
+    ],
 };
 
 impl Model for TwoDegreesCase {

@@ -1,5 +1,7 @@
 //! Analyses of motion end to end: the literature's belt, the oscillator paper's section 5, what is kept of an interruption.
 
+mod si;
+
 use crate::{case, number, run_into};
 use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, run};

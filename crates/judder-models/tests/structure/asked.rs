@@ -28,7 +28,11 @@ fn eigen(region: &str) -> (Value, Dataset, String) {
 /// The ratios are 0.005, 0.05 and −0.005 at 100, 200 and 300 rad/s: of the rectangle that encloses what is asked for, that alone is told.
 #[test]
 fn frequencies_and_damping_ratios_ask_for_eigenvalues() {
-    let frequencies = |region: &str| numbers_of(&eigen(region).0, "frequency_hz");
+    // the same eigenvalue found in another region differs by rounding
+    let rounded = |frequency: f64| (1e6 * frequency).round() / 1e6;
+    let frequencies = |region: &str| -> Vec<f64> {
+        numbers_of(&eigen(region).0, "frequency_hz").into_iter().map(rounded).collect()
+    };
     let all = frequencies("{ re = [-50.0, 50.0], im = [0.0, 400.0] }");
     assert_eq!(all.len(), 3);
     let within = |low: f64, high: f64| {
@@ -40,7 +44,7 @@ fn frequencies_and_damping_ratios_ask_for_eigenvalues() {
     assert_eq!(within(-0.01, 0.04), [all[0], all[2]]);
     assert_eq!(within(0.0, 0.06), all[..2]);
     assert_eq!(frequencies("{ frequency = [\"10 Hz\", \"20 Hz\"], damping_ratio = [-0.1, 0.1] }"), all[..1]);
-    assert!((all[0] * TAU - (1e4_f64 - 0.25).sqrt()).abs() < 1e-6, "{all:?}");
+    assert!((all[0] * TAU - (1e4_f64 - 0.25).sqrt()).abs() < 1e-5, "{all:?}");
 }
 
 #[test]

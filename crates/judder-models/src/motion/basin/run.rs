@@ -272,7 +272,11 @@ impl<S> SampledBasin<'_, S> {
                 drawn.push(name);
             }
         }
-        Ok(dataset.attribute("drawn", drawn)?)
+        let dataset = dataset.attribute("drawn", drawn)?;
+        match self.operating.si {
+            Some(units) => units.told_in(dataset),
+            None => Ok(dataset),
+        }
     }
 
     fn table<M: Moving<N, System = S>, const N: usize>(&self) -> Result<Table, ModelError>
@@ -288,11 +292,17 @@ impl<S> SampledBasin<'_, S> {
         let value = |value: fn(&SampledStart) -> Option<f64>| {
             self.samples.iter().map(|sample| value(sample).unwrap_or(f64::NAN)).collect::<Vec<_>>()
         };
-        Ok(table.column("fate", "", words)?.column("settling_time", "1", value(|s| s.time))?.column(
-            "rms",
-            "1",
-            value(|s| s.rms),
-        )?)
+        let (times, rms) = (value(|s| s.time), value(|s| s.rms));
+        table = table.column("fate", "", words)?.column("settling_time", "1", times.clone())?;
+        table = table.column("rms", "1", rms.clone())?;
+        if let Some(units) = self.operating.si {
+            for (coordinate, values) in M::COORDINATES.iter().zip(self.starts::<M, N>()) {
+                table = units.add_column(table, coordinate.name, &values)?;
+            }
+            table = units.add_column(table, "settling_time", &times)?;
+            table = units.add_column(table, "rms", &rms)?;
+        }
+        Ok(table)
     }
 }
 

@@ -6,6 +6,7 @@ use crate::error::ModelError;
 use crate::motion::becomes::{BECOMES, CYCLE, LOST, UNCONFIRMED};
 use crate::motion::bifurcation::SweepDirection;
 use crate::motion::model::Coordinate;
+use crate::motion::si::SiUnits;
 use judder_numerics::words::plain;
 use judder_store::{Dataset, Results, Table, Variable};
 use judder_study::axis::SweptAxis;
@@ -15,6 +16,8 @@ pub(super) struct SweptDiagram<'a> {
     pub(super) axis: SweptAxis,
     pub(super) directions: &'a [SweepDirection],
     pub(super) sweeps: &'a [Vec<SettledPoint>],
+    /// The units at each value in SI, where the case is written in SI.
+    pub(super) si: Option<Vec<SiUnits>>,
 }
 
 /// What is told of the motions of all sweeps.
@@ -40,6 +43,12 @@ pub(super) struct ToldDiagram {
     quasi_steady_condition: Vec<f64>,
     stick_fraction: Vec<f64>,
     lift_off_fraction: Vec<f64>,
+    /// the rms in m
+    #[result(optional)]
+    rms_m: Option<Vec<f64>>,
+    /// the period in s
+    #[result(optional)]
+    period_s: Option<Vec<f64>>,
 }
 
 impl SweptDiagram<'_> {
@@ -105,7 +114,22 @@ impl SweptDiagram<'_> {
             quasi_steady_condition: self.quasi_steady_condition(),
             stick_fraction: self.values(|s| s.stick_fraction),
             lift_off_fraction: self.values(|s| s.lift_off_fraction),
+            rms_m: self.in_si(self.values(|s| s.rms), |units| units.metre),
+            period_s: self.in_si(self.period(), |units| units.second),
         }
+    }
+
+    /// A quantity of every point times its unit; none where the case is written in groups.
+    fn in_si(&self, values: Vec<f64>, unit: fn(&SiUnits) -> f64) -> Option<Vec<f64>> {
+        let units = self.si.as_ref()?;
+        let every = self.directions.iter().flat_map(|_| units);
+        Some(values.into_iter().zip(every).map(|(value, own)| value * unit(own)).collect())
+    }
+
+    /// The units, where they are the same at all values.
+    fn same_units(&self) -> Option<SiUnits> {
+        let units = self.si.as_ref()?;
+        units.first().copied().filter(|first| units.iter().all(|own| own == first))
     }
 
     /// Every array; `coordinates` are those of a state.
@@ -132,7 +156,11 @@ impl SweptDiagram<'_> {
                 Variable::classes("becomes", &dimensions, &shape, becomes, &BECOMES)
                     .long_name("what the motion settles to"),
             )?;
-        self.with_section(dataset, coordinates)
+        let dataset = self.with_section(dataset, coordinates)?;
+        match self.same_units() {
+            Some(units) => units.told_in(dataset),
+            None => Ok(dataset),
+        }
     }
 
     /// With the meetings of all motions with the section, where x is largest.
@@ -173,7 +201,13 @@ impl SweptDiagram<'_> {
 
     pub(super) fn table(&self, told: &ToldDiagram) -> Result<Table, ModelError> {
         let axis = Table::new().column(self.axis.name(), &self.axis.quantity.unit, told.value.clone())?;
-        Ok(told.add_columns(axis)?)
+        let mut table = told.add_columns(axis)?;
+        for (name, unit, values) in [("rms", "m", &told.rms_m), ("period", "s", &told.period_s)] {
+            if let Some(values) = values {
+                table = table.column(name, unit, values.clone())?;
+            }
+        }
+        Ok(table)
     }
 
     /// How many motions could not be followed or confirmed.

@@ -59,8 +59,14 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
         .par_iter()
         .map(|direction| along(model, settings, *direction, kept, progress))
         .collect::<Result<_, _>>()?;
-    let diagram =
-        SweptDiagram { axis: M::axis(settings.sweep), directions: direction.sweeps(), sweeps: &sweeps };
+    let values = settings.sweep.values();
+    let units = values.iter().map(|value| model.operating(Some((settings.sweep, *value))).ok()?.si);
+    let diagram = SweptDiagram {
+        axis: M::axis(settings.sweep),
+        directions: direction.sweeps(),
+        sweeps: &sweeps,
+        si: units.collect(),
+    };
     let lost = sweeps.iter().flatten().filter(|point| point.is_err()).count();
     let told = diagram.told(&settings.sweep.path);
     let mut outcome = Outcome {

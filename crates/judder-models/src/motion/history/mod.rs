@@ -43,6 +43,9 @@ pub struct HistoryAnalysis {
     /// The most steps of one motion.
     #[key(rule = STEPS, default = MOTION_STEPS)]
     pub steps: usize,
+    /// Whether the velocity along x becomes a sound, of a case whose speed or load is given in SI.
+    #[key(omitted)]
+    pub sound: Option<bool>,
 }
 
 followed!(HistoryAnalysis);
@@ -58,7 +61,11 @@ impl<S: MotionModel> MotionKinds<S> {
     pub(crate) const HISTORY: Kind<S, S::Analysis> = Kind {
         name: "motion",
         doc: "the history of one motion: stick, slip, lift-off, its averages, its energy",
-        declared: declared::<S, HistoryAnalysis>,
+        declared: || {
+            let mut all = declared::<S, HistoryAnalysis>();
+            all.retain(|key| S::HAS_SECONDS || key.name != "sound");
+            all
+        },
         read: |_, section| read::<S, HistoryAnalysis>(section).map(S::of_motion),
         picture: Some(Picture {
             draw: |dataset| pictures::motion(dataset, S::FREQUENCY),
@@ -70,7 +77,7 @@ impl<S: MotionModel> MotionKinds<S> {
 
 impl<S: MotionModel> MotionOf<S> for HistoryAnalysis {
     fn summary_keys(&self) -> Vec<Declared> {
-        run::summary_keys()
+        run::summary_keys(self.sound == Some(true))
     }
 
     fn run<M: Moving<N, Key = S::Key>, const N: usize>(

@@ -5,6 +5,8 @@ use crate::error::ModelError;
 use crate::motion::amplitude_spectrum::amplitude_spectrum;
 use crate::motion::history::HistoryAnalysis;
 use crate::motion::model::{ContactMemory, Coordinate, Moving, Operating};
+use crate::motion::si::{MotionInSi, SiUnits};
+use crate::sliding::march::sound::{SoundFile, ToldSound, sound_of};
 use judder_oscillator::motion::attractor::{distance, repetition};
 use judder_oscillator::motion::history::{
     MotionHistory, Oscillation, StateSample, TimeWindow, follow, follow_watched,
@@ -47,16 +49,55 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
         }
     };
     progress.advance();
-    let mut scalars = told::<M, N>(&operating, &history).scalars();
+    let mut told = told::<M, N>(&operating, &history);
+    told.tell_si(operating.si);
+    let mut scalars = told.scalars();
     scalars.extend(ToldWindow { duration, transient }.scalars());
+    let sound = asked.sound.unwrap_or(false).then(|| sound(model.name(), &operating, &history, &window));
+    let sound = sound.transpose()?;
+    scalars.extend(sound.as_ref().map(|own| own.told.scalars()).into_iter().flatten());
     let arrays = Arrays::<M, N> { operating: &operating, history: &history };
     Ok(Outcome {
         scalars,
         dataset: arrays.with_spectrum(arrays.dataset()?, &window)?,
         table: Some(arrays.table()?),
         checks: energy_check(&history).into_iter().collect(),
+        files: sound.into_iter().map(|own| (own.name, own.bytes)).collect(),
         ..Outcome::default()
     })
+}
+
+/// The velocity along x after the transient as sound.
+fn sound<S, const N: usize>(
+    analysis: &str,
+    operating: &Operating<S>,
+    history: &MotionHistory<N>,
+    window: &TimeWindow,
+) -> Result<SoundOfMotion, ModelError> {
+    let units = operating.si.ok_or_else(|| {
+        ModelError::Unsupported(
+            "a motion in groups has no seconds, and no sound: give `operation.velocity` or `operation.normal_load` in SI".to_owned(),
+        )
+    })?;
+    let late = history.samples.iter().filter(|sample| sample.time >= window.transient);
+    let values = late.map(|sample| sample.state[N / 2] * units.metre / units.second).collect();
+    let sample_rate = (window.points - 1) as f64 / (window.duration * units.second);
+    let SoundFile { name, bytes, told } = sound_of(analysis, "velocity_x", "m/s", values, sample_rate)?;
+    Ok(SoundOfMotion { name, bytes, told: ToldSounds { sound: vec![told] } })
+}
+
+/// A file for the ear.
+struct SoundOfMotion {
+    name: String,
+    bytes: Vec<u8>,
+    told: ToldSounds,
+}
+
+/// What is told of sounds.
+#[derive(Results)]
+struct ToldSounds {
+    /// the velocity along x
+    sound: Vec<ToldSound>,
 }
 
 /// Whether there is a motion to speak of.
@@ -82,6 +123,15 @@ pub(crate) struct ToldMotion {
     energy: EnergyBalance,
     #[result(optional)]
     quasi_steady: Option<ToldMemory>,
+    #[result(flatten)]
+    si: Option<MotionInSi>,
+}
+
+impl ToldMotion {
+    /// Tells rms, mean and period in SI as well.
+    pub(crate) fn tell_si(&mut self, units: Option<SiUnits>) {
+        self.si = units.map(|units| units.motion(self.rms, self.mean, self.period));
+    }
 }
 
 /// Where energy came from and went, in units of k_x x0².
@@ -113,8 +163,9 @@ struct ToldWindow {
 }
 
 /// The keys of the summary of a motion.
-pub(crate) fn summary_keys() -> Vec<Declared> {
-    [ToldMotion::declared(), ToldWindow::declared()].concat()
+pub(crate) fn summary_keys(has_sound: bool) -> Vec<Declared> {
+    let sounds = if has_sound { ToldSounds::declared() } else { Vec::new() };
+    [ToldMotion::declared(), ToldWindow::declared(), sounds].concat()
 }
 
 /// What `summary.json` shows of a history.
@@ -138,6 +189,7 @@ pub(crate) fn told<M: Moving<N>, const N: usize>(
         steps: history.steps,
         energy: energy(history),
         quasi_steady: M::memory(&operating.system).map(|memory| quasi_steady(&memory, oscillations)),
+        si: None,
     }
 }
 
@@ -240,7 +292,11 @@ impl<M: Moving<N>, const N: usize> Arrays<'_, M, N> {
         let states = samples.iter().map(|s| s.contact_state.number()).collect();
         let states = Variable::classes("contact_state", &["time"], &[count], states, &ContactState::CODES)
             .long_name("contact state");
-        self.with_oscillations(self.with_path(self.with_events(dataset.with(states)?)?)?)
+        let dataset = self.with_oscillations(self.with_path(self.with_events(dataset.with(states)?)?)?)?;
+        match self.operating.si {
+            Some(units) => units.told_in(dataset),
+            None => Ok(dataset),
+        }
     }
 
     fn with_events(&self, dataset: Dataset) -> Result<Dataset, ModelError> {
@@ -332,10 +388,17 @@ impl<M: Moving<N>, const N: usize> Arrays<'_, M, N> {
 
     pub(crate) fn table(&self) -> Result<Table, ModelError> {
         let samples = &self.history.samples;
-        let mut table =
-            Table::new().column("time", "1", samples.iter().map(|s| s.time).collect::<Vec<_>>())?;
-        for (coordinate, values) in self.along_time() {
-            table = table.column(coordinate.name, "1", values)?;
+        let times: Vec<f64> = samples.iter().map(|s| s.time).collect();
+        let mut table = Table::new().column("time", "1", times.clone())?;
+        let all = self.along_time();
+        for (coordinate, values) in &all {
+            table = table.column(coordinate.name, "1", values.clone())?;
+        }
+        if let Some(units) = self.operating.si {
+            table = units.add_column(table, "time", &times)?;
+            for (coordinate, values) in &all {
+                table = units.add_column(table, coordinate.name, values)?;
+            }
         }
         let words: Vec<String> = samples.iter().map(|s| s.contact_state.to_string()).collect();
         Ok(table.column("contact_state", "", words)?)

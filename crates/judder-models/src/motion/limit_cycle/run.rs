@@ -46,6 +46,7 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     told.period = Some(cycle.period());
     told.repeats = true;
     told.oscillations = cycle.oscillations;
+    told.tell_si(operating.si);
     let mut scalars = told.scalars();
     scalars.extend(ToldCycle::new(&cycle).scalars());
     let arrays = Arrays::<M, N> { operating: &operating, history: &history };

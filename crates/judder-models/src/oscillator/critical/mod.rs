@@ -3,6 +3,7 @@
 mod found;
 mod onsets;
 mod run;
+pub(super) mod tables;
 mod within_law;
 
 use super::{Operated, OscillatorSubject, curves, ends_of_curves, points_of_curves};

@@ -24,7 +24,7 @@ use rayon::prelude::*;
 const SAMPLES_PER_DECADE: f64 = 40.0;
 
 /// Label and unit of the axis of thresholds.
-fn label(sought: SoughtThresholds, form: Form) -> (&'static str, &'static str) {
+pub(super) fn label(sought: SoughtThresholds, form: Form) -> (&'static str, &'static str) {
     match (sought, form) {
         (SoughtThresholds::ShearStrength, Form::Group) => ("Critical shear strength $τ̃_{0,crit}$ (−)", "1"),
         (SoughtThresholds::ShearStrength, Form::Si) => ("Critical shear strength $τ_{0,crit}$ (Pa)", "Pa"),

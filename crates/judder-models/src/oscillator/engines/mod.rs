@@ -47,7 +47,7 @@ impl Analysis<OscillatorCase> for EnginesSettings {
     }
 
     fn run(&self, of: &OscillatorSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        let model = OscillatorModel { inputs: &of.case.inputs, contact: of.contact };
+        let model = OscillatorModel { name: of.name, inputs: &of.case.inputs, contact: of.contact };
         run::run(&model, self, task.progress)
     }
 

@@ -1,6 +1,7 @@
 //! `equivalent-damping`: ξ_eq along one key.
 
 mod run;
+pub(super) mod tables;
 
 use super::{Operated, OscillatorSubject, curves, ends_of_curves, points_of_curves};
 use crate::axis::keys_of_curves;

@@ -4,6 +4,7 @@ use crate::bridge;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::point::{LOADS, SAMPLES, SHEAR_STRENGTHS, SteadyPoint};
 use crate::oscillator::stability_map::ONE_WAY;
+use crate::two_degrees::LABELS;
 use judder_contact::{ContactLaw, ValidityConcern};
 use judder_numerics::verdict::Verdict;
 use judder_oscillator::critical::{Thresholds, thresholds};
@@ -168,13 +169,10 @@ pub(crate) const QUANTITIES: [OperatingQuantity; FOUND.len()] = {
 /// What can be asked of any linear system.
 pub(crate) const LINEAR_QUANTITIES: [OperatingQuantity; OF_LINEAR_SYSTEMS] = {
     let [growth_rate, frequency, verdict, mechanism, ..] = QUANTITIES;
-    let growth_rate = OperatingQuantity {
-        label: Some("Growth rate Re $λ$"),
-        long_name: "growth rate, Re λ",
-        ..growth_rate
-    };
+    let growth_rate =
+        OperatingQuantity { label: Some(LABELS.growth), long_name: "growth rate, Re λ", ..growth_rate };
     let frequency = OperatingQuantity {
-        label: Some("Frequency Im $λ$"),
+        label: Some(LABELS.frequency),
         long_name: "frequency of the fastest growing mode, Im λ",
         ..frequency
     };

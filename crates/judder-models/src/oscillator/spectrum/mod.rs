@@ -1,6 +1,7 @@
 //! `spectrum`: the eigenvalues along one key.
 
 mod run;
+pub(crate) mod tables;
 
 pub(crate) use run::{Spectra, SpectraWords, ToldSpectra, outcome};
 
@@ -10,6 +11,7 @@ use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::case::swept_keys::OscillatorKeys;
+use crate::oscillator::curves::SpectrumLabels;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::settings::{self, SpectrumCurves};
 use judder_store::{Declared, Results};
@@ -20,6 +22,12 @@ use run::GROWTH_RATE;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
+/// What stands at axes and heads.
+pub(super) const LABELS: SpectrumLabels = SpectrumLabels {
+    growth: "Growth rate Re $λ$/$ω_{nx}$ (−)",
+    frequency: "Frequency Im $λ$/$ω_{nx}$ (−)",
+};
+
 /// The kind.
 pub(crate) const KIND: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
     name: "spectrum",
@@ -27,8 +35,8 @@ pub(crate) const KIND: Kind<OscillatorKeys, Arc<dyn Operated>> = Kind {
     declared: settings::curves,
     read: |keys, section| Ok(Arc::new(SpectrumCurves::read(keys, section)?)),
     picture: Some(Picture {
-        draw: |dataset| curves::spectrum(dataset, "/$ω_{nx}$ (−)"),
-        caption: "Eigenvalues in units of $ω_{nx}$: growth rates and frequencies. Solid: full system, eq. (21). Dashed: without \
+        draw: |dataset| curves::spectrum(dataset, &LABELS),
+        caption: "Growth rates and frequencies, in units of $ω_{nx}$, of a case that is written in SI in 1/s and Hz. Solid: full system, eq. (21). Dashed: without \
         damping, eqs. (24), (25).",
     }),
 };

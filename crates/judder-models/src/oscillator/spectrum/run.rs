@@ -3,19 +3,21 @@
 use crate::axis::{self, Curves};
 use crate::checks;
 use crate::error::ModelError;
+use crate::motion::si::SiUnits;
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::law_errors::{self, Erring};
 use crate::oscillator::steady_states::{SteadyState, along, failure_warning, validity_warnings};
 use crate::sweep::{Family, Sweep};
 use judder_oscillator::conservative::conservative_eigenvalues;
-use judder_oscillator::spectrum::{eigenvalues, growth_rate};
+use judder_oscillator::spectrum::{eigenvalues, growth_rate, leading};
 use judder_oscillator::{Contact, LinearSystem};
 use judder_store::{Dataset, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::axis::SweptAxis;
 use judder_study::outcome::Outcome;
 use num_complex::Complex64;
+use std::f64::consts::TAU;
 
 /// The eigenvalues of one system, full and without damping.
 #[derive(Debug, Clone, Copy)]
@@ -79,7 +81,14 @@ pub(super) fn run(
     }
     let known: Vec<SteadyState> = states.iter().flatten().copied().collect();
     warnings.extend(validity_warnings(contact, known.iter()));
-    let mut outcome = outcome(&axis, &curves, spectra, &WORDS)?;
+    let seconds = curves.inputs.iter().flat_map(|inputs| {
+        axis.values.iter().map(|value| {
+            let mut here = *inputs;
+            sweep.set(&mut here, *value);
+            here.si_units()
+        })
+    });
+    let mut outcome = outcome(&axis, &curves, spectra, &WORDS, seconds.collect())?;
     outcome.warnings = warnings;
     outcome.checks = checks::steady_sliding(contact, &known);
     law_errors::add(&mut outcome, &axis, &curves, contact, &states, &GROWTH_RATE)?;
@@ -92,11 +101,16 @@ pub(crate) fn outcome(
     curves: &Curves,
     spectra: Vec<Option<Spectra>>,
     words: &SpectraWords,
+    si: Option<Vec<SiUnits>>,
 ) -> Result<Outcome, ModelError> {
     let missing = spectra.iter().filter(|s| s.is_none()).count();
     let spectra: Vec<Spectra> = spectra.into_iter().map(|s| s.unwrap_or(Spectra::MISSING)).collect();
-    let told = |curve: &[Spectra]| ToldSpectra::new(axis, curve).scalars();
-    let scalars = spectra.chunks(axis.values.len()).map(told).collect();
+    let points = axis.values.len();
+    let told = |(curve, spectra): (usize, &[Spectra])| {
+        let units = si.as_ref().and_then(|units| units.get(curve * points..(curve + 1) * points));
+        ToldSpectra::new(axis, spectra, units).scalars()
+    };
+    let scalars = spectra.chunks(points).enumerate().map(told).collect();
     let (dimensions, shape) = curves.dimensions(axis, &[("mode", 4)]);
     let flat = |pick: fn(&Spectra) -> [Complex64; 4]| spectra.iter().flat_map(pick).collect::<Vec<_>>();
     let full = Variable::new("eigenvalues", &dimensions, &shape, flat(|s| s.full))
@@ -111,6 +125,9 @@ pub(crate) fn outcome(
     let mut dataset = Dataset::new().with(axis.coordinate())?;
     if let Some(coordinate) = curves.coordinate() {
         dataset = dataset.with(coordinate)?;
+    }
+    if let Some(units) = si.as_ref().and_then(|units| same(units)) {
+        dataset = units.told_in(dataset)?;
     }
     Ok(Outcome {
         scalars: curves.scalars(scalars),
@@ -128,15 +145,31 @@ pub(crate) struct ToldSpectra {
     eigenvalues: Vec<[Complex64; 4]>,
     conservative_eigenvalues: Vec<[Complex64; 4]>,
     growth_rate: Vec<f64>,
+    /// that in 1/s
+    #[result(optional)]
+    growth_rate_per_s: Option<Vec<f64>>,
+    /// the frequency of the fastest growing mode in Hz
+    #[result(optional)]
+    frequency_hz: Option<Vec<f64>>,
+}
+
+/// The unit of time, where it is the same at all points.
+fn same(units: &[SiUnits]) -> Option<SiUnits> {
+    units.first().copied().filter(|first| units.iter().all(|own| own.second == first.second))
 }
 
 impl ToldSpectra {
-    fn new(axis: &SweptAxis, spectra: &[Spectra]) -> Self {
+    fn new(axis: &SweptAxis, spectra: &[Spectra], units: Option<&[SiUnits]>) -> Self {
+        let per_second = |of: fn(&[Complex64; 4]) -> f64| -> Option<Vec<f64>> {
+            Some(spectra.iter().zip(units?).map(|(own, units)| of(&own.full) / units.second).collect())
+        };
         Self {
             value: axis.values.clone(),
             eigenvalues: spectra.iter().map(|own| own.full).collect(),
             conservative_eigenvalues: spectra.iter().map(|own| own.conservative).collect(),
             growth_rate: spectra.iter().map(|own| growth_rate(&own.full)).collect(),
+            growth_rate_per_s: per_second(growth_rate),
+            frequency_hz: per_second(|own| leading(own).im.abs() / TAU),
         }
     }
 }

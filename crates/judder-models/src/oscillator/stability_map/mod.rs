@@ -5,6 +5,7 @@ pub(crate) mod figure;
 mod knock;
 mod overlays;
 mod run;
+pub(crate) mod tables;
 mod within_law;
 
 pub(crate) use arrays::{MapArrays, MapWords, ONE_WAY, ToldStabilityMap, class_name};

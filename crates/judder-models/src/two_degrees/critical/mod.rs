@@ -1,6 +1,7 @@
 //! `critical`: the values of a parameter at which stability changes.
 
 mod run;
+pub(super) mod tables;
 
 use super::Varying;
 use crate::error::ModelError;

@@ -2,7 +2,7 @@
 
 mod run;
 
-use super::Varying;
+use super::{LABELS, Varying};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
 use crate::oscillator::curves;
@@ -32,8 +32,8 @@ pub(super) const KIND: Kind<ParameterKeys, Arc<dyn Varying>> = Kind {
     declared: || vec![SWEEP.declaration::<ParameterKeys>()],
     read: |keys, section| Ok(Arc::new(ParameterSpectrum { sweep: SWEEP.read_alone(keys, section)? })),
     picture: Some(Picture {
-        draw: |dataset| curves::spectrum(dataset, ""),
-        caption: "Eigenvalues of the matrices, in the units of the case: growth rates and frequencies. Solid: full system. Dashed: without \
+        draw: |dataset| curves::spectrum(dataset, &LABELS),
+        caption: "Eigenvalues of the matrices, growth rates and frequencies, per unit of time of the matrices: in 1/s and rad/s where these are in SI units. Solid: full system. Dashed: without \
         damping, $C$ = 0.",
     }),
 };

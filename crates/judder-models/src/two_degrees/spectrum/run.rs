@@ -15,7 +15,7 @@ const WORDS: SpectraWords = SpectraWords {
 pub(super) fn run(case: &TwoDegreesCase, sweep: &Sweep<ParameterKey>) -> Result<Outcome, ModelError> {
     let axis = axis::of_parameter(sweep);
     let spectra = axis.values.iter().map(|value| Spectra::new(&case.system(&[(sweep, *value)])?)).collect();
-    let mut outcome = outcome(&axis, &Curves::alone(), spectra, &WORDS)?;
+    let mut outcome = outcome(&axis, &Curves::alone(), spectra, &WORDS, None)?;
     if outcome.missing > 0 {
         outcome.warnings.push(format!(
             "no eigenvalues at {} of {} values: the matrices are not finite there, or M is not symmetric and positive definite",

@@ -1,0 +1,182 @@
+//! The tables of motions: energy, multipliers, diagrams, fates.
+
+use crate::swept_tables::{numbers, table, told, word};
+use judder_report::page::PageTable;
+use judder_study::registry::ToldAnalysis;
+use serde_json::Value;
+
+/// The works of a motion, what they are in words.
+const WORKS: [(&str, &str); 7] = [
+    ("substrate", "fed by the sliding track"),
+    ("sliding", "lost in sliding"),
+    ("friction", "work of the friction force"),
+    ("normal", "work of the normal force"),
+    ("damping", "work of the dampers"),
+    ("change", "change of the stored energy"),
+    ("residual", "what is left, over the largest"),
+];
+
+/// What a motion is, where its energy came from and went; of a cycle its multipliers too. `unit` is that of energies.
+pub(crate) fn motion(analysis: ToldAnalysis<'_>, unit: &str) -> Vec<PageTable> {
+    let energy = analysis.results.get("energy").map(|energy| {
+        let rows = WORKS
+            .iter()
+            .map(|(key, words)| vec![(*words).to_owned(), told(energy[*key].as_f64().unwrap_or(f64::NAN))]);
+        table("Energy".to_owned(), &["what", unit], rows.collect())
+    });
+    [quantities(analysis)]
+        .into_iter()
+        .chain(energy)
+        .chain(analysis.results.get("floquet_multipliers").map(multipliers))
+        .collect()
+}
+
+/// What a motion is, its key in groups and in SI, what that is multiplied by, and its unit then.
+const QUANTITIES: [(&str, &str, &str, f64, &str); 6] = [
+    ("rms of x about its mean", "rms", "rms_m", 1e6, "µm"),
+    ("mean of x", "mean", "mean_m", 1e6, "µm"),
+    ("period", "period", "period_s", 1.0, "s"),
+    ("frequency", "", "frequency_hz", 1.0, "Hz"),
+    ("share of the time in stick", "stick_fraction", "", 1.0, ""),
+    ("share of the time off the ground", "lift_off_fraction", "", 1.0, ""),
+];
+
+/// A motion in groups, and in SI where its case is written in SI.
+fn quantities(analysis: ToldAnalysis<'_>) -> PageTable {
+    let number = |key: &str| analysis.results.get(key).and_then(Value::as_f64);
+    let has_si = number("rms_m").is_some();
+    let rows = QUANTITIES.iter().filter(|(_, group, ..)| has_si || !group.is_empty());
+    let rows = rows.map(|(what, group, si, factor, unit)| {
+        let in_si = number(si).map_or_else(String::new, |value| format!("{} {unit}", told(factor * value)));
+        let row = [(*what).to_owned(), number(group).map_or_else(String::new, told)];
+        row.into_iter().chain(has_si.then_some(in_si)).collect()
+    });
+    let head = ["what", "in groups (−)", "in SI"];
+    table("The motion".to_owned(), &head[..if has_si { 3 } else { 2 }], rows.collect())
+}
+
+fn multipliers(multipliers: &Value) -> PageTable {
+    let rows = multipliers.as_array().into_iter().flatten().map(|own| {
+        let parts = numbers(Some(own));
+        let [re, im] = [0, 1].map(|k| parts.get(k).copied().unwrap_or(f64::NAN));
+        [re, im, re.hypot(im)].map(told).to_vec()
+    });
+    table("Floquet multipliers".to_owned(), &["real part", "imaginary part", "magnitude"], rows.collect())
+}
+
+/// What motions become along the swept key, range by range; where steady sliding loses its stability; the branches of cycles.
+pub(crate) fn diagram(analysis: ToldAnalysis<'_>, swept: &str) -> Vec<PageTable> {
+    let list = |key: &str| analysis.results.get(key).and_then(Value::as_array).filter(|own| !own.is_empty());
+    let settled = settled(analysis, swept);
+    let hopf = list("hopf_points").map(|points| {
+        let rows = points.iter().map(|own| {
+            let number = |key: &str| told(own[key].as_f64().unwrap_or(f64::NAN));
+            vec![number("value"), number("frequency"), word(&own["criticality"]).to_owned()]
+        });
+        table(
+            "Where steady sliding loses its stability".to_owned(),
+            &[swept, "frequency over the natural one (−)", "onset"],
+            rows.collect(),
+        )
+    });
+    let branches = list("branches").map(|branches| {
+        let rows = branches.iter().map(branch).collect();
+        let head = ["branch", "from", "to", "largest rms (−)", "folds at", "ends because"];
+        table(format!("Branches of cycles along: {swept}"), &head, rows)
+    });
+    settled.into_iter().chain(hopf).chain(branches).collect()
+}
+
+fn branch(own: &Value) -> Vec<String> {
+    let [values, rms, folds] = ["value", "rms", "folds"].map(|key| numbers(own.get(key)));
+    let end = |of: fn(f64, f64) -> f64| values.iter().copied().fold(f64::NAN, of);
+    let folds: Vec<String> = folds.into_iter().map(told).collect();
+    vec![
+        word(&own["from"]).to_owned(),
+        told(end(f64::min)),
+        told(end(f64::max)),
+        told(rms.into_iter().fold(f64::NAN, f64::max)),
+        if folds.is_empty() { "none".to_owned() } else { folds.join(", ") },
+        word(&own["end"]).to_owned(),
+    ]
+}
+
+/// Neighbouring values of a direction at which motions become the same, with the ranges of rms and period.
+fn settled(analysis: ToldAnalysis<'_>, swept: &str) -> Option<PageTable> {
+    let words = |key: &str| -> Vec<&str> {
+        analysis.results.get(key).and_then(Value::as_array).into_iter().flatten().map(word).collect()
+    };
+    let (direction, becomes) = (words("direction"), words("becomes"));
+    let [values, rms, period] = ["value", "rms", "period"].map(|key| numbers(analysis.results.get(key)));
+    let lengths = [direction.len(), values.len(), rms.len(), period.len()];
+    if lengths.iter().any(|length| *length != becomes.len()) {
+        return None;
+    }
+    let mut rows = Vec::new();
+    let mut first = 0;
+    while first < becomes.len() {
+        let is_same = |k: &usize| (direction[*k], becomes[*k]) == (direction[first], becomes[first]);
+        let last = (first..becomes.len()).take_while(is_same).last().unwrap_or(first);
+        rows.push(vec![
+            direction[first].to_owned(),
+            told(values[first]),
+            told(values[last]),
+            becomes[first].to_owned(),
+            span(&rms[first..=last]),
+            span(&period[first..=last]),
+        ]);
+        first = last + 1;
+    }
+    let head = ["direction", "from", "to", "motions become", "rms (−)", "period (−)"];
+    (!rows.is_empty()).then(|| table(format!("What motions become along: {swept}"), &head, rows))
+}
+
+/// The least and the largest of numbers, a dash where there are none.
+fn span(values: &[f64]) -> String {
+    let finite = || values.iter().copied().filter(|value| value.is_finite());
+    let (least, most) = (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
+    match (least.is_finite(), told(least) == told(most)) {
+        (false, _) => told(f64::NAN),
+        (true, true) => told(least),
+        (true, false) => format!("{} … {}", told(least), told(most)),
+    }
+}
+
+/// What becomes of the starts.
+pub(crate) fn fates(analysis: ToldAnalysis<'_>) -> Vec<PageTable> {
+    let samples = analysis.results.get("samples").and_then(Value::as_f64).unwrap_or(f64::NAN);
+    let fates = analysis.results.get("fates").and_then(Value::as_object);
+    let of = |fates: &serde_json::Map<String, Value>| {
+        let rows = fates.iter().map(|(fate, count)| {
+            let share = 100.0 * count.as_f64().unwrap_or(f64::NAN) / samples;
+            vec![fate.replace('_', " "), count.to_string(), told(share)]
+        });
+        table("What becomes of the starts".to_owned(), &["fate", "starts", "share (%)"], rows.collect())
+    };
+    fates.map(of).into_iter().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn a_diagram_is_told_by_its_ranges() {
+        let results = json!({
+            "direction": ["forward", "forward", "forward", "backward"],
+            "value": [1.0, 2.0, 3.0, 3.0],
+            "becomes": ["steady sliding", "cycle", "cycle", "cycle"],
+            "rms": [0.0, 0.5, 0.7, 0.7],
+            "period": [null, 6.0, 6.0, 6.0],
+        });
+        let asked = Value::Null;
+        let told = ToldAnalysis { asked: &asked, results: results.as_object().unwrap() };
+        let tables = diagram(told, "key");
+        let rows = &tables[0].rows;
+        assert_eq!(rows.len(), 3);
+        assert_eq!(rows[0], ["forward", "1", "1", "steady sliding", "0", "–"]);
+        assert_eq!(rows[1], ["forward", "2", "3", "cycle", "0.5 … 0.7", "6"]);
+        assert_eq!(tables.len(), 1);
+    }
+}

@@ -85,10 +85,13 @@ pub fn text<'a>(variable: &'a Variable, attribute: &str) -> Option<&'a str> {
     variable.attributes.get(attribute)?.as_str()
 }
 
-/// The axis of a swept quantity.
+/// The axis of a swept quantity; values that a logarithm does not have, of a range below zero, stand on a linear one.
 pub fn axis(coordinate: &Variable) -> Axis {
     let label = text(coordinate, "label").unwrap_or(&coordinate.long_name);
-    if text(coordinate, "scale") == Some("log") { Axis::log(label) } else { Axis::linear(label) }
+    let has_logarithms =
+        !matches!(&coordinate.data, VariableValues::F64(values) if values.iter().any(|value| *value <= 0.0));
+    let is_log = text(coordinate, "scale") == Some("log") && has_logarithms;
+    if is_log { Axis::log(label) } else { Axis::linear(label) }
 }
 
 /// The coordinate along the last named dimension that has one, and that of the family before it.
@@ -135,5 +138,21 @@ impl<'a> SweptCoordinates<'a> {
             Some(_) => Role::Graded { index: curve, count: self.curves() },
             None => Role::FullBoundary,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use judder_report::Scale;
+
+    #[test]
+    fn values_below_zero_stand_on_a_linear_axis() {
+        let scale = |values: [f64; 2]| {
+            let coordinate = Variable::new("value", &["value"], &[2], values.to_vec());
+            axis(&coordinate.attribute("scale", "log")).scale
+        };
+        assert!(matches!(scale([-1.2e-4, -8e-5]), Scale::Linear));
+        assert!(matches!(scale([8e-5, 1.2e-4]), Scale::Log));
     }
 }

@@ -202,6 +202,8 @@ fn cycles_that_cannot_be() {
             squeal("cures = [\"contact.sole.friction_coefficient\", \"contact.sole.friction_coefficient\"]"),
             "`contact.sole.friction_coefficient` is named twice among the cures",
         ),
+        (squeal("cures = [\"contact.sole.friction\"]"), "is no number that the case gives"),
+        (squeal("cures = [\"structure.block.block.cells.0\"]"), "named among the cures, has no derivative"),
         (squeal("cures = \"all\""), "`cures` is a string, but must be true, or a list of dotted paths"),
     ] {
         let message = parse("case.toml", &keys, &[]).expect_err("it is refused").to_string();

@@ -2,10 +2,12 @@
 
 use super::settings::AskedCures;
 use crate::assembly::AssemblySubject;
+use crate::assembly::case::AssemblyCase;
 use crate::assembly::eigen::band;
 use crate::assembly::swept::{SWEPT, SweptAssembly};
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
+use judder_keys::dimension::Dimension;
 use judder_keys::quantity::WrittenUnit;
 use judder_store::Results;
 use judder_study::Progress;
@@ -99,10 +101,7 @@ pub(super) fn cures(
     let sought = |path: &String| -> Result<Option<(ToldCure, KeySweep)>, ModelError> {
         progress.go_on()?;
         let Some((value, dimension)) = of.case.number(path) else { return Ok(None) };
-        let ends = [1.0 - STEP, 1.0 + STEP].map(|factor| factor * value);
-        let unit = of.case.unit(path).unwrap_or_else(|| WrittenUnit::si(dimension));
-        let (path, values, scale) = (path.clone(), ends.to_vec(), Spacing::Linear);
-        let sweep = KeySweep { path, values, dimension, scale, unit };
+        let sweep = around(of.case, path, (value, dimension));
         let found = match value == 0.0 {
             true => ToldCure::none(&sweep, value, "it is zero, of which there is no relative change"),
             false => cure(of, &sweep, value, mode),
@@ -113,8 +112,12 @@ pub(super) fn cures(
     let found: Vec<Result<Option<(ToldCure, KeySweep)>, ModelError>> = paths.par_iter().map(sought).collect();
     let mut found: Vec<(ToldCure, KeySweep)> =
         found.into_iter().filter_map(Result::transpose).collect::<Result<_, _>>()?;
-    let size = |own: &ToldCure| own.change.map_or(f64::INFINITY, f64::abs);
-    found.sort_by(|(a, _), (b, _)| size(a).total_cmp(&size(b)));
+    // those whose first order says little come last, since the first is tried
+    let place = |own: &ToldCure| (own.smooth != Some(true), own.change.map_or(f64::INFINITY, f64::abs));
+    found.sort_by(|(a, _), (b, _)| {
+        let ((a_is_rough, a), (b_is_rough, b)) = (place(a), place(b));
+        a_is_rough.cmp(&b_is_rough).then(a.total_cmp(&b))
+    });
     let check = found.first().and_then(|(best, sweep)| checked(of, best, sweep, mode));
     Ok(ToldCures {
         frequency_hz: Some(mode.im / TAU),
@@ -123,6 +126,13 @@ pub(super) fn cures(
         keys: found.into_iter().map(|(own, _)| own).collect(),
         check,
     })
+}
+
+/// The values on both sides of a number of the case between which its derivative is taken.
+pub(super) fn around(case: &AssemblyCase, path: &str, (value, dimension): (f64, Dimension)) -> KeySweep {
+    let values = [1.0 - STEP, 1.0 + STEP].map(|factor| factor * value).to_vec();
+    let unit = case.unit(path).unwrap_or_else(|| WrittenUnit::si(dimension));
+    KeySweep { path: path.to_owned(), values, dimension, scale: Spacing::Linear, unit }
 }
 
 /// How dampings, moduli and stiffnesses are called.

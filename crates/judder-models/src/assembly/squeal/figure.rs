@@ -41,7 +41,7 @@ pub(super) fn squeal(dataset: &Dataset) -> Option<Vec<Panel>> {
         panel(
             Axis::linear("Margin, of the value at the onset (1)"),
             [of_modes?, margins],
-            "how far before their onset a knock suffices",
+            "how far before their onset cycles exist already",
         ),
         knocks(dataset),
     ];

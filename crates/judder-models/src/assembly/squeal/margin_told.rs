@@ -135,18 +135,19 @@ impl MarginOfOnset {
             None => is_whole.then_some(KnownMargin { value: 0.0, error: 0.0 }),
         };
         let sign = if onset.gains { 1.0 } else { -1.0 };
-        let is_stable_side = sign * (own - onset.value) > 0.0;
-        let reached = reach.fold.map(|[fold, _]| fold).or(reach.reaches);
-        let is_reached = reached.is_some_and(|value| sign * (value - own) > 0.0);
-        // cycles of branches that do not begin at the onset are not sought
-        let is_known = own.is_finite() && (is_reached || !is_stable_side);
-        Self {
-            onset: *onset,
-            mode,
-            reach,
-            margin,
-            is_within: is_known.then_some(is_stable_side && is_reached),
-        }
+        let beyond_onset = sign * (own - onset.value);
+        let is_reached = match (reach.fold, reach.reaches) {
+            (Some([fold, error]), _) => sign * (fold - own) > error,
+            (None, Some(value)) => sign * (value - own) > 0.0,
+            (None, None) => false,
+        };
+        let is_within = match is_reached {
+            _ if beyond_onset < -onset.error => Some(false),
+            true if beyond_onset > onset.error => Some(true),
+            // within what onset and fold may be off; and cycles of branches that do not begin at the onset are not sought
+            _ => None,
+        };
+        Self { onset: *onset, mode, reach, margin, is_within }
     }
 
     /// What is told of it where the margin is not known, or not how far it is off.
@@ -179,9 +180,9 @@ pub(super) struct ToldMargins {
     shown_unit: String,
     /// its value in the case; none where it gives none
     own: Option<f64>,
-    /// the largest margin that is known
+    /// the largest margin of which it is known what it may be off
     largest: Option<f64>,
-    /// onsets whose margin is not known
+    /// onsets whose margin is not known, or not what it may be off
     unknown: usize,
     /// whether a knock may suffice with the case as it is: a mode that does not grow has cycles there, or knocks keep vibrating where nothing grows; none where neither is known
     knock: Option<bool>,
@@ -212,7 +213,7 @@ struct MarginOfMode {
     fold_error: Option<f64>,
     /// the value farthest on that side at which a cycle is known
     reaches: Option<f64>,
-    /// how far the fold lies from the onset, of the onset: so far before it a knock suffices
+    /// how far the fold lies from the onset, of the onset: so far before it cycles exist already
     margin: Option<f64>,
     /// what it may be off; none where that is not known
     margin_error: Option<f64>,
@@ -248,7 +249,7 @@ impl SoughtMargins {
 impl ToldMargins {
     pub(super) fn new(asked: &AssemblySqueal, sweep: &KeySweep, found: &SoughtMargins) -> Self {
         let margins: Vec<Option<KnownMargin>> = found.onsets.iter().map(|own| own.margin).collect();
-        let known = || margins.iter().flatten().map(|own| own.value);
+        let known = || margins.iter().flatten().filter(|own| !own.error.is_nan()).map(|own| own.value);
         let told = found.onsets.iter().map(|own| {
             let place = own.margin.map(|margin| margin.place(&margins));
             MarginOfMode {
@@ -322,6 +323,36 @@ impl ToldMargins {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use judder_structure::onset::OnsetKind;
+
+    /// Whether a mode that grows below 1 ± 0.01 and has cycles up to 1.5 ± `error` has cycles at a value at which it does not grow.
+    fn knock(own: f64, error: f64) -> Option<bool> {
+        let onset = Onset {
+            value: 1.0,
+            error: 0.01,
+            frequency_hz: 100.0,
+            kind: OnsetKind::Flutter,
+            gains: true,
+            jumps: false,
+            crossing: None,
+        };
+        let reach = CycleReach {
+            fold: Some([1.5, error]),
+            reaches: Some(1.49),
+            end: MarginEnd::Growing,
+            residuals: Vec::new(),
+            shrunk: None,
+        };
+        MarginOfOnset::new(&onset, None, reach, own).is_within
+    }
+
+    #[test]
+    fn a_knock_is_told_beyond_what_onset_and_fold_may_be_off_alone() {
+        let told = [0.98, 0.995, 1.005, 1.02, 1.47, 1.49, 1.6, f64::NAN].map(|own| knock(own, 0.02));
+        let yes = Some(true);
+        assert_eq!(told, [Some(false), None, None, yes, yes, None, None, None]);
+        assert_eq!(knock(1.2, f64::NAN), None);
+    }
 
     #[test]
     fn margins_that_their_errors_do_not_part_share_a_place() {

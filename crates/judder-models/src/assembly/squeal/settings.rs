@@ -1,5 +1,6 @@
 //! `squeal`: which modes, how their cycles are computed, what is asked of them besides.
 
+use super::cures::around;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::eigen::BAND;
@@ -282,9 +283,29 @@ impl AssemblySqueal {
                 let reason = format!("`{path}` is named twice among the cures: name it once");
                 Err(AssemblyProblem::Refused { reason }.at(node.place))
             }
-            false => given(case, path, node),
+            false => has_derivative(case, path, node),
         }))
         .map(drop)
+    }
+}
+
+/// Refuses a cure that is no number of the case, or one that changes in steps.
+fn has_derivative(case: &AssemblyCase, path: &str, node: &Node) -> Result<(), Fault> {
+    let is_of = SWEPT.names.iter().any(|section| path.split('.').next() == Some(section));
+    let refused = |reason: String| Err(AssemblyProblem::Refused { reason }.at(node.place));
+    let Some((value, dimension)) = case.number(path).filter(|_| is_of) else {
+        return refused(format!(
+            "`{path}`, named among the cures, is no number that the case gives: `cures` takes numbers of the case by their dotted paths, such as `{}`",
+            SWEPT.example
+        ));
+    };
+    let sweep = around(case, path, (value, dimension));
+    let changed = sweep.values.iter().try_for_each(|near| case.at(&[(&sweep, *near)]).map(drop));
+    match changed {
+        Err(problem) if value != 0.0 => {
+            refused(format!("`{path}`, named among the cures, has no derivative: {problem}"))
+        }
+        _ => Ok(()),
     }
 }
 

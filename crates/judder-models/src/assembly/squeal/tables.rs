@@ -96,7 +96,7 @@ fn margins(results: &Map<String, Value>) -> Option<PageTable> {
     ];
     let rows: Vec<Vec<String>> = onsets.iter().map(row).collect();
     let head = heads.map(String::from).to_vec();
-    let caption = format!("How far before its onset a knock suffices, along {along}");
+    let caption = format!("How far before its onset cycles of it exist already, along {along}");
     (!rows.is_empty()).then_some(PageTable { caption, head, rows })
 }
 
@@ -149,7 +149,7 @@ fn cures(results: &Map<String, Value>) -> Option<PageTable> {
         [vec![words(&own["key"]), value, words(&own[SHOWN_UNIT]), change], rest.to_vec()].concat()
     };
     let heads =
-        ["number", "value", "unit", "change that suffices", "growth rate by relative change (1/s)", ""];
+        ["number", "value", "unit", "change at first order", "growth rate by relative change (1/s)", ""];
     let caption = format!(
         "What would keep the {} from growing, at first order{}",
         mode_at(cures["frequency_hz"].as_f64().unwrap_or(f64::NAN)),

@@ -75,7 +75,7 @@ pub(super) struct SquealingMode {
     place_by_level: Option<f64>,
     /// its place from the fastest growing on
     rank_by_growth: i64,
-    /// how far before the onset of the mode a knock suffices, of the value of the key there
+    /// how far before the onset of the mode cycles of it exist already, of the value of the key there
     #[result(unit = "1")]
     margin: Option<f64>,
     /// its place from the largest margin on, one more than those that are larger whatever they may be off; none where it is not known what it may be off itself

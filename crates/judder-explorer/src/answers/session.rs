@@ -49,15 +49,14 @@ pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
     }))
 }
 
-/// The keys of these sections that take one of a few words, with what the case says.
+/// The keys of these sections that take one of a few words, with what the case says; one that it leaves out comes with others and is not chosen alone.
 fn choices(model: &str, sections: &[&str], resolved: &Value) -> Vec<Value> {
     let choice = |own: Listed| {
         let (section, key) = own.path.split_once('.')?;
         let words = own.words();
+        let value = word(&resolved[section][key], &words)?;
         sections.contains(&section).then(|| {
-            json!({
-                "path": own.path, "section": section, "doc": own.key.doc, "value": word(&resolved[section][key], &words), "words": words,
-            })
+            json!({ "path": own.path, "section": section, "doc": own.key.doc, "value": value, "words": words })
         })
     };
     worded(model).into_iter().filter_map(choice).collect()

@@ -206,7 +206,7 @@ fn friction_of_a_belt_that_cannot_be() {
     refused(
         &belt(&format!("{table}\n[[analysis]]\nkind = \"bifurcation\"\n{sweep}")),
         "`friction.at_rest` has no meaning with a table of friction",
-        "\"friction.at_rest\"",
+        "friction.at_rest",
         "leave `friction.at_rest` out",
     );
 }

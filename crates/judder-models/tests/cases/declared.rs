@@ -112,7 +112,7 @@ fn the_schema_asks_for_one_start_of_a_motion() {
     let schema = schema();
     for (model, coordinates) in [
         ("the oscillator of the oscillator paper", &["x", "y", "velocity_x", "velocity_y"][..]),
-        ("one mass on a moving belt, friction that falls with speed", &["x", "velocity_x"]),
+        ("one mass on a moving belt, friction against the speed of sliding", &["x", "velocity_x"]),
     ] {
         let motion = "the history of one motion: stick, slip, lift-off, its averages, its energy";
         let start = &table_of(table_of(&schema, model), motion)["properties"]["start"];

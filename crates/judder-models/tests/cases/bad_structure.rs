@@ -252,7 +252,7 @@ fn a_region_without_width() {
         &analysis("kind = \"eigen\""),
         "an analysis of kind `eigen` lacks the key `region`",
         "[[analysis]]",
-        "give region = { re = [-50.0, 1000.0], im = [0.0, 20000.0] }, in 1/s and rad/s",
+        "give region = { frequency = [\"0 Hz\", \"8 kHz\"], damping_ratio = [-0.1, 0.1] }, or { re = […], im = […] } in 1/s and rad/s",
     );
 }
 

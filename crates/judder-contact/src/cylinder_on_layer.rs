@@ -241,7 +241,7 @@ mod tests {
             let layer = BondedLayer::new(300.0, nu).unwrap();
             let contact = CylinderOnLayer::of_half_width(&layer, 0.1).unwrap();
             let near = |found: f64, expected: f64| {
-                assert!((found / expected - 1.0).abs() < 1e-6, "{found} {expected}")
+                assert!((found / expected - 1.0).abs() < 1e-6, "{found} {expected}");
             };
             near(contact.force, PI * 0.01 / 4.0);
             near(contact.peak_pressure, 0.05);

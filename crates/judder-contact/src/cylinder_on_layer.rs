@@ -144,8 +144,10 @@ impl<'a> CylinderBasis<'a> {
     /// `None` where the contact is too wide for it.
     fn new(layer: &'a BondedLayer, half_width: f64) -> Option<Self> {
         let wide = half_width / layer.thickness();
-        let count = POLYNOMIALS + (POLYNOMIALS_A_THICKNESS * wide) as usize;
-        (wide > 0.0 && wide <= WIDEST).then_some(Self { layer, half_width, count })
+        (wide > 0.0 && wide <= WIDEST).then(|| {
+            let count = POLYNOMIALS + (POLYNOMIALS_A_THICKNESS * wide) as usize;
+            Self { layer, half_width, count }
+        })
     }
 
     /// b_n and δ of the cylinder.

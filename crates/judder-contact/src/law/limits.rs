@@ -109,7 +109,7 @@ impl LawIndenter {
     /// field is the same under any smooth part of the displacement, and the friction of slow sliding falls by (π/2) K T/F (s − 2 m/s) v̂.
     ///
     /// # Errors
-    /// A sphere at ŷ that is not between 0 and 1: the half-space knows no such contact; [`CylinderError`](crate::cylinder_on_layer::CylinderError).
+    /// A sphere at ŷ that is not between 0 and 1: the half-space knows no such contact; [`CylinderError`].
     pub fn elastic(self, indentation: f64) -> Result<ElasticContact, LawError> {
         match self {
             Self::Paraboloid => Ok(ElasticContact {

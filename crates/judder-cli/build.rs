@@ -24,7 +24,6 @@ fn main() {
 /// The commit that whoever builds names, in the environment or, in a source distribution, in a file.
 fn given() -> Option<String> {
     println!("cargo::rerun-if-env-changed=JUDDER_COMMIT");
-    println!("cargo::rerun-if-changed=commit.txt");
     let named = env::var("JUDDER_COMMIT").ok().or_else(|| std::fs::read_to_string("commit.txt").ok());
     named.map(|commit| shortened(&commit)).filter(|commit| !commit.is_empty())
 }

@@ -9,14 +9,15 @@ from typing import Any, ClassVar
 
 
 class Shown:
-    """A dataclass that shows its fields in a line, and in a notebook in a table."""
+    """A dataclass that shows its fields, but those that are not for reading, in a line, and in a notebook in a table."""
 
     __dataclass_fields__: ClassVar[dict[str, Any]]
 
     def _told(self) -> Iterator[tuple[str, str]]:
         """The names of the fields, and what is shown of each."""
         for field in fields(self):
-            yield field.name, told(getattr(self, field.name))
+            if field.repr:
+                yield field.name, told(getattr(self, field.name))
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(f'{name}={own}' for name, own in self._told())})"

@@ -6,7 +6,7 @@ Everything is dimensionless as in the oscillator paper: speeds v τ/R, loads F/(
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, TypeAlias, Unpack
 
 from judder import _judder
@@ -83,7 +83,7 @@ class StabilityMap(Shown):
     """What verdicts and growth rates took, without the way there and back."""
     warnings: tuple[str, ...]
     """What makes the law doubtful, a sentence each."""
-    case: str
+    case: str = field(repr=False)
     """The case of all other keys and of the law, JSON."""
 
     @property

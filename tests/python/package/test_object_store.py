@@ -74,7 +74,7 @@ def test_opening_fetches_no_values(fetched, local):
     assert [path for path, _, _ in fetched] == ["summary.json"]
     data = study["grid"]
     values = [one for one in fetched if one[0].startswith("results.zarr/grid/values/c")]
-    assert values == [] and data.growth_rate.dims == ("operation.velocity", "contact.shear_strength")
+    assert values == [] and data.growth_rate.dims == ("velocity", "shear_strength")
     # what is fetched beside metadata are coordinates: names, units, swept values
     chunks = {path for path, _, _ in fetched if "/c/" in path}
     assert all(path.split("/")[2].startswith("quantity") or path.split("/")[2] in data.coords for path in chunks)

@@ -116,7 +116,7 @@ def test_workers_that_do_not_share_the_folder_send_their_chunks(quick, maps, clu
 
 def test_a_worker_that_sees_no_mark_sends_its_chunks(quick, tmp_path):
     sweep = judder.sweep.plan(quick[0])._compiled
-    package = judder._cluster.package.Package.of(sweep)
+    package = judder._cluster.package.Package.of(sweep.package)
 
     def job(mark):
         return Job("quick_map", sweep.hash, (0, 5), str(tmp_path / "study"), mark, 1)
@@ -206,8 +206,8 @@ def test_a_poisoned_point_is_recorded_and_the_study_goes_on(quick, poison, clust
     there = data.growth_rate.notnull()
     assert int((~there).sum()) == 1 and not bool(there[7, 11])
     assert bool((data.growth_rate == reference.growth_rate).where(there, True).all())
-    assert failed["operation.velocity"][0] == data["operation.velocity"][7]
-    assert failed["contact.shear_strength"][0] == data["contact.shear_strength"][11]
+    assert failed["operation.velocity"][0] == data["velocity"][7]
+    assert failed["contact.shear_strength"][0] == data["shear_strength"][11]
     assert not study.complete
 
 

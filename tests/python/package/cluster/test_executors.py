@@ -193,7 +193,7 @@ class Stumbling:
 def test_a_file_system_that_fails_is_tried_again_a_while_later(quick, tmp_path, failures, monkeypatch):
     monkeypatch.setattr("judder._cluster.dispatch._PAUSE", 0.05)
     sweep = judder.sweep.plan(quick[0])._compiled
-    stumbling = Stumbling(Package.of(sweep), 6, failures)
+    stumbling = Stumbling(Package.of(sweep.package), 6, failures)
     held = sweep.hold(str(tmp_path / "study"))
     run = Dispatch(sweep, lambda: stumbling, tmp_path / "study", retries=2, shares=True, chunks_per_task=4, threads=1, progress=None).run
     if failures > 2:
@@ -234,7 +234,7 @@ class Fatal:
 
 def test_a_point_that_ends_whole_workers_is_found_by_halves(quick, tmp_path):
     sweep = judder.sweep.plan(quick[0])._compiled
-    fatal = Fatal(Package.of(sweep), 3, 21)
+    fatal = Fatal(Package.of(sweep.package), 3, 21)
     manner = {"retries": 1, "shares": True, "chunks_per_task": 8, "threads": 1, "progress": None}
     with pytest.warns(judder.JudderWarning, match="point 21 of chunk 3 ended its worker 2 times"):
         held = sweep.hold(str(tmp_path / "study"))
@@ -245,7 +245,7 @@ def test_a_point_that_ends_whole_workers_is_found_by_halves(quick, tmp_path):
     study = judder.sweep.plan(quick[0]).merge(tmp_path / "study")
     own = files(study.folder / "results.zarr" / "quick_map")
     assert {name for name in own if own[name] != quick[1][name]} == {"values/c.3.0.0"}
-    assert study.failed_points("quick_map")["contact.shear_strength"].tolist() == [float(study["quick_map"]["contact.shear_strength"][21])]
+    assert study.failed_points("quick_map")["contact.shear_strength"].tolist() == [float(study["quick_map"]["shear_strength"][21])]
 
 
 def test_nobody_forgets_a_folder_while_it_is_worked_on(maps, tmp_path):

@@ -103,13 +103,13 @@ def test_a_sweep_is_a_dataset(quick, maps, tmp_path):
     study = judder.load_study(quick[0].parent / "serial")
     data = study["quick_map"]
     assert isinstance(data, xarray.Dataset) and set(data.data_vars) == {"growth_rate", "verdict"}
-    assert dict(data.sizes) == {"operation.velocity": 61, "contact.shear_strength": 32}
-    assert np.allclose(data["operation.velocity"], np.logspace(-6, 0, 61))
+    assert dict(data.sizes) == {"velocity": 61, "shear_strength": 32}
+    assert np.allclose(data["velocity"], np.logspace(-6, 0, 61))
     assert data.growth_rate.attrs["long_name"] and "units" in data.growth_rate.attrs
     codes, meanings = data.verdict.attrs["flag_values"], data.verdict.attrs["flag_meanings"].split()
     assert len(codes) == len(meanings) and "unstable" in meanings
     # the same numbers as the package gives directly
-    point = judder.oscillator.point(velocity=float(data["operation.velocity"][30]), normal_load=1e-4, shear_strength=float(data["contact.shear_strength"][20]))
+    point = judder.oscillator.point(velocity=float(data["velocity"][30]), normal_load=1e-4, shear_strength=float(data["shear_strength"][20]))
     assert float(data.growth_rate[30, 20]) == point.growth_rate
     assert meanings[codes.index(int(data.verdict[30, 20]))] == point.verdict
     assert len(study.failed_points("quick_map")) == 0

@@ -43,6 +43,7 @@ FILES: Final[dict[str, dict[str, tuple[str, ...]]]] = {
         "structure.mesh": (),
     },
     "sliding": {
+        "contact.friction_coefficient.file": ("at_rest", "at_speed", "coefficient", "decay_speed", "exponent", "interpolation", "velocity", "viscous"),
         "structure.*.matrices.damping.*.file": ("factor", "triangle"),
         "structure.*.matrices.freedoms": (),
         "structure.*.matrices.mass.*.file": ("factor", "triangle"),
@@ -59,6 +60,7 @@ FILES: Final[dict[str, dict[str, tuple[str, ...]]]] = {
         "analysis.*.start.study": (),
         "analysis.*.temperature.file": ("temperatures", "times"),
         "contact.*.asperity.law.file": ("accuracy", "computed"),
+        "contact.*.friction_coefficient.file": ("at_rest", "at_speed", "coefficient", "decay_speed", "exponent", "interpolation", "velocity", "viscous"),
         "structure.*.matrices.damping.*.file": ("factor", "triangle"),
         "structure.*.matrices.freedoms": (),
         "structure.*.matrices.mass.*.file": ("factor", "triangle"),

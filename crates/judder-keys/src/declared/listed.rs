@@ -16,10 +16,25 @@ pub fn listed(prefix: &str, keys: &[Declaration]) -> Vec<Listed> {
     let of_key = |key: &Declaration| {
         let path = format!("{prefix}{}", key.name);
         let of_each = if matches!(key.form, Allowed::List { .. } | Allowed::Named(_)) { "*." } else { "" };
-        let below = listed(&format!("{path}.{of_each}"), key.form.keys());
-        [vec![Listed { path, key: key.clone() }], below].concat()
+        let mut all = vec![Listed { path: path.clone(), key: key.clone() }];
+        // of several tables that a key may be, the keys of each; one that more than one has is one
+        for form in alternatives(&key.form) {
+            let below = listed(&format!("{path}.{of_each}"), form.keys());
+            let is_new = |own: &Listed| !all.iter().any(|there| there.path == own.path);
+            let new: Vec<Listed> = below.into_iter().filter(is_new).collect();
+            all.extend(new);
+        }
+        all
     };
     keys.iter().flat_map(of_key).collect()
+}
+
+/// What a key may be, each alone.
+fn alternatives(form: &Allowed) -> &[Allowed] {
+    match form {
+        Allowed::Either(forms) => forms,
+        form => std::slice::from_ref(form),
+    }
 }
 
 impl Listed {
@@ -30,11 +45,7 @@ impl Listed {
 
     /// The words that it may be, among other things.
     pub fn words(&self) -> Vec<&'static str> {
-        let forms = match &self.key.form {
-            Allowed::Either(forms) => forms.as_slice(),
-            form => std::slice::from_ref(form),
-        };
-        let words = forms.iter().map(|form| match form {
+        let words = alternatives(&self.key.form).iter().map(|form| match form {
             Allowed::Choice { words } => *words,
             _ => &[],
         });

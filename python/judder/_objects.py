@@ -202,7 +202,9 @@ class _Walk:
         else:
             return None
         unit = "velocity" if self._model == "belt" else "velocity [m/s]"
-        return self.of_table({unit: speeds, "coefficient": coefficients}, at)
+        table = self.of_table({unit: speeds, "coefficient": coefficients}, at)
+        # its slope, which decides whether sliding is steady, is nearer to that of the function than those of straight lines
+        return {**table, "interpolation": "monotone"} if callable(value) else table
 
     def _items(self, value: Any, at: KeyPath) -> Any:
         """A list, whose items may be tables; anything else as it is."""

@@ -118,8 +118,8 @@ def test_a_sweep_is_a_dataset(quick, maps, tmp_path):
     assert values.shape == (32, 2) and np.array_equal(values[:, 0], data.growth_rate[30])
 
     samples = judder.load_study(maps[0].parent / "serial")["maps"]
-    assert dict(samples.sizes) == {"sample": 89} and set(samples.coords) == {"oscillator.damping_x", "oscillator.damping_y"}
-    assert set(samples.data_vars) == {"map.unstable_fraction", "growth_rate"}
+    assert dict(samples.sizes) == {"sample": 89} and set(samples.coords) == {"damping_x", "damping_y"}
+    assert set(samples.data_vars) == {"map_unstable_fraction", "growth_rate"}
     with pytest.raises(KeyError, match="no sweep `maps`"):
         study.failed_points("maps")
 

@@ -43,7 +43,8 @@ def compiled():
     paths = (re.sub(r"\\(.)", r"\1", path) for path in re.findall(r"(?:\\.|\S)+", rule))
     # every crate lies in `crates`; a file outside of it is named by the way from the file that takes it in
     own = (posixpath.normpath("crates/" + path.split("/crates/", 1)[1]) for path in paths if "/crates/judder-" in path)
-    for name in sorted(set(own)):
+    # the commit that a program names is asked of the repository, which a source distribution leaves behind
+    for name in sorted(name for name in set(own) if not name.startswith(".git/")):
         below = (ROOT / name).rglob("*") if (ROOT / name).is_dir() else [ROOT / name]
         yield from (path.relative_to(ROOT).as_posix() for path in below if path.is_file() or not path.exists())
 

@@ -112,7 +112,7 @@ pub fn shoot(
     };
     let (mut x, direction, swing) = beginning(balance, near)?;
     let mut period = TAU / omega;
-    let matrix = monodromy(balance, near, settings.steps, go_on)?;
+    let matrix = monodromy(balance, near, settings.steps, go_on)?.matrix;
     let mut left = f64::INFINITY;
     for iteration in 0..=settings.iterations {
         let (end, statistics) = around.from(&freedoms(&x), period)?;

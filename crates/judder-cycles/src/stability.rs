@@ -10,6 +10,7 @@
 
 mod change;
 mod hill;
+mod mean_law;
 mod turn;
 
 use crate::CyclesError;
@@ -25,6 +26,7 @@ use judder_dense::product::product;
 use judder_nonsmooth::contact_problem::PointMotion;
 use std::f64::consts::TAU;
 
+use mean_law::MeanLaws;
 use turn::SlipTurns;
 
 pub use change::{CircleCrossing, StabilityChange, stability_changes};
@@ -64,8 +66,9 @@ const MOST: usize = 400;
 pub const FLOQUET_STEPS: [usize; 2] = [256, 4096];
 /// How many times the harmonics of a motion its multipliers are looked at with besides.
 pub const FLOQUET_WIDER: usize = 4;
-/// A change from half as many steps that is small enough.
+/// A change from half as many steps that is small enough, and one where no point sticks or turns, whose error falls fast.
 const ENOUGH: f64 = 1e-3;
+const ENOUGH_SLIDING: f64 = 1e-7;
 
 impl FloquetMultipliers {
     /// The largest modulus but that of the phase.
@@ -131,9 +134,12 @@ pub fn floquet_multipliers(
         return Ok(Err(CycleStability::Impacts));
     }
     let [first, most] = FLOQUET_STEPS;
-    let mut found = with_steps(balance, cycle, first, go_on)?;
+    let mut coarse = monodromy(balance, cycle, first, go_on)?;
+    let mut found = multipliers_of(balance, cycle, &coarse.matrix, first)?;
     loop {
-        let mut finer = with_steps(balance, cycle, 2 * found.steps, go_on)?;
+        let steps = 2 * found.steps;
+        let fine = monodromy(balance, cycle, steps, go_on)?;
+        let mut finer = multipliers_of(balance, cycle, &fine.beyond(&coarse), steps)?;
         let of_steps = (finer.largest() - found.largest()).abs();
         let of_steps = match (finer.phase, found.phase) {
             (Some(finer), Some(found)) => of_steps.max((finer - found).norm()),
@@ -142,14 +148,19 @@ pub fn floquet_multipliers(
         // that of the phase tells what the harmonics leave out too
         finer.error = finer.phase.map_or(of_steps, |phase| of_steps.max((phase - 1.0).norm()));
         found = finer;
-        if of_steps < ENOUGH || found.steps >= most {
+        if of_steps < if fine.slides { ENOUGH_SLIDING } else { ENOUGH } || steps >= most {
             break;
         }
+        coarse = fine;
     }
     // so do those of the motion under the forces that the laws make of it: a stick or a turn that harmonics alone show may change all of them
     let (wide, unknown) = balance.with_left_out(&cycle.unknown, cycle.turning, FLOQUET_WIDER)?;
     let beside = PeriodicMotion { unknown, ..cycle.clone() };
-    let other = with_steps(&wide, &beside, found.steps, go_on)?;
+    let mut other = monodromy(&wide, &beside, found.steps, go_on)?;
+    if other.slides {
+        other.matrix = other.beyond(&monodromy(&wide, &beside, found.steps / 2, go_on)?);
+    }
+    let other = multipliers_of(&wide, &beside, &other.matrix, found.steps)?;
     found.error = found.error.max(apart(&found.values, &other.values));
     Ok(Ok(found))
 }
@@ -175,15 +186,15 @@ fn has_impacts(balance: &HarmonicBalance<'_>, cycle: &PeriodicMotion) -> Result<
         .any(|point| ![0, balance.series().samples()].contains(&open(point))))
 }
 
-fn with_steps(
+/// The multipliers of what so many steps make of a period.
+fn multipliers_of(
     balance: &HarmonicBalance<'_>,
     cycle: &PeriodicMotion,
+    matrix: &Mat<f64>,
     steps: usize,
-    go_on: &GoOn<'_>,
 ) -> Result<FloquetMultipliers, CyclesError> {
-    let matrix = monodromy(balance, cycle, steps, go_on)?;
     let PickedEigenvalues { mut values, right, .. } =
-        real_eigen(&matrix, &|_| true).ok_or(CyclesError::Singular)?;
+        real_eigen(matrix, &|_| true).ok_or(CyclesError::Singular)?;
     let phase = match balance.is_driven() {
         true => None,
         false => {
@@ -219,13 +230,31 @@ pub(crate) fn beginning(
     Ok((place, direction, swing))
 }
 
-/// What a period makes of displacements and velocities of the coordinates, in this order.
+/// What the steps of a period make of displacements and velocities of the coordinates, in this order.
+pub(crate) struct Monodromy {
+    pub(crate) matrix: Mat<f64>,
+    /// Whether no point sticks or turns, so that its error falls with the square of the step.
+    slides: bool,
+}
+
+impl Monodromy {
+    /// The matrix without what is known of its error from that of half as many steps (L. F. Richardson): where both are of second order.
+    fn beyond(&self, coarse: &Self) -> Mat<f64> {
+        let more = if self.slides && coarse.slides { 1.0 / 3.0 } else { 0.0 };
+        Mat::from_fn(self.matrix.nrows(), self.matrix.ncols(), |i, j| {
+            let own = self.matrix[(i, j)];
+            own + more * (own - coarse.matrix[(i, j)])
+        })
+    }
+}
+
+/// What a period makes of small motions in so many steps.
 pub(crate) fn monodromy(
     balance: &HarmonicBalance<'_>,
     cycle: &PeriodicMotion,
     steps: usize,
     go_on: &GoOn<'_>,
-) -> Result<Mat<f64>, CyclesError> {
+) -> Result<Monodromy, CyclesError> {
     let size = balance.bodies().coordinates();
     let step = TAU / cycle.turning.frequency / steps as f64;
     let bodies = balance.bodies().step(step)?;
@@ -240,12 +269,16 @@ pub(crate) fn monodromy(
     let mut v = Mat::from_fn(size, 2 * size, |row, column| omega * unit(row + size, column));
     let compliance = product(bodies.rows.as_ref(), bodies.pushes.as_ref());
     let turns = SlipTurns::of(balance, (&series, &signals), &projected, step);
+    let means = MeanLaws::of(balance, (&series, &signals), &projected);
     for which in 0..steps {
         if !go_on() {
             return Err(CyclesError::Stopped);
         }
         let own = (0..balance.contact().points.len())
-            .map(|point| *projected.at(2 * turns.law_of(point, which) + 1, point))
+            .map(|point| match &means {
+                Some(means) => means.over(point, which),
+                None => *projected.at(2 * turns.law_of(point, which) + 1, point),
+            })
             .collect();
         let at = PointsAt { balance, bodies: &bodies, compliance: &compliance, projected: own, step };
         let next = at.advanced(&x, &v)?;
@@ -255,10 +288,11 @@ pub(crate) fn monodromy(
             bodies.carries(component, x.col_as_slice(column))
         });
     }
-    Ok(Mat::from_fn(2 * size, 2 * size, |row, column| match row < size {
+    let matrix = Mat::from_fn(2 * size, 2 * size, |row, column| match row < size {
         true => x[(row, column)],
         false => v[(row - size, column)] / omega,
-    }))
+    });
+    Ok(Monodromy { matrix, slides: means.is_some() })
 }
 
 /// The points amid a step.

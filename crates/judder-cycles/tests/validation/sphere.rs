@@ -11,7 +11,7 @@ use judder_assembly::steady::{SteadySliding, steady_sliding};
 use judder_contact::{FittedLaw, Law};
 use judder_cycles::cycle::{AssemblyCycle, CycleSettings, HarmonicCount, limit_cycles};
 use judder_cycles::shooting::{ShootingSettings, shoot};
-use judder_cycles::stability::{HILL_ROWS, HillMultipliers, hill_multipliers};
+use judder_cycles::stability::{HILL_ROWS, HillMultipliers, floquet_multipliers, hill_multipliers};
 use judder_oscillator::critical::{ParameterRange, RangeScale, thresholds};
 use judder_oscillator::cycle::{BranchPoint, Continuation, global_margin};
 use judder_oscillator::motion::{ContactState, SlidingSystem, StickSlip};
@@ -181,6 +181,25 @@ fn a_sphere_that_lifts_off_has_nearly_the_multipliers_of_the_oscillator_by_hills
         let off = off_engine(&hill, &lifts.cycle.multipliers);
         assert!(off < enough && off < 1.5 * hill.error, "{samples}: {off:e} {hill:?}");
     }
+}
+
+/// Steps, parted where it lifts off and comes back, and their error of second order taken off: what is left is that of the cycle.
+#[test]
+fn a_sphere_that_lifts_off_has_the_multipliers_of_the_oscillator_by_steps() {
+    let operation = Operation::at(1e-6, 1e-2);
+    let lifts = lifting(&operation);
+    let case = carried(operation.oscillator(lifts.parameter).coefficients());
+    let mode = slowest(&case);
+    let off = [7, 10, 20].map(|harmonics| {
+        let cycle = with(&case, &mode, harmonics, 16384 / harmonics);
+        let found = floquet_multipliers(&cycle.balance, &cycle.motion, &|| true).unwrap().unwrap();
+        let all: Vec<c64> = found.phase.iter().chain(&found.values).copied().collect();
+        let off = off_nearest(&lifts.cycle.multipliers, &all);
+        println!("{harmonics}: {off:.1e} in {} steps, told {:.1e}", found.steps, found.error);
+        assert!(off < 1.5 * found.error + 1e-9, "{harmonics}: {off:e} {found:?}");
+        off
+    });
+    assert!(off[2] < 1e-6, "{off:?}");
 }
 
 /// Where it lifts off its normal force goes with y^{3/2} and its friction with its area, with y: friction has a kink. Its harmonics fall as h⁻², those of what

@@ -160,8 +160,13 @@ pub fn floquet_multipliers(
     if other.slides {
         other.matrix = other.beyond(&monodromy(&wide, &beside, found.steps / 2, go_on)?);
     }
+    let slides = other.slides;
     let other = multipliers_of(&wide, &beside, &other.matrix, found.steps)?;
     found.error = found.error.max(apart(&found.values, &other.values));
+    // what slides on is closer to that motion than to the one of the harmonics alone, by as much as these leave out
+    if slides {
+        (found.values, found.phase) = (other.values, other.phase);
+    }
     Ok(Ok(found))
 }
 

@@ -5,32 +5,29 @@
 //! make of all displacements and velocities is the monodromy matrix; its eigenvalues are the multipliers. Of motions that nothing drives one of them is 1, the cycle a little earlier or later: that whose vector lies along
 //! the velocity of the cycle.
 //!
+//! Where points yield, slide, lift off and come back, steps are parted at each touch, and their error of second order is taken off: [`floquet_multipliers`].
+//!
 //! What an impact of a rigid point does to small motions depends on the instant at which it touches, which the steps do not follow: such cycles are told as
 //! unknown.
 
 mod change;
+mod doubled;
 mod hill;
 mod mean_law;
+mod monodromy;
 mod turn;
 
 use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
 use crate::balance::HarmonicBalance;
 use crate::path::GoOn;
-use crate::point_law::ProjectedForce;
-use crate::receptance::BodyStep;
-use crate::series::Series;
-use faer::{Mat, c64};
-use judder_dense::general::{PickedEigenvalues, real_eigen, solve};
-use judder_dense::product::product;
+use doubled::DoubledSteps;
+use faer::c64;
 use judder_nonsmooth::contact_problem::PointMotion;
-use std::f64::consts::TAU;
-
-use mean_law::MeanLaws;
-use turn::SlipTurns;
 
 pub use change::{CircleCrossing, StabilityChange, stability_changes};
 pub use hill::{HILL_ROWS, HillMultipliers, HillRefusal, hill_multipliers};
+pub(crate) use monodromy::monodromy;
 
 /// The multipliers of a cycle.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,9 +63,11 @@ const MOST: usize = 400;
 pub const FLOQUET_STEPS: [usize; 2] = [256, 4096];
 /// How many times the harmonics of a motion its multipliers are looked at with besides.
 pub const FLOQUET_WIDER: usize = 4;
-/// A change from half as many steps that is small enough, and one where no point sticks or turns, whose error falls fast.
+/// A change from half as many steps that is small enough.
 const ENOUGH: f64 = 1e-3;
-const ENOUGH_SLIDING: f64 = 1e-7;
+/// One where no point sticks or turns, of what the harmonics leave out, and by itself.
+const OF_LEFT_OUT: f64 = 0.1;
+const ENOUGH_SLIDING: f64 = 1e-8;
 
 impl FloquetMultipliers {
     /// The largest modulus but that of the phase.
@@ -133,40 +132,34 @@ pub fn floquet_multipliers(
     if has_impacts(balance, cycle)? {
         return Ok(Err(CycleStability::Impacts));
     }
-    let [first, most] = FLOQUET_STEPS;
-    let mut coarse = monodromy(balance, cycle, first, go_on)?;
-    let mut found = multipliers_of(balance, cycle, &coarse.matrix, first)?;
-    loop {
-        let steps = 2 * found.steps;
-        let fine = monodromy(balance, cycle, steps, go_on)?;
-        let mut finer = multipliers_of(balance, cycle, &fine.beyond(&coarse), steps)?;
-        let of_steps = (finer.largest() - found.largest()).abs();
-        let of_steps = match (finer.phase, found.phase) {
-            (Some(finer), Some(found)) => of_steps.max((finer - found).norm()),
-            _ => of_steps,
-        };
-        // that of the phase tells what the harmonics leave out too
-        finer.error = finer.phase.map_or(of_steps, |phase| of_steps.max((phase - 1.0).norm()));
-        found = finer;
-        if of_steps < if fine.slides { ENOUGH_SLIDING } else { ENOUGH } || steps >= most {
-            break;
-        }
-        coarse = fine;
+    let mut own = DoubledSteps::new(balance, cycle, FLOQUET_STEPS[0], go_on)?;
+    own.double(go_on)?;
+    while !own.is_known_to(ENOUGH) {
+        own.double(go_on)?;
     }
-    // so do those of the motion under the forces that the laws make of it: a stick or a turn that harmonics alone show may change all of them
+    // a stick or a turn that harmonics alone show, not the forces that the laws make of the motion, may change all of them
     let (wide, unknown) = balance.with_left_out(&cycle.unknown, cycle.turning, FLOQUET_WIDER)?;
     let beside = PeriodicMotion { unknown, ..cycle.clone() };
-    let mut other = monodromy(&wide, &beside, found.steps, go_on)?;
-    if other.slides {
-        other.matrix = other.beyond(&monodromy(&wide, &beside, found.steps / 2, go_on)?);
+    let steps = own.found.steps;
+    // twice halved steps tell the error of what is made of each two, where they are enough for the harmonics
+    let serves = |own_steps: &usize| own.slides() && *own_steps > wide.series().harmonics();
+    let first = [steps / 4, steps / 2].into_iter().find(serves).unwrap_or(steps);
+    let mut other = DoubledSteps::new(&wide, &beside, first, go_on)?;
+    while other.found.steps < steps {
+        other.double(go_on)?;
     }
-    let slides = other.slides;
-    let other = multipliers_of(&wide, &beside, &other.matrix, found.steps)?;
-    found.error = found.error.max(apart(&found.values, &other.values));
-    // what slides on is closer to that motion than to the one of the harmonics alone, by as much as these leave out
-    if slides {
-        (found.values, found.phase) = (other.values, other.phase);
+    // with as many steps both have the same error of them
+    let left_out = apart(&own.found.values, &other.found.values);
+    let of_phases = own.found.phase.zip(other.found.phase).map_or(0.0, |(own, other)| (own - other).norm());
+    let enough = (OF_LEFT_OUT * left_out.max(of_phases)).max(ENOUGH_SLIDING);
+    let slide = own.slides() && other.slides();
+    while slide && !other.is_known_to(enough) {
+        other.double(go_on)?;
     }
+    // what slides on is closer to the motion under the forces of the laws, by as much as the harmonics alone leave out
+    let mut found = if slide { other.found } else { own.found };
+    let of_phase = found.phase.map_or(0.0, |phase| (phase - 1.0).norm());
+    found.error = found.error.max(left_out).max(of_phase);
     Ok(Ok(found))
 }
 
@@ -191,30 +184,6 @@ fn has_impacts(balance: &HarmonicBalance<'_>, cycle: &PeriodicMotion) -> Result<
         .any(|point| ![0, balance.series().samples()].contains(&open(point))))
 }
 
-/// The multipliers of what so many steps make of a period.
-fn multipliers_of(
-    balance: &HarmonicBalance<'_>,
-    cycle: &PeriodicMotion,
-    matrix: &Mat<f64>,
-    steps: usize,
-) -> Result<FloquetMultipliers, CyclesError> {
-    let PickedEigenvalues { mut values, right, .. } =
-        real_eigen(matrix, &|_| true).ok_or(CyclesError::Singular)?;
-    let phase = match balance.is_driven() {
-        true => None,
-        false => {
-            let (_, direction, _) = beginning(balance, cycle)?;
-            let along = |k: usize| -> f64 {
-                direction.iter().enumerate().map(|(row, own)| right[(row, k)] * *own).sum::<c64>().norm()
-            };
-            let most = (0..values.len()).max_by(|a, b| along(*a).total_cmp(&along(*b)));
-            most.map(|k| values.remove(k))
-        }
-    };
-    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(a.im.total_cmp(&b.im)));
-    Ok(FloquetMultipliers { values, phase, steps, error: f64::INFINITY })
-}
-
 /// The state where a cycle begins, its direction there, of length one, and how far it swings; velocities are measured by ω.
 pub(crate) fn beginning(
     balance: &HarmonicBalance<'_>,
@@ -233,159 +202,6 @@ pub(crate) fn beginning(
     let size = direction.iter().map(|own| own * own).sum::<f64>().sqrt();
     direction.iter_mut().for_each(|own| *own /= size);
     Ok((place, direction, swing))
-}
-
-/// What the steps of a period make of displacements and velocities of the coordinates, in this order.
-pub(crate) struct Monodromy {
-    pub(crate) matrix: Mat<f64>,
-    /// Whether no point sticks or turns, so that its error falls with the square of the step.
-    slides: bool,
-}
-
-impl Monodromy {
-    /// The matrix without what is known of its error from that of half as many steps (L. F. Richardson): where both are of second order.
-    fn beyond(&self, coarse: &Self) -> Mat<f64> {
-        let more = if self.slides && coarse.slides { 1.0 / 3.0 } else { 0.0 };
-        Mat::from_fn(self.matrix.nrows(), self.matrix.ncols(), |i, j| {
-            let own = self.matrix[(i, j)];
-            own + more * (own - coarse.matrix[(i, j)])
-        })
-    }
-}
-
-/// What a period makes of small motions in so many steps.
-pub(crate) fn monodromy(
-    balance: &HarmonicBalance<'_>,
-    cycle: &PeriodicMotion,
-    steps: usize,
-    go_on: &GoOn<'_>,
-) -> Result<Monodromy, CyclesError> {
-    let size = balance.bodies().coordinates();
-    let step = TAU / cycle.turning.frequency / steps as f64;
-    let bodies = balance.bodies().step(step)?;
-    // the laws amid the steps
-    let series = Series::new(balance.series().harmonics(), 2 * steps);
-    let signals = balance.signals_at(&cycle.unknown, cycle.turning)?;
-    let projected = balance.projected(&series, &signals);
-    // velocities are measured by the frequency, so that the matrix is of the order of one
-    let unit = |row: usize, column: usize| f64::from(u8::from(row == column));
-    let omega = cycle.turning.frequency;
-    let mut x = Mat::from_fn(size, 2 * size, unit);
-    let mut v = Mat::from_fn(size, 2 * size, |row, column| omega * unit(row + size, column));
-    let compliance = product(bodies.rows.as_ref(), bodies.pushes.as_ref());
-    let turns = SlipTurns::of(balance, (&series, &signals), &projected, step);
-    let means = MeanLaws::of(balance, (&series, &signals), &projected);
-    for which in 0..steps {
-        if !go_on() {
-            return Err(CyclesError::Stopped);
-        }
-        let own = (0..balance.contact().points.len())
-            .map(|point| match &means {
-                Some(means) => means.over(point, which),
-                None => *projected.at(2 * turns.law_of(point, which) + 1, point),
-            })
-            .collect();
-        let at = PointsAt { balance, bodies: &bodies, compliance: &compliance, projected: own, step };
-        let next = at.advanced(&x, &v)?;
-        x = Mat::from_fn(size, 2 * size, |k, j| x[(k, j)] + 0.5 * step * (v[(k, j)] + next[(k, j)]));
-        v = next;
-        turns.take(balance, which, &mut v, |component, column| {
-            bodies.carries(component, x.col_as_slice(column))
-        });
-    }
-    let matrix = Mat::from_fn(2 * size, 2 * size, |row, column| match row < size {
-        true => x[(row, column)],
-        false => v[(row - size, column)] / omega,
-    });
-    Ok(Monodromy { matrix, slides: means.is_some() })
-}
-
-/// The points amid a step.
-struct PointsAt<'s, 'b, 'a> {
-    balance: &'b HarmonicBalance<'a>,
-    bodies: &'s BodyStep,
-    /// P A⁻¹ h Pᵀ.
-    compliance: &'s Mat<f64>,
-    projected: Vec<ProjectedForce>,
-    step: f64,
-}
-
-impl PointsAt<'_, '_, '_> {
-    /// δv⁺.
-    fn advanced(&self, x: &Mat<f64>, v: &Mat<f64>) -> Result<Mat<f64>, CyclesError> {
-        let free = self.bodies.free(x, v);
-        let rows = self.bodies.rows.as_ref();
-        let [place, before, after] = [x, v, &free].map(|own| product(rows, own.as_ref()));
-        // y of the step without contact forces, and what these add
-        let carried = self.carried(x, v, &free);
-        let moved = Mat::from_fn(place.nrows(), place.ncols(), |component, column| {
-            let [of_place, of_before, of_after] = self.shares(component);
-            let own = of_place * place[(component, column)]
-                + of_before * before[(component, column)]
-                + of_after * after[(component, column)];
-            own - carried.as_ref().map_or(0.0, |carried| carried[(component, column)])
-        });
-        let matrix =
-            self.law(|component, other| self.shares(component)[2] * self.compliance[(component, other)]);
-        let mut forces = Mat::from_fn(moved.nrows(), moved.ncols(), |component, column| {
-            self.by_motion(component, |other| moved[(other, column)])
-        });
-        solve(matrix, &mut forces).ok_or(CyclesError::Singular)?;
-        Ok(free + product(self.bodies.pushes.as_ref(), forces.as_ref()))
-    }
-
-    fn dimension(&self) -> usize {
-        self.balance.contact().dimension
-    }
-
-    /// Shares of place, of velocities before and after the step in the y that the law takes: amid the step where it is smooth, at its end where it holds a point.
-    fn shares(&self, component: usize) -> [f64; 3] {
-        let (point, own) = (component / self.dimension(), component % self.dimension());
-        let state = self.projected[point].state;
-        let is_rigid = !self.balance.contact().is_compliant(point);
-        match (own, state) {
-            (0, PointMotion::Stick | PointMotion::Slip) if is_rigid => [1.0, 0.0, self.step],
-            (0, _) => [1.0, 0.25 * self.step, 0.25 * self.step],
-            (_, PointMotion::Stick) => [0.0, 0.0, 1.0],
-            _ => [0.0, 0.5, 0.5],
-        }
-    }
-
-    /// What the passing material brings amid the step, where there is any.
-    fn carried(&self, x: &Mat<f64>, v: &Mat<f64>, free: &Mat<f64>) -> Option<Mat<f64>> {
-        if self.bodies.convected.is_empty() {
-            return None;
-        }
-        let mut all = Mat::zeros(self.bodies.rows.nrows(), x.ncols());
-        for (component, row) in &self.bodies.convected {
-            for column in 0..x.ncols() {
-                let middle =
-                    |k: usize| x[(k, column)] + 0.25 * self.step * (v[(k, column)] + free[(k, column)]);
-                all[(*component, column)] = row.iter().enumerate().map(|(k, share)| share * middle(k)).sum();
-            }
-        }
-        Some(all)
-    }
-
-    /// Σ ∂π/∂y y of a component.
-    fn by_motion(&self, component: usize, motion: impl Fn(usize) -> f64) -> f64 {
-        let (dimension, own) = (self.dimension(), component % self.dimension());
-        let first = component - own;
-        let slopes = &self.projected[component / dimension].by_motion[own];
-        (0..dimension).map(|k| slopes[k] * motion(first + k)).sum()
-    }
-
-    /// 1 − ∂π/∂λ − ∂π/∂y (∂y/∂λ).
-    fn law(&self, moved: impl Fn(usize, usize) -> f64) -> Mat<f64> {
-        let dimension = self.dimension();
-        let size = self.compliance.nrows();
-        Mat::from_fn(size, size, |i, j| {
-            let (point, own) = (i / dimension, i % dimension);
-            let by_force =
-                if j / dimension == point { self.projected[point].by_force[own][j % dimension] } else { 0.0 };
-            f64::from(u8::from(i == j)) - by_force - self.by_motion(i, |k| moved(k, j))
-        })
-    }
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! The mean slopes of the laws over a step, where no point sticks.
 //!
-//! Small motions follow the mean of the slopes over a step to second order, whatever jumps amid it; those of its middle are off by first order where a point
-//! lifts off or comes back. So the instant at which the gap changes its sign is found, and the step is parted there. From a touch on slopes may grow as a
-//! root of the time, so that instants crowd there.
+//! Small motions follow the mean of the slopes over a step to second order. Where these jump amid it, as a point lifts off or comes back, the error is another at
+//! each place of the jump in its step, and does not fall evenly: so the instant at which the gap changes its sign is found, and the step is parted there. From a
+//! touch on slopes may grow as a root of the time, so that instants crowd there.
 
 use crate::balance::{HarmonicBalance, PointSignals, ProjectedForces};
 use crate::point_law::{COMPONENTS, ProjectedForce, projected};
@@ -13,14 +13,23 @@ use std::f64::consts::TAU;
 /// Gauss points on [0, 1] and their weights.
 const GAUSS: [(f64, f64); 3] =
     [(0.112_701_665_379_258_31, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
+/// Instants from the beginning of a step on, halves of it, and their weights.
+const SIMPSON: [(usize, f64); 3] = [(0, 1.0 / 6.0), (1, 2.0 / 3.0), (2, 1.0 / 6.0)];
 /// Halves of a step after which the instant of a touch is known as well as rounding lets it.
 const HALVES: usize = 50;
+
+/// Steps beside a touch within which instants of their own are taken.
+const NEAR: f64 = 8.0;
 
 /// The laws along a motion that has no stick.
 pub(super) struct MeanLaws<'s, 'b, 'a> {
     balance: &'b HarmonicBalance<'a>,
     signals: &'s PointSignals,
+    /// At both ends of each step and amid it.
+    laws: &'s ProjectedForces,
     steps: usize,
+    /// Where each point lifts off or comes back, in steps.
+    touches: Vec<Vec<f64>>,
 }
 
 impl<'s, 'b, 'a> MeanLaws<'s, 'b, 'a> {
@@ -29,7 +38,7 @@ impl<'s, 'b, 'a> MeanLaws<'s, 'b, 'a> {
     pub(super) fn of(
         balance: &'b HarmonicBalance<'a>,
         (series, signals): (&Series, &'s PointSignals),
-        laws: &ProjectedForces,
+        laws: &'s ProjectedForces,
     ) -> Option<Self> {
         let contact = balance.contact();
         let is_smooth = |point: usize| {
@@ -41,8 +50,14 @@ impl<'s, 'b, 'a> MeanLaws<'s, 'b, 'a> {
                 && all.iter().all(|own| own.state != PointMotion::Stick)
                 && (low == 0.0 || high == 0.0)
         };
-        let all = contact.dimension == 2 && (0..contact.points.len()).all(is_smooth);
-        all.then(|| Self { balance, signals, steps: series.samples() / 2 })
+        if contact.dimension != 2 || !(0..contact.points.len()).all(is_smooth) {
+            return None;
+        }
+        let mut own = Self { balance, signals, laws, steps: series.samples() / 2, touches: Vec::new() };
+        own.touches = (0..contact.points.len())
+            .map(|point| (0..own.steps).filter_map(|step| own.touch(point, step)).collect())
+            .collect();
+        Some(own)
     }
 
     /// The motion or the force of a component at an instant, in steps.
@@ -73,36 +88,62 @@ impl<'s, 'b, 'a> MeanLaws<'s, 'b, 'a> {
         projected(&self.balance.contact().points[point], self.balance.scales()[point], of(false), of(true))
     }
 
-    /// Where amid a step the gap changes its sign, where it does.
+    /// Where amid a step a point lifts off or comes back, where it does.
     fn touch(&self, point: usize, step: usize) -> Option<f64> {
-        let [mut from, mut to] = [step as f64, (step + 1) as f64];
-        let is_open = self.gap(point, from) >= 0.0;
-        if is_open == (self.gap(point, to) >= 0.0) {
+        let is_open =
+            |instant: usize| self.laws.at(instant % (2 * self.steps), point).state == PointMotion::Open;
+        if is_open(2 * step) == is_open(2 * step + 2) {
             return None;
         }
+        let [mut from, mut to] = [step as f64, (step + 1) as f64];
         for _ in 0..HALVES {
             let middle = 0.5 * (from + to);
-            if (self.gap(point, middle) >= 0.0) == is_open { from = middle } else { to = middle }
+            if (self.gap(point, middle) >= 0.0) == is_open(2 * step) { from = middle } else { to = middle }
         }
         Some(0.5 * (from + to))
     }
 
-    /// The mean of the law of a point over a step.
-    pub(super) fn over(&self, point: usize, step: usize) -> ProjectedForce {
+    /// The parts of a step between which no point lifts off or comes back, in steps.
+    pub(super) fn parts(&self, step: usize) -> Vec<[f64; 2]> {
         let [from, to] = [step as f64, (step + 1) as f64];
+        let amid = |own: &&f64| (from..to).contains(*own);
+        let mut cuts: Vec<f64> = self.touches.iter().flatten().filter(amid).copied().collect();
+        cuts.extend([from, to]);
+        cuts.sort_by(f64::total_cmp);
+        cuts.windows(2).filter(|own| own[1] > own[0]).map(|own| [own[0], own[1]]).collect()
+    }
+
+    /// The mean of the law of a point over a step or a part of it.
+    pub(super) fn over(&self, point: usize, [from, to]: [f64; 2]) -> ProjectedForce {
+        let steps = self.steps as f64;
+        let away = |touch: f64| {
+            let off = (0.5 * (from + to) - touch).abs();
+            off.min(steps - off)
+        };
         let mut mean = ProjectedForce { state: PointMotion::Open, ..ProjectedForce::default() };
-        match self.touch(point, step) {
-            None => {
+        let nearest = self.touches[point].iter().copied().min_by(|a, b| away(*a).total_cmp(&away(*b)));
+        let is_whole = to - from == 1.0;
+        match nearest {
+            Some(touch) if touch == from || touch == to => {
+                let other = from + to - touch;
                 for (node, weight) in GAUSS {
-                    add(&mut mean, &self.law(point, from + node), weight);
+                    add(
+                        &mut mean,
+                        &self.law(point, touch + (other - touch) * node * node),
+                        2.0 * node * weight,
+                    );
                 }
             }
-            Some(touch) => {
-                for end in [from, to] {
-                    for (node, weight) in GAUSS {
-                        let own = self.law(point, touch + (end - touch) * node * node);
-                        add(&mut mean, &own, 2.0 * node * weight * (end - touch).abs());
-                    }
+            Some(touch) if !is_whole || away(touch) < NEAR => {
+                for (node, weight) in GAUSS {
+                    add(&mut mean, &self.law(point, from + (to - from) * node), weight);
+                }
+            }
+            None if !is_whole => add(&mut mean, &self.law(point, 0.5 * (from + to)), 1.0),
+            _ => {
+                for (instant, weight) in SIMPSON {
+                    let own = self.laws.at((2 * from as usize + instant) % (2 * self.steps), point);
+                    add(&mut mean, own, weight);
                 }
             }
         }

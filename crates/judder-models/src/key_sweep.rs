@@ -276,7 +276,7 @@ impl Origin {
 }
 
 /// The unit in which a number of this dimension is written.
-fn unit_of(node: Option<&Node>, dimension: Dimension) -> WrittenUnit {
+pub(crate) fn unit_of(node: Option<&Node>, dimension: Dimension) -> WrittenUnit {
     let written = node.and_then(|node| match &node.data {
         Data::Text(text) => WrittenUnit::of(text),
         _ => None,

@@ -11,6 +11,20 @@ use std::ops::RangeInclusive;
 /// The share of the height and of the length of a box that chamfers leave at least, so that rounding leaves no flat elements.
 pub const LEFT: f64 = 1e-6;
 
+/// What an element has at least that is no sliver: at one end of the Jacobian at its other end, along the face of the length in an even grid.
+pub const SLIVER: f64 = 1.0 / 30.0;
+
+/// Which elements of a chamfered box would be slivers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ChamferSlivers {
+    /// Those at the end of a chamfer, which is nearly as deep as the box is high.
+    Deep(BoxSide),
+    /// Those along a chamfer, which is short for its cells.
+    Short(BoxSide),
+    /// Those that the chamfers leave of the face.
+    Between,
+}
+
 /// A side of a box, by the axis across it and the end of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "keys", derive(judder_keys::Choice), choice(what = "side of a block"))]
@@ -147,7 +161,29 @@ impl ChamferedFace {
         })
     }
 
-    /// Whether it leaves a box of this size and with these cells elements that are not folded.
+    /// Which elements of a box of this size and with these cells would be slivers, and what is left of them, less than [`SLIVER`]: of the
+    /// outermost along a chamfer of the depth d and with c cells the Jacobian (H − d)/(H − d + d/c), of the others the length of an even grid.
+    #[must_use]
+    pub fn slivers(&self, size: [f64; 3], cells: [usize; 3]) -> Option<(ChamferSlivers, f64)> {
+        let (height, width) = (size[self.face.axis()], size[self.along]);
+        let even = width / cells[self.along] as f64;
+        let cuts = || {
+            self.cuts.into_iter().zip(BoxSide::BY_AXIS[self.along]).filter_map(|(cut, end)| Some((cut?, end)))
+        };
+        let ends = cuts().flat_map(|(own, end)| {
+            let (left, cells) = (height - own.depth, own.cells as f64);
+            [
+                (ChamferSlivers::Deep(end), left / (left + own.depth / cells)),
+                (ChamferSlivers::Short(end), own.length / cells / even),
+            ]
+        });
+        let taken: usize = cuts().map(|(own, _)| own.cells).sum();
+        let left = width - cuts().map(|(own, _)| own.length).sum::<f64>();
+        let between = left / cells[self.along].saturating_sub(taken) as f64 / even;
+        ends.chain([(ChamferSlivers::Between, between)]).find(|(_, left)| *left < SLIVER)
+    }
+
+    /// Whether it leaves a box of this size and with these cells elements that are neither folded nor slivers.
     pub(crate) fn check(
         &self,
         dimension: usize,
@@ -173,9 +209,12 @@ impl ChamferedFace {
         if cuts().map(|own| own.length).sum::<f64>() > (1.0 - LEFT) * size[along] {
             return Err(StructureError::NoChamfer { what: "it must leave some of the length of the face" });
         }
-        match cuts().fold(0, |sum: usize, own| sum.saturating_add(own.cells)) >= cells[along] {
-            true => Err(StructureError::NoChamfer { what: "it must leave a cell of the face" }),
-            false => Ok(()),
+        if cuts().fold(0, |sum: usize, own| sum.saturating_add(own.cells)) >= cells[along] {
+            return Err(StructureError::NoChamfer { what: "it must leave a cell of the face" });
+        }
+        match self.slivers(size, cells) {
+            Some(_) => Err(StructureError::NoChamfer { what: "some of its elements would be slivers" }),
+            None => Ok(()),
         }
     }
 }

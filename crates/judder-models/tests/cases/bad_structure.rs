@@ -6,7 +6,7 @@ use super::{help_of, refused};
 const MATERIAL: &str =
     "material = { youngs_modulus = \"1 GPa\", poisson_ratio = 0.3, density = \"1000 kg/m^3\" }";
 
-fn body(lines: &str) -> String {
+pub(super) fn body(lines: &str) -> String {
     format!("model = \"structure\"\n[structure]\n{lines}\n{MATERIAL}\n")
 }
 
@@ -375,89 +375,4 @@ fn a_parameter_that_no_factor_contains() {
         MATRICES.replace("speed = 2", "speed = 2\nload = 1").replace("parameters.speed", "parameters.load");
     let error = with_files(&FILES, &text, &[]).unwrap_err();
     assert_eq!(error.to_string(), "no factor and no entry of a matrix contains the parameter `load`");
-}
-
-/// A block of 50 × 12 × 20 mm, or of 50 × 12 mm, with a chamfer.
-fn chamfered(dimension: usize, chamfer: &str) -> String {
-    let [size, cells] = match dimension {
-        2 => ["\"50 mm\", \"12 mm\"", "12, 4"],
-        _ => ["\"50 mm\", \"12 mm\", \"20 mm\"", "12, 4, 5"],
-    };
-    body(&format!("block = {{ size = [{size}], cells = [{cells}], chamfer = {chamfer} }}"))
-}
-
-#[test]
-fn chamfers_of_sides_that_are_not_there() {
-    let cut = "{ length = \"5 mm\", depth = \"2 mm\", cells = 2 }";
-    refused(
-        &chamfered(2, &format!("{{ face = \"z-min\", x-min = {cut} }}")),
-        "a block of the plane has no side z-min",
-        "\"z-min\"",
-        "its sides are x-min, x-max, y-min, y-max",
-    );
-    refused(
-        &chamfered(2, "{ face = \"y-min\" }"),
-        "nothing is cut off the face y-min",
-        "{ face = \"y-min\" }",
-        "give a chamfer where it ends, at x-min, x-max, as in x-min = { length = \"5 mm\", depth = \"2 mm\", cells = 2 }",
-    );
-    refused(
-        &chamfered(3, &format!("{{ face = \"y-min\", y-max = {cut} }}")),
-        "the face y-min does not end at y-max",
-        cut,
-        "it ends at x-min, x-max, z-min, z-max",
-    );
-    refused(
-        &chamfered(3, &format!("{{ face = \"y-min\", x-max = {cut}, z-min = {cut} }}")),
-        "the face y-min is cut at x-max and at z-min: chamfers that meet in a corner have no grid",
-        cut,
-        "cut it at x-min, x-max or at z-min, z-max; a mesh file may have any shape",
-    );
-    refused(
-        &chamfered(2, &format!("{{ face = \"y-mid\", x-min = {cut} }}")),
-        "unknown side of a block `y-mid`",
-        "y-mid",
-        "did you mean `y-min`? known: x-min, x-max, y-min, y-max, z-min, z-max",
-    );
-}
-
-#[test]
-fn chamfers_that_would_fold_elements() {
-    let cut = |length: &str, depth: &str, cells: &str| {
-        format!("{{ length = {length}, depth = {depth}, cells = {cells} }}")
-    };
-    let at_both = |first: &str, second: &str| {
-        chamfered(2, &format!("{{ face = \"y-min\", x-min = {first}, x-max = {second} }}"))
-    };
-    let usual = cut("\"5 mm\"", "\"2 mm\"", "2");
-    refused(
-        &at_both(&usual, &cut("\"5 mm\"", "\"12 mm\"", "2")),
-        "the chamfer at x-max is 0.012 m deep, and the block 0.012 m high across y-min: it would fold elements",
-        "\"12 mm\"",
-        "give a depth below 0.012 m",
-    );
-    refused(
-        &at_both(&usual, &cut("\"45 mm\"", "\"2 mm\"", "2")),
-        "0.05 m of the face y-min are cut off, and it is 0.05 m long: the chamfers would fold elements",
-        "\"45 mm\"",
-        "give lengths that are below 0.05 m together",
-    );
-    refused(
-        &at_both(&usual, &cut("\"5 mm\"", "\"2 mm\"", "10")),
-        "chamfers take 12 cells of the face y-min, which has 12 that way: none is left between them",
-        "10",
-        "give chamfers at most 11 cells together, or the block more",
-    );
-    refused(
-        &at_both(&cut("\"0 mm\"", "\"2 mm\"", "2"), &usual),
-        "`structure.block.chamfer.x-min.length` must be positive, but is 0.0",
-        "\"0 mm\"",
-        "",
-    );
-    refused(
-        &chamfered(2, "{ face = \"y-min\", x-min = { length = \"5 mm\", depth = \"2 mm\" } }"),
-        "`structure.block.chamfer.x-min` lacks the key `cells`",
-        "{ length = \"5 mm\", depth = \"2 mm\" }",
-        "give cells = 2",
-    );
 }

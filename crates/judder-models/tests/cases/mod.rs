@@ -4,6 +4,7 @@ mod any_text;
 mod bad_analysis;
 mod bad_assembly;
 mod bad_assembly_motion;
+mod bad_chamfer;
 mod bad_contact;
 mod bad_contacts;
 mod bad_family;

@@ -178,6 +178,8 @@ fn chamfers_that_would_fold_elements_are_refused() {
         (BoxSide::YMin, 1, [cut(1.0, 0.5, 1), None], "lies in it"),
         (BoxSide::YMin, 2, [cut(1.0, 0.5, 1), None], "lies in it"),
         (BoxSide::ZMin, 0, [cut(1.0, 0.5, 1), None], "lies in it"),
+        (BoxSide::YMin, 0, [cut(1.0, 1.99, 1), None], "slivers"),
+        (BoxSide::YMin, 0, [cut(1e-3, 0.5, 1), None], "slivers"),
     ] {
         assert!(refused(face, along, cuts).contains(what), "{cuts:?}");
     }

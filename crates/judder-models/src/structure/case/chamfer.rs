@@ -1,12 +1,18 @@
 //! `chamfer` of a block: what is cut off where a face of it ends.
 
+use crate::key_sweep::unit_of;
 use judder_keys::Settings;
+use judder_keys::dimension::Dimension;
 use judder_keys::error::Fault;
 use judder_keys::problem::{Placed, Problem};
+use judder_keys::quantity::WrittenUnit;
 use judder_keys::section::Section;
-use judder_structure::chamfer::{BoxSide, Chamfer, ChamferedFace, LEFT};
+use judder_structure::chamfer::{BoxSide, Chamfer, ChamferSlivers, ChamferedFace, LEFT, SLIVER};
 use judder_study::text::short;
 use thiserror::Error;
+
+/// What lengths are advised beside the limit, so that as rounded as they are told they are right.
+const ROUNDED: f64 = 5e-4;
 
 /// A face of a block, and what is cut off where it ends.
 #[derive(Debug, Clone, PartialEq, Settings)]
@@ -71,26 +77,81 @@ impl ChamferSettings {
             let problem = ChamferProblem::TwoDirections { face, sides: [first, other] };
             return Err(problem.at(section.place_of(&[&other.to_string()])));
         }
-        let place = |end: BoxSide, key: &str| {
+        self.leaves_elements(size, cells, &section)
+    }
+
+    /// Refuses chamfers that would fold elements, or leave slivers; lengths are told in the unit of the key that is to blame.
+    fn leaves_elements(&self, size: &[f64], cells: &[usize], section: &Section<'_>) -> Result<(), Fault> {
+        let (face, chamfered) = (self.face, self.chamfered());
+        let (height, width, row) = (size[face.axis()], size[chamfered.along], cells[chamfered.along]);
+        let blame = |end: BoxSide, key: &str, of: &dyn Fn(&WrittenUnit) -> ChamferProblem| {
             let own = section.inner(&end.to_string())?;
-            Ok(own.map_or(section.place, |own| own.place_of(&[key])))
+            let node = own.as_ref().and_then(|own| own.get(key));
+            let problem = of(&unit_of(node, Dimension::LENGTH));
+            Err(problem.at(node.map_or(section.place, |node| node.place)))
         };
-        let (height, width, row) = (size[face.axis()], size[first.axis()], cells[first.axis()]);
-        if let Some((end, Chamfer { depth, .. })) =
-            self.cuts().find(|(_, own)| own.depth > (1.0 - LEFT) * height)
-        {
-            return Err(ChamferProblem::Deep { face, end, depth, height }.at(place(end, "depth")?));
+        let text = |unit: &WrittenUnit, si: f64| format!("{} {}", short(unit.value(si)), unit.name);
+        if let Some((end, own)) = self.cuts().find(|(_, own)| own.depth > (1.0 - LEFT) * height) {
+            return blame(end, "depth", &|unit| {
+                let (depth, height) = (text(unit, own.depth), text(unit, height));
+                ChamferProblem::Deep { face, end, depth, height }
+            });
         }
-        let last = self.cuts().last().map_or(first, |(end, _)| end);
+        // of two that are too long together neither is wrong alone: the larger one is the first to look at
+        let largest = |of: fn(&Chamfer) -> f64| {
+            let own = self.cuts().max_by(|(_, a), (_, b)| of(a).total_cmp(&of(b)));
+            own.map_or(face, |(end, _)| end)
+        };
+        let longest = largest(|own| own.length);
         let length: f64 = self.cuts().map(|(_, own)| own.length).sum();
         if length > (1.0 - LEFT) * width {
-            return Err(ChamferProblem::Long { face, length, width }.at(place(last, "length")?));
+            return blame(longest, "length", &|unit| {
+                let (length, width) = (text(unit, length), text(unit, width));
+                ChamferProblem::Long { face, length, width }
+            });
         }
         let taken: usize = self.cuts().map(|(_, own)| own.cells).sum();
-        match taken >= row {
-            true => Err(ChamferProblem::Cells { face, taken, row }.at(place(last, "cells")?)),
-            false => Ok(()),
+        if taken >= row {
+            let finest = largest(|own| own.cells as f64);
+            return blame(finest, "cells", &|_| ChamferProblem::Cells { face, taken, row });
         }
+        let in_space = |of: &[f64]| [of[0], of[1], of.get(2).copied().unwrap_or(1.0)];
+        let cells_in_space = [cells[0], cells[1], cells.get(2).copied().unwrap_or(1)];
+        let Some((slivers, left)) = chamfered.slivers(in_space(size), cells_in_space) else { return Ok(()) };
+        let end = match slivers {
+            ChamferSlivers::Deep(end) | ChamferSlivers::Short(end) => end,
+            ChamferSlivers::Between => longest,
+        };
+        let own_cells = self.cuts().find(|(own, _)| *own == end).map_or(1, |(_, own)| own.cells) as f64;
+        let key = if matches!(slivers, ChamferSlivers::Deep(_)) { "depth" } else { "length" };
+        blame(end, key, &|unit| {
+            let (what, advice) = match slivers {
+                ChamferSlivers::Deep(end) => {
+                    let deepest = height * (1.0 - SLIVER) / (1.0 - SLIVER + SLIVER / own_cells);
+                    let deepest = text(unit, (1.0 - ROUNDED) * deepest);
+                    (
+                        format!("at the end of the chamfer at {end} an element would have"),
+                        format!("give a depth of at most {deepest}, or more cells along the chamfer"),
+                    )
+                }
+                ChamferSlivers::Short(end) => {
+                    let shortest = text(unit, (1.0 + ROUNDED) * SLIVER * own_cells * width / row as f64);
+                    (
+                        format!("elements along the chamfer at {end} would have"),
+                        format!("give a length of at least {shortest}, or fewer cells along the chamfer"),
+                    )
+                }
+                ChamferSlivers::Between => {
+                    let most = width * (1.0 - SLIVER * (row - taken) as f64 / row as f64);
+                    let longest = text(unit, (1.0 - ROUNDED) * most);
+                    (
+                        format!("elements that are left of the face {face} would have"),
+                        format!("give lengths that are at most {longest} together"),
+                    )
+                }
+            };
+            ChamferProblem::Slivers { what, left, advice }
+        })
     }
 }
 
@@ -137,31 +198,29 @@ pub enum ChamferProblem {
     },
     /// A chamfer through the whole block.
     #[error(
-        "the chamfer at {end} is {} m deep, and the block {} m high across {face}: it would fold elements",
-        short(*.depth), short(*.height)
+        "the chamfer at {end} is {depth} deep, and the block {height} high across {face}: it would fold elements"
     )]
     Deep {
         /// The face.
         face: BoxSide,
         /// Where it is cut.
         end: BoxSide,
-        /// m.
-        depth: f64,
-        /// m.
-        height: f64,
+        /// With its unit, as the case has it.
+        depth: String,
+        /// With the same unit.
+        height: String,
     },
     /// Chamfers that leave nothing of the face.
     #[error(
-        "{} m of the face {face} are cut off, and it is {} m long: the chamfers would fold elements",
-        short(*.length), short(*.width)
+        "{length} of the face {face} are cut off, and it is {width} long: the chamfers would fold elements"
     )]
     Long {
         /// The face.
         face: BoxSide,
-        /// Of all its chamfers, m.
-        length: f64,
-        /// m.
-        width: f64,
+        /// Of all its chamfers, with the unit that the case has.
+        length: String,
+        /// With the same unit.
+        width: String,
     },
     /// Chamfers that leave no cell of the face.
     #[error(
@@ -174,6 +233,16 @@ pub enum ChamferProblem {
         taken: usize,
         /// Of the block.
         row: usize,
+    },
+    /// Chamfers with elements that are far narrower at one end than at the other, or than the others are.
+    #[error("{what} {} % of what there is beside it: slivers", short(100.0 * left))]
+    Slivers {
+        /// Which elements.
+        what: String,
+        /// Of the Jacobian, or of the length.
+        left: f64,
+        /// What would be right.
+        advice: String,
     },
 }
 
@@ -190,6 +259,7 @@ impl Problem for ChamferProblem {
             Self::Deep { .. } => "too deep",
             Self::Long { .. } => "too long",
             Self::Cells { .. } => "too many",
+            Self::Slivers { .. } => "leaves slivers",
         }
     }
 
@@ -207,11 +277,12 @@ impl Problem for ChamferProblem {
                 let [first, other] = sides.map(|side| listed(BoxSide::BY_AXIS[side.axis()].into_iter()));
                 format!("cut it at {first} or at {other}; a mesh file may have any shape")
             }
-            Self::Deep { height, .. } => format!("give a depth below {} m", short(*height)),
-            Self::Long { width, .. } => format!("give lengths that are below {} m together", short(*width)),
+            Self::Deep { height, .. } => format!("give a depth below {height}"),
+            Self::Long { width, .. } => format!("give lengths that are below {width} together"),
             Self::Cells { row, .. } => {
                 format!("give chamfers at most {} cells together, or the block more", row.saturating_sub(1))
             }
+            Self::Slivers { advice, .. } => advice.clone(),
         })
     }
 }

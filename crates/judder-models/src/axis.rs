@@ -15,12 +15,22 @@ use serde_json::{Map, Value, json};
 
 /// A swept key of a case as an axis.
 pub(crate) fn of_key<K: Keys>(sweep: &Sweep<K>) -> SweptAxis {
-    SweptAxis { quantity: key(sweep.key, sweep.form), values: sweep.values(), scale: sweep.scale }
+    SweptAxis {
+        quantity: key(sweep.key, sweep.form),
+        values: sweep.values(),
+        scale: sweep.scale,
+        shown: None,
+    }
 }
 
 /// A swept parameter of a two-degrees case as an axis.
 pub(crate) fn of_parameter(sweep: &Sweep<ParameterKey>) -> SweptAxis {
-    SweptAxis { quantity: parameter(name_of(&sweep.path)), values: sweep.values(), scale: sweep.scale }
+    SweptAxis {
+        quantity: parameter(name_of(&sweep.path)),
+        values: sweep.values(),
+        scale: sweep.scale,
+        shown: None,
+    }
 }
 
 /// The name of a parameter in its dotted path.

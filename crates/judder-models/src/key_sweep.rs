@@ -9,9 +9,10 @@ use judder_keys::error::Fault;
 use judder_keys::problem::{Placed, Problem};
 use judder_keys::quantity::{Quantity, WrittenUnit};
 use judder_keys::section::Section;
+use judder_study::axis::SweptAxis;
 use judder_study::case::key_sweep::{AnyNumber, Ends, VariedKey, of_one_dimension, written};
 use judder_study::case::scale::{Spacing, spaced};
-use judder_study::report_tables::short;
+use judder_study::labels::{SweptQuantity, any_key};
 use serde_json::{Value as Json, json};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -55,6 +56,12 @@ impl KeySweep {
     /// The name of the unit in which values are shown; `1` of plain numbers.
     pub fn shown_unit(&self) -> String {
         if self.unit.name.is_empty() { "1".to_owned() } else { self.unit.name.clone() }
+    }
+
+    /// Its values as an axis of this name.
+    pub(crate) fn axis(&self, name: &str) -> SweptAxis {
+        let quantity = SweptQuantity { name: name.to_owned(), ..any_key(&self.path, self.dimension) };
+        SweptAxis { quantity, values: self.values.clone(), scale: self.scale, shown: Some(self.unit.clone()) }
     }
 
     /// A value as a case file would have it.
@@ -134,47 +141,6 @@ impl KeySweep {
                 };
                 Err(problem.at(node.entry("key").unwrap_or(node).place))
             }
-        }
-    }
-}
-
-/// The key under which a summary and an array say in which unit their values are shown.
-pub(crate) const SHOWN_UNIT: &str = "shown_unit";
-
-/// Values of a key as tables and figures show them: in the unit in which the case has them.
-pub(crate) struct ShownValues(WrittenUnit);
-
-impl ShownValues {
-    /// In the unit of this name, of a result that names none in SI units.
-    pub(crate) fn called(name: Option<&str>) -> Self {
-        Self(name.and_then(WrittenUnit::called).unwrap_or_else(|| WrittenUnit::si(Dimension::NUMBER)))
-    }
-
-    /// As a table or an entry of a summary says.
-    pub(crate) fn of(told: &Json) -> Self {
-        Self::called(told[SHOWN_UNIT].as_str())
-    }
-
-    /// A value of a summary.
-    pub(crate) fn value(&self, own: &Json) -> String {
-        short(&own.as_f64().map_or(Json::Null, |own| json!(self.0.value(own))))
-    }
-
-    /// A difference of values of a summary.
-    pub(crate) fn difference(&self, own: &Json) -> String {
-        short(&own.as_f64().map_or(Json::Null, |own| json!(self.0.difference(own))))
-    }
-
-    /// The values of an array.
-    pub(crate) fn values(&self, own: &[f64]) -> Vec<f64> {
-        own.iter().map(|own| self.0.value(*own)).collect()
-    }
-
-    /// A key with the unit.
-    pub(crate) fn head(&self, key: &str) -> String {
-        match self.0.name.as_str() {
-            "" | "1" => key.to_owned(),
-            unit => format!("{key} ({unit})"),
         }
     }
 }

@@ -38,6 +38,7 @@ pub mod report;
 pub mod report_tables;
 pub mod resolve;
 pub mod run;
+pub mod shown;
 pub mod study_view;
 pub mod sweep;
 mod terminal_tables;

@@ -4,9 +4,11 @@ pub(crate) mod sweep;
 
 use crate::case::analysis::Picture;
 use crate::registry::ModelKind;
+use crate::shown::ShownValues;
 use judder_report::{Axis, Figure, Panel, Role};
 use judder_store::{Dataset, Variable, VariableValues};
 use num_complex::Complex64;
+use std::borrow::Cow;
 
 /// Width over height of the frame of a panel: lengths along x and y shall look alike.
 pub const FRAME: f64 = 206.0 / 152.0;
@@ -85,9 +87,16 @@ pub fn text<'a>(variable: &'a Variable, attribute: &str) -> Option<&'a str> {
     variable.attributes.get(attribute)?.as_str()
 }
 
+/// The values of a coordinate as they are shown.
+pub fn shown<'a>(coordinate: &Variable, values: &'a [f64]) -> Cow<'a, [f64]> {
+    let unit = ShownValues::of_variable(coordinate);
+    if unit.unit().is_some() { unit.values(values).into() } else { values.into() }
+}
+
 /// The axis of a swept quantity; values that a logarithm does not have, of a range below zero, stand on a linear one.
 pub fn axis(coordinate: &Variable) -> Axis {
     let label = text(coordinate, "label").unwrap_or(&coordinate.long_name);
+    let label = ShownValues::of_variable(coordinate).label(label);
     let has_logarithms =
         !matches!(&coordinate.data, VariableValues::F64(values) if values.iter().any(|value| *value <= 0.0));
     let is_log = text(coordinate, "scale") == Some("log") && has_logarithms;
@@ -98,8 +107,8 @@ pub fn axis(coordinate: &Variable) -> Axis {
 pub struct SweptCoordinates<'a> {
     /// The coordinate.
     pub axis: &'a Variable,
-    /// Its values.
-    pub values: &'a [f64],
+    /// Its values, as they are shown.
+    pub values: Cow<'a, [f64]>,
     /// The coordinate of the family, and its values; none where there is no family.
     pub family: Option<(&'a Variable, &'a [f64])>,
 }
@@ -114,8 +123,8 @@ impl<'a> SweptCoordinates<'a> {
             .filter_map(|dimension| Some((dataset.variable(dimension)?, reals(dataset, dimension)?)));
         let first = coordinates.next()?;
         Some(match coordinates.next() {
-            Some((axis, values)) => Self { axis, values, family: Some(first) },
-            None => Self { axis: first.0, values: first.1, family: None },
+            Some((axis, values)) => Self { axis, values: shown(axis, values), family: Some(first) },
+            None => Self { axis: first.0, values: shown(first.0, first.1), family: None },
         })
     }
 

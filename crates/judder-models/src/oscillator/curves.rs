@@ -135,7 +135,7 @@ pub(crate) fn critical(dataset: &Dataset) -> Option<Vec<Panel>> {
             continue;
         }
         for (curve, roots) in roots.chunks(most * swept.values.len()).enumerate() {
-            let (x, y) = branches(swept.values, roots, roots, most);
+            let (x, y) = branches(&swept.values, roots, roots, most);
             let role = swept.role(curve);
             let style = if is_full { role.solid() } else { role.dashed() };
             let shown = match (swept.family.is_some(), is_full) {
@@ -190,7 +190,7 @@ fn folds(dataset: &Dataset, swept: &SweptCoordinates<'_>) -> Vec<Layer> {
     let mut layers = Vec::new();
     let length = most * swept.values.len();
     for (curve, (roots, folds)) in roots.chunks(length).zip(folds.chunks(length)).enumerate() {
-        let (x, y) = branches(swept.values, roots, folds, most);
+        let (x, y) = branches(&swept.values, roots, folds, most);
         let label = if curve == 0 { "least known fold" } else { "" };
         layers.push(Layer::line(label, x, y, swept.role(curve).dash_dotted()));
     }

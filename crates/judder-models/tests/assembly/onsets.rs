@@ -2,6 +2,7 @@
 
 use crate::stopping::Stopping;
 use crate::{case, number, run_into};
+use judder_store::StudyFolder;
 use judder_study::StudyError;
 use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, run};
@@ -48,7 +49,7 @@ fn onsets_beside_a_value_without_steady_sliding_are_in_doubt() {
     let doubts = &report.summary.results["sweep"]["onsets_in_doubt"];
     let [doubt] = &doubts.as_array().unwrap()[..] else { panic!("{doubts}") };
     assert_eq!((number(&doubt["from"]), number(&doubt["to"])), (0.5, 0.7));
-    assert_eq!(doubt["reason"], "there is no solution at 0.7");
+    assert_eq!(doubt["reason"], "there is no solution at the higher of them");
     let failure = &report.summary.results["sweep"]["failures"][0];
     assert!(
         failure["reason"]
@@ -59,9 +60,8 @@ fn onsets_beside_a_value_without_steady_sliding_are_in_doubt() {
     );
 }
 
-/// A mass on a belt whose friction rises to a speed and falls beyond: growth jumps at the corner of the table, from −N μ′/2m to N μ′/2m, although the point stays closed.
-#[test]
-fn a_corner_of_a_friction_table_is_told_as_a_jump() {
+/// A mass on a belt whose friction rises to a speed and falls beyond, swept over these speeds.
+fn on_a_cornered_belt(values: &str) -> CaseFile {
     let text = "model = \"assembly\"\n[[structure]]\nname = \"mass\"\n[structure.matrices]\nmass = [[1, 0], [0, 1]]\nstiffness = [[100, 0], [0, 100]]\n\
         freedoms = [[\"a\", \"x\"], [\"a\", \"y\"]]\n[[contact]]\nname = \"belt\"\nslider = { structure = \"mass\", set = \"a\" }\n\
         track = { plane = { normal = [0, 1] } }\nsliding = { velocity = \"1 m/s\", direction = [1, 0] }\n\
@@ -69,13 +69,45 @@ fn a_corner_of_a_friction_table_is_told_as_a_jump() {
         [[load]]\nstructure = \"mass\"\nset = \"a\"\ndirection = \"y\"\nforce = \"-10 N\"\n\
         [[analysis]]\nname = \"sweep\"\nkind = \"eigen-sweep\"\nband = [\"1 Hz\", \"5 Hz\"]\n\
         sweep = { key = \"contact.belt.sliding.velocity\", values = [\"0.5 m/s\", \"1.5 m/s\"] }\n";
+    let own = "values = [\"0.5 m/s\", \"1.5 m/s\"]";
+    judder_models::parse("case.toml", &text.replace(own, &format!("values = {values}")), &[]).unwrap()
+}
+
+/// Growth jumps at the corner of the table, from −N μ′/2m to N μ′/2m, although the point stays closed.
+#[test]
+fn a_corner_of_a_friction_table_is_told_as_a_jump() {
     let folder = tempfile::tempdir().unwrap();
-    let file = judder_models::parse("case.toml", text, &[]).unwrap();
+    let file = on_a_cornered_belt("[\"0.5 m/s\", \"1.5 m/s\"]");
     let results = run_into(folder.path(), &file, &["sweep"]).summary.results;
     let onsets = results["sweep"]["onsets"].as_array().unwrap();
     let [onset] = &onsets[..] else { panic!("{onsets:?}") };
     assert!((number(&onset["value"]) - 1.03).abs() < 1e-9, "{onset}");
     assert!(onset["jumps"] == true && onset["gains"] == false, "{onset}");
+}
+
+/// Results are in SI units; tables, figures and messages have values as the case has them.
+#[test]
+fn a_swept_key_is_shown_in_the_unit_of_the_case() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = on_a_cornered_belt("[\"500 mm/s\", \"1500 mm/s\"]");
+    let report = run_into(folder.path(), &file, &["sweep"]);
+    let told = &report.summary.results["sweep"];
+    assert!(told["unit"] == "m/s" && told["shown_unit"] == "mm/s" && number(&told["value"][1]) == 1.5);
+    let dataset = StudyFolder::open(folder.path()).unwrap().read_dataset("sweep").unwrap();
+    let model = judder_models::REGISTRY.model_of(&file.case.resolved()).unwrap();
+    let panels = model.figure("sweep", "", &dataset).unwrap().panels;
+    let label = "contact.belt.sliding.velocity (mm/s)";
+    let over_key = panels.iter().filter(|own| own.x.label == label);
+    assert_eq!(
+        over_key.clone().count(),
+        3,
+        "{:?}",
+        panels.iter().map(|own| &own.x.label).collect::<Vec<_>>()
+    );
+    let page = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
+    assert!(page.contains("value (mm/s)") && page.contains(">1030</td>"));
+    let drawn = std::fs::read_to_string(folder.path().join("figures/sweep.svg")).unwrap();
+    assert!(drawn.contains("mm/s"));
 }
 
 /// Whether the run of an analysis that is stopped at a look ends so, how often it looked, and what steps are left.

@@ -238,7 +238,7 @@ fn coordinate(file: &CaseFile, sweep: &StudySweep, k: usize) -> Variable {
         SweptValues::Listed(_) => Spacing::Linear,
         _ => axis.scale,
     };
-    SweptAxis { quantity: label(file, sweep, k), values, scale }.coordinate()
+    SweptAxis { quantity: label(file, sweep, k), values, scale, shown: None }.coordinate()
 }
 
 #[cfg(test)]

@@ -1,11 +1,11 @@
 //! Limit cycles along a key: stable solid, unstable dashed.
 
-use crate::key_sweep::{SHOWN_UNIT, ShownValues};
 use judder_report::palette::Style;
 use judder_report::runs::through;
 use judder_report::{Layer, Legend, Panel, Role};
 use judder_store::Dataset;
-use judder_study::pictures::{axis, codes, reals, text};
+use judder_study::pictures::{axis, codes, reals};
+use judder_study::shown::ShownValues;
 
 /// How a cycle is drawn, by the code of its stability.
 const KINDS: [(u8, &str); 3] =
@@ -39,7 +39,7 @@ fn marked(dataset: &Dataset, name: &str, shown: &ShownValues) -> Vec<Layer> {
 fn over_key(dataset: &Dataset, name: &str) -> Option<Panel> {
     let (value, up) = (reals(dataset, "value")?, reals(dataset, name)?);
     let (key, stable) = (dataset.variable("value")?, codes(dataset, "stable")?);
-    let shown = ShownValues::called(text(key, SHOWN_UNIT));
+    let shown = ShownValues::of_variable(key);
     let value = shown.values(value);
     let of = |code: u8| {
         // a stretch between unlike cycles is drawn as the one after it
@@ -56,9 +56,6 @@ fn over_key(dataset: &Dataset, name: &str) -> Option<Panel> {
         (!x.is_empty()).then(|| Layer::line(*label, x, y, style))
     });
     let layers = layers.chain(marked(dataset, name, &shown));
-    let (mut across, upwards) = (axis(key), axis(dataset.variable(name)?));
-    if text(key, SHOWN_UNIT).is_some_and(|unit| unit != "1") {
-        across.label = shown.head(&key.long_name);
-    }
+    let (across, upwards) = (axis(key), axis(dataset.variable(name)?));
     Some(Panel::new(across, upwards, layers.collect()).with_legend(Legend::Below))
 }

@@ -1,8 +1,8 @@
 //! The bifurcations of a branch in the report.
 
-use crate::key_sweep::{SHOWN_UNIT, ShownValues};
 use judder_report::page::PageTable;
 use judder_study::report_tables::{listed, short};
+use judder_study::shown::{SHOWN_UNIT, ShownValues};
 use serde_json::{Map, Value};
 
 /// A row a bifurcation, in the order along the branch.

@@ -4,10 +4,10 @@ use super::CycleDiagram;
 use super::named::{KINDS, NamedBifurcation, hopf_point, named};
 use crate::assembly::limit_cycle::stability::{KnownStability, with_multipliers};
 use crate::error::ModelError;
-use crate::key_sweep::SHOWN_UNIT;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey, CycleBranchEnd};
 use judder_store::{Dataset, Results, Variable};
 use judder_study::labels::{SweptQuantity, any_key};
+use judder_study::shown::SHOWN_UNIT;
 use std::f64::consts::TAU;
 
 /// A cycle as it is told.

@@ -11,7 +11,6 @@ use crate::structure::eigen_sweep::onsets::{LocatedOnsets, ToldDoubt, ToldOnset}
 use judder_store::Results;
 use judder_structure::onset::Onset;
 use judder_study::axis::SweptAxis;
-use judder_study::labels::{SweptQuantity, any_key};
 use judder_study::outcome::Outcome;
 use judder_study::{Progress, StudyError, Untold};
 
@@ -22,6 +21,8 @@ pub(super) struct ToldSweep {
     key: String,
     /// its unit
     unit: String,
+    /// the unit in which the case has its values, in which tables, figures and messages show them
+    shown_unit: String,
     /// `full` or `projected`
     method: String,
     /// contact points that are closed, at each value
@@ -63,8 +64,7 @@ pub(super) fn run(
         }
         false => None,
     };
-    let quantity = SweptQuantity { name: "value".to_owned(), ..any_key(&sweep.path, sweep.dimension) };
-    let axis = SweptAxis { quantity, values: sweep.values.clone(), scale: sweep.scale };
+    let axis = sweep.axis("value");
     let of_reduction = match of.case.is_reduced() {
         true => Some(reduction_errors(&family.whole()?, &solved.onsets.onsets, progress)?),
         false => None,
@@ -73,7 +73,7 @@ pub(super) fn run(
     let failed =
         told.failures.iter().map(|own| format!("{} = {}: {}", sweep.path, sweep.text(own.value), own.reason));
     let mut warnings: Vec<String> = failed.chain(family.doubts(solved.states.iter().flatten())).collect();
-    let held_in_doubt = all_closed.as_ref().and_then(LocatedOnsets::warning);
+    let held_in_doubt = all_closed.as_ref().and_then(|own| own.warning(&|value| sweep.text(value)));
     warnings.extend(held_in_doubt.map(|doubt| format!("with every contact point held closed, {doubt}")));
     let has_modes_beyond = solved.states.iter().zip(&solved.sweep.points).filter(|(state, point)| {
         let mut own = point.eigenvalues.iter().map(|tracked| &tracked.eigenvalue);
@@ -112,6 +112,7 @@ impl ToldSweep {
         Self {
             key: settings.sweep.path.clone(),
             unit: axis.quantity.unit.clone(),
+            shown_unit: settings.sweep.shown_unit(),
             method: settings.method.method().to_string(),
             closed: solved.states.iter().map(|state| Some(state.as_ref().ok()?.closed_points())).collect(),
             onsets_all_closed: all_closed.map(LocatedOnsets::told),

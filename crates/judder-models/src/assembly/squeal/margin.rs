@@ -88,7 +88,7 @@ pub(super) fn margins(
         })
         .collect();
     let onsets = onsets.into_iter().collect::<Result<_, _>>()?;
-    Ok(SoughtMargins { own, onsets, doubt: solved.onsets.warning() })
+    Ok(SoughtMargins { own, onsets, doubt: solved.onsets.warning(&|value| sweep.text(value)) })
 }
 
 /// Modes followed along the key.

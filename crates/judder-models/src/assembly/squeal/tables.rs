@@ -1,9 +1,9 @@
 //! The ranking of modes that grow in the report.
 
 use crate::assembly::meant_mode::mode_at;
-use crate::key_sweep::{SHOWN_UNIT, ShownValues};
 use judder_report::page::PageTable;
 use judder_study::report_tables::short;
+use judder_study::shown::{SHOWN_UNIT, ShownValues};
 use serde_json::{Map, Value};
 
 /// The modes, and what was asked of them besides.

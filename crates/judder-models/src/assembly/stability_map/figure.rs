@@ -5,22 +5,23 @@ use crate::oscillator::stability_map::figure::ascending;
 use judder_report::figure::Class;
 use judder_report::{Layer, Panel, Role};
 use judder_store::Dataset;
-use judder_study::pictures::{axis, codes, reals};
+use judder_study::pictures::{axis, codes, reals, shown};
 
 /// Verdicts by colour, the located boundary on top.
 pub(super) fn stability_map(dataset: &Dataset) -> Option<Vec<Panel>> {
     let codes = codes(dataset, "stability")?;
-    let [x, y] = ["x", "y"].map(|name| dataset.variable(name));
+    let (x, y) = (dataset.variable("x")?, dataset.variable("y")?);
     let drawn: Vec<PointVerdict> =
         PointVerdict::ALL.into_iter().filter(|own| codes.contains(&own.code())).collect();
     let place = |code: &u8| drawn.iter().position(|own| own.code() == *code).unwrap_or_default() as u8;
     let places: Vec<u8> = codes.iter().map(place).collect();
     let classes = drawn.iter().map(|own| Class::new(own.words(), own.role())).collect();
-    let map = ascending(reals(dataset, "x")?, reals(dataset, "y")?, &places, classes);
+    let map = ascending(&shown(x, reals(dataset, "x")?), &shown(y, reals(dataset, "y")?), &places, classes);
     let mut layers = vec![Layer::Classes(map)];
     let (across, up) = (reals(dataset, "boundary_x")?, reals(dataset, "boundary_y")?);
     if !across.is_empty() {
-        layers.push(Layer::points("boundary", across.to_vec(), up.to_vec(), Role::FullBoundary));
+        let (across, up) = (shown(x, across).into_owned(), shown(y, up).into_owned());
+        layers.push(Layer::points("boundary", across, up, Role::FullBoundary));
     }
-    Some(vec![Panel::new(axis(x?), axis(y?), layers)])
+    Some(vec![Panel::new(axis(x), axis(y), layers)])
 }

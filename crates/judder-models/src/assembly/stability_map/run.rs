@@ -10,7 +10,6 @@ use judder_store::{Dataset, Results, Variable};
 use judder_structure::onset::onsets_between;
 use judder_structure::quadratic::Region;
 use judder_study::axis::SweptAxis;
-use judder_study::labels::{SweptQuantity, any_key};
 use judder_study::outcome::Outcome;
 use judder_study::{Progress, StudyError};
 use rayon::prelude::*;
@@ -183,12 +182,7 @@ impl SolvedMap<'_> {
     }
 
     fn dataset(&self, points: &[MapPoint], boundary: &[[f64; 2]]) -> Result<Dataset, ModelError> {
-        let axis = |name: &str, sweep: &KeySweep| SweptAxis {
-            quantity: SweptQuantity { name: name.to_owned(), ..any_key(&sweep.path, sweep.dimension) },
-            values: sweep.values.clone(),
-            scale: sweep.scale,
-        };
-        let (x, y) = (axis("x", self.x), axis("y", self.y));
+        let (x, y) = (self.x.axis("x"), self.y.axis("y"));
         let shape = [y.values.len(), x.values.len()];
         let over = ["y", "x"];
         let of = |pick: fn(&MapPoint) -> f64| points.iter().map(pick).collect::<Vec<f64>>();

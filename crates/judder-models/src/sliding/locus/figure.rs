@@ -8,6 +8,7 @@ use judder_report::runs::{alone, apart, thinned};
 use judder_report::{Axis, Layer, Legend, Panel, Role};
 use judder_store::{Dataset, Variable, VariableValues};
 use judder_study::pictures::{axis, complexes, reals, text};
+use judder_study::shown::ShownValues;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -32,11 +33,11 @@ const BUBBLES: (f64, f64) = (2.5, 0.4);
 /// A locus over position or any key.
 struct DrawnLocus<'a> {
     coordinate: &'a Variable,
-    /// From the values to what is shown: m to mm.
-    scale: f64,
+    /// The unit of the values; none of plain numbers.
+    unit: Option<String>,
     /// The values that are shown, by their numbers.
     shown: Vec<usize>,
-    values: &'a [f64],
+    values: Vec<f64>,
     eigenvalues: &'a [Complex64],
     /// How far each may be off; none in a study that was stored before errors were.
     errors: &'a [f64],
@@ -59,10 +60,9 @@ struct ZoneOfLocus {
 /// The complex plane, as a whole and about its unstable side; frequencies; growth rates, of all branches and of the unstable zones; the
 /// normal force at rest.
 pub(crate) fn locus(dataset: &Dataset) -> Option<Vec<Panel>> {
-    let locus = DrawnLocus::new(dataset)?;
+    let locus = DrawnLocus::new(dataset, shown_values(dataset)?)?;
     let force = reals(dataset, "normal_force")?.to_vec();
-    let along = locus.values.iter().map(|value| value * locus.scale).collect();
-    let force = Layer::line("", along, force, Role::Series(0).solid());
+    let force = Layer::line("", locus.values.clone(), force, Role::Series(0).solid());
     let mut panels = vec![locus.plane("locus", locus.growth_axis())];
     if !locus.zones.is_empty() {
         panels.push(locus.plane("locus, its unstable side", locus.unstable_side()));
@@ -78,9 +78,24 @@ pub(crate) fn locus(dataset: &Dataset) -> Option<Vec<Panel>> {
 
 /// Positions and growth rates along each unstable zone, from its start to its end where they vanish; in m for a locus over position.
 pub fn zone_profiles(dataset: &Dataset) -> Vec<Vec<(f64, f64)>> {
-    let Some(locus) = DrawnLocus::new(dataset) else { return Vec::new() };
-    let unscaled = |(at, growth)| (at / locus.scale, growth);
-    locus.zones.iter().map(|zone| locus.profile(zone).into_iter().map(unscaled).collect()).collect()
+    let Some(locus) = DrawnLocus::new(dataset, ShownValues::called(None)) else { return Vec::new() };
+    locus.zones.iter().map(|zone| locus.profile(zone)).collect()
+}
+
+/// What the locus runs over.
+fn coordinate(dataset: &Dataset) -> Option<&Variable> {
+    dataset.variable(dataset.variable("eigenvalue")?.dimensions.first()?)
+}
+
+/// Whether it runs over positions.
+fn is_position(coordinate: &Variable) -> bool {
+    coordinate.name == "position"
+}
+
+/// Positions in mm, another key in the unit in which the case has it.
+fn shown_values(dataset: &Dataset) -> Option<ShownValues> {
+    let own = coordinate(dataset)?;
+    Some(if is_position(own) { ShownValues::called(Some("mm")) } else { ShownValues::of_variable(own) })
 }
 
 /// Whether two frequencies are those of one mode; that of a divergence is zero.
@@ -89,7 +104,7 @@ fn are_alike(one: f64, other: f64) -> bool {
 }
 
 /// The places and growth rates that are stored of each zone, by its number from 0.
-fn paths(dataset: &Dataset, scale: f64) -> impl Fn(usize) -> Vec<(f64, f64)> {
+fn paths(dataset: &Dataset, unit: &ShownValues) -> impl Fn(usize) -> Vec<(f64, f64)> {
     let numbers = match dataset.variable("zone_path").map(|variable| &variable.data) {
         Some(VariableValues::I64(numbers)) => &numbers[..],
         _ => &[],
@@ -101,18 +116,16 @@ fn paths(dataset: &Dataset, scale: f64) -> impl Fn(usize) -> Vec<(f64, f64)> {
         points
             .filter(|(number, _)| **number == zone as i64 + 1)
             // at an end that is a root rounding may leave less than nothing
-            .map(|(_, (at, value))| (at * scale, value.re.max(0.0)))
+            .map(|(_, (at, value))| (unit.number(*at), value.re.max(0.0)))
             .collect()
     }
 }
 
 impl<'a> DrawnLocus<'a> {
-    fn new(dataset: &'a Dataset) -> Option<Self> {
-        let variable = dataset.variable("eigenvalue")?;
-        let coordinate = dataset.variable(variable.dimensions.first()?)?;
-        let values = reals(dataset, &coordinate.name)?;
-        let count = *variable.shape.last()?;
-        let scale = if coordinate.name == "position" { 1e3 } else { 1.0 };
+    fn new(dataset: &'a Dataset, unit: ShownValues) -> Option<Self> {
+        let coordinate = coordinate(dataset)?;
+        let values = unit.values(reals(dataset, &coordinate.name)?);
+        let count = *dataset.variable("eigenvalue")?.shape.last()?;
         let of = |name: &str| reals(dataset, name);
         let (from, to, peak) = (of("zone_from")?, of("zone_to")?, of("zone_peak")?);
         let (growth, frequency) = (of("zone_growth_rate")?, of("zone_frequency")?);
@@ -120,12 +133,12 @@ impl<'a> DrawnLocus<'a> {
             Some(VariableValues::I64(kinds)) => kinds.get(k) == Some(&0),
             _ => true,
         };
-        let path = paths(dataset, scale);
+        let path = paths(dataset, &unit);
         let zone = |k: usize| ZoneOfLocus {
             path: path(k),
-            from: from[k] * scale,
-            to: to[k] * scale,
-            peak: peak[k] * scale,
+            from: unit.number(from[k]),
+            to: unit.number(to[k]),
+            peak: unit.number(peak[k]),
             growth: growth[k],
             frequency: frequency[k],
             is_root: [is_root("zone_from_kind", k), is_root("zone_to_kind", k)],
@@ -139,7 +152,12 @@ impl<'a> DrawnLocus<'a> {
         }
         Some(Self {
             coordinate,
-            scale,
+            // a study that was stored before units were has that of the key
+            unit: [unit.unit(), Some(coordinate.units.as_str())]
+                .into_iter()
+                .flatten()
+                .next()
+                .map(str::to_owned),
             shown,
             values,
             eigenvalues: complexes(dataset, "eigenvalue")?,
@@ -151,9 +169,11 @@ impl<'a> DrawnLocus<'a> {
 
     /// The axis of positions in mm, or of the swept key.
     fn across(&self) -> Axis {
-        let own =
-            if self.scale == 1.0 { axis(self.coordinate) } else { Axis::linear("Contact position $s$ (mm)") };
-        let ends = [self.values[0], self.values[self.values.len() - 1]].map(|value| value * self.scale);
+        let own = match is_position(self.coordinate) {
+            true => Axis::linear("Contact position $s$ (mm)"),
+            false => axis(self.coordinate),
+        };
+        let ends = [self.values[0], self.values[self.values.len() - 1]];
         if ends[0] == ends[1] { own } else { own.over(ends[0].min(ends[1]), ends[0].max(ends[1])) }
     }
 
@@ -163,7 +183,6 @@ impl<'a> DrawnLocus<'a> {
 
     /// Every branch as a thin line; those that are unstable somewhere stand out.
     fn lines(&self, pick: impl Fn(Complex64) -> f64) -> Vec<Layer> {
-        let along: Vec<f64> = self.values.iter().map(|value| value * self.scale).collect();
         let rows = self.values.len();
         let error = |place: usize| self.errors.get(place).copied().unwrap_or(0.0);
         let grows = |place: usize| self.eigenvalues[place].re > error(place);
@@ -176,7 +195,7 @@ impl<'a> DrawnLocus<'a> {
             let own = (0..self.count).filter(|branch| is_unstable(*branch) == unstable);
             let curve = apart(own.map(|branch| {
                 let up: Vec<f64> = (0..rows).map(|row| pick(self.at(row, branch))).collect();
-                thinned(&along, &up, &self.shown)
+                thinned(&self.values, &up, &self.shown)
             }));
             let (x, y) = alone(&curve.0, &curve.1);
             let points = (!x.is_empty()).then(|| Layer::points("", x, y, role.crowded()));
@@ -209,11 +228,8 @@ impl<'a> DrawnLocus<'a> {
     /// Fig. 2 of the beams paper: growth rate and frequency, from dark to light along the axis.
     fn plane(&self, title: &str, growth: Axis) -> Panel {
         let symbol = text(self.coordinate, "symbol").unwrap_or(&self.coordinate.name);
-        let unit = match (self.scale == 1.0, self.coordinate.units.as_str()) {
-            (false, _) => " mm".to_owned(),
-            (true, "1") => String::new(),
-            (true, unit) => format!(" {unit}"),
-        };
+        let unit =
+            self.unit.as_ref().filter(|own| *own != "1").map_or_else(String::new, |own| format!(" {own}"));
         let shades = SHADES.min(self.shown.len());
         let mut layers = vec![Layer::vertical_rule(0.0, "")];
         for (index, rows) in self.shown.chunks(self.shown.len().div_ceil(shades)).enumerate() {
@@ -221,7 +237,7 @@ impl<'a> DrawnLocus<'a> {
                 rows.iter().flat_map(|row| (0..self.count).map(|branch| self.at(*row, branch))).collect();
             let (x, y) = points.iter().map(|s| (s.re, s.im / TAU)).unzip();
             let role = Role::Graded { index, count: shades };
-            let first = rows.first().map_or(f64::NAN, |row| self.values[*row] * self.scale);
+            let first = rows.first().map_or(f64::NAN, |row| self.values[*row]);
             let label = format!("from {symbol} = {}{unit}", significant(first));
             layers.push(Layer::points(label, x, y, role.crowded()));
         }
@@ -323,7 +339,7 @@ impl<'a> DrawnLocus<'a> {
             near.filter(|s| are_alike(s.im / TAU, zone.frequency)).map(|s| s.re).fold(f64::NAN, f64::max)
         };
         let (low, high) = (zone.from.min(zone.to), zone.from.max(zone.to));
-        let inside = (0..self.values.len()).map(|row| (self.values[row] * self.scale, row));
+        let inside = (0..self.values.len()).map(|row| (self.values[row], row));
         let inside = inside.filter(|(at, _)| *at > low && *at < high).map(|(at, row)| (at, fastest(row)));
         let ends = [zone.from, zone.to].into_iter().zip(zone.is_root);
         let roots = ends.filter(|(_, is_root)| *is_root).map(|(end, _)| (end, 0.0));

@@ -70,5 +70,5 @@ pub(super) fn run(
         symbol: "$s$".to_owned(),
         unit: "m".to_owned(),
     };
-    Ok((SweptAxis { quantity, values, scale: Spacing::Linear }, traced, checks))
+    Ok((SweptAxis { quantity, values, scale: Spacing::Linear, shown: None }, traced, checks))
 }

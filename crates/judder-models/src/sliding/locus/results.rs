@@ -60,6 +60,9 @@ pub(super) struct ToldLocus {
     key: Option<String>,
     #[result(optional)]
     unit: Option<String>,
+    /// the unit in which the case has its values, in which tables, figures and messages show them
+    #[result(optional)]
+    shown_unit: Option<String>,
     /// where the contact is held
     #[result(optional)]
     at_m: Option<f64>,
@@ -101,7 +104,7 @@ struct LocusFailure {
 /// The keys of the summary of a locus over positions, or over the values of another key.
 pub(super) fn summary_keys(is_over_positions: bool) -> Vec<Declared> {
     let others: &[&str] = match is_over_positions {
-        true => &["value", "from", "to", "peak", "key", "unit", "at_m"],
+        true => &["value", "from", "to", "peak", "key", "unit", "shown_unit", "at_m"],
         false => &["position_m", "from_m", "to_m", "peak_m"],
     };
     Declared::without(ToldLocus::declared(), others)
@@ -147,6 +150,7 @@ impl Locating<'_> {
             damping: settings.damping,
             missing: failures.collect(),
             unit: key.is_some().then(|| axis.quantity.unit.clone()),
+            shown_unit: axis.shown_unit(),
             key,
             at_m: at,
             degrees_of_freedom,

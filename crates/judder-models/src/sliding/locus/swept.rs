@@ -14,7 +14,6 @@ use judder_sliding::locus::{Conditions, characteristic, contact};
 use judder_sliding::pair::Pair;
 use judder_study::Progress;
 use judder_study::axis::SweptAxis;
-use judder_study::labels::{SweptQuantity, any_key};
 use judder_study::outcome::CheckRecord;
 
 /// Zones are searched down to this share of the swept range.
@@ -101,8 +100,7 @@ pub(super) fn run(
     if falls {
         traced.rows.reverse();
     }
-    let quantity = SweptQuantity { name: "value".to_owned(), ..any_key(&sweep.path, sweep.dimension) };
-    Ok((SweptAxis { quantity, values: sweep.values.clone(), scale: sweep.scale }, traced, checks))
+    Ok((sweep.axis("value"), traced, checks))
 }
 
 /// The range from one value to another in a few parts, with ends among the values.

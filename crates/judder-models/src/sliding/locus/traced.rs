@@ -102,7 +102,10 @@ impl Traced {
             rows.filter_map(|(value, row)| Some((value, row.failure.as_ref()?)))
         };
         let unit = if axis.quantity.unit == "1" { "" } else { &axis.quantity.unit };
-        let shown = |value: f64| format!("{} {unit}", plain(value)).trim_end().to_owned();
+        let shown = |value: f64| match &axis.shown {
+            Some(_) => axis.text(value),
+            None => format!("{} {unit}", plain(value)).trim_end().to_owned(),
+        };
         let told = |(value, reason): (&f64, &String)| {
             format!("nothing at {} = {}: {reason}", axis.name(), shown(*value))
         };

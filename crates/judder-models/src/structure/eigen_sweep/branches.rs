@@ -149,13 +149,16 @@ impl<'a, I> SweptBranches<'a, I> {
             .take(SHOWN)
             .flat_map(|(curve, value, point)| {
                 let with = self.curves.told(curve).map_or_else(String::new, |told| format!(", {told}"));
-                gap_warnings(&point.gaps).into_iter().map(move |gap| format!("at {value}{with}: {gap}"))
+                gap_warnings(&point.gaps).into_iter().map(move |gap| {
+                    let at = self.axis.text(*value);
+                    format!("at {at}{with}: {gap}")
+                })
             })
             .collect();
         if more > 0 {
             warnings.push(format!("eigenvalues may be missing at {more} more values"));
         }
-        warnings.extend(self.onsets.iter().filter_map(LocatedOnsets::warning));
+        warnings.extend(self.onsets.iter().filter_map(|own| own.warning(&|value| self.axis.text(value))));
         warnings
     }
 

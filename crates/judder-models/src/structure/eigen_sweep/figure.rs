@@ -31,7 +31,7 @@ pub(crate) fn eigen_sweep(dataset: &Dataset) -> Option<Vec<Panel>> {
     let count = *dataset.variable("eigenvalue")?.shape.last()?;
     let length = count * swept.values.len();
     let curve = |curve: usize| CurveBranches {
-        values: swept.values,
+        values: &swept.values,
         eigenvalues: &eigenvalues[curve * length..][..length],
         verdicts: &verdicts[curve * length..][..length],
         count,

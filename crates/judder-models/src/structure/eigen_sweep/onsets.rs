@@ -65,9 +65,10 @@ impl LocatedOnsets {
         self.doubts.clone()
     }
 
-    /// That onsets are in doubt, and the first reason.
-    pub(crate) fn warning(&self) -> Option<String> {
+    /// That onsets are in doubt, and the first reason; with values as `text` has them.
+    pub(crate) fn warning(&self, text: &dyn Fn(f64) -> String) -> Option<String> {
         let ToldDoubt { from, to, reason } = self.doubts.first()?;
+        let (from, to) = (text(*from), text(*to));
         let more = match self.doubts.len() - 1 {
             0 => String::new(),
             more => format!(", and for {more} more reasons (`onsets_in_doubt`)"),
@@ -113,7 +114,10 @@ impl LocatedOnsets {
         let (from, to) = (*from, *to);
         let doubt = |reason: String| ToldDoubt { from, to, reason };
         let (Some(low), Some(high)) = (low, high) else {
-            let reason = format!("there is no solution at {}", if low.is_none() { from } else { to });
+            let reason = format!(
+                "there is no solution at the {} of them",
+                if low.is_none() { "lower" } else { "higher" }
+            );
             return Ok(Self { onsets: Vec::new(), doubts: vec![doubt(reason)] });
         };
         let ends = [(from, low.clone()), (to, high.clone())];

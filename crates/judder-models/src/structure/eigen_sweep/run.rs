@@ -56,7 +56,8 @@ pub(super) fn run(
     });
     let onsets = onsets.collect::<Result<_, _>>()?;
     let quantity = SweptQuantity { name: "value".to_owned(), ..parameter(name_of(&settings.sweep.path)) };
-    let axis = SweptAxis { quantity, values: settings.sweep.values.clone(), scale: settings.sweep.scale };
+    let (values, scale) = (settings.sweep.values.clone(), settings.sweep.scale);
+    let axis = SweptAxis { quantity, values, scale, shown: None };
     let (all_factors, all_points): (Vec<&Factors>, Vec<&PointEigenvalues>) =
         points.iter().flatten().zip(sweeps.iter().flat_map(|sweep| &sweep.points)).unzip();
     (1..all_points.len()).for_each(|_| progress.advance());

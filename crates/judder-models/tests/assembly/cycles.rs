@@ -55,6 +55,46 @@ fn the_cycle_of_a_block_is_what_its_march_settles_to() {
     assert!(number(&cycle["left_out"]) <= 0.01 && number(&cycle["energy_balance"]) < 1e-4);
 }
 
+/// One harmonic leaves more of the forces out than a tenth: a cycle is found, but it has not converged, wherever it is told.
+#[test]
+fn a_cycle_of_too_few_harmonics_has_not_converged() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small/assembly-cycle.toml");
+    let few = ["cycle", "less-friction"].map(|name| format!("analysis.{name}.harmonics=1"));
+    let file = judder_models::read(path, &few).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &file, &["cycle"]);
+    let told = &report.summary.results["cycle"];
+    assert!(number(&told["left_out"]) > 0.1 && told["converged"] == false, "{told:?}");
+    let reason = told["reason"].as_str().unwrap();
+    assert!(reason.contains("leave") && report.messages.iter().any(|own| own.contains(reason)), "{reason}");
+    assert!(!report.complete && number(&told["frequency_hz"]) > 0.0);
+    let page = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
+    assert!(page.contains("<td>converged</td>"));
+    let report = alone(&file, "less-friction");
+    let told = &report.summary.results["less-friction"];
+    let converged = told["converged"].as_array().unwrap();
+    assert!(
+        converged.len() == numbers(&told["value"]).len() && converged.contains(&false.into()),
+        "{told:?}"
+    );
+    let said = "cycles have not converged: the harmonics leave";
+    assert!(
+        !report.complete && report.messages.iter().any(|own| own.contains(said)),
+        "{:?}",
+        report.messages
+    );
+    let text = std::fs::read_to_string(path).unwrap();
+    let bare: String = text
+        .lines()
+        .filter(|line| !["margin", "knocks", "cures"].iter().any(|own| line.starts_with(own)))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    let file = judder_models::parse("case.toml", &bare, &["analysis.squeal.harmonics=1".to_owned()]).unwrap();
+    let report = alone(&file, "squeal");
+    let modes = report.summary.results["squeal"]["modes"].as_array().unwrap();
+    assert!(!report.complete && modes.iter().any(|mode| mode["converged"] == false), "{modes:?}");
+}
+
 /// Arrays of one period say what the summary says.
 #[test]
 fn a_period_is_stored_as_it_is_told() {

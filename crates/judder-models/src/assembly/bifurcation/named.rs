@@ -23,6 +23,19 @@ const HOPF: &str = KINDS[0];
 const FOLD: &str = KINDS[1];
 const BRANCH_POINT: &str = KINDS[2];
 const KINK: &str = KINDS[3];
+const DOUBLING: &str = KINDS[5];
+const NEIMARK_SACKER: &str = KINDS[6];
+const UNKNOWN: &str = KINDS[7];
+
+/// What is known of the motions that come in at a bifurcation of a kind: whether there are any on the side of unstable cycles multipliers alone do not tell.
+fn motion_of(kind: &str) -> &'static str {
+    match kind {
+        DOUBLING => "unknown: of twice the period where such motions attract; a march tells",
+        NEIMARK_SACKER => "unknown: quasi-periodic where such motions attract; a march tells",
+        UNKNOWN => "unknown: a march tells",
+        _ => "",
+    }
+}
 
 /// A bifurcation.
 #[derive(Debug, Clone, Results)]
@@ -41,6 +54,8 @@ pub(super) struct NamedBifurcation {
     pub(super) between: Vec<f64>,
     /// the first of these cycles, counted from 0
     pub(super) cycle: usize,
+    /// what is known of the motions that come in there, for which the multipliers of the cycles do not suffice; empty where cycles or steady sliding alone meet
+    pub(super) motion: &'static str,
 }
 
 impl NamedBifurcation {
@@ -59,6 +74,7 @@ impl NamedBifurcation {
             rms: known[before].rms,
             between: vec![known[before].value, known[after].value],
             cycle: before,
+            motion: motion_of(kind),
         }
     }
 
@@ -66,6 +82,14 @@ impl NamedBifurcation {
     fn is_located(&self, [before, after]: [usize; 2]) -> bool {
         let [from, to] = [self.cycle, self.cycle + 2];
         [FOLD, BRANCH_POINT, KINK].contains(&self.kind) && from <= after && before <= to
+    }
+
+    /// Where it lies and what comes in there, where that is not known.
+    pub(super) fn unknown_motion(&self, text: impl Fn(f64) -> String) -> Option<String> {
+        (!self.motion.is_empty()).then(|| {
+            let (kind, at) = (self.kind, text(self.value));
+            format!("what motions become at the {kind} near {at} is {}", self.motion)
+        })
     }
 
     /// Whether the key turns there.
@@ -152,4 +176,25 @@ fn changes_of_stability(known: &[KnownCycle], located: &[NamedBifurcation]) -> V
             NamedBifurcation::new(crossing_words(own.crossing), amid, known, own.between)
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every way through the circle has a kind, and what follows from none of them alone is not guessed.
+    #[test]
+    fn what_motions_become_is_unknown_where_multipliers_alone_tell() {
+        let told = [
+            (CircleCrossing::AtOne, ""),
+            (CircleCrossing::AtMinusOne, "unknown: of twice the period"),
+            (CircleCrossing::Pair, "unknown: quasi-periodic"),
+            (CircleCrossing::Unknown, "unknown: a march"),
+        ];
+        for (crossing, words) in told {
+            let kind = crossing_words(crossing);
+            assert!(KINDS.contains(&kind) && motion_of(kind).starts_with(words), "{kind}");
+            assert_eq!(motion_of(kind).is_empty(), words.is_empty(), "{kind}");
+        }
+    }
 }

@@ -5,7 +5,7 @@ use super::told::{KnownCycle, ToldCycleBranch, dataset};
 use crate::assembly::AssemblySubject;
 use crate::assembly::branch_checks::{ShrunkAt, equations, shrinks};
 use crate::assembly::cycles_along_key::{CyclesAlongKey, FirstCycle};
-use crate::assembly::limit_cycle::search::left_out;
+use crate::assembly::limit_cycle::search::{is_converged, left_out};
 use crate::assembly::limit_cycle::settings::LOWEST;
 use crate::assembly::limit_cycle::stability::KnownStability;
 use crate::assembly::meant_mode::{fastest, near_frequency};
@@ -132,13 +132,17 @@ fn branches(
     // the branch goes on, and how is not known
     let is_cut =
         |own: &&AssemblyCycleBranch| matches!(own.end, CycleBranchEnd::Lost(_) | CycleBranchEnd::Points);
-    let missing = [&down, &up].into_iter().filter(is_cut).count();
+    let cut = [&down, &up].into_iter().filter(is_cut).count();
+    let unconverged = known.iter().any(|own| !is_converged(own.left_out));
+    let missing = cut + usize::from(unconverged);
     let shrunk = ends.into_iter().flatten();
     let checks = std::iter::once(equations(known.iter().map(|own| own.residual)))
         .chain(shrunk.clone().filter(|own| own.is_hopf()).map(|own| shrinks(&asked.sweep, own)));
     let mut warnings = ToldCycleBranch::words([&down, &up]);
     warnings.extend(shrunk.filter(|own| !own.is_hopf()).map(|own| not_at_an_onset(asked, own)));
     warnings.extend(told.kinks());
+    let motions = told.bifurcations.iter().map(|own| own.unknown_motion(|value| asked.sweep.text(value)));
+    warnings.extend(motions.flatten());
     warnings.extend(told.folds_alone());
     warnings.extend(of_cycles(asked, &known));
     Ok(Outcome {
@@ -165,7 +169,11 @@ fn of_cycles(asked: &CycleDiagram, known: &[KnownCycle]) -> Vec<String> {
     let all = known.len();
     let undecided = (unknown > 0)
         .then(|| format!("whether motions nearby are drawn to it is not known of {unknown} of {all} cycles"));
-    left_out(known.iter().map(|own| own.left_out).fold(0.0, f64::max)).into_iter().chain(undecided).collect()
+    let unconverged = known.iter().filter(|own| !is_converged(own.left_out)).count();
+    let largest = known.iter().map(|own| own.left_out).fold(0.0, f64::max);
+    let much =
+        left_out(largest).map(|words| format!("{unconverged} of {all} cycles have not converged: {words}"));
+    much.into_iter().chain(undecided).collect()
 }
 
 /// What the folds of each way may be off, each from the same one with twice the harmonics.

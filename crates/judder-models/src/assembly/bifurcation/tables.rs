@@ -14,7 +14,15 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     };
     let shown = ShownValues::called(results.get(SHOWN_UNIT).and_then(Value::as_str));
     let key = shown.head(told("key"));
-    let heads = ["", &key, "may be off", "between", "frequency (Hz)", "velocity along the slip, rms (m/s)"];
+    let heads = [
+        "",
+        &key,
+        "may be off",
+        "between",
+        "frequency (Hz)",
+        "velocity along the slip, rms (m/s)",
+        "what motions become",
+    ];
     let harmonics = short(results.get("harmonics").unwrap_or(&Value::Null));
     let caption = format!(
         "Bifurcations, in the order along the branch, of cycles with {harmonics} harmonics; frequency and velocity are those of the cycle before"
@@ -24,7 +32,8 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
         let (value, error) = (shown.value(&own["value"]), shown.difference(&own["error"]));
         let [frequency, rms] = ["frequency_hz", "rms"].map(|name| short(&own[name]));
         let between = format!("{} … {}", shown.value(&own["between"][0]), shown.value(&own["between"][1]));
-        vec![kind, value, error, between, frequency, rms]
+        let motion = own["motion"].as_str().unwrap_or_default().to_owned();
+        vec![kind, value, error, between, frequency, rms, motion]
     };
     vec![listed(&caption, &heads, all, row)]
 }

@@ -2,6 +2,7 @@
 
 use super::CycleDiagram;
 use super::named::{KINDS, NamedBifurcation, hopf_point, named};
+use crate::assembly::limit_cycle::search::is_converged;
 use crate::assembly::limit_cycle::stability::{KnownStability, with_multipliers};
 use crate::error::ModelError;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey, CycleBranchEnd};
@@ -57,6 +58,8 @@ pub(super) struct ToldCycleBranch {
     harmonics: usize,
     /// the largest share of the swing of the contact forces that harmonics leave out
     left_out: Option<f64>,
+    /// whether they leave no more than a tenth out, of each cycle
+    converged: Vec<bool>,
 }
 
 fn end(branch: &AssemblyCycleBranch, hopf: &[&CycleAtKey]) -> String {
@@ -93,6 +96,7 @@ impl ToldCycleBranch {
             ends: Vec::new(),
             harmonics: asked.harmonics,
             left_out: None,
+            converged: Vec::new(),
         }
     }
 
@@ -116,6 +120,7 @@ impl ToldCycleBranch {
             bifurcations: named(known, ways, fold_errors, hopf),
             ends: ways.map(|way| end(way, hopf)).to_vec(),
             left_out: all(|own| own.left_out).into_iter().reduce(f64::max),
+            converged: known.iter().map(|own| is_converged(own.left_out)).collect(),
             ..Self::none(asked)
         }
     }

@@ -3,7 +3,7 @@
 use super::arrays::dataset;
 use super::checks::{INSTANTS, checks};
 use super::contributions::with_contributions;
-use super::search::{CycleOfMode, differentiated, left_out};
+use super::search::{CycleOfMode, differentiated};
 use super::settings::{CycleMethod, LOWEST, ModeCycle, USUAL_STEPS};
 use super::stability::KnownStability;
 use super::told::{ToldCycleMode, ToldModeCycle, scalars};
@@ -64,7 +64,10 @@ fn told(
     let stability = KnownStability::of(&cycle.balance, &cycle.motion, asked.solver.stability, progress)?
         .and_by_hill(&cycle.balance, &cycle.motion, HILL_ROWS, progress)?;
     outcome.dataset = dataset(of, sought, Some(&stability))?;
-    outcome.warnings.extend(words_of(sought, cycle).into_iter().chain(stability.doubt()));
+    let unconverged = sought.unconverged();
+    outcome.missing = usize::from(unconverged.is_some());
+    let words = unconverged.into_iter().chain(words_of(sought, cycle)).chain(stability.doubt());
+    outcome.warnings.extend(words);
     progress.go_on()?;
     let about = Linearised::new(&of.built.assembly, steady, LinearisedTerms::default())?;
     let made_of = match ModeContributions::of(cycle, &about, sought.eigenvalue.im)? {
@@ -73,7 +76,7 @@ fn told(
             Some(made_of)
         }
         Err(error) => {
-            outcome.missing = 1;
+            outcome.missing += 1;
             outcome.warnings.push(format!("of which modes the cycle is made up is not known: {error}"));
             None
         }
@@ -88,7 +91,7 @@ fn told(
             Some(shot)
         }
         Some(Err(reason)) => {
-            outcome.missing = 1;
+            outcome.missing += 1;
             mode.not_by_the_march(&reason);
             outcome.warnings.push(format!("{reason}; what is told is the cycle by harmonics"));
             None
@@ -156,16 +159,12 @@ fn mode(
     Ok(mode)
 }
 
-/// What is to be said of a cycle.
-fn words_of(sought: &CycleOfMode<'_>, cycle: &AssemblyCycle<'_>) -> Vec<String> {
-    let much = || left_out(cycle.quality.left_out);
-    let mut words: Vec<String> = sought.held_back().or_else(much).into_iter().collect();
-    if cycle.attracts == Some(false) {
-        let knock = "motions of its shape leave it on both sides: smaller ones decay, larger ones grow";
-        let turned = "motions of its shape leave it although small ones grow: they grow to another motion";
-        words.push(if sought.eigenvalue.re > 0.0 { turned } else { knock }.to_owned());
-    }
-    words
+/// That motions of its shape leave a cycle.
+fn words_of(sought: &CycleOfMode<'_>, cycle: &AssemblyCycle<'_>) -> Option<String> {
+    let knock = "motions of its shape leave it on both sides: smaller ones decay, larger ones grow";
+    let turned = "motions of its shape leave it although small ones grow: they grow to another motion";
+    let words = if sought.eigenvalue.re > 0.0 { turned } else { knock };
+    (cycle.attracts == Some(false)).then(|| words.to_owned())
 }
 
 /// The same cycle by a march that comes back, where it is asked for; in words why there is none.

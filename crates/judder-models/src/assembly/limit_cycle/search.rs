@@ -106,6 +106,11 @@ impl<'a> CycleOfMode<'a> {
         ))
     }
 
+    /// Why the harmonics of the cycle leave more out than they may; nothing where there is none.
+    pub(in crate::assembly) fn unconverged(&self) -> Option<String> {
+        self.held_back().or_else(|| left_out(self.cycle()?.quality.left_out))
+    }
+
     /// Why there is no cycle.
     pub(in crate::assembly) fn reason(&self) -> Option<String> {
         let found = match &self.found {
@@ -151,11 +156,17 @@ fn with_harmonics(counts: &[usize]) -> String {
     }
 }
 
-/// That harmonics, of a number that was asked for, leave much out.
+/// The share of the swing of the contact forces that harmonics of a number that was asked for may leave out.
+const MUCH: f64 = 0.1;
+
+/// Whether harmonics of a number that was asked for leave no more out than they may.
+pub(in crate::assembly) fn is_converged(share: f64) -> bool {
+    share <= MUCH
+}
+
+/// That they leave more out.
 pub(in crate::assembly) fn left_out(share: f64) -> Option<String> {
-    /// Of the swing of the contact forces.
-    const MUCH: f64 = 0.1;
-    (share > MUCH).then(|| {
+    (!is_converged(share)).then(|| {
         format!(
             "the harmonics leave {:.0} % of the swing of the contact forces out: give more of them",
             100.0 * share

@@ -34,6 +34,7 @@ fn cycle(results: &Map<String, Value>) -> Option<PageTable> {
         ("motions nearby, by the Floquet multipliers", "stability"),
         ("Floquet multipliers, second opinion", "second_opinion"),
         ("largest multipliers apart by both", "multipliers_apart"),
+        ("converged", "converged"),
         ("harmonics", "harmonics"),
         ("left out of the swing of the forces", "left_out"),
         ("largest difference from a contact law, over the largest normal force", "between_samples"),

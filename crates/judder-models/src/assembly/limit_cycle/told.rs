@@ -21,9 +21,9 @@ use std::f64::consts::TAU;
 pub(super) struct ToldCycleMode {
     /// how the cycle is computed
     method: &'static str,
-    /// whether a cycle was found, by the method that was asked for
+    /// whether a cycle was found by the method that was asked for, and its harmonics leave no more of the swing of the contact forces out than `left_out` allows, or a tenth where their number is given
     converged: bool,
-    /// why none was
+    /// why it is not
     #[result(optional)]
     reason: Option<String>,
     /// frequency of the mode about steady sliding, in Hz
@@ -201,14 +201,15 @@ impl ToldCycleMode {
     /// The march did not come back.
     pub(super) fn not_by_the_march(&mut self, reason: &str) {
         self.converged = false;
-        self.reason = Some(reason.to_owned());
+        let before = self.reason.take().map_or_else(String::new, |own| format!("{own}; "));
+        self.reason = Some(format!("{before}{reason}"));
     }
 
     pub(super) fn new(asked: &ModeCycle, sought: &CycleOfMode<'_>) -> Self {
         Self {
             method: asked.method.name(),
-            converged: sought.cycle().is_some(),
-            reason: sought.reason(),
+            converged: sought.cycle().is_some() && sought.unconverged().is_none(),
+            reason: sought.reason().or_else(|| sought.unconverged()),
             mode_frequency_hz: sought.eigenvalue.im / TAU,
             mode_growth_rate: sought.eigenvalue.re,
             motions: sought.motions().len(),

@@ -1,5 +1,6 @@
 //! What would keep the leading mode from growing: derivatives of its growth rate by numbers of the case.
 
+use super::at_change::{MOST, ModeInBand, ModesAtChange};
 use super::settings::AskedCures;
 use crate::assembly::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
@@ -21,9 +22,8 @@ use std::f64::consts::TAU;
 const STEP: f64 = 1e-3;
 /// By how much derivatives upwards and downwards may differ, of the larger.
 const ALIKE: f64 = 0.1;
-/// By how much of itself the best number is changed to see whether the first order holds, at most, and what the change of the growth rate may be off then.
-const TRIED: f64 = 0.05;
-const HOLDS: f64 = 0.2;
+/// What may be left of the growth rate at the change that takes it to zero at first order, where that is to stand before others.
+const LEFT: f64 = 0.2;
 /// What rounding may change of the growth rate, of the modulus of the eigenvalue.
 const ROUNDING: f64 = 1e-11;
 /// Frequencies around the mode in which it is sought again.
@@ -36,10 +36,8 @@ pub(super) struct ToldCures {
     frequency_hz: Option<f64>,
     /// its growth rate, in 1/s
     growth_rate: Option<f64>,
-    /// each number of the case, the one that has to change least first
+    /// each number of the case, of those whose change keeps a fifth of the growth rate at most the one that has to change least first
     keys: Vec<ToldCure>,
-    /// the first of them changed a little, and the mode computed anew
-    check: Option<ToldCheck>,
     /// why there are none
     reason: String,
 }
@@ -61,44 +59,40 @@ struct ToldCure {
     change: Option<f64>,
     /// whether the derivative is the same upwards and downwards
     smooth: Option<bool>,
-    /// why there is none
+    /// the growth rate of the mode with the number changed so far, of a whole solution there, in 1/s; none where the mode was not found again
+    growth_rate_at_change: Option<f64>,
+    /// whether the mode decays then; none where that is not known
+    cured: Option<bool>,
+    /// modes of the band that grow then; none where it is not proven that these are all
+    unstable_at_change: Option<usize>,
+    /// what that change does, in words; empty where there is none
+    at_change: String,
+    /// why there is no derivative, or what is to be said of it
     reason: String,
 }
 
-/// Whether the first order holds.
-#[derive(Clone, Results)]
-struct ToldCheck {
-    /// the number that was changed
-    key: String,
-    /// by how much of itself
-    change: f64,
-    /// the growth rate that the derivative says, in 1/s
-    predicted: f64,
-    /// that of the mode computed anew, in 1/s
-    found: f64,
-    /// whether they agree to a fifth of the change
-    holds: bool,
-}
-
-/// The cures of the mode with this eigenvalue, which leads those that grow.
+/// The cures of the mode that leads those of a band that grow.
 pub(super) fn cures(
     of: &AssemblySubject<'_>,
     asked: &AskedCures,
-    mode: Option<Complex64>,
+    leading: Result<ModeInBand, String>,
     progress: &dyn Progress,
 ) -> Result<ToldCures, ModelError> {
-    let Some(mode) = mode else {
-        return Ok(ToldCures::none("no mode of the band grows".to_owned()));
+    let leading = match leading {
+        Ok(leading) => leading,
+        Err(reason) => return Ok(ToldCures::none(reason)),
     };
-    let paths: Vec<String> = match asked {
-        AskedCures::Keys(paths) => paths.clone(),
-        AskedCures::Usual => of.case.numbers().into_iter().filter(|path| is_usual(path)).collect(),
+    let mode = leading.value;
+    let told = ToldCures {
+        frequency_hz: Some(mode.im / TAU),
+        growth_rate: Some(mode.re),
+        ..ToldCures::none(String::new())
     };
+    let paths = paths(of, asked);
     if paths.is_empty() {
-        let (frequency_hz, growth_rate) = (Some(mode.im / TAU), Some(mode.re));
-        return Ok(ToldCures { frequency_hz, growth_rate, ..ToldCures::none(without_usual(of)) });
+        return Ok(ToldCures { reason: without_usual(of), ..told });
     }
-    let sought = |path: &String| -> Result<Option<(ToldCure, KeySweep)>, ModelError> {
+    let sought = |path: &String| -> Result<Option<ToldCure>, ModelError> {
         progress.go_on()?;
         let Some((value, dimension)) = of.case.number(path) else { return Ok(None) };
         let sweep = around(of.case, path, (value, dimension));
@@ -106,26 +100,38 @@ pub(super) fn cures(
             true => ToldCure::none(&sweep, value, "it is zero, of which there is no relative change"),
             false => cure(of, &sweep, value, mode),
         };
-        Ok(Some((found, sweep)))
+        let Some(change) = found.change else { return Ok(Some(found)) };
+        let then = leading.at_change(of, &sweep, (value, change), progress)?;
+        Ok(Some(found.with_change(then)))
     };
     // all of them, so that of several errors the first is told
-    let found: Vec<Result<Option<(ToldCure, KeySweep)>, ModelError>> = paths.par_iter().map(sought).collect();
-    let mut found: Vec<(ToldCure, KeySweep)> =
+    let found: Vec<Result<Option<ToldCure>, ModelError>> = paths.par_iter().map(sought).collect();
+    let mut keys: Vec<ToldCure> =
         found.into_iter().filter_map(Result::transpose).collect::<Result<_, _>>()?;
-    // those whose first order says little come last, since the first is tried
-    let place = |own: &ToldCure| (own.smooth != Some(true), own.change.map_or(f64::INFINITY, f64::abs));
-    found.sort_by(|(a, _), (b, _)| {
-        let ((a_is_rough, a), (b_is_rough, b)) = (place(a), place(b));
-        a_is_rough.cmp(&b_is_rough).then(a.total_cmp(&b))
-    });
-    let check = found.first().and_then(|(best, sweep)| checked(of, best, sweep, mode));
-    Ok(ToldCures {
-        frequency_hz: Some(mode.im / TAU),
-        growth_rate: Some(mode.re),
-        reason: String::new(),
-        keys: found.into_iter().map(|(own, _)| own).collect(),
-        check,
-    })
+    let place = |own: &ToldCure| {
+        let is_short = own.growth_rate_at_change.is_none_or(|growth| growth > LEFT * mode.re);
+        (own.change.is_none(), is_short, own.smooth != Some(true))
+    };
+    let size = |own: &ToldCure| own.change.map_or(f64::INFINITY, f64::abs);
+    keys.sort_by(|a, b| place(a).cmp(&place(b)).then(size(a).total_cmp(&size(b))));
+    Ok(ToldCures { keys, ..told })
+}
+
+/// The numbers that are asked for.
+fn paths(of: &AssemblySubject<'_>, asked: &AskedCures) -> Vec<String> {
+    match asked {
+        AskedCures::Keys(paths) => paths.clone(),
+        AskedCures::Usual => of.case.numbers().into_iter().filter(|path| is_usual(path)).collect(),
+    }
+}
+
+/// What cures are reckoned from, in words.
+pub(super) fn cures_estimated(of: &AssemblySubject<'_>, asked: &AskedCures) -> String {
+    let numbers = paths(of, asked).len();
+    format!(
+        "; modes beside {numbers} numbers of the case, and at up to {} values of each on the way to the change that would keep the mode from growing",
+        1 + MOST
+    )
 }
 
 /// The values on both sides of a number of the case between which its derivative is taken.
@@ -220,20 +226,6 @@ fn cure(of: &AssemblySubject<'_>, sweep: &KeySweep, value: f64, mode: Complex64)
     ToldCure { growth_by_change: Some(derivative), change, smooth: Some(is_smooth), reason, ..none }
 }
 
-/// The mode with the best number changed as far as it must, or a little.
-fn checked(
-    of: &AssemblySubject<'_>,
-    best: &ToldCure,
-    sweep: &KeySweep,
-    mode: Complex64,
-) -> Option<ToldCheck> {
-    let (change, derivative) = (best.change?.clamp(-TRIED, TRIED), best.growth_by_change?);
-    let found = beside(of, sweep, best.value * (1.0 + change), mode).ok()?.re;
-    let predicted = mode.re + derivative * change;
-    let holds = (found - predicted).abs() <= HOLDS * (derivative * change).abs();
-    Some(ToldCheck { key: best.key.clone(), change, predicted, found, holds })
-}
-
 impl ToldCure {
     /// Of a number that nothing is known of, for a reason.
     fn none(sweep: &KeySweep, value: f64, reason: &str) -> Self {
@@ -245,7 +237,22 @@ impl ToldCure {
             growth_by_change: None,
             change: None,
             smooth: None,
+            growth_rate_at_change: None,
+            cured: None,
+            unstable_at_change: None,
+            at_change: String::new(),
             reason: reason.to_owned(),
+        }
+    }
+
+    /// With what its change does.
+    fn with_change(self, then: ModesAtChange) -> Self {
+        Self {
+            growth_rate_at_change: then.growth,
+            cured: then.cured,
+            unstable_at_change: then.unstable,
+            at_change: then.words,
+            ..self
         }
     }
 }
@@ -253,21 +260,27 @@ impl ToldCure {
 impl ToldCures {
     /// None, for a reason.
     fn none(reason: String) -> Self {
-        Self { frequency_hz: None, growth_rate: None, keys: Vec::new(), check: None, reason }
+        Self { frequency_hz: None, growth_rate: None, keys: Vec::new(), reason }
     }
 
-    /// What is to be said of them.
-    pub(super) fn doubt(&self) -> Option<String> {
+    /// What is to be said of them: of the first few changes that are no cures, and of how many more.
+    pub(super) fn doubts(&self) -> Vec<String> {
+        const TOLD: usize = 3;
         if !self.reason.is_empty() {
-            return Some(format!("no cures are listed: {}", self.reason));
+            return vec![format!("no cures are listed: {}", self.reason)];
         }
-        let check = self.check.as_ref().filter(|own| !own.holds)?;
-        Some(format!(
-            "with `{}` changed by {:.1} % the mode grows with {:.4} 1/s and not {:.4}: the first order does not hold so far",
-            check.key,
-            100.0 * check.change,
-            check.found,
-            check.predicted,
-        ))
+        let changed = self.keys.iter().filter_map(|own| Some((own, own.change?)));
+        let told = |(own, change): (&ToldCure, f64)| {
+            format!("with `{}` changed by {}, {}", own.key, per_cent(change), own.at_change)
+        };
+        let all: Vec<String> = changed.filter(|(own, _)| own.cured != Some(true)).map(told).collect();
+        let more = all.len().saturating_sub(TOLD);
+        let rest = (more > 0).then(|| format!("{more} more changes told at first order are no known cures"));
+        all.into_iter().take(TOLD).chain(rest).collect()
     }
+}
+
+/// A change as it is told.
+pub(super) fn per_cent(change: f64) -> String {
+    format!("{:+.1} %", 100.0 * change).replace('-', "−")
 }

@@ -24,7 +24,8 @@ pub(super) struct CycleInBand {
     pub(super) second_opinion: String,
     pub(super) harmonics: usize,
     pub(super) left_out: f64,
-    pub(super) held_back: Option<String>,
+    /// Why the harmonics leave more out than they may.
+    pub(super) unconverged: Option<String>,
     pub(super) residual: f64,
     pub(super) imbalance: f64,
 }
@@ -62,7 +63,7 @@ impl CycleInBand {
             second_opinion: stability.second_opinion(),
             harmonics: cycle.balance.series().harmonics(),
             left_out: cycle.quality.left_out,
-            held_back: sought.held_back(),
+            unconverged: sought.unconverged(),
             residual: cycle.motion.residual,
             imbalance: cycle.power(INSTANTS)?.imbalance(),
         })

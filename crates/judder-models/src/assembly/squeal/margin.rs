@@ -1,6 +1,8 @@
 //! How far beyond the onset of a mode its cycles reach: the global margin.
 
-use super::margin_told::{CycleReach, MarginEnd, MarginOfOnset};
+use super::known_margin::MarginOfOnset;
+use super::margin_stability::StabilityOnBranch;
+use super::margin_told::{CycleReach, MarginEnd};
 use super::settings::AssemblySqueal;
 use crate::assembly::AssemblySubject;
 use crate::assembly::branch_checks::ShrunkAt;
@@ -73,7 +75,7 @@ pub(super) fn margins(
         most: CYCLES,
         progress,
     };
-    let along = AlongMarginKey { along, range, own };
+    let along = AlongMarginKey { along, range, own, is_stability_asked: asked.solver.stability };
     let branches = FollowedModes { values: &values, sweep: &solved.sweep, own, modes };
     let flutter = solved.onsets.onsets.iter().filter(|own| own.kind == OnsetKind::Flutter);
     let onsets: Vec<(&Onset, Option<usize>)> =
@@ -132,6 +134,8 @@ struct AlongMarginKey<'a> {
     along: CyclesAlongKey<'a>,
     range: [f64; 2],
     own: f64,
+    /// Whether it is told of cycles if motions nearby are drawn to them.
+    is_stability_asked: bool,
 }
 
 impl AlongMarginKey<'_> {
@@ -159,7 +163,7 @@ impl AlongMarginKey<'_> {
             };
             match self.along.of_mode(value, chosen)? {
                 Ok(first) => {
-                    let reach = self.followed(onset, &first)?;
+                    let reach = self.followed(onset, &first, partly.is_none())?;
                     if reach.end.is_whole() {
                         return Ok(reach);
                     }
@@ -176,11 +180,20 @@ impl AlongMarginKey<'_> {
         Ok(partly.unwrap_or_else(none))
     }
 
-    /// The branch through a cycle towards the side on which steady sliding is stable.
-    fn followed(&self, onset: &Onset, first: &FirstCycle) -> Result<CycleReach, ModelError> {
+    /// The branch through a cycle towards the side on which steady sliding is stable; with the stability of its cycles where it is whole, or told even if it is not.
+    fn followed(&self, onset: &Onset, first: &FirstCycle, is_told: bool) -> Result<CycleReach, ModelError> {
         let balance = self.along.balance(first)?;
         match self.along.branch(first, &balance, onset.gains) {
-            Ok(branch) => self.with_fold_error(&balance, &branch, self.read(onset, &branch)),
+            Ok(branch) => {
+                let mut reach = self.with_fold_error(&balance, &branch, self.read(onset, &branch))?;
+                if self.is_stability_asked && (is_told || reach.end.is_whole()) {
+                    let sign = if onset.gains { 1.0 } else { -1.0 };
+                    let beyond = |value: f64| sign * (value - onset.value) - onset.error;
+                    reach.stability =
+                        StabilityOnBranch::of(&self.along, &balance, &branch, self.range, beyond)?;
+                }
+                Ok(reach)
+            }
             Err(CyclesError::Stopped) => Err(ModelError::Interrupted),
             Err(error) => Ok(CycleReach::unknown(format!("the branch of cycles was not begun: {error}"))),
         }
@@ -246,6 +259,7 @@ impl AlongMarginKey<'_> {
             end,
             residuals: branch.cycles.iter().map(|own| own.motion.residual).collect(),
             shrunk: ShrunkAt::of(self.along.family, branch),
+            stability: StabilityOnBranch::default(),
         }
     }
 }

@@ -1,11 +1,12 @@
 //! What is told of global margins.
 
+use super::known_margin::{KnownMargin, MarginOfOnset, MarginPlace};
 use super::margin::SoughtMargins;
+use super::margin_stability::StabilityOnBranch;
 use super::settings::AssemblySqueal;
 use crate::assembly::branch_checks::{ShrunkAt, equations, shrinks};
 use crate::key_sweep::KeySweep;
 use judder_store::Results;
-use judder_structure::onset::Onset;
 use judder_study::labels::any_key;
 use judder_study::outcome::CheckRecord;
 
@@ -22,6 +23,8 @@ pub(super) struct CycleReach {
     pub(super) residuals: Vec<f64>,
     /// Where it shrinks to steady sliding.
     pub(super) shrunk: Option<ShrunkAt>,
+    /// Whether motions nearby are drawn to its cycles.
+    pub(super) stability: StabilityOnBranch,
 }
 
 /// How a branch of cycles ends.
@@ -51,7 +54,7 @@ impl MarginEnd {
         matches!(self, Self::Onset | Self::Growing)
     }
 
-    fn words(&self, sweep: &KeySweep) -> String {
+    pub(super) fn words(&self, sweep: &KeySweep) -> String {
         match self {
             Self::Onset => "shrinks to steady sliding at the onset".to_owned(),
             Self::Growing => "turns and leaves the range where the mode grows".to_owned(),
@@ -76,96 +79,8 @@ impl MarginEnd {
 impl CycleReach {
     pub(super) fn unknown(reason: String) -> Self {
         let end = MarginEnd::None(reason);
-        Self { fold: None, reaches: None, end, residuals: Vec::new(), shrunk: None }
-    }
-}
-
-/// An onset with the margin beyond it.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct MarginOfOnset {
-    onset: Onset,
-    mode: Option<usize>,
-    reach: CycleReach,
-    margin: Option<KnownMargin>,
-    is_within: Option<bool>,
-}
-
-/// A margin, and what it may be off; not a number where that is not known.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct KnownMargin {
-    pub(super) value: f64,
-    error: f64,
-}
-
-/// The place of a margin among others.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct MarginPlace {
-    /// One more than those that are larger whatever both may be off; none where that is not known of the margin itself.
-    pub(super) rank: Option<usize>,
-    /// The others that may be larger as well as smaller.
-    pub(super) tied: usize,
-}
-
-impl KnownMargin {
-    /// Whether it is larger than another whatever both may be off.
-    fn is_beyond(self, other: Self) -> bool {
-        self.value - self.error > other.value + other.error
-    }
-
-    /// Its place among all, itself one of them.
-    fn place(self, all: &[Option<Self>]) -> MarginPlace {
-        let others = || all.iter().flatten();
-        let larger = others().filter(|other| other.is_beyond(self)).count();
-        let smaller = others().filter(|other| self.is_beyond(**other)).count();
-        let rank = (!self.error.is_nan()).then_some(1 + larger);
-        MarginPlace { rank, tied: others().count() - 1 - larger - smaller }
-    }
-}
-
-impl MarginOfOnset {
-    /// The margin beyond an onset at which a mode, of those that grow in the case, begins to grow; `own` is the value of the case.
-    pub(super) fn new(onset: &Onset, mode: Option<usize>, reach: CycleReach, own: f64) -> Self {
-        let is_whole = reach.end.is_whole();
-        let size = onset.value.abs();
-        let margin = match reach.fold {
-            Some([fold, error]) => Some(KnownMargin {
-                value: (fold - onset.value).abs() / size,
-                error: (error + onset.error * fold.abs() / size) / size,
-            }),
-            None => is_whole.then_some(KnownMargin { value: 0.0, error: 0.0 }),
-        };
-        let sign = if onset.gains { 1.0 } else { -1.0 };
-        let beyond_onset = sign * (own - onset.value);
-        let is_reached = match (reach.fold, reach.reaches) {
-            (Some([fold, error]), _) => sign * (fold - own) > error,
-            (None, Some(value)) => sign * (value - own) > 0.0,
-            (None, None) => false,
-        };
-        let is_within = match is_reached {
-            _ if beyond_onset < -onset.error => Some(false),
-            true if beyond_onset > onset.error => Some(true),
-            // within what onset and fold may be off; and cycles of branches that do not begin at the onset are not sought
-            _ => None,
-        };
-        Self { onset: *onset, mode, reach, margin, is_within }
-    }
-
-    /// What is told of it where the margin is not known, or not how far it is off.
-    fn doubt(&self, sweep: &KeySweep) -> Option<String> {
-        let (path, onset) = (&sweep.path, sweep.text(self.onset.value));
-        match self.reach.fold {
-            None if self.margin.is_none() => {
-                let words = self.reach.end.words(sweep);
-                Some(format!(
-                    "how far the cycles reach beyond the onset at {path} = {onset} is not known: {words}"
-                ))
-            }
-            Some([fold, error]) if error.is_nan() => Some(format!(
-                "what the fold at {path} = {} beyond the onset at {onset} may be off is not known: no such fold is found with twice the harmonics",
-                sweep.text(fold)
-            )),
-            _ => None,
-        }
+        let stability = StabilityOnBranch::default();
+        Self { fold: None, reaches: None, end, residuals: Vec::new(), shrunk: None, stability }
     }
 }
 
@@ -225,6 +140,12 @@ struct MarginOfMode {
     knock: Option<bool>,
     /// how the branch of cycles ends
     end: String,
+    /// values of the key at cycles of the branch of which it was looked at whether motions nearby are drawn to them, in the order along it
+    looked_at: Vec<f64>,
+    /// whether they are; none where it is not known
+    stable: Vec<Option<bool>>,
+    /// how many are, on either side of the onset, in words
+    stability: String,
 }
 
 impl SoughtMargins {
@@ -259,17 +180,21 @@ impl ToldMargins {
                 grows_above: !own.onset.gains,
                 mode: own.mode.map(|mode| mode + 1),
                 fold: own.reach.fold.map(|[value, _]| value),
-                fold_error: own.reach.fold.map(|[_, error]| error),
+                fold_error: own.reach.fold.map(|[_, error]| error).filter(|error| error.is_finite()),
                 reaches: own.reach.reaches,
                 margin: own.margin.map(|margin| margin.value),
-                margin_error: own.margin.map(|margin| margin.error),
+                margin_error: own.margin.map(|margin| margin.error).filter(|error| error.is_finite()),
                 rank: place.and_then(|place| place.rank),
                 tied: place.map(|place| place.tied),
                 knock: own.is_within,
                 end: own.reach.end.words(sweep),
+                looked_at: own.reach.stability.cycles.iter().map(|cycle| cycle.value).collect(),
+                stable: own.reach.stability.cycles.iter().map(|cycle| cycle.stable).collect(),
+                stability: own.reach.stability.words(),
             }
         });
         let is_within = found.onsets.iter().any(|own| own.is_within == Some(true));
+        let is_left = found.onsets.iter().any(|own| own.reach.stability.is_left_beyond());
         Self {
             key: sweep.path.clone(),
             unit: any_key(&sweep.path, sweep.dimension).unit,
@@ -282,6 +207,9 @@ impl ToldMargins {
                 (true, _) => "",
                 (false, true) => {
                     "no mode begins to grow within the range, and cycles are followed from onsets alone"
+                }
+                (false, false) if is_left => {
+                    "cycles beyond an onset were looked at, and all of them are unstable: no motion is known to come to them; others are not sought"
                 }
                 (false, false) => {
                     "no cycles that begin at the onsets of the range are known to reach the case; others are not sought"
@@ -306,7 +234,7 @@ impl ToldMargins {
             )
         };
         let none = found.onsets.is_empty().then(none);
-        let of_onsets = found.onsets.iter().filter_map(|own| own.doubt(sweep));
+        let of_onsets = found.onsets.iter().flat_map(|own| [own.doubt(sweep), own.unstable(sweep)]).flatten();
         of_onsets.chain(found.doubt.clone()).chain(none).collect()
     }
 
@@ -317,54 +245,5 @@ impl ToldMargins {
             !has_error || !own.reach.end.is_whole() && !matches!(own.reach.end, MarginEnd::Range)
         };
         found.onsets.iter().filter(is_missing).count()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use judder_structure::onset::OnsetKind;
-
-    /// Whether a mode that grows below 1 ± 0.01 and has cycles up to 1.5 ± `error` has cycles at a value at which it does not grow.
-    fn knock(own: f64, error: f64) -> Option<bool> {
-        let onset = Onset {
-            value: 1.0,
-            error: 0.01,
-            frequency_hz: 100.0,
-            kind: OnsetKind::Flutter,
-            gains: true,
-            jumps: false,
-            crossing: None,
-        };
-        let reach = CycleReach {
-            fold: Some([1.5, error]),
-            reaches: Some(1.49),
-            end: MarginEnd::Growing,
-            residuals: Vec::new(),
-            shrunk: None,
-        };
-        MarginOfOnset::new(&onset, None, reach, own).is_within
-    }
-
-    #[test]
-    fn a_knock_is_told_beyond_what_onset_and_fold_may_be_off_alone() {
-        let told = [0.98, 0.995, 1.005, 1.02, 1.47, 1.49, 1.6, f64::NAN].map(|own| knock(own, 0.02));
-        let yes = Some(true);
-        assert_eq!(told, [Some(false), None, None, yes, yes, None, None, None]);
-        assert_eq!(knock(1.2, f64::NAN), None);
-    }
-
-    #[test]
-    fn margins_that_their_errors_do_not_part_share_a_place() {
-        let all = [(0.3, 0.02), (0.27, 0.02), (0.24, 0.02), (0.1, 0.01), (0.2, f64::NAN)];
-        let all = all.map(|(value, error)| Some(KnownMargin { value, error }));
-        let places = all.map(|own| own.map(|own| own.place(&all)).map(|own| (own.rank, own.tied)));
-        // the first and the third are parted, the one between them from neither; of the last nothing is known
-        let expected = [(Some(1), 2), (Some(1), 3), (Some(2), 2), (Some(4), 1), (None, 4)];
-        assert_eq!(places, expected.map(Some));
-        let exact = [Some(KnownMargin { value: 0.0, error: 0.0 }); 2];
-        assert!(
-            exact.iter().flatten().all(|own| own.place(&exact) == MarginPlace { rank: Some(1), tied: 1 })
-        );
     }
 }

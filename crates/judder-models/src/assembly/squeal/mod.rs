@@ -1,13 +1,16 @@
 //! `squeal`: the cycles of all modes of a band that grow, ranked by how loud they are.
 //!
-//! - [`settings`]: the keys. `cycle`: the cycle of a mode. `margin`, `margin_told`: how far beyond its onset cycles reach. `knocks`: what becomes of impulses.
-//!   `cures`: what the growth rate follows. `run`, `told`: what is computed and told of all of them. `figure`, `tables`: how it is shown.
+//! - [`settings`]: the keys. `cycle`: the cycle of a mode. `margin`, `known_margin`, `margin_told`: how far beyond its onset cycles reach, `margin_stability`: whether motions are drawn to them. `knocks`: what becomes of impulses.
+//!   `cures`: what the growth rate follows, `at_change`: the modes with a number changed as far as a cure asks. `run`, `told`: what is computed and told of all of them. `figure`, `tables`: how it is shown.
 
+mod at_change;
 mod cures;
 mod cycle;
 mod figure;
 mod knocks;
+mod known_margin;
 mod margin;
+mod margin_stability;
 mod margin_told;
 mod run;
 pub mod settings;
@@ -19,6 +22,7 @@ use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::limit_cycle::stability::multipliers_estimated;
 use crate::error::ModelError;
+use cures::cures_estimated;
 use judder_cycles::fold::FOLD_REFINEMENT;
 use judder_cycles::receptance::MOST_FREEDOMS;
 use judder_cycles::stability::HILL_ROWS;
@@ -28,6 +32,7 @@ use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::short;
+use margin_stability::LOOKED_AT;
 use serde_json::{Map, Value as Json};
 use settings::AssemblySqueal;
 use std::f64::consts::TAU;
@@ -86,17 +91,23 @@ impl Analysis<AssemblyCase> for AssemblySqueal {
             let (path, values) = (&sweep.path, sweep.values.len());
             let harmonics = self.margin_harmonics();
             let more = FOLD_REFINEMENT * harmonics;
+            let looked_at = match self.solver.stability {
+                true => format!(", multipliers of up to {} of its cycles", 2 * LOOKED_AT),
+                false => String::new(),
+            };
             format!(
-                "; modes at {values} values of {path}, and a branch of cycles with {harmonics} harmonics from each onset, its fold once more with {more}"
+                "; modes at {values} values of {path}, and a branch of cycles with {harmonics} harmonics from each onset, its fold once more with {more}{looked_at}"
             )
         });
         let knocks = self.knocks.as_ref().map_or_else(String::new, |own| {
             let steps = (own.duration / own.step).ceil();
             format!("; {} knocks of {steps} steps each", own.samples)
         });
+        let cures = self.cures.as_ref().filter(|own| own.asks());
+        let cures = cures.map_or_else(String::new, |own| cures_estimated(of, own));
         let multipliers = multipliers_estimated(of, self.solver.stability, Some(HILL_ROWS));
         Ok(format!(
-            "the limit cycles of the modes from {from} to {to} Hz that grow, with {points} contact points{multipliers}{margins}{knocks}"
+            "the limit cycles of the modes from {from} to {to} Hz that grow, with {points} contact points{multipliers}{margins}{knocks}{cures}"
         ))
     }
 

@@ -1,5 +1,6 @@
 //! The modes that grow, and their cycles.
 
+use super::at_change::ModeInBand;
 use super::cures::cures;
 use super::cycle::{CycleInBand, SoughtMode};
 use super::knocks::{KnownSmallMotions, knocked};
@@ -21,8 +22,10 @@ use judder_structure::complex_modes::{ComplexMode, Verdict};
 use judder_study::Progress;
 use judder_study::kept::KeptLines;
 use judder_study::outcome::{CheckRecord, Outcome};
+use judder_study::text::short;
 use num_complex::Complex64;
 use rayon::prelude::*;
+use std::f64::consts::TAU;
 
 pub(super) fn run(
     of: &AssemblySubject<'_>,
@@ -38,7 +41,7 @@ pub(super) fn run(
     };
     let values: Vec<Complex64> = all.modes.iter().filter(swings).map(|mode| mode.eigenvalue.value).collect();
     let modes = sought(of, asked, &steady, &values, progress)?;
-    let mut told = ToldSqueal::new(all.complete(), ranked(&modes));
+    let mut told = ToldSqueal::new(asked.band, all.complete(), ranked(&modes));
     let mut warnings = of.doubts(&steady);
     if !told.complete {
         warnings.push("it is not proven that the band has no other modes".to_owned());
@@ -48,8 +51,11 @@ pub(super) fn run(
     }
     let unheard = told.all_unstable();
     // motions go somewhere, but how loud that is no cycle tells
-    let mut missing =
-        told.unstable - told.found + usize::from(!told.complete) + usize::from(unheard.is_some());
+    let unconverged = told.modes.iter().filter(|mode| mode.converged == Some(false)).count();
+    let mut missing = told.unstable - told.found
+        + unconverged
+        + usize::from(!told.complete)
+        + usize::from(unheard.is_some());
     warnings.extend(unheard);
     let mut checks = checked(&modes);
     if let Some(sweep) = asked.margin_sweep() {
@@ -72,9 +78,9 @@ pub(super) fn run(
             margin.set_knocked();
         }
     }
-    if let Some(asked) = asked.cures.as_ref().filter(|own| own.asks()) {
-        let found = cures(of, asked, told.leading().map(|leading| values[leading]), progress)?;
-        warnings.extend(found.doubt());
+    if let Some(cured) = asked.cures.as_ref().filter(|own| own.asks()) {
+        let found = cures(of, cured, leading(asked, &told, &values), progress)?;
+        warnings.extend(found.doubts());
         told.cures = Some(found);
     }
     let outcome = Outcome::of(&told)?;
@@ -83,6 +89,17 @@ pub(super) fn run(
         dataset = found.variables(dataset)?;
     }
     Ok(Outcome { dataset, checks, warnings, missing, ..outcome })
+}
+
+/// The mode whose cures are sought, or why there is none.
+fn leading(asked: &AssemblySqueal, told: &ToldSqueal, values: &[Complex64]) -> Result<ModeInBand, String> {
+    match told.leading() {
+        Some(leading) => Ok(ModeInBand { value: values[leading], band: asked.band, unstable: values.len() }),
+        None => {
+            let [from, to] = asked.band.map(|omega| short(omega / TAU));
+            Err(format!("no mode from {from} to {to} Hz, the band that is asked for, grows"))
+        }
+    }
 }
 
 /// The cycle of each of these modes, or why there is none.

@@ -1,5 +1,6 @@
 //! The ranking of modes that grow in the report.
 
+use super::cures::per_cent;
 use crate::assembly::meant_mode::mode_at;
 use judder_report::page::PageTable;
 use judder_study::report_tables::short;
@@ -15,10 +16,14 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
 
 /// The modes from the loudest cycle on, unstable ones behind, those without a cycle last, by growth.
 fn modes(results: &Map<String, Value>) -> Vec<PageTable> {
-    let mut modes: Vec<&Value> =
-        results.get("modes").and_then(Value::as_array).into_iter().flatten().collect();
+    let Some(modes) = results.get("modes").and_then(Value::as_array) else { return Vec::new() };
+    let mut modes: Vec<&Value> = modes.iter().collect();
+    let band = results.get("band_hz").unwrap_or(&Value::Null);
+    let [from, to] = [0, 1].map(|end| short(&band[end]));
     if modes.is_empty() {
-        return Vec::new();
+        let caption = "Modes that grow".to_owned();
+        let rows = vec![vec![format!("none from {from} to {to} Hz; others are not sought")]];
+        return vec![PageTable { caption, head: vec![String::new()], rows }];
     }
     let place = |mode: &Value, key: &str| mode[key].as_u64().unwrap_or(u64::MAX);
     modes.sort_by_key(|mode| (place(mode, "rank_by_level"), place(mode, "rank_by_growth")));
@@ -34,20 +39,18 @@ fn modes(results: &Map<String, Value>) -> Vec<PageTable> {
         "lift-off",
         "motions nearby",
         "left out",
+        "converged",
     ];
     let row = |mode: &&Value| {
-        let told = |key: &str| match &mode[key] {
-            Value::Null => String::new(),
-            Value::String(words) => words.clone(),
-            number => short(number),
-        };
+        let told = |key: &str| words(&mode[key]);
         let numbers =
             ["rank_by_level", "rank_by_growth", "mode_frequency_hz", "mode_growth_rate", "frequency_hz"];
-        let rest = ["stick_share", "slip_share", "open_share", "stability", "left_out"];
+        let rest = ["stick_share", "slip_share", "open_share", "stability", "left_out", "converged"];
         let level = mode["level_db"].as_f64().map_or_else(String::new, |level| format!("{level:.1}"));
         [numbers.map(told).to_vec(), vec![level], rest.map(told).to_vec()].concat()
     };
-    let caption = "Modes that grow, from the loudest cycle on, unstable ones behind".to_owned();
+    let caption =
+        format!("Modes from {from} to {to} Hz that grow, from the loudest cycle on, unstable ones behind");
     let head = heads.map(String::from).to_vec();
     vec![PageTable { caption, head, rows: modes.iter().map(row).collect() }]
 }
@@ -70,9 +73,12 @@ fn margins(results: &Map<String, Value>) -> Option<PageTable> {
         "margin_error",
         "knock",
         "end",
+        "stability",
     ];
     let shown = ShownValues::of(margins);
     let cell = |own: &Value, key: &str| match key {
+        "fold_error" if own[key].is_null() && !own["fold"].is_null() => "unknown".to_owned(),
+        "margin_error" if own[key].is_null() && !own["margin"].is_null() => "unknown".to_owned(),
         _ if own[key].is_null() => String::new(),
         "onset" | "fold" | "reaches" => shown.value(&own[key]),
         "fold_error" => shown.difference(&own[key]),
@@ -93,6 +99,7 @@ fn margins(results: &Map<String, Value>) -> Option<PageTable> {
         "margin may be off",
         "knock in the case",
         "the branch",
+        "motions near its cycles",
     ];
     let rows: Vec<Vec<String>> = onsets.iter().map(row).collect();
     let head = heads.map(String::from).to_vec();
@@ -141,24 +148,22 @@ fn cures(results: &Map<String, Value>) -> Option<PageTable> {
         return Some(PageTable { caption, head: vec![String::new()], rows });
     }
     let row = |own: &Value| {
-        let change = own["change"].as_f64();
-        let change =
-            change.map_or_else(String::new, |own| format!("{:+.1} %", 100.0 * own).replace('-', "−"));
-        let rest = ["growth_by_change", "reason"].map(|key| words(&own[key]));
+        let change = own["change"].as_f64().map_or_else(String::new, per_cent);
+        let rest = ["at_change", "growth_by_change", "reason"].map(|key| words(&own[key]));
         let value = ShownValues::of(own).value(&own["value"]);
         [vec![words(&own["key"]), value, words(&own[SHOWN_UNIT]), change], rest.to_vec()].concat()
     };
-    let heads =
-        ["number", "value", "unit", "change at first order", "growth rate by relative change (1/s)", ""];
-    let caption = format!(
-        "What would keep the {} from growing, at first order{}",
-        mode_at(cures["frequency_hz"].as_f64().unwrap_or(f64::NAN)),
-        match cures["check"]["holds"].as_bool() {
-            Some(true) => ", which a small change of the first confirms",
-            Some(false) => ", which a small change of the first does not confirm",
-            None => "",
-        },
-    );
+    let heads = [
+        "number",
+        "value",
+        "unit",
+        "change at first order",
+        "with that change, solved anew",
+        "growth rate by relative change (1/s)",
+        "",
+    ];
+    let mode = mode_at(cures["frequency_hz"].as_f64().unwrap_or(f64::NAN));
+    let caption = format!("What would keep the {mode} from growing");
     let rows = cures["keys"].as_array()?.iter().map(row).collect();
     Some(PageTable { caption, head: heads.map(String::from).to_vec(), rows })
 }

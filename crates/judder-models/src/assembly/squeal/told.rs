@@ -17,6 +17,8 @@ use std::f64::consts::TAU;
 pub(super) struct ToldSqueal {
     /// how cycles are computed
     method: &'static str,
+    /// between which frequencies modes were sought, in Hz: of others nothing is known
+    band_hz: [f64; 2],
     /// whether it is proven that the band has no other modes
     pub(super) complete: bool,
     /// modes of the band that grow
@@ -63,6 +65,7 @@ pub(super) struct ToldSqueal {
         stability,
         second_opinion,
         left_out,
+        is_converged,
         reason
     )
 )]
@@ -119,7 +122,11 @@ pub(super) struct SquealingMode {
     /// the share of the swing of the contact forces beyond the harmonics of the cycle, as a root of energies
     #[result(unit = "1")]
     left_out: Option<f64>,
-    /// why there is no cycle, or why it has no more harmonics
+    /// whether that is no more than `left_out` of the case allows, or a tenth where the number of harmonics is given; none where there is no cycle
+    pub(super) converged: Option<bool>,
+    #[result(hidden, column = "converged")]
+    is_converged: String,
+    /// why there is no cycle, or why its harmonics leave more out
     pub(super) reason: String,
 }
 
@@ -150,6 +157,7 @@ pub(super) fn ranked(modes: &[SoughtMode]) -> Vec<SquealingMode> {
         let cycle_or_none = cycle.as_ref().ok();
         let share = |k: usize| cycle_or_none.map(|own| own.shares[k]);
         let frequency = cycle_or_none.map(|own| own.frequency);
+        let converged = cycle_or_none.map(|own| own.unconverged.is_none());
         SquealingMode {
             mode: 1 + k as i64,
             rank_by_level: rank,
@@ -174,8 +182,14 @@ pub(super) fn ranked(modes: &[SoughtMode]) -> Vec<SquealingMode> {
             second_opinion: cycle_or_none.map_or_else(String::new, |own| own.second_opinion.clone()),
             harmonics: cycle_or_none.map(|own| own.harmonics),
             left_out: cycle_or_none.map(|own| own.left_out),
+            converged,
+            is_converged: match converged {
+                None => String::new(),
+                Some(true) => "yes".to_owned(),
+                Some(false) => "no".to_owned(),
+            },
             reason: match cycle {
-                Ok(own) => own.held_back.clone().unwrap_or_default(),
+                Ok(own) => own.unconverged.clone().unwrap_or_default(),
                 Err(reason) => format!("no limit cycle: {reason}"),
             },
         }
@@ -184,11 +198,12 @@ pub(super) fn ranked(modes: &[SoughtMode]) -> Vec<SquealingMode> {
 }
 
 impl ToldSqueal {
-    pub(super) fn new(complete: bool, modes: Vec<SquealingMode>) -> Self {
+    pub(super) fn new(band: [f64; 2], complete: bool, modes: Vec<SquealingMode>) -> Self {
         // where all are unstable the first is one of them
         let loudest = modes.iter().find(|mode| mode.rank_by_level == Some(1) && mode.stable != Some(false));
         Self {
             method: CycleMethod::HarmonicBalance.name(),
+            band_hz: band.map(|omega| omega / TAU),
             complete,
             unstable: modes.len(),
             found: modes.iter().filter(|mode| mode.frequency.is_some()).count(),

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from judder._numpy import np
 from judder.errors import InputError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 _DIRECTIONS = ("x", "y", "z")
 

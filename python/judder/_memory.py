@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 from weakref import WeakValueDictionary
 
-import numpy as np
+from judder._numpy import np
 
 if TYPE_CHECKING:
     import xarray

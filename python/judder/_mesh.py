@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, Any
 
 from judder._columns import described, numbers, wrong
+from judder._numpy import np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 # names of meshio: the type of the deck, nodes, dimension
 _TYPES = {

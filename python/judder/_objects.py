@@ -16,13 +16,12 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TypeAlias
 
-import numpy as np
-
 from judder import _columns, _toml, _written
 from judder._columns import wrong
 from judder._judder import Law
 from judder._keys import FILES, ROWS
-from judder._sampled import SPEED_TOLERANCE, SPEEDS, sampled
+from judder._numpy import np
+from judder._sampled import FASTEST, SPEED_TOLERANCE, sampled, speeds_of_sliding
 from judder.errors import JudderError
 
 INPUTS = "inputs"
@@ -196,7 +195,7 @@ class _Walk:
         """The table of a friction law: of a function of an array of speeds, or of speeds and coefficients; `None` of anything else."""
         key = ".".join(at)
         if callable(value):
-            speeds, coefficients = sampled(key, value, (0.0, SPEEDS[-1]), SPEED_TOLERANCE, first=SPEEDS)
+            speeds, coefficients = sampled(key, value, (0.0, FASTEST), SPEED_TOLERANCE, first=speeds_of_sliding())
         elif isinstance(value, list | tuple) and len(value) == 2 and all(_columns.is_column(column) for column in value):
             speeds, coefficients = value
         else:

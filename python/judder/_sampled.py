@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, Any
 
 from judder._columns import wrong
+from judder._numpy import np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 _FIRST = 9
-SPEEDS: NDArray[np.float64] = np.concatenate([[0.0], np.geomspace(1e-6, 1e2, 33)])
-"""Speeds of sliding between which a law is looked at first where nobody says how fast: from rest to beyond what slides, m/s."""
+FASTEST = 1e2
+"""Beyond what slides, m/s."""
 SPEED_TOLERANCE = 1e-5
 _MOST = 10_000
 """Points of a table; the curves of friction need some hundreds at a tolerance of 1e-6."""
+
+
+def speeds_of_sliding() -> NDArray[np.float64]:
+    """Speeds between which a law is looked at first where nobody says how fast: from rest to beyond what slides, m/s."""
+    return np.concatenate([[0.0], np.geomspace(1e-6, FASTEST, 33)])
 
 
 def sampled(

@@ -12,15 +12,14 @@ from itertools import islice, product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from judder import _places
+from judder._numpy import np
 from judder.errors import StoreError
 
 if TYPE_CHECKING:
     import pandas
     import xarray
+    from numpy.typing import NDArray
 
     from judder._places import RemotePath
 

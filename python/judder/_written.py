@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import io
 from collections.abc import Mapping
-from typing import Any
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, Any
 
 from judder import _columns, _mesh
 from judder._columns import described, numbers, wrong
 from judder._judder import Law
+from judder._numpy import np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 _MOST_NAMED = 500
 """Freedoms with names that the text of a case holds: its matrices have this many entries, squared."""

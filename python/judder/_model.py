@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from judder import _judder, _memory, _toml
+from judder import _judder, _memory, _toml, _warned
 from judder._objects import CaseSource
 from judder._shown import Shown
-from judder.errors import JudderWarning, StudyError
+from judder.errors import StudyError
 from judder.progress import Progress
 from judder.study import CaseLike, Study, check
 
@@ -107,7 +106,7 @@ class Model:
             if name in study.failures:
                 raise StudyError(study.failures[name], "NoResult", {"name": name})
         for message in messages:
-            warnings.warn(self._source.plain(message), JudderWarning, stacklevel=3)
+            _warned.warn(self._source.plain(message))
         return Result(
             data=study[name].load(),
             numbers=study.results[name],

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import re
-import warnings
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from judder import _warned
 from judder._columns import wrong
-from judder.errors import JudderWarning
 
 if TYPE_CHECKING:
     import xarray
@@ -146,7 +145,7 @@ def dataset(varied: Varied, told: Mapping[str, Any]) -> xarray.Dataset:
     variables["eigenvalues"] = ((*dimensions, "mode"), told["eigenvalues"].reshape((*shape, 4)), modes)
     doubts = [*told["warnings"], *_doubts(told, varied)]
     for doubt in doubts:
-        warnings.warn(doubt, JudderWarning, stacklevel=3)
+        _warned.warn(doubt)
     about = {"judder_case": told["case"], "judder_warnings": "\n".join(doubts)}
     return xarray.Dataset(variables, varied.coordinates(told["keys"]), about)
 

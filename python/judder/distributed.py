@@ -8,7 +8,7 @@ from concurrent import futures
 from contextlib import ExitStack
 from typing import TYPE_CHECKING, Any
 
-from judder import _judder, _places
+from judder import _arguments, _judder, _places
 from judder._cluster.dispatch import Dispatch
 from judder._cluster.executors import DaskExecutor, Executor, FuturesExecutor
 from judder._cluster.package import Package
@@ -178,3 +178,6 @@ def _check(argument: str, number: int | None, least: int, most: int | None = Non
 
 def _wrong(argument: str, why: str) -> InputError:
     return InputError(f"{argument}: {why}", "Input", {"argument": argument})
+
+
+_arguments.checked(globals())

@@ -17,6 +17,7 @@ __all__ = [
     "JudderWarning",
     "LawError",
     "MissingFileError",
+    "NumberError",
     "OscillatorError",
     "PackageError",
     "RewrittenError",
@@ -71,7 +72,11 @@ class InputError(JudderError, ValueError):
 
 
 class ArgumentError(InputError, TypeError):
-    """An argument that a function does not know, or one that it lacks; a ``TypeError`` too, as of any function."""
+    """An argument that a function does not know, one that it lacks, or a value of a wrong type; a ``TypeError`` too, as of any function."""
+
+
+class NumberError(InputError, OverflowError):
+    """A number that does not fit where it is needed, such as a negative count; an ``OverflowError`` too."""
 
 
 class CaseError(JudderError, ValueError):

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, TypeAlias, Unpack
 
-from judder import _judder
+from judder import _arguments, _judder
 from judder._judder import OscillatorPoint, point
 from judder._keys import FrictionLoad, Keys, LawName
 from judder._shown import Shown
@@ -256,3 +256,6 @@ def points(
         keys=varied.fixed,
     )
     return _points.dataset(varied, told)
+
+
+_arguments.checked(globals())

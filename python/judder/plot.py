@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from judder import _arguments
 from judder._packages import needed
 from judder._palette import AREAS, LINES, SERIES
 from judder.errors import InputError
@@ -133,3 +134,6 @@ def _legend(axes: Axes, names: list[str], *, with_open: bool) -> None:
         areas.append(Patch(facecolor=colour, edgecolor=rim, linewidth=0.5, hatch="xxx", label="marginal within the law"))
     lines, _ = axes.get_legend_handles_labels()
     axes.legend(handles=[*areas, *lines], loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3, frameon=False, fontsize="small")
+
+
+_arguments.checked(globals())

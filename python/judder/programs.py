@@ -12,7 +12,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, overload
 
-from judder import _judder, _places
+from judder import _arguments, _judder, _places
 from judder._objects import CaseSource
 from judder._shown import Shown
 from judder.errors import InputError
@@ -307,3 +307,6 @@ def explore(
     if browser:
         webbrowser.open(page.address)
     return page
+
+
+_arguments.checked(globals())

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
+from judder import _arguments
 from judder._packages import needed
 
 __all__ = ["Progress", "tqdm_progress"]
@@ -41,3 +42,6 @@ def tqdm_progress(**options: Any) -> Progress:
             bar.refresh()
 
     return progress
+
+
+_arguments.checked(globals())

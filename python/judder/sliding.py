@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
-from judder import _judder
+from judder import _arguments, _judder
 from judder._judder import Pair
 from judder._keys import LOCUS_CONFIGURATION, LOCUS_COUNT, LOCUS_DAMPING, Configuration, MarchMethod, Predictor
 from judder._objects import CaseSource
@@ -356,3 +356,6 @@ def locus(
     asked = {"count": count, "velocity": velocity, "load": load, "configuration": configuration, "damped": damped}
     arguments = {name: own for name, own in asked.items() if own is not None}
     return Locus(zones=zones, arguments=arguments, warnings=tuple(pair.warnings), **told)
+
+
+_arguments.checked(globals())

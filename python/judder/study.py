@@ -5,18 +5,17 @@ from __future__ import annotations
 import html
 import json
 import os
-import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal, TypeAlias
 
-from judder import _judder, _memory, _places, _summaries, _swept
+from judder import _arguments, _judder, _memory, _places, _summaries, _swept, _warned
 from judder._exported import Exported
 from judder._objects import CaseSource
 from judder._placed import Placed
 from judder._places import RemotePath
 from judder.contact import Law
-from judder.errors import JudderError, JudderWarning, RewrittenError, StoreError, StudyError, UnknownResultError, rewritten
+from judder.errors import JudderError, RewrittenError, StoreError, StudyError, UnknownResultError, rewritten
 from judder.progress import Progress
 
 if TYPE_CHECKING:
@@ -159,7 +158,7 @@ def _tell(source: CaseSource, messages: Iterable[str], refused: Iterable[tuple[s
         JudderError: one was; a note says which, and what became of the others.
     """
     for message in messages:
-        warnings.warn(source.plain(message), JudderWarning, stacklevel=3)
+        _warned.warn(source.plain(message))
     for name, found in refused:
         error = source.plain_error(found)
         error.add_note(f"analysis `{name}`; {kept}")
@@ -374,3 +373,6 @@ class Study(Placed, Exported, Mapping[str, "xarray.Dataset"]):
         except RewrittenError as error:
             figures = f"<p>{html.escape(str(error))}</p>"
         return f"<h4>{html.escape(self._name)}</h4>{failed}<table>{rows}</table>{figures}"
+
+
+_arguments.checked(globals())

@@ -9,15 +9,14 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-import warnings
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from judder import _judder, _places, _shown
+from judder import _arguments, _judder, _places, _shown, _warned
 from judder._cluster.package import Package
 from judder._objects import CaseSource
 from judder.contact import Law
-from judder.errors import InputError, JudderWarning, StudyError
+from judder.errors import InputError, StudyError
 from judder.progress import Progress
 from judder.study import CaseLike, Study
 
@@ -213,7 +212,7 @@ class Sweep:
             message = "; ".join(notes) or f"{path}: other processes are at work on this study"
             raise StudyError(message, "MissingChunks", {"folder": path, "missing": len(self.missing(path))})
         for note in notes:
-            warnings.warn(note, JudderWarning, stacklevel=2)
+            _warned.warn(note)
         self._keep(path)
         return Study(path)
 
@@ -237,3 +236,6 @@ class Sweep:
 def _unpacked(package: Package, name: str, expected: str) -> Sweep:
     """A sweep that came from another process with all that its case needs."""
     return Sweep(package.sweep(name, expected, None), package.keep_inputs)
+
+
+_arguments.checked(globals())

@@ -90,8 +90,7 @@ pub(crate) fn file(path: &Path, error: &io::Error) -> PyErr {
 
 /// What has to be known before a result is trusted.
 pub(crate) fn warn(py: Python<'_>, message: &str) -> PyResult<()> {
-    let category = py.import("judder.errors")?.getattr("JudderWarning")?;
-    py.import("warnings")?.call_method1("warn", (message, category)).map(|_| ())
+    py.import("judder._warned")?.call_method1("warn", (message,)).map(|_| ())
 }
 
 /// An example that there is not, or that cannot be written.

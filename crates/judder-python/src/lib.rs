@@ -3,6 +3,7 @@
 //! In the order in which the data flows:
 //!
 //! - `arrays`, `choice`: arrays and words from Python, checked.
+//! - `constructed`: classes that are called with wrong arguments.
 //! - `shown`: how objects show themselves in a notebook.
 //! - `pool`, `watched`: long calls without the interpreter's lock, which Ctrl-C ends and whose progress is told.
 //! - `oscillator`, `contact`, `sliding`: one module a crate of the second floor.
@@ -16,6 +17,7 @@ mod analyses;
 mod arrays;
 mod cases;
 mod choice;
+mod constructed;
 mod contact;
 mod errors;
 mod held;

@@ -6,17 +6,17 @@ import heapq
 import os
 import secrets
 import time
-import warnings
 from collections import Counter, deque
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from judder import _warned
 from judder._cluster.cut import Cut
 from judder._cluster.executors import Cancelled, Executor, Lost, Outcome
 from judder._cluster.pace import Pace
 from judder._cluster.work import Done, Job
-from judder.errors import Interrupted, JudderError, JudderWarning, StudyError
+from judder.errors import Interrupted, JudderError, StudyError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -241,7 +241,7 @@ class Dispatch:
             return
         if not self._has_lived:
             raise self._no_workers()
-        warnings.warn(told, JudderWarning, stacklevel=2)
+        _warned.warn(told)
 
     def _no_workers(self) -> StudyError:
         message = (
@@ -252,7 +252,7 @@ class Dispatch:
 
     def _taken(self, job: Job, done: Done, held: _judder.HeldSweep) -> int:
         for told in done.killed:
-            warnings.warn(told, JudderWarning, stacklevel=2)
+            _warned.warn(told)
         if done.is_stopped:
             self._put_off(job)
             return 0

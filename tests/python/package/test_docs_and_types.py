@@ -14,29 +14,9 @@ import fresh
 import judder
 import reference
 from common import ROOT
+from names import public
 
-MODULES = [
-    judder,
-    judder.contact,
-    judder.distributed,
-    judder.errors,
-    judder.models,
-    judder.oscillator,
-    judder.plot,
-    judder.programs,
-    judder.progress,
-    judder.sliding,
-    judder.study,
-    judder.sweep,
-]
 HERE = pathlib.Path(__file__).parent
-
-
-def public():
-    """Every public name of the modules, with its object."""
-    for module in MODULES:
-        for name in module.__all__:
-            yield f"{module.__name__}.{name}", getattr(module, name)
 
 
 def test_every_public_name_has_words():

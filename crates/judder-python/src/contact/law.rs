@@ -2,6 +2,7 @@
 
 use crate::arrays;
 use crate::choice::named;
+use crate::constructed::constructed;
 use crate::errors;
 use crate::shown::shown;
 use crate::watched::{Manner, watched};
@@ -15,7 +16,7 @@ use judder_models::oscillator::law_name::LawName;
 use judder_study::Progress;
 use numpy::{IntoPyArray, PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple};
 use rayon::prelude::*;
 use std::fs;
 use std::path::PathBuf;
@@ -79,7 +80,18 @@ impl Unsampled {
 #[pymethods]
 impl PyLaw {
     #[new]
-    fn new(py: Python<'_>, name: &str) -> PyResult<Self> {
+    #[pyo3(signature = (*given, **named), text_signature = "(name)")]
+    fn new<'py>(
+        py: Python<'py>,
+        given: &Bound<'py, PyTuple>,
+        named: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        constructed::<Self>(py, given, named)
+    }
+
+    #[staticmethod]
+    #[pyo3(name = "_new")]
+    fn of_name(py: Python<'_>, name: &str) -> PyResult<Self> {
         let of_name = named("name", name, &LawName::ALL)?;
         let case = OscillatorCase { law: of_name, ..OscillatorCase::default() };
         let done = watched(py, &Manner::default(), |watch| bridge::contact_of(&case, watch))?;

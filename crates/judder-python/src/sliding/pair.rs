@@ -3,6 +3,7 @@
 use crate::arrays;
 use crate::cases::{CasePackage, CaseSource, package_of};
 use crate::choice::named;
+use crate::constructed::constructed;
 use crate::errors;
 use crate::shown::shown;
 use crate::watched::{Manner, watched};
@@ -14,7 +15,7 @@ use judder_sliding::motion::Motion;
 use judder_sliding::pair::{Observed, Pair, PairSide, Slider, TrackBody};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyDict, PyTuple};
 
 /// Two structures in sliding contact, in their own modes.
 ///
@@ -139,8 +140,24 @@ fn observed(object: &Bound<'_, PyAny>) -> PyResult<Observed> {
 #[pymethods]
 impl PyPair {
     #[new]
-    #[pyo3(signature = (slider, track, *, friction, interpolation="linear", side="left", observed=Vec::new()))]
-    fn new(
+    #[pyo3(
+        signature = (*given, **named),
+        text_signature = "(slider, track, *, friction, interpolation='linear', side='left', observed=())"
+    )]
+    fn new<'py>(
+        py: Python<'py>,
+        given: &Bound<'py, PyTuple>,
+        named: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        constructed::<Self>(py, given, named)
+    }
+
+    #[staticmethod]
+    #[pyo3(
+        name = "_new",
+        signature = (slider, track, *, friction, interpolation="linear", side="left", observed=Vec::new())
+    )]
+    fn of_arguments(
         slider: &Bound<'_, PyAny>,
         track: &Bound<'_, PyAny>,
         friction: &Bound<'_, PyAny>,

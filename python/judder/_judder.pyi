@@ -171,6 +171,7 @@ def contact_solution(
     load: float | None,
     modulus_ratio: float,
     terms: Sequence[tuple[float, float]],
+    layer: tuple[float, float] | None,
     shape: str | tuple[ArrayLike, float],
     accuracy: float,
     cells: int | None,

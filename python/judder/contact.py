@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
-from judder import _judder
+from judder import _arguments, _judder
 from judder._judder import Law
 from judder._keys import CONTACT_ACCURACY, CONTACT_MEMORY
 from judder._shown import Shown
@@ -48,7 +48,7 @@ class LawResponse(Shown):
 
 @dataclass(frozen=True)
 class Substrate:
-    """A linear viscoelastic half-space, 1/E(ω) = 1/E∞ + Σ C_k/(1 + i ω τ_k), over 1/E0.
+    """A linear viscoelastic half-space, or under a cylinder a layer on a rigid base, 1/E(ω) = 1/E∞ + Σ C_k/(1 + i ω τ_k), over 1/E0.
 
     One retardation time and E∞/E0 = 10, the oscillator paper's, where nothing is given.
     """
@@ -57,6 +57,15 @@ class Substrate:
     """E∞/E0, above 1."""
     terms: Sequence[tuple[float, float]] = field(default=())
     """Pairs τ_k/τ, C_k E0, with Σ C_k E0 = 1 − E0/E∞; one term with τ where none is given."""
+    thickness: float | None = None
+    """h/R of a layer whose base is rigid and holds it; a half-space where left out."""
+    poisson_ratio: float = 0.5
+    """Poisson's ratio ν of the layer, above −1, at most 1/2; on a half-space it stands in E0* alone."""
+
+    @property
+    def layer(self) -> tuple[float, float] | None:
+        """Thickness and Poisson's ratio of the layer; ``None`` for a half-space."""
+        return None if self.thickness is None else (self.thickness, self.poisson_ratio)
 
     def resolved(self) -> list[tuple[float, float]]:
         """The terms, that of one retardation time among them."""
@@ -158,13 +167,13 @@ def solve(
     cells: int | None = None,
     memory: int = CONTACT_MEMORY,
 ) -> ContactSolution:
-    """The contact of a rigid indenter that slides steadily on a viscoelastic half-space, by the boundary-element method.
+    """The contact of a rigid indenter that slides steadily on a viscoelastic half-space or layer, by the boundary-element method.
 
     Args:
         velocity: v τ/R, positive.
-        indentation: imposed depth y/R; either this or a load.
+        indentation: imposed depth y/R; either this or a load. A cylinder has a depth on a layer, and none on a half-space.
         load: imposed force F/(E0* R²), of a cylinder F/(E0* R).
-        substrate: the oscillator paper's where none is given.
+        substrate: the oscillator paper's where none is given; with a ``thickness`` a layer, under a cylinder.
         shape: the indenter.
         accuracy: relative error allowed to the force, between 0 and 1; area and friction may be five times as far off.
         cells: cells a side of the finest grid; as many as the accuracy asks where none are given.
@@ -174,7 +183,7 @@ def solve(
         The solution. Where the finest grid misses the accuracy, ``converged`` is false and the errors say by how much.
 
     Raises:
-        InputError: a number that is not positive and finite, an unknown shape.
+        InputError: a number that is not positive and finite, an unknown shape, a layer under another shape than a cylinder or thinner than it is pressed in.
         ContactError: too deep, too much memory, a contact that is larger than the indenter.
 
     Ctrl-C acts when the contact is solved: seconds at the accuracy of 1e-3.
@@ -190,6 +199,7 @@ def solve(
         load=load,
         modulus_ratio=own.modulus_ratio,
         terms=own.resolved(),
+        layer=own.layer,
         shape=shape,
         accuracy=accuracy,
         cells=cells,
@@ -197,6 +207,12 @@ def solve(
     )
     levels = tuple(Level(*level) for level in told.pop("levels"))
     asked = {"velocity": velocity, "indentation": indentation, "load": load, "accuracy": accuracy}
-    named = {"shape": shape if isinstance(shape, str) else "heights", "modulus_ratio": own.modulus_ratio, "terms": own.resolved()}
+    shaped = shape if isinstance(shape, str) else "heights"
+    named: dict[str, Any] = {"shape": shaped, "modulus_ratio": own.modulus_ratio, "terms": own.resolved()}
+    if own.layer:
+        named |= {"thickness": own.thickness, "poisson_ratio": own.poisson_ratio}
     arguments = {f"asked_{name}": value for name, value in {**asked, **named}.items() if value is not None}
     return ContactSolution(levels=levels, arguments=arguments, **told)
+
+
+_arguments.checked(globals())

@@ -134,3 +134,37 @@ def test_heights_press_as_the_shape_they_are():
     by_heights = judder.contact.solve(0.1, indentation=1e-2, shape=(heights, spacing), accuracy=1e-2)
     by_name = judder.contact.solve(0.1, indentation=1e-2, accuracy=1e-2)
     assert abs(by_heights.force / by_name.force - 1) < 1e-2
+
+
+def test_a_cylinder_on_a_layer_is_that_of_a_case():
+    layer = judder.contact.Substrate(thickness=0.4, poisson_ratio=0.49)
+    found = judder.contact.solve(0.2, indentation=0.02, shape="cylinder", substrate=layer, accuracy=1e-2)
+    rubber = {"rubbery_modulus": "1 MPa", "glassy_modulus": "10 MPa", "retardation_time": "10 ms", "poisson_ratio": 0.49, "thickness": "2 mm"}
+    case = judder.models.Contact(substrate=rubber, indenter={"radius": "5 mm", "shape": "cylinder"})
+    theirs = case.contact(velocity="100 mm/s", indentation="0.1 mm", accuracy=1e-2).numbers
+    modulus = 1e6 / (1 - 0.49**2)
+    assert found.force == pytest.approx(theirs["force_newton_per_metre"] / (modulus * 5e-3), rel=1e-9)
+    assert found.peak_pressure == pytest.approx(theirs["peak_pressure_pascal"] / modulus, rel=1e-9)
+    assert found.to_dataset().attrs["asked_thickness"] == 0.4
+
+
+def test_a_thin_layer_yields_where_it_is_pressed():
+    """Johnson, Contact Mechanics (1985), (5.69): P = 2/3 (1 - ν)²/(1 - 2ν) E/(1 - ν²) a³/(R h), a² = 2 R δ, of a contact far wider than the layer."""
+    depth, thickness, nu = 2e-4, 5e-4, 0.3
+    layer = judder.contact.Substrate(thickness=thickness, poisson_ratio=nu)
+    found = judder.contact.solve(1e-12, indentation=depth, shape="cylinder", substrate=layer, accuracy=1e-2)
+    exact = 2 / 3 * (1 - nu) ** 2 / (1 - 2 * nu) * (2 * depth) ** 1.5 / thickness
+    assert found.force == pytest.approx(exact, rel=1e-3)
+
+
+def test_a_layer_that_cannot_be_is_refused():
+    for layer, given, words in (
+        ({"thickness": 0.4}, {"indentation": 0.02}, "under a cylinder alone"),
+        ({"thickness": -0.4}, {"indentation": 0.02, "shape": "cylinder"}, "thickness of the layer is -0.4"),
+        ({"thickness": 0.4, "poisson_ratio": 0.6}, {"indentation": 0.02, "shape": "cylinder"}, "Poisson's ratio of the layer is 0.6"),
+        ({"thickness": 0.01}, {"indentation": 0.02, "shape": "cylinder"}, "no less than the thickness"),
+    ):
+        with pytest.raises(judder.InputError, match=words):
+            judder.contact.solve(0.1, substrate=judder.contact.Substrate(**layer), accuracy=0.1, **given)
+    with pytest.raises(judder.ContactError, match="give the substrate's thickness"):
+        judder.contact.solve(0.1, indentation=0.02, shape="cylinder")

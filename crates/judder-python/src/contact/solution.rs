@@ -4,6 +4,7 @@ use crate::arrays;
 use crate::errors;
 use crate::watched::{Manner, watched};
 use judder_contact::indenter::{HeightMap, IndenterShape};
+use judder_contact::kernel::layer::BondedLayer;
 use judder_contact::law::{LawMaterial, LawTerm};
 use judder_contact::steady::refinement::ErrorEstimate;
 use judder_contact::steady::{GridChoice, SteadyContact, SteadyQuestion, solve};
@@ -21,7 +22,7 @@ pub(crate) enum Indenter<'py> {
 
 /// Force, area, friction, depth with their errors, and the fields on the finest grid, as a dictionary.
 #[pyfunction]
-#[pyo3(signature = (velocity, *, indentation, load, modulus_ratio, terms, shape, accuracy, cells, memory))]
+#[pyo3(signature = (velocity, *, indentation, load, modulus_ratio, terms, layer, shape, accuracy, cells, memory))]
 #[allow(clippy::too_many_arguments, reason = "the arguments of `judder.contact.solve`")]
 pub(crate) fn contact_solution<'py>(
     py: Python<'py>,
@@ -30,6 +31,7 @@ pub(crate) fn contact_solution<'py>(
     load: Option<f64>,
     modulus_ratio: f64,
     terms: Vec<(f64, f64)>,
+    layer: Option<(f64, f64)>,
     shape: Indenter<'py>,
     accuracy: f64,
     cells: Option<usize>,
@@ -46,7 +48,10 @@ pub(crate) fn contact_solution<'py>(
     let material = LawMaterial { modulus_ratio, terms: terms.collect() };
     let material = material.checked().map_err(|error| errors::law(&error))?;
     let profile = profile(shape)?;
-    let substrate = material.sliding(velocity);
+    let substrate = match layer {
+        Some(layer) => material.sliding(velocity).as_layer(bonded(layer, &profile, loading)?),
+        None => material.sliding(velocity),
+    };
     let question = SteadyQuestion {
         substrate: &substrate,
         profile: &profile,
@@ -66,6 +71,28 @@ fn positive(name: &str, value: f64) -> PyResult<f64> {
         Ok(value)
     } else {
         Err(errors::input(name, format!("{value} must be positive and finite")))
+    }
+}
+
+/// The layer of this thickness over R and this Poisson's ratio: under a cylinder alone, and thicker than it is pressed in.
+fn bonded(
+    (thickness, poisson_ratio): (f64, f64),
+    profile: &IndenterShape,
+    loading: Loading,
+) -> PyResult<BondedLayer> {
+    if !matches!(profile, IndenterShape::Cylinder { .. }) {
+        let message =
+            "a layer has a thickness under a cylinder alone: give `shape=\"cylinder\"`, or no thickness";
+        return Err(errors::input("substrate", message));
+    }
+    let layer = BondedLayer::new(thickness, poisson_ratio);
+    let layer = layer.map_err(|error| errors::input("substrate", error))?;
+    match loading {
+        Loading::Indentation(depth) if depth >= thickness => {
+            let message = format!("{depth} R is no less than the thickness of the layer, {thickness} R");
+            Err(errors::input("indentation", message))
+        }
+        _ => Ok(layer),
     }
 }
 

@@ -3,11 +3,13 @@
 import json
 import pathlib
 import re
+import runpy
 import subprocess
 import sys
 import urllib.error
 import urllib.request
 
+import numpy as np
 import pytest
 
 import fresh
@@ -136,6 +138,18 @@ def test_a_first_hour_needs_nothing_but_the_wheel(path, tmp_path):
     assert done.stdout.strip() and not [*home.iterdir()]
 
 
-def test_importing_takes_no_programs():
-    told = "import judder, sys; print([name for name in ('judder.programs', 'judder.models', 'tomllib', 'webbrowser') if name in sys.modules])"
+def test_the_wiper_of_the_first_hour_is_one(capsys):
+    own = runpy.run_path(str(ROOT / "cases" / "python" / "wiper.py"))
+    # the layer is thick beside the contact: Hertz's width, Johnson, Contact Mechanics (1985), (4.43), with E/(1 - 0.5²)
+    assert own["width"] == pytest.approx(4 * np.sqrt(15.0 * 0.2e-3 / (np.pi * 4e6)), rel=0.02)
+    # friction falls as steeply as the damping is strong: (μ_0 - μ_1) N/v_0 exp(-v/v_0) = c
+    falls = (own["dry"] - own["wet"]) * own["width"] / 15.0
+    onset = float(re.search(r"wipes from ([\d.]+) m/s", capsys.readouterr().out)[1])
+    assert onset == pytest.approx(0.5 * np.log(falls * 9.0 / 0.5 / 0.6), rel=0.02)
+    assert 0.1 < own["stuck"] < 0.6 and 50 < own["stutter"]["frequency_hz"] < 80
+
+
+def test_importing_takes_neither_programs_nor_numpy():
+    late = ("judder.programs", "judder.models", "tomllib", "webbrowser", "numpy", "xarray", "zarr")
+    told = f"import judder, sys; print([name for name in {late} if name in sys.modules])"
     assert subprocess.run([sys.executable, "-c", told], capture_output=True, text=True).stdout.strip() == "[]"

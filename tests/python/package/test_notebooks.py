@@ -11,6 +11,8 @@ from common import ROOT
 
 CELL_SECONDS = 300
 """A cell that takes longer hangs: whole notebooks take less than a minute."""
+LONGEST = {"code": 100, "markdown": 170}
+"""Letters of a line that are read without scrolling, or in a difference of two versions."""
 
 
 def files():
@@ -33,6 +35,13 @@ def test_a_notebook_is_stored_without_what_a_run_leaves(path):
     assert not notebooks.differs(path), f"{path.name}: `python {notebooks.__file__}` stores it without outputs and metadata"
 
 
+@pytest.mark.parametrize("path", notebooks.paths(), ids=lambda path: path.stem)
+def test_lines_of_a_notebook_are_short(path):
+    for number, cell in enumerate(nbformat.read(path, as_version=4).cells, start=1):
+        long = [line for line in cell.source.splitlines() if len(line) > LONGEST[cell.cell_type]]
+        assert not long, f"{path.name}, cell {number}: {long}"
+
+
 def runs():
     """Every notebook: that of the paper before each change, the others with what is expensive."""
     for path in notebooks.paths():
@@ -47,6 +56,8 @@ def test_a_notebook_runs_and_draws(path, kernel_folders):
     code = [cell for cell in notebook.cells if cell.cell_type == "code"]
     pictures = [output for cell in code for output in cell.outputs if "image/png" in output.get("data", {})]
     assert len(pictures) >= 4 and any("assert " in cell.source for cell in code)
+    told = [output.metadata.get("image/png", {}).get("alt", "") for output in pictures]
+    assert all(len(words.split()) >= 10 for words in told) and len({*told}) == len(told)
     assert files() == before
 
 

@@ -207,6 +207,16 @@ impl HarmonicBodies {
         }
     }
 
+    /// Whether material of the track passes under a point.
+    pub(crate) fn is_passed(&self) -> bool {
+        !self.convected.is_empty()
+    }
+
+    /// c x of a component: none where nothing passes.
+    pub(crate) fn carries(&self, component: usize, x: &[f64]) -> f64 {
+        carried(&self.convected, component, x)
+    }
+
     /// How often a component is differentiated: slip velocities once.
     fn is_velocity(&self, component: usize) -> bool {
         !component.is_multiple_of(self.dimension)
@@ -311,6 +321,12 @@ impl HarmonicBodies {
             of_forces: right.subcols(1, size).to_owned(),
         })
     }
+}
+
+/// c x of a component that has one.
+fn carried(convected: &[(usize, Vec<f64>)], component: usize, x: &[f64]) -> f64 {
+    let own = convected.iter().find(|(other, _)| *other == component);
+    own.map_or(0.0, |(_, row)| row.iter().zip(x).map(|(share, own)| share * own).sum())
 }
 
 impl StaticResponse {

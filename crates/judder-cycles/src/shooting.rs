@@ -4,11 +4,14 @@
 //! comes back, φ(x, T) = x, and its period T. Newton's method takes the derivative by x from the monodromy matrix of a cycle that is near, by harmonics, and that by T from
 //! a difference. What comes out has the error of the steps, of first order where points stick.
 
+pub(crate) mod course;
+
 use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
 use crate::balance::HarmonicBalance;
 use crate::path::GoOn;
 use crate::stability::{beginning, monodromy};
+use course::ShotCourse;
 use faer::Mat;
 use judder_assembly::assembly::Assembly;
 use judder_dense::general::solve;
@@ -60,8 +63,13 @@ struct OncePeriod<'a> {
 }
 
 impl OncePeriod<'_> {
-    /// The state a period later, and what the points did.
-    fn from(&self, [q, v]: &[Vec<f64>; 2], period: f64) -> Result<([Vec<f64>; 2], Statistics), CyclesError> {
+    /// The state a period later; each step is told.
+    fn from(
+        &self,
+        [q, v]: &[Vec<f64>; 2],
+        period: f64,
+        tell: &mut dyn FnMut(&NonsmoothMarch<'_>),
+    ) -> Result<[Vec<f64>; 2], CyclesError> {
         let settings = NonsmoothSettings {
             scheme: ContactScheme::MoreauJean { restitution: 0.0, implicitness: 0.5 },
             step: period / self.steps as f64,
@@ -71,15 +79,14 @@ impl OncePeriod<'_> {
         let mut march = NonsmoothMarch::new(self.assembly, &[], settings)?;
         march.set_force_scale(self.force);
         march.start(q, v);
-        let mut told = Statistics::new(march.contact().points.len());
         for _ in 0..self.steps {
             if !(self.go_on)() {
                 return Err(CyclesError::Stopped);
             }
             march.advance()?;
-            told.take(&march);
+            tell(&march);
         }
-        Ok((march.state(), told))
+        Ok(march.state())
     }
 }
 
@@ -115,7 +122,8 @@ pub fn shoot(
     let matrix = monodromy(balance, near, settings.steps, go_on)?.matrix;
     let mut left = f64::INFINITY;
     for iteration in 0..=settings.iterations {
-        let (end, statistics) = around.from(&freedoms(&x), period)?;
+        let mut statistics = Statistics::new(balance.contact().points.len());
+        let end = around.from(&freedoms(&x), period, &mut |march| statistics.take(march))?;
         let end = coordinates(&end);
         let missed: Vec<f64> = end.iter().zip(&x).map(|(a, b)| a - b).collect();
         left = length(&missed) / swing;
@@ -131,7 +139,8 @@ pub fn shoot(
         if left.is_nan() || left > FAR {
             break;
         }
-        let later = coordinates(&around.from(&freedoms(&x), (1.0 + DIFFERENCE) * period)?.0);
+        let later = around.from(&freedoms(&x), (1.0 + DIFFERENCE) * period, &mut |_| ())?;
+        let later = coordinates(&later);
         let by_period: Vec<f64> = later.iter().zip(&end).map(|(a, b)| (a - b) / DIFFERENCE).collect();
         let (step, longer) = returning(&matrix, [&by_period, &direction, &missed])?;
         x.iter_mut().zip(step).for_each(|(own, step)| *own += step);
@@ -141,6 +150,23 @@ pub fn shoot(
         }
     }
     Err(CyclesError::NotReturned { iterations: settings.iterations, missed: left })
+}
+
+/// The march of a cycle that was shot, once more around.
+///
+/// # Errors
+/// What the march says.
+pub(crate) fn course_of(
+    assembly: &Assembly,
+    balance: &HarmonicBalance<'_>,
+    shot: &ShotCycle,
+    go_on: &GoOn<'_>,
+) -> Result<ShotCourse, CyclesError> {
+    let steps = shot.statistics.steps() as usize;
+    let around = OncePeriod { go_on, assembly, steps, force: balance.force_scale() };
+    let mut course = ShotCourse::new(balance);
+    around.from(&shot.state, TAU / shot.frequency, &mut |march| course.take(balance, march))?;
+    Ok(course)
 }
 
 /// A step of Newton's method towards a state that comes back, and that of the period, of itself: from the derivatives of the state a period later by the state and by

@@ -10,6 +10,7 @@
 //! What an impact of a rigid point does to small motions depends on the instant at which it touches, which the steps do not follow: such cycles are told as
 //! unknown.
 
+mod along_shot;
 mod change;
 mod doubled;
 mod hill;
@@ -25,6 +26,7 @@ use doubled::DoubledSteps;
 use faer::c64;
 use judder_nonsmooth::contact_problem::PointMotion;
 
+pub use along_shot::shot_multipliers;
 pub use change::{CircleCrossing, StabilityChange, stability_changes};
 pub use hill::{HILL_ROWS, HillMultipliers, HillRefusal, hill_multipliers};
 pub(crate) use monodromy::monodromy;

@@ -1,6 +1,6 @@
 //! A step of the bodies, for small motions about a periodic one.
 
-use super::{HarmonicBodies, HarmonicMatrices};
+use super::{HarmonicBodies, HarmonicMatrices, carried};
 use crate::CyclesError;
 use faer::Mat;
 use judder_dense::general::solve;
@@ -29,8 +29,7 @@ enum StepMatrices {
 impl BodyStep {
     /// c x of a component that has one.
     pub(crate) fn carries(&self, component: usize, x: &[f64]) -> f64 {
-        let own = self.convected.iter().find(|(other, _)| *other == component);
-        own.map_or(0.0, |(_, row)| row.iter().zip(x).map(|(share, own)| share * own).sum())
+        carried(&self.convected, component, x)
     }
 
     /// v⁺ without contact, of columns x and v.

@@ -56,7 +56,7 @@ impl<'s, 'a> DoubledSteps<'s, 'a> {
 }
 
 /// The multipliers of what so many steps make of a period.
-fn multipliers_of(
+pub(super) fn multipliers_of(
     balance: &HarmonicBalance<'_>,
     cycle: &PeriodicMotion,
     matrix: &Mat<f64>,

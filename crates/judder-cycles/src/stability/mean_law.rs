@@ -8,11 +8,9 @@ use crate::balance::{HarmonicBalance, PointSignals, ProjectedForces};
 use crate::point_law::{COMPONENTS, ProjectedForce, projected};
 use crate::series::Series;
 use judder_nonsmooth::contact_problem::PointMotion;
+use judder_numerics::quadrature::gauss_legendre;
 use std::f64::consts::TAU;
 
-/// Gauss points on [0, 1] and their weights.
-const GAUSS: [(f64, f64); 3] =
-    [(0.112_701_665_379_258_31, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
 /// Instants from the beginning of a step on, halves of it, and their weights.
 const SIMPSON: [(usize, f64); 3] = [(0, 1.0 / 6.0), (1, 2.0 / 3.0), (2, 1.0 / 6.0)];
 /// Halves of a step after which the instant of a touch is known as well as rounding lets it.
@@ -126,7 +124,7 @@ impl<'s, 'b, 'a> MeanLaws<'s, 'b, 'a> {
         match nearest {
             Some(touch) if touch == from || touch == to => {
                 let other = from + to - touch;
-                for (node, weight) in GAUSS {
+                for (node, weight) in gauss_legendre::<3>() {
                     add(
                         &mut mean,
                         &self.law(point, touch + (other - touch) * node * node),
@@ -135,7 +133,7 @@ impl<'s, 'b, 'a> MeanLaws<'s, 'b, 'a> {
                 }
             }
             Some(touch) if !is_whole || away(touch) < NEAR => {
-                for (node, weight) in GAUSS {
+                for (node, weight) in gauss_legendre::<3>() {
                     add(&mut mean, &self.law(point, from + (to - from) * node), weight);
                 }
             }
@@ -152,7 +150,7 @@ impl<'s, 'b, 'a> MeanLaws<'s, 'b, 'a> {
 }
 
 /// Adds a share of a law, which closes the mean where it is closed.
-fn add(mean: &mut ProjectedForce, own: &ProjectedForce, share: f64) {
+pub(super) fn add(mean: &mut ProjectedForce, own: &ProjectedForce, share: f64) {
     if own.state != PointMotion::Open {
         mean.state = own.state;
     }

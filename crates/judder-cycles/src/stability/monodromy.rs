@@ -109,6 +109,17 @@ impl<'b, 'a> SteppedMotions<'b, 'a> {
         Ok(())
     }
 
+    /// What sticks under these laws is caught at once: it loses its slip, and nothing moves meanwhile.
+    pub(super) fn catch(&mut self, laws: Vec<ProjectedForce>) -> Result<(), CyclesError> {
+        /// A share of a step that is none.
+        const AT_ONCE: f64 = 1e-6;
+        let step = AT_ONCE * self.step;
+        let of = PartOfStep::new(self.balance, step)?;
+        let at = PointsAt { balance: self.balance, of: &of, projected: laws, step };
+        self.v = at.advanced(&self.x, &self.v)?;
+        Ok(())
+    }
+
     /// What they have become.
     pub(super) fn matrix(&self) -> Mat<f64> {
         let size = self.x.nrows();

@@ -1,8 +1,9 @@
 //! A mass on a belt with friction that falls: its stick-slip cycle, against the motion itself.
 
-use super::own_engine::{known, order, settled, told, worst};
+use super::own_engine::{known, off_nearest, order, settled, told, worst};
 use crate::common::{assembly, diagonal, point_on_plane};
 use crate::growing;
+use faer::c64;
 use judder_assembly::assembly::Assembly;
 use judder_assembly::friction::{FallingFriction, Friction};
 use judder_assembly::interface::InterfaceLaw;
@@ -11,6 +12,7 @@ use judder_cycles::balance::HarmonicBalance;
 use judder_cycles::cycle::{CycleSettings, HarmonicCount, limit_cycles};
 use judder_cycles::series::Series;
 use judder_cycles::shooting::{ShootingSettings, shoot};
+use judder_cycles::stability::shot_multipliers;
 use judder_oscillator::motion::{BeltOscillator, ContactState};
 use std::f64::consts::TAU;
 
@@ -106,6 +108,33 @@ fn a_mass_sticks_and_slips_as_in_the_engine_of_the_oscillator() {
     println!("march: {}", told(&[few, many, left].concat()));
     assert!([0, 1].iter().all(|k| (few[*k] / many[*k] - 2.0).abs() < 0.01), "{few:?} {many:?}");
     assert!(worst(&left) < 1e-6, "{left:?}");
+}
+
+/// The engine has 1 and 0, as whatever differs is caught; of the two freedoms of the assembly one is held besides.
+#[test]
+fn a_mass_that_sticks_has_the_multipliers_of_the_engine_of_the_oscillator_by_a_march() {
+    const FALLING: FallingFriction = FallingFriction::exponential([1.0, 0.5], 0.5);
+    let belt = BeltOscillator::new(0.05, 1.0, 1.0, FALLING).unwrap();
+    let own = settled(&belt, [1.0, 1.0]);
+    assert!(off_nearest(&own.multipliers, &[c64::ONE, c64::ZERO]) < 1e-9, "{:?}", own.multipliers);
+    let case = slow_mass_on_belt([0.1, 1.0], FALLING);
+    let (steady, values) = growing(&case, [0.5, 2.0]);
+    let settings = CycleSettings { harmonics: HarmonicCount::Fixed(40), ..CycleSettings::default() };
+    let found = limit_cycles(&case, &steady, values[0], &settings, &|| true).unwrap();
+    let near = (&found.cycles[0].balance, &found.cycles[0].motion);
+    let counts = [1024, 4096];
+    let off = counts.map(|steps| {
+        let settings = ShootingSettings { steps, tolerance: 1e-9, ..ShootingSettings::default() };
+        let shot = shoot(&case, near.0, near.1, &settings, &|| true).unwrap();
+        let found = shot_multipliers(&case, near, (&shot, &settings), &|| true).unwrap().unwrap();
+        let off = (found.phase.unwrap() - c64::ONE).norm();
+        println!("{steps}: {off:.1e}, told {:.1e}", found.error);
+        assert!(off < found.error && found.values.iter().all(|own| own.norm() < 1e-9), "{found:?}");
+        off
+    });
+    let found = order([(counts[0], off[0]), (counts[1], off[1])]);
+    println!("order: {found:.2}");
+    assert!(off[1] < 1e-6 && (1.5..2.5).contains(&found), "{off:?}");
 }
 
 /// Friction jumps where the mass is caught, so that the error falls slowly with the number of harmonics.

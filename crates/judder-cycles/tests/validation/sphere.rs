@@ -11,7 +11,9 @@ use judder_assembly::steady::{SteadySliding, steady_sliding};
 use judder_contact::{FittedLaw, Law};
 use judder_cycles::cycle::{AssemblyCycle, CycleSettings, HarmonicCount, limit_cycles};
 use judder_cycles::shooting::{ShootingSettings, shoot};
-use judder_cycles::stability::{HILL_ROWS, HillMultipliers, floquet_multipliers, hill_multipliers};
+use judder_cycles::stability::{
+    HILL_ROWS, HillMultipliers, floquet_multipliers, hill_multipliers, shot_multipliers,
+};
 use judder_oscillator::critical::{ParameterRange, RangeScale, thresholds};
 use judder_oscillator::cycle::{BranchPoint, Continuation, global_margin};
 use judder_oscillator::motion::{ContactState, SlidingSystem, StickSlip};
@@ -271,4 +273,44 @@ fn a_sphere_that_sticks_has_the_cycle_of_the_oscillator_by_a_march() {
     println!("march: {}", told(&[few, many, left].concat()));
     assert!([0, 1].iter().all(|k| (few[*k] / many[*k] - 2.0).abs() < 0.01), "{few:?} {many:?}");
     assert!(worst(&left) < 1e-6, "{left:?}");
+}
+
+/// By how much the multipliers of the same cycle along the march are off with so many steps, of which those of half and a quarter are taken: what is left falls with their square.
+/// One of them is that of the phase, and one is none, as whatever differs is caught.
+fn off_along_the_march<const N: usize>(counts: [usize; N]) -> [f64; N] {
+    let operation = Operation::at(7.5e-4, 4e-4);
+    let system = operation.oscillator(1.3 * operation.threshold);
+    let mut start = system.steady_sliding();
+    start[0] *= 1.05;
+    let own = settled(&system, start);
+    let case = carried(system.coefficients());
+    let near = with(&case, &slowest(&case), 40, 16);
+    let off = counts.map(|steps| {
+        let settings = ShootingSettings { steps, tolerance: 1e-9, ..ShootingSettings::default() };
+        let shot = shoot(&case, &near.balance, &near.motion, &settings, &|| true).unwrap();
+        let of = ((&near.balance, &near.motion), (&shot, &settings));
+        let found = shot_multipliers(&case, of.0, of.1, &|| true).unwrap().unwrap();
+        let all: Vec<c64> = found.phase.iter().chain(&found.values).copied().collect();
+        let off = off_nearest(&own.multipliers, &all);
+        println!("{steps}: {off:.1e}, told {:.1e}", found.error);
+        assert!(off < found.error && found.values[2].norm() < 1e-12, "{off:e} {found:?}");
+        off
+    });
+    let found = order([(counts[0], off[0]), (counts[N - 1], off[N - 1])]);
+    println!("order from {} to {} steps: {found:.2}", counts[0], counts[N - 1]);
+    assert!((1.5..2.5).contains(&found), "{off:?}");
+    off
+}
+
+#[test]
+fn a_sphere_that_sticks_has_the_multipliers_of_the_oscillator_by_a_march() {
+    let off = off_along_the_march([2048, 8192]);
+    assert!(off[1] < 1e-4, "{off:?}");
+}
+
+#[test]
+#[ignore = "expensive: sixty thousand steps"]
+fn a_sphere_that_sticks_has_the_multipliers_of_the_oscillator_by_a_long_march() {
+    let off = off_along_the_march([8192, 16384, 32768, 65536]);
+    assert!(off[3] < 1e-6, "{off:?}");
 }

@@ -62,7 +62,7 @@ def test_the_wheel_alone_gives_a_first_result(the, tmp_path):
     clean = {"PATH": "/usr/bin:/bin", "HOME": str(tmp_path)}
     run(tmp_path / "venv/bin/python", "-m", "pip", "install", "--quiet", the("judder-*-abi3-*.whl"))
     (tmp_path / "case.toml").write_text(CASE)
-    script = "import judder; print(judder.__build__, float(judder.run('case.toml')['map'].verdict.size))"
+    script = "import judder; print(judder.__build__, float(judder.run('case.toml')['map'].stability.size))"
     build, size = run(tmp_path / "venv/bin/python", "-c", script, cwd=tmp_path, env=clean).split()
     assert size == "1600.0"
     assert re.search(r"\+[0-9a-f]{12}$", build), build

@@ -137,6 +137,21 @@ impl KnownStability {
         }
     }
 
+    /// What motions nearby become, as far as multipliers tell: periodic, or unknown with what it may be.
+    pub(in crate::assembly) fn motion(&self) -> &'static str {
+        match (self.is_stable(), self.known().and_then(|own| own.values.first())) {
+            (Some(true), _) => "periodic: they come to the cycle",
+            (Some(false), Some(one)) if one.im != 0.0 => {
+                "unknown: they leave it turning about it, to quasi-periodic motion or elsewhere; a march tells"
+            }
+            (Some(false), Some(one)) if one.re < 0.0 => {
+                "unknown: they leave it to either side in turns, to one of twice the period or elsewhere; a march tells"
+            }
+            (Some(false), _) => "unknown: they leave it; a march tells",
+            (None, _) => "unknown, as the stability is",
+        }
+    }
+
     /// The same in words, with what hinders it.
     fn words(&self) -> &'static str {
         match self.verdict() {
@@ -290,6 +305,7 @@ mod tests {
         let same = known(-1.2, Ok(-1.199));
         assert_eq!((same.is_stable(), same.opinion()), (Some(false), Some(SecondOpinion::Same)));
         assert_eq!(same.second_opinion(), "Hill's method says the same");
+        assert!(same.motion().starts_with("unknown: they leave it to either side in turns"));
         let other = known(0.98, Ok(1.01));
         assert_eq!((other.is_stable(), other.opinion()), (None, Some(SecondOpinion::Contrary)));
         assert_eq!(other.in_full(), "undecided: by steps the cycle is stable, by Hill's method unstable");
@@ -313,5 +329,11 @@ mod tests {
         );
         let hindered = KnownStability { by_steps: Some(Err(CycleStability::Impacts)), by_hill: None };
         assert_eq!(hindered.second_opinion(), "neither steps nor Hill's method apply");
+        // a pair outside the circle leads to quasi-periodic motion or anywhere: that is not guessed
+        assert!(alone.motion().starts_with("periodic") && hindered.motion().starts_with("unknown"));
+        let values = vec![Complex64::new(0.9, 0.8), Complex64::new(0.9, -0.8)];
+        let pair = FloquetMultipliers { values, phase: None, steps: 512, error: 1e-2 };
+        let pair = KnownStability { by_steps: Some(Ok(pair)), by_hill: None };
+        assert!(pair.motion().starts_with("unknown: they leave it turning about it, to quasi-periodic"));
     }
 }

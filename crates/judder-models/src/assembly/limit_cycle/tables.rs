@@ -32,6 +32,7 @@ fn cycle(results: &Map<String, Value>) -> Option<PageTable> {
         ("growth rate of the mode (1/s)", "mode_growth_rate"),
         ("motions of this shape are drawn to it", "attracts"),
         ("motions nearby, by the Floquet multipliers", "stability"),
+        ("what they become", "motion"),
         ("Floquet multipliers, second opinion", "second_opinion"),
         ("largest multipliers apart by both", "multipliers_apart"),
         ("converged", "converged"),

@@ -49,6 +49,8 @@ pub(super) struct ToldModeCycle {
     stable: Option<bool>,
     /// the same in words, or why it is not known
     stability: String,
+    /// what motions nearby become, as far as multipliers tell: periodic, or unknown with what it may be
+    motion: &'static str,
     /// the ten largest Floquet multipliers, the one at 1 that belongs to the phase among them
     floquet_multipliers: Option<Vec<Complex64>>,
     /// what the largest but that one may be off
@@ -238,6 +240,7 @@ impl ToldModeCycle {
             attracts: cycle.attracts,
             stable: stability.is_stable(),
             stability: stability.in_full(),
+            motion: stability.motion(),
             floquet_multipliers: stability.multipliers().map(|all| all.into_iter().take(LARGEST).collect()),
             floquet_error: stability.error(),
             hill_multipliers: stability.hill_multipliers().map(|all| all.into_iter().take(LARGEST).collect()),

@@ -1,8 +1,10 @@
-//! Damping as a real matrix C: proportional to mass and stiffness, or viscous in place of structural.
+//! Damping as a real matrix C: proportional to mass and stiffness, viscous in place of structural, or by ratios of modes.
 
 use crate::StructureError;
 use crate::assembly::Sparse;
-use crate::statics::sum;
+use crate::modes::{Mode, WantedModes, modes};
+use crate::statics::{sum, symmetric_product};
+use faer::sparse::Triplet;
 use std::f64::consts::TAU;
 
 /// By how much a matrix may differ from α M + β K, as a share of its largest entry: digits of a file.
@@ -181,6 +183,80 @@ impl StructuralDamping {
     #[must_use]
     pub fn modal(&self, frequencies: &[f64]) -> Vec<f64> {
         frequencies.iter().map(|frequency| self.loss_factor * TAU * frequency).collect()
+    }
+}
+
+/// Freedoms of a body whose modes may have ratios of their own: its damping matrix is full.
+pub const MOST_FREEDOMS: usize = 2000;
+
+/// Modal damping: a damping ratio ζ_k of each of the lowest modes that swing, C = M Φ diag(2 ζ_k ω_k) Φᵀ M.
+///
+/// With Φᵀ M Φ = I it gives mode k the ratio ζ_k, couples no modes, and leaves rigid motions and all higher modes without damping. C is full.
+///
+/// R. W. Clough, J. Penzien, *Dynamics of Structures*, 2nd ed., 1993, section 12.3.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModalDamping {
+    ratios: Vec<f64>,
+}
+
+impl ModalDamping {
+    /// The ratios of the lowest modes that swing, by rising frequency; at least one, none negative.
+    ///
+    /// # Errors
+    /// [`StructureError::InvalidNumber`].
+    pub fn new(ratios: Vec<f64>) -> Result<Self, StructureError> {
+        positive("the number of damping ratios", ratios.len() as f64)?;
+        ratios.iter().try_for_each(|ratio| not_negative("a damping ratio", *ratio).map(drop))?;
+        Ok(Self { ratios })
+    }
+
+    /// C in N s/m.
+    ///
+    /// # Errors
+    /// [`StructureError::TooLargeForRatios`] beyond [`MOST_FREEDOMS`], [`StructureError::TooFewModes`], modes that are not found.
+    pub fn matrix(&self, stiffness: &Sparse, mass: &Sparse) -> Result<Sparse, StructureError> {
+        let freedoms = mass.nrows();
+        if freedoms > MOST_FREEDOMS {
+            return Err(StructureError::TooLargeForRatios { freedoms, most: MOST_FREEDOMS });
+        }
+        let mut damping = vec![0.0; freedoms * freedoms];
+        for (ratio, mode) in self.ratios.iter().zip(&self.swinging(stiffness, mass)?) {
+            let momentum = symmetric_product(mass, &mode.shape);
+            let factor = 2.0 * ratio * mode.eigenvalue.sqrt();
+            for (row, own) in momentum.iter().enumerate() {
+                for (column, other) in momentum.iter().enumerate() {
+                    damping[row * freedoms + column] += factor * own * other;
+                }
+            }
+        }
+        let entries = damping.iter().enumerate().filter(|(_, value)| **value != 0.0);
+        let entries: Vec<_> =
+            entries.map(|(k, value)| Triplet::new(k / freedoms, k % freedoms, *value)).collect();
+        Sparse::try_new_from_triplets(freedoms, freedoms, &entries)
+            .map_err(|_| StructureError::OutOfMemory { rows: freedoms })
+    }
+
+    /// The lowest modes that are no rigid motions, as many as there are ratios.
+    fn swinging(&self, stiffness: &Sparse, mass: &Sparse) -> Result<Vec<Mode>, StructureError> {
+        /// A body in space has no more; one of several pieces may.
+        const RIGID: usize = 6;
+        let ratios = self.ratios.len();
+        if ratios > mass.nrows() {
+            return Err(StructureError::TooFewModes { ratios, modes: mass.nrows() });
+        }
+        let mut wanted = (ratios + RIGID).min(mass.nrows());
+        loop {
+            let found = modes(stiffness, mass, WantedModes::Lowest(wanted))?;
+            let rigid = found.rigid_modes();
+            let known = found.modes.len();
+            if known - rigid >= ratios {
+                return Ok(found.modes.into_iter().skip(rigid).take(ratios).collect());
+            }
+            if known < wanted || wanted == mass.nrows() {
+                return Err(StructureError::TooFewModes { ratios, modes: known - rigid });
+            }
+            wanted = (2 * wanted).min(mass.nrows());
+        }
     }
 }
 

@@ -164,6 +164,27 @@ pub enum StructureError {
         /// What it may be.
         tolerance: f64,
     },
+    /// Damping of single modes where one of all is needed.
+    #[error("damping by ratios of modes is no α M + β K")]
+    NotRayleigh,
+    /// Damping of single modes of a body with too many freedoms for its matrix, which is full.
+    #[error(
+        "damping by ratios of modes is a full matrix, and the body has {freedoms} freedoms, more than {most}: give it α and β"
+    )]
+    TooLargeForRatios {
+        /// Its freedoms.
+        freedoms: usize,
+        /// The most.
+        most: usize,
+    },
+    /// More damping ratios than modes that swing.
+    #[error("there are {ratios} damping ratios, but no more than {modes} modes that swing")]
+    TooFewModes {
+        /// How many ratios.
+        ratios: usize,
+        /// How many modes.
+        modes: usize,
+    },
     /// A damping matrix with a negative share of mass or stiffness.
     #[error(
         "the damping matrix is α M + β K with α = {alpha} 1/s and β = {beta} s: neither may be negative",

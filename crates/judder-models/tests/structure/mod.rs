@@ -400,3 +400,32 @@ fn shapes_swing_on_the_page() {
         .unwrap();
     assert!(figure.panels.len() > 4 && figure.panels[0].title.starts_with("mode 1: "));
 }
+
+/// Each of the lowest modes has the ratio that the case gives it, the next none, whether of a list or one for so many: λ = −ζω ± iω √(1 − ζ²).
+#[test]
+fn modes_of_a_beam_have_their_own_ratios() {
+    for (damping, ratios) in [
+        ("ratios = [0.01, 0.0, 0.03]", [0.01, 0.0, 0.03, 0.0]),
+        ("ratio = 0.02\nmodes = 2", [0.02, 0.02, 0.0, 0.0]),
+    ] {
+        let text = format!(
+            "model = \"structure\"\n[structure]\nbeam = {{ length = \"100 mm\", thickness = \"2 mm\", elements = [20, 1], start = \"clamped\" }}\n\
+             width = \"20 mm\"\nmaterial = {{ youngs_modulus = \"2.38 GPa\", poisson_ratio = 0.4, density = \"1200 kg/m^3\" }}\n\
+             [damping]\n{damping}\n[[analysis]]\nname = \"modes\"\nkind = \"modes\"\ncount = 4\n\
+             [[analysis]]\nname = \"damped\"\nkind = \"eigen\"\nregion = {{ re = [-1000.0, 10.0], im = [1.0, 12000.0] }}\n"
+        );
+        let folder = tempfile::tempdir().unwrap();
+        let report = run_into(folder.path(), &judder_models::parse("case.toml", &text, &[]).unwrap(), &[]);
+        assert!(report.complete, "{:?}", report.messages);
+        let results = &report.summary.results;
+        let frequencies = numbers(&results["modes"]["frequencies_hz"]);
+        let damped = results["damped"]["eigenvalues"].as_array().unwrap();
+        for ((value, frequency), ratio) in damped.iter().zip(&frequencies).zip(ratios) {
+            let omega = TAU * frequency;
+            let (re, im) = (-ratio * omega, omega * (1.0 - ratio * ratio).sqrt());
+            let off = (number(&value["re"]) - re).hypot(number(&value["im"]) - im);
+            assert!(off < 1e-6 * omega, "{damping}: {value} {re} {im}");
+        }
+        assert_eq!(damped.len(), 4);
+    }
+}

@@ -1,8 +1,10 @@
 //! Damping matrices on the modes of a structure against ζ(ω), and the energy that they take.
 
 use super::modes::oblique;
+use judder_structure::StructureError;
 use judder_structure::assembly::Sparse;
-use judder_structure::damping::{RayleighDamping, StructuralDamping};
+use judder_structure::damping::{ModalDamping, RayleighDamping, StructuralDamping};
+use judder_structure::freedom::Supports;
 use judder_structure::modes::{Mode, WantedModes, modes};
 use judder_structure::statics::product;
 use std::f64::consts::TAU;
@@ -45,4 +47,35 @@ fn proportional_damping_has_its_ratio_at_every_mode_and_couples_none() {
         * along(&structural.matrix(&assembled.stiffness), reference, reference);
     let hysteretic = 0.03 * along(&assembled.stiffness, reference, reference);
     assert!((viscous / hysteretic - 1.0).abs() < 1e-9, "{viscous} {hysteretic}");
+}
+
+/// Each of the lowest modes that swing has the ratio asked of it, rigid motions and all others none, and none is coupled.
+#[test]
+fn modal_damping_has_its_ratios_and_leaves_the_others() {
+    let body = oblique();
+    let held = body.numbering(&body.held(&body.mesh.node_sets["start"]));
+    let free = body.numbering(&Supports::default());
+    let ratios = [0.01, 0.0, 0.03];
+    let damping = ModalDamping::new(ratios.to_vec()).unwrap();
+    for (numbering, rigid) in [(held, 0), (free, 3)] {
+        let assembled = body.assembled(&numbering);
+        let matrix = damping.matrix(&assembled.stiffness, &assembled.mass).unwrap();
+        let found =
+            modes(&assembled.stiffness, &assembled.mass, WantedModes::Lowest(rigid + 6)).unwrap().modes;
+        let scale = TAU * found[rigid + 5].frequency_hz();
+        for (k, a) in found.iter().enumerate() {
+            let asked = k.checked_sub(rigid).and_then(|k| ratios.get(k)).copied().unwrap_or(0.0);
+            let taken = along(&matrix, a, a);
+            assert!((taken - 2.0 * asked * TAU * a.frequency_hz()).abs() < 1e-8 * scale, "{k}: {taken}");
+            for b in found.iter().filter(|b| *b != a) {
+                assert!(along(&matrix, a, b).abs() < 1e-8 * scale, "{k}");
+            }
+        }
+        let many = ModalDamping::new(vec![0.01; matrix.nrows() + 1]).unwrap();
+        let refused = many.matrix(&assembled.stiffness, &assembled.mass);
+        assert!(matches!(refused, Err(StructureError::TooFewModes { .. })), "{refused:?}");
+    }
+    for wrong in [vec![], vec![-0.1], vec![f64::NAN]] {
+        assert!(matches!(ModalDamping::new(wrong), Err(StructureError::InvalidNumber { .. })));
+    }
 }

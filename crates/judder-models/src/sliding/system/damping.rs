@@ -21,6 +21,7 @@ pub(super) fn damping(
             let damping = StructuralDamping::new(own.loss_factor, own.reference_frequency / TAU)?;
             Ok((0.0, damping.beta()))
         }
+        Damping::Ratios { .. } | Damping::Ratio { .. } => Err(StructureError::NotRayleigh),
         Damping::None => {
             let damping = RayleighDamping::fitted(imported, mass, stiffness)?;
             Ok((damping.alpha(), damping.beta()))

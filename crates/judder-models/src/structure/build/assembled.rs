@@ -4,6 +4,7 @@ use super::{Elements, Structure, StructureLayout, Unbuilt};
 use crate::structure::case::body::{BodySettings, PlaneSection};
 use crate::structure::case::damping::Damping;
 use crate::structure::case::problem::StructureProblem;
+use judder_structure::StructureError;
 use judder_structure::affine::{AffineFamily, Factors, Term};
 use judder_structure::assembly::{Assembled, assemble};
 use judder_structure::freedom::{Direction, Numbering, Supports};
@@ -27,7 +28,13 @@ pub(super) fn assembled(
     let Assembled { stiffness, mass } =
         assemble(&mesh, &materials, &numbering).map_err(|error| Unbuilt::because("structure", &error))?;
     let term = |name: &str, matrix: &_| Term { name: name.to_owned(), matrix: Clone::clone(matrix) };
+    let refused = |error: StructureError| Unbuilt::because("structure", &error);
     let damping = match damping {
+        Damping::Ratios { .. } | Damping::Ratio { .. } => {
+            let modal = damping.modal().map_err(refused)?;
+            let matrix = modal.map(|own| own.matrix(&stiffness, &mass)).transpose().map_err(refused)?;
+            matrix.iter().map(|matrix| term("damping of modes", matrix)).collect()
+        }
         Damping::Rayleigh(_) => {
             vec![term("mass-proportional damping", &mass), term("stiffness-proportional damping", &stiffness)]
         }
@@ -41,11 +48,12 @@ pub(super) fn assembled(
     Ok(Structure { family, layout: Some(layout), elements, kept: Vec::new(), warnings: Vec::new() })
 }
 
-/// The factors of the terms of a body: α and β, or η/ω_r.
+/// The factors of the terms of a body: α and β, or η/ω_r; one of a matrix that has its ratios in it.
 pub(super) fn factors(damping: &Damping) -> Factors {
     let damping = match damping {
         Damping::Rayleigh(own) => vec![own.alpha, own.beta],
         Damping::Structural(own) => vec![own.loss_factor / own.reference_frequency],
+        Damping::Ratios { .. } | Damping::Ratio { .. } => vec![1.0],
         Damping::None => Vec::new(),
     };
     Factors { mass: vec![1.0], damping, stiffness: vec![1.0] }

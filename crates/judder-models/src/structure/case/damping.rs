@@ -3,11 +3,13 @@
 use super::problem::StructureProblem;
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
-use judder_keys::declared::{Number, Several, conflict};
+use judder_keys::declared::{Number, Several, Whole, conflict};
 use judder_keys::dimension::Dimension;
 use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
 use judder_keys::section::Section;
+use judder_structure::StructureError;
+use judder_structure::damping::{MOST_FREEDOMS, ModalDamping};
 
 /// The damping of a body.
 #[derive(Debug, Clone, PartialEq, Default, Settings)]
@@ -19,6 +21,21 @@ pub enum Damping {
     Rayleigh(Rayleigh),
     /// C = η K/ω_r, which meets structural damping K (1 + iη) at one frequency.
     Structural(Structural),
+    /// A ratio for each of the lowest modes.
+    Ratios {
+        /// Damping ratios of the lowest modes that swing, by rising frequency, each its own: C = M Φ diag(2 ζ_k ω_k) Φᵀ M; rigid motions and higher modes have none.
+        #[key(rule = MODE_RATIOS, symbol = "ζ_k", example = "[0.01, 0.02]")]
+        ratios: Vec<f64>,
+    },
+    /// The same ratio for so many.
+    Ratio {
+        /// Damping ratio of each of the lowest modes that swing, in place of ratios.
+        #[key(rule = Number::non_negative(Dimension::NUMBER), symbol = "ζ")]
+        ratio: f64,
+        /// How many modes have it; rigid motions and higher modes have none.
+        #[key(rule = Whole { from: 1, to: MOST_FREEDOMS })]
+        modes: usize,
+    },
 }
 
 /// C = α M + β K.
@@ -60,7 +77,23 @@ pub struct Structural {
 }
 
 const FREQUENCY: Number = Number::positive(Dimension::ANGULAR_FREQUENCY);
+const MODE_RATIOS: Several<Number> =
+    Several { of: Number::non_negative(Dimension::NUMBER), length: [1, MOST_FREEDOMS] };
 const RATIOS: Several<()> = Several { of: (), length: [2, 2] };
+
+impl Damping {
+    /// That by ratios of modes, where it is.
+    ///
+    /// # Errors
+    /// [`StructureError::InvalidNumber`] for no ratio.
+    pub(crate) fn modal(&self) -> Result<Option<ModalDamping>, StructureError> {
+        match self {
+            Self::Ratios { ratios } => ModalDamping::new(ratios.clone()).map(Some),
+            Self::Ratio { ratio, modes } => ModalDamping::new(vec![*ratio; *modes]).map(Some),
+            Self::None | Self::Rayleigh(_) | Self::Structural(_) => Ok(None),
+        }
+    }
+}
 
 impl Rayleigh {
     /// α and β from two damping ratios ζ = α/(2ω) + βω/2, where they are given.

@@ -21,7 +21,7 @@ pub use allowed::{Allowed, Declaration, alternatives, declared_table, with_decla
 pub use listed::{Listed, listed};
 pub use named::Named;
 pub use rules::{Fixed, Number, NumberPair, Several, UNLIMITED, Whole};
-pub use scaled::Ladder;
+pub use scaled::{Ladder, ScaledPair};
 pub use values::conflict;
 
 /// A table of settings.

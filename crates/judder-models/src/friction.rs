@@ -9,7 +9,7 @@ use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::file_reference::FileReference;
-use judder_keys::numeric_key::{Range, Value};
+use judder_keys::numeric_key::{Form, Range, Value};
 use judder_keys::problem::{Placed, Problem};
 use judder_keys::section::Section;
 use serde_json::Value as Json;
@@ -30,10 +30,10 @@ pub enum FrictionSettings {
 /// A friction coefficient of one's own against the speed.
 #[derive(Debug, Clone, PartialEq, Settings)]
 #[settings(title = "`{path}`")]
-pub struct FrictionCurve<const IN_GROUPS: bool> {
+pub struct FrictionCurve<const HAS_GROUPS: bool> {
     /// Speeds and coefficients.
     #[key(flatten)]
-    pub columns: FrictionColumns<IN_GROUPS>,
+    pub columns: FrictionColumns<HAS_GROUPS>,
     /// How the coefficient runs between the speeds; it is constant beyond them.
     #[key(default = TableInterpolation::Linear)]
     pub interpolation: TableInterpolation,
@@ -41,11 +41,11 @@ pub struct FrictionCurve<const IN_GROUPS: bool> {
 
 /// The columns of a table of friction; its speeds are groups of a model without units, or have units.
 #[derive(Debug, Clone, PartialEq, Settings)]
-pub enum FrictionColumns<const IN_GROUPS: bool> {
+pub enum FrictionColumns<const HAS_GROUPS: bool> {
     /// Lists.
     Lists {
         /// Speeds of sliding, ascending.
-        #[key(rule = Several { of: speed(IN_GROUPS), length: [1, usize::MAX] }, symbol = "v")]
+        #[key(rule = Several { of: speed(HAS_GROUPS), length: [1, usize::MAX] }, symbol = "v")]
         velocity: Vec<Value>,
         /// Friction coefficients there.
         #[key(rule = COEFFICIENTS, symbol = "μ(v)")]
@@ -58,16 +58,9 @@ pub enum FrictionColumns<const IN_GROUPS: bool> {
 const COEFFICIENT: Number = Number::non_negative(Dimension::NUMBER);
 const COEFFICIENTS: Several<Number> = Several { of: COEFFICIENT, length: [1, usize::MAX] };
 
-const fn speed(in_groups: bool) -> Scaled {
-    match in_groups {
-        true => Scaled::number("v", Range::NonNegative),
-        false => Scaled {
-            dimension: Dimension::SPEED,
-            group: None,
-            range: Range::NonNegative,
-            is_difference: false,
-        },
-    }
+const fn speed(has_groups: bool) -> Scaled {
+    let group = if has_groups { Some("v") } else { None };
+    Scaled { dimension: Dimension::SPEED, group, range: Range::NonNegative, is_difference: false }
 }
 
 /// Numbers that make no friction coefficient.
@@ -100,32 +93,62 @@ impl Problem for FrictionProblem {
     }
 }
 
-impl<const IN_GROUPS: bool> FrictionCurve<IN_GROUPS> {
+impl<const HAS_GROUPS: bool> FrictionCurve<HAS_GROUPS> {
     /// The friction coefficient.
     ///
     /// # Errors
     /// [`FrictionError`] for columns that make none.
     pub fn friction(&self) -> Result<Friction, FrictionError> {
-        let (speeds, coefficients) = match &self.columns {
+        let (speeds, coefficients) = self.columns();
+        Friction::table(speeds, coefficients, self.interpolation)
+    }
+
+    /// The friction coefficient over speeds in units of this one.
+    ///
+    /// # Errors
+    /// [`FrictionError`] for columns that make none.
+    pub(crate) fn friction_by(&self, unit: f64) -> Result<Friction, FrictionError> {
+        let (speeds, coefficients) = self.columns();
+        let speeds = speeds.into_iter().map(|speed| speed / unit).collect();
+        Friction::table(speeds, coefficients, self.interpolation)
+    }
+
+    /// Whether its speeds are plain numbers or in SI units; `None` where they are mixed.
+    pub(crate) fn speed_form(&self) -> Option<Form> {
+        match &self.columns {
+            FrictionColumns::Lists { velocity, .. } => {
+                let first = velocity.first().map_or(Form::Group, |speed| speed.form);
+                velocity.iter().all(|speed| speed.form == first).then_some(first)
+            }
+            FrictionColumns::File(own) => Some(own.forms[0]),
+        }
+    }
+
+    /// Speeds and coefficients.
+    fn columns(&self) -> (Vec<f64>, Vec<f64>) {
+        match &self.columns {
             FrictionColumns::Lists { velocity, coefficient } => {
                 (velocity.iter().map(|speed| speed.number).collect(), coefficient.clone())
             }
             FrictionColumns::File(ColumnFile { columns: [speeds, coefficients], .. }) => {
                 (speeds.clone(), coefficients.clone())
             }
-        };
-        Friction::table(speeds, coefficients, self.interpolation)
+        }
     }
 
     /// Finds its file, which is relative to a folder, and refuses columns that make no coefficient; `section` is that of the curve.
     pub(crate) fn admit(&mut self, section: &Section<'_>, folder: &Path) -> Result<(), Fault> {
         if let FrictionColumns::File(own) = &mut self.columns {
-            let header = if IN_GROUPS { "speed,coefficient" } else { "speed [m/s],coefficient" };
+            let header = if HAS_GROUPS {
+                "speed,coefficient` or `speed [m/s],coefficient"
+            } else {
+                "speed [m/s],coefficient"
+            };
             own.find(
                 section,
                 "file",
                 folder,
-                ([speed(IN_GROUPS), Number::any(Dimension::NUMBER).scaled()], header),
+                ([speed(HAS_GROUPS), Number::any(Dimension::NUMBER).scaled()], header),
             )?;
         }
         let refused = |error: FrictionError| {

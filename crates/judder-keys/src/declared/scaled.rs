@@ -1,11 +1,13 @@
 //! Numbers that a case gives as a dimensionless group or with a unit, and ranges of them.
 
+use super::values::{exactly, items};
 use super::{Allowed, Declaration, Setting, Whole};
+use crate::cause::Cause;
 use crate::document::Node;
 use crate::error::Fault;
 use crate::numeric_key::{Scaled, Value};
 use crate::section::Section;
-use crate::span::{Span, read_ends};
+use crate::span::{Span, ascending, read_ends};
 use serde_json::{Value as Json, json};
 
 /// A range of such numbers: the points of one that does not say, and the most.
@@ -17,6 +19,37 @@ pub struct Ladder {
     pub usual: usize,
     /// The most points.
     pub most: usize,
+}
+
+/// Two such numbers in one form, the second larger.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ScaledPair {
+    /// What each may be.
+    pub of: Scaled,
+    /// What they are, in words.
+    pub what: &'static str,
+}
+
+impl Setting for [Value; 2] {
+    type Rule = ScaledPair;
+
+    fn form(rule: &ScaledPair) -> Allowed {
+        Allowed::List { of: Box::new(Allowed::Scaled(rule.of)), length: [2, 2] }
+    }
+
+    fn read(section: &Section<'_>, key: &str, node: &Node, rule: &ScaledPair) -> Result<Self, Fault> {
+        let [from, to]: Self = exactly(section, key, rule.what, node, items(section, key, node, &rule.of)?)?;
+        if from.form != to.form {
+            let keys = format!("the ends of `{}`", section.path(key));
+            return Err(Cause::MixedForms { keys }.at(node.place));
+        }
+        ascending(from.number, to.number, node.place)?;
+        Ok([from, to])
+    }
+
+    fn write(&self, rule: &ScaledPair) -> Json {
+        self.iter().map(|value| rule.of.write(*value)).collect()
+    }
 }
 
 impl Scaled {

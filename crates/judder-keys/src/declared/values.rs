@@ -176,12 +176,17 @@ impl<T: Setting> Setting for Vec<T> {
 const AXES: [(&str, usize); 3] = [("x", 0), ("y", 1), ("z", 2)];
 
 /// The items of a list.
-fn items<T: Setting>(section: &Section<'_>, key: &str, node: &Node, rule: &T::Rule) -> Result<Vec<T>, Fault> {
+pub(super) fn items<T: Setting>(
+    section: &Section<'_>,
+    key: &str,
+    node: &Node,
+    rule: &T::Rule,
+) -> Result<Vec<T>, Fault> {
     all(list(&section.path(key), node)?.iter().map(|item| T::read(section, key, item, rule)))
 }
 
 /// The items of a list that must be so many.
-fn exactly<T, const N: usize>(
+pub(super) fn exactly<T, const N: usize>(
     section: &Section<'_>,
     key: &str,
     expected: &'static str,

@@ -5,19 +5,21 @@ use std::sync::Arc;
 
 use crate::REGISTRY;
 use crate::belt::MODEL;
+use crate::belt::inputs::BeltInputs;
+use crate::belt::problem::BeltProblem;
 use crate::friction::FrictionCurve;
 use crate::motion::settings::{MotionKinds, MotionModel};
 use crate::motion::{MotionAnalysis, MotionOf};
-use crate::sweep::Sweep;
 use crate::swept_keys::{SweptKeys, key_of};
 use judder_contact::friction::falling::LARGEST_EXPONENT;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Declaration, Settings, all, both};
 use judder_keys::dimension::Dimension;
-use judder_keys::document::Node;
+use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::keys::{Key, Keys, Numbers};
-use judder_keys::numeric_key::{Range, Scaled, Value};
+use judder_keys::numeric_key::{Form, Range, Scaled, Value};
+use judder_keys::problem::Placed;
 use judder_keys::section::Section;
 use judder_keys::{Keys, Settings};
 use judder_study::case::analysis::{Kinds, Planned, read_analyses};
@@ -25,14 +27,20 @@ use judder_study::case::root::{document, read_root};
 use judder_study::model::Analysis;
 use serde_json::Value as Json;
 
-/// A number of a belt case. Mass and natural frequency are the units.
+/// A number of a belt case. Mass and natural frequency are the units where the case does not give mass and stiffness in SI.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Keys)]
 pub enum BeltKey {
-    /// Damping ratio.
-    #[key(section = "oscillator", symbol = "ξ", rule = Scaled::number("ξ", Range::NonNegative), default = "0.05")]
+    /// Mass; with it and the stiffness the case is in SI.
+    #[key(section = "oscillator", symbol = "m", rule = Scaled::quantity(Dimension::MASS), typical = [1e-3, 1e3])]
+    Mass,
+    /// Stiffness of the spring.
+    #[key(section = "oscillator", symbol = "k", rule = Scaled::quantity(Dimension::STIFFNESS), typical = [0.1, 1e7])]
+    Stiffness,
+    /// Damping ratio, or in SI the damping of the damper too.
+    #[key(section = "oscillator", symbol = "ξ", rule = at_least_zero(Dimension::DAMPING, "ξ"), default = "0.05")]
     Damping,
-    /// Cubic stiffness of the spring beside the linear one, whose force is x + κ x³.
-    #[key(section = "oscillator", symbol = "κ", rule = Scaled::number("κ", Range::NonNegative), default = "0.0")]
+    /// Cubic stiffness of the spring beside the linear one, whose force is x + κ x³, in SI k x + κ x³.
+    #[key(section = "oscillator", symbol = "κ", rule = at_least_zero(Dimension::new(-2, 1, -2, 0), "κ"), default = "0.0")]
     CubicStiffness,
     /// Friction coefficient at rest, the limit of stick.
     #[key(section = "friction", symbol = "μ_0", rule = Scaled::number("μ_0", Range::NonNegative), default = "1.0", label = "Friction at rest")]
@@ -41,56 +49,29 @@ pub enum BeltKey {
     #[key(section = "friction", symbol = "μ_∞", rule = Scaled::number("μ_∞", Range::NonNegative), default = "0.5", label = "Friction at speed")]
     AtSpeed,
     /// Speed over which friction falls: μ_∞ + (μ_0 − μ_∞) e^(−|v|/v_0).
-    #[key(section = "friction", symbol = "v_0", rule = Scaled::number("v_0", Range::Positive), default = "0.5")]
+    #[key(section = "friction", symbol = "v_0", rule = Scaled::positive(Dimension::SPEED, "v_0"), default = "0.5")]
     DecaySpeed,
     /// Rise of friction with the speed: c |v| beside what falls.
-    #[key(section = "friction", symbol = "c", rule = Scaled::number("c", Range::NonNegative), default = "0.0", label = "Viscous friction")]
+    #[key(section = "friction", symbol = "c", rule = at_least_zero(Dimension::new(-1, 0, 1, 0), "c"), default = "0.0", label = "Viscous friction")]
     Viscous,
     /// Exponent with which friction falls, e^(−(|v|/v_0)^n): 2 as Gauss's curve.
     #[key(section = "friction", symbol = "n", rule = Scaled::number("n", EXPONENTS), default = "1.0")]
     Exponent,
     /// Speed of the belt.
-    #[key(section = "operation", symbol = "v", rule = Scaled::number("v", Range::Positive), default = "1.0", label = "Belt velocity")]
+    #[key(section = "operation", symbol = "v", rule = Scaled::positive(Dimension::SPEED, "v"), default = "1.0", label = "Belt velocity")]
     Velocity,
     /// Normal force on the mass.
-    #[key(section = "operation", symbol = "N", rule = Scaled::number("N", Range::Positive), default = "1.0")]
+    #[key(section = "operation", symbol = "N", rule = Scaled::positive(Dimension::FORCE, "N"), default = "1.0")]
     NormalForce,
+}
+
+/// Zero or above, as this group or with a unit.
+const fn at_least_zero(dimension: Dimension, group: &'static str) -> Scaled {
+    Scaled { range: Range::NonNegative, ..Scaled::positive(dimension, group) }
 }
 
 /// Below one the slope at rest would have no bound.
 const EXPONENTS: Range = Range::Closed { from: 1.0, to: LARGEST_EXPONENT };
-
-/// The value of every key of a belt case at one operating point.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BeltInputs {
-    values: [f64; BeltKey::ALL.len()],
-}
-
-impl Default for BeltInputs {
-    fn default() -> Self {
-        let usual = |entry: &Key<BeltKey>| entry.usual_value().map_or(f64::NAN, |value| value.number);
-        Self { values: std::array::from_fn(|k| usual(&BeltKey::ALL[k])) }
-    }
-}
-
-impl BeltInputs {
-    /// The value of a key.
-    pub fn number(&self, key: BeltKey) -> f64 {
-        self.values[key as usize]
-    }
-
-    /// Sets a key; its range is the reader's part.
-    pub fn set(&mut self, key: BeltKey, value: f64) {
-        self.values[key as usize] = value;
-    }
-}
-
-impl Sweep<BeltKey> {
-    /// Sets the swept key of one operating point.
-    pub fn set(&self, inputs: &mut BeltInputs, value: f64) {
-        inputs.set(self.key, value);
-    }
-}
 
 /// A validated belt case.
 #[derive(Debug, Clone)]
@@ -110,6 +91,8 @@ pub struct BeltCase {
 pub(crate) struct BeltKeys {
     /// Whether friction is a table, which has no keys to vary.
     has_curve: bool,
+    /// The case without what an analysis varies.
+    inputs: BeltInputs,
 }
 
 impl SweptKeys for BeltKeys {
@@ -123,6 +106,9 @@ impl SweptKeys for BeltKeys {
         match key.entry() {
             Key { path: key, .. } if self.has_curve && key.starts_with("friction.") => {
                 Err(Cause::Meaningless { key, with: "a table of friction".to_owned() })
+            }
+            Key { key: BeltKey::Mass | BeltKey::Stiffness, path: key, .. } if !self.inputs.is_si() => {
+                Err(Cause::Meaningless { key, with: "a case without units".to_owned() })
             }
             _ => Ok(key),
         }
@@ -140,22 +126,25 @@ impl SweptKeys for BeltKeys {
         first == second
     }
 
-    fn dimension(_: BeltKey) -> Dimension {
-        Dimension::NUMBER
+    fn dimension(key: BeltKey) -> Dimension {
+        key.entry().rule.dimension
     }
 
     fn key_form() -> Allowed {
         key_of(MODEL.name)
     }
 
-    fn check(&self, _: &[(BeltKey, Value)]) -> Result<(), Cause> {
-        Ok(())
+    fn value_form() -> Allowed {
+        Allowed::Quantity
+    }
+
+    fn check(&self, settings: &[(BeltKey, Value)]) -> Result<(), Cause> {
+        settings.iter().try_for_each(|(key, value)| self.inputs.check(*key, *value).map_err(Cause::from))
     }
 }
 
 impl MotionModel for BeltKeys {
     const FREQUENCY: &'static str = "Frequency $ω$ (−)";
-    const HAS_SECONDS: bool = false;
 
     type Analysis = Arc<dyn Analysis<BeltCase>>;
 
@@ -163,30 +152,67 @@ impl MotionModel for BeltKeys {
         Arc::new(MotionAnalysis(analysis))
     }
 
-    /// Mass and natural frequency are the units, and there is no other direction.
+    /// There is no other direction, and groups are by the units of the model.
     fn own(declared: Vec<Declaration>) -> Vec<Declaration> {
+        let in_units = |form: &mut Allowed| {
+            if let Allowed::Scaled(own) = form {
+                own.group = Some(match own.dimension {
+                    Dimension::TIME => "ω t",
+                    Dimension::LENGTH => "x",
+                    _ => "dx/dt",
+                });
+            }
+        };
         let own = |mut key: Declaration| {
-            match &mut key.form {
-                Allowed::Scaled(time) => *time = Scaled::number("t", time.range),
-                Allowed::Table { keys, .. } => keys.retain(|key| !["y", "velocity_y"].contains(&key.name)),
-                _ => {}
+            in_units(&mut key.form);
+            if let Allowed::Table { keys, .. } = &mut key.form {
+                keys.retain(|key| !["y", "velocity_y"].contains(&key.name));
+                for key in keys {
+                    in_units(&mut key.form);
+                    if let Allowed::List { of, .. } = &mut key.form {
+                        in_units(of);
+                    }
+                }
             }
             key
         };
         declared.into_iter().map(own).collect()
     }
 
-    fn refuse_others(section: &Section<'_>, declared: &[Declaration]) -> Result<(), Fault> {
+    fn refuse_others(&self, section: &Section<'_>, declared: &[Declaration]) -> Result<(), Fault> {
         let given = declared.iter().filter_map(|key| Some((key, section.get(key.name)?)));
         let checked = given.map(|(key, node)| match &key.form {
-            Allowed::Scaled(time) => time.read(&section.path(key.name), node).map(|_| ()),
             Allowed::Table { keys, .. } => {
                 let known: Vec<_> = keys.iter().map(|key| key.name).collect();
-                section.table(key.name, node, &known).map(|_| ())
+                let inner = section.table(key.name, node, &known)?;
+                let given = keys.iter().filter_map(|key| Some((key, inner.get(key.name)?)));
+                all(given.map(|(key, node)| self.read_as_written(&key.form, &inner.path(key.name), node)))
+                    .map(drop)
             }
-            _ => Ok(()),
+            form => self.read_as_written(form, &section.path(key.name), node),
         });
         all(checked).map(|_| ())
+    }
+}
+
+impl BeltKeys {
+    /// Refuses units where the case has none, and displacements and velocities without where it has some.
+    fn read_as_written(&self, form: &Allowed, name: &str, node: &Node) -> Result<(), Fault> {
+        match (form, &node.data) {
+            (Allowed::List { of, .. }, Data::List(items)) => {
+                all(items.iter().map(|item| self.read_as_written(of, name, item))).map(drop)
+            }
+            (Allowed::Scaled(own), _) => {
+                let is_time = own.dimension == Dimension::TIME;
+                let own = match (self.inputs.is_si(), is_time) {
+                    (false, _) => Scaled::number(own.group.unwrap_or_default(), own.range),
+                    (true, true) => *own,
+                    (true, false) => Scaled { group: None, ..*own },
+                };
+                own.read(name, node).map(drop)
+            }
+            _ => Ok(()),
+        }
     }
 }
 
@@ -228,21 +254,67 @@ pub(crate) static KINDS: Kinds<BeltKeys, Arc<dyn Analysis<BeltCase>>> = Kinds::n
 /// Reads a belt case from the root of its tree.
 pub(crate) fn read(node: &Node, folder: &Path) -> Result<BeltCase, Fault> {
     let (root, sections) = read_root::<BeltSections>(node)?;
-    let has_curve = sections.as_ref().is_ok_and(|(_, own)| matches!(own.friction, BeltFriction::Curve(_)));
-    let analyses = read_analyses(&root, &BeltKeys { has_curve }, &KINDS, REGISTRY);
-    let ((title, BeltSections { oscillator, friction, operation }), analyses) = both(sections, analyses)?;
+    let (title, BeltSections { oscillator, friction, operation }) = match sections {
+        Ok(sections) => sections,
+        Err(fault) => {
+            let keys = BeltKeys { has_curve: false, inputs: BeltInputs::default() };
+            return both(Err::<BeltCase, _>(fault), read_analyses(&root, &keys, &KINDS, REGISTRY))
+                .map(|(case, _)| case);
+        }
+    };
     let (falling, mut curve) = match friction {
         BeltFriction::Falling(falling) => (falling, None),
         BeltFriction::Curve(curve) => (Numbers::default(), Some(curve)),
     };
-    if let (Some(curve), Some(section)) = (&mut curve, root.inner("friction")?) {
-        curve.admit(&section, folder)?;
-    }
     let mut inputs = BeltInputs::default();
     for Numbers(given) in [oscillator, falling, operation] {
-        given.iter().for_each(|(key, value)| inputs.set(*key, value.number));
+        given.iter().for_each(|(key, value)| inputs.set(*key, *value));
     }
+    let admitted = match (&mut curve, root.inner("friction")?) {
+        (Some(curve), Some(section)) => curve.admit(&section, folder),
+        _ => Ok(()),
+    };
+    let admitted = admitted.and_then(|()| check_units(&root, &inputs, curve.as_ref()));
+    let keys = BeltKeys { has_curve: curve.is_some(), inputs };
+    let ((), analyses) = both(admitted, read_analyses(&root, &keys, &KINDS, REGISTRY))?;
     Ok(BeltCase { title, inputs, curve, analyses })
+}
+
+/// Refuses a case that mixes quantities with numbers in the units of the model.
+fn check_units(
+    root: &Section<'_>,
+    inputs: &BeltInputs,
+    curve: Option<&FrictionCurve<true>>,
+) -> Result<(), Fault> {
+    let given = |key: BeltKey| inputs.number(key) > 0.0;
+    if given(BeltKey::Mass) != given(BeltKey::Stiffness) {
+        return Err(BeltProblem::HalfUnits.at(root.place_of(&["oscillator"])));
+    }
+    let has_meaning = |entry: &&Key<BeltKey>| curve.is_none() || entry.section() != "friction";
+    let own = BeltKey::ALL.iter().filter(has_meaning).filter(|entry| inputs.has(entry.key)).map(|entry| {
+        let place = match root.inner(entry.section())? {
+            Some(section) => section.place_of(&[entry.name()]),
+            None => root.place,
+        };
+        inputs.check(entry.key, inputs.get(entry.key)).map_err(|problem| problem.at(place))
+    });
+    all(own)?;
+    let Some(curve) = curve else { return Ok(()) };
+    let place = match root.inner("friction")? {
+        Some(section) => section.place_of(&["velocity", "file"]),
+        None => root.place,
+    };
+    match (curve.speed_form(), inputs.is_si()) {
+        (None, _) => {
+            Err(Cause::MixedForms { keys: "the speeds of `friction.velocity`".to_owned() }.at(place))
+        }
+        (Some(Form::Si), false) => Err(BeltProblem::WithoutUnits { key: "friction.velocity" }.at(place)),
+        (Some(Form::Group), true) => {
+            let example = Dimension::SPEED.example();
+            Err(BeltProblem::NeedsUnit { key: "friction.velocity", example }.at(place))
+        }
+        _ => Ok(()),
+    }
 }
 
 impl BeltCase {
@@ -251,7 +323,8 @@ impl BeltCase {
         let mut json = document(MODEL.name, &self.title, &self.analyses, |kind, json| kind.write(json));
         let numbers = |section| {
             let own = BeltKey::of_section(section).map(|entry| entry.key);
-            Numbers(own.map(|key| (key, Value::group(self.inputs.number(key)))).collect())
+            let given = own.filter(|key| self.inputs.has(*key));
+            Numbers(given.map(|key| (key, self.inputs.get(key))).collect())
         };
         let [oscillator, falling, operation] = ["oscillator", "friction", "operation"].map(numbers);
         let friction = self.curve.clone().map_or(BeltFriction::Falling(falling), BeltFriction::Curve);
@@ -267,7 +340,9 @@ mod tests {
     #[test]
     fn defaults_are_values_of_their_keys() {
         for entry in BeltKey::ALL {
-            assert!(entry.rule.range.contains(BeltInputs::default().number(entry.key)), "{}", entry.path);
+            let inputs = BeltInputs::default();
+            let value = inputs.get(entry.key);
+            assert!(entry.rule.range.contains(value.number) || !inputs.has(entry.key), "{}", entry.path);
         }
     }
 }

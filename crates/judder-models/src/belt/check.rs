@@ -5,20 +5,29 @@ use crate::error::ModelError;
 use crate::estimate::{Estimate, estimate_json, estimate_text, title};
 use crate::motion::model::{BeltModel, Moving};
 use judder_keys::keys::{Key, Keys};
+use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::motion::SlidingSystem;
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, number};
-use serde_json::{Value, json};
+use serde_json::{Value as Json, json};
 
-pub(super) fn resolve(case: &BeltCase, resolved: Value) -> Result<Resolved, ModelError> {
-    let system = BeltModel::new(case)?.operating(None)?.system;
+pub(super) fn resolve(case: &BeltCase, resolved: Json) -> Result<Resolved, ModelError> {
+    let system = BeltModel::new(case).operating(None)?.system;
     let estimates = case.analyses.iter().map(|own| own.kind.estimate(&own.name.as_str()));
     let estimates = estimates.collect::<Result<Vec<Estimate>, ModelError>>()?;
     let has_meaning = |key: &&Key<BeltKey>| case.curve.is_none() || key.section() != "friction";
+    let written = |key: &Key<BeltKey>| {
+        let Value { number: own, form } = case.inputs.get(key.key);
+        match form {
+            Form::Group => number(own),
+            Form::Si => format!("{} {}", number(own), key.rule.dimension.unit()),
+        }
+    };
     let keys = BeltKey::ALL
         .iter()
         .filter(has_meaning)
-        .map(|key| vec![key.path.to_owned(), number(case.inputs.number(key.key))]);
+        .filter(|key| case.inputs.has(key.key))
+        .map(|key| vec![key.path.to_owned(), written(key)]);
     let mut text = format!("{}\n\n{}", title(&case.title), columns(&keys.collect::<Vec<_>>()));
     let damping = system.equivalent_damping();
     let [displacement, _] = system.steady_sliding();

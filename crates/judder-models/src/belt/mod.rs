@@ -2,8 +2,10 @@
 
 pub mod case;
 mod check;
+pub mod inputs;
+pub mod problem;
 
-use crate::belt::case::{BeltCase, BeltInputs, BeltKey, BeltKeys, BeltSections};
+use crate::belt::case::{BeltCase, BeltKey, BeltKeys, BeltSections};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
 use crate::friction::FrictionCurve;
@@ -66,7 +68,7 @@ pub const MODEL: ModelKind = ModelKind {
     template: Template {
         name: "belt",
         text: include_str!("template.toml"),
-        lines: |section| lines(section, |key: BeltKey| BeltInputs::default().number(key)),
+        lines: |section| lines(section, |_: BeltKey| 1.0),
     },
     kinds: || case::KINDS.entries(),
     operating_quantities: &[],
@@ -90,7 +92,7 @@ impl Model for BeltCase {
     }
 
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
-        Ok(self.analyses[index].kind.run(&BeltModel::new(self).map_err(ModelError::from)?, task)?)
+        Ok(self.analyses[index].kind.run(&BeltModel::new(self), task)?)
     }
 
     fn resolve(&self, _: &CaseText, resolved: serde_json::Value) -> Result<Resolved, StudyError> {

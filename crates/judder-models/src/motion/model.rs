@@ -1,7 +1,8 @@
 //! The models whose motion is followed.
 
 use crate::axis;
-use crate::belt::case::{BeltCase, BeltInputs, BeltKey};
+use crate::belt::case::{BeltCase, BeltKey};
+use crate::belt::inputs::BeltInputs;
 use crate::bridge;
 use crate::friction::FrictionCurve;
 use crate::motion::settings::{Following, MotionStart};
@@ -13,7 +14,7 @@ use judder_keys::numeric_key::{Form, Value};
 use judder_numerics::piecewise::StepSettings;
 use judder_oscillator::motion::attractor::distance;
 use judder_oscillator::motion::history::StateSample;
-use judder_oscillator::motion::{BeltOscillator, FallingFriction, Friction, SlidingSystem, StickSlip};
+use judder_oscillator::motion::{BeltOscillator, SlidingSystem, StickSlip};
 use judder_oscillator::{Contact, OscillatorError};
 use judder_study::axis::SweptAxis;
 
@@ -49,6 +50,8 @@ pub(crate) struct Operating<S> {
     pub(crate) system: S,
     /// The model's time units in a second; times of a model without seconds are plain numbers.
     per_second: f64,
+    /// Its units of length in a metre; lengths of a model without metres are plain numbers.
+    per_metre: f64,
     /// What its units are in SI, where the case is written in SI.
     pub(crate) si: Option<SiUnits>,
 }
@@ -59,6 +62,15 @@ impl<S> Operating<S> {
         match time.form {
             Form::Group => time.number,
             Form::Si => time.number * self.per_second,
+        }
+    }
+
+    /// A coordinate of a state of the case in the model's own units.
+    pub(crate) fn coordinate<const N: usize>(&self, index: usize, value: Value) -> f64 {
+        match value.form {
+            Form::Group => value.number,
+            Form::Si if index < N / 2 => value.number * self.per_metre,
+            Form::Si => value.number * self.per_metre / self.per_second,
         }
     }
 
@@ -99,8 +111,8 @@ impl<S> Operating<S> {
             let (size, scale) = (state[0].abs(), self.system.scales()[0]);
             state[0] += share * if size > NONE * scale { size } else { scale };
         }
-        for (place, given) in state.iter_mut().zip(start.state::<N>()) {
-            *place = given.unwrap_or(*place);
+        for (k, (place, given)) in state.iter_mut().zip(start.state::<N>()).enumerate() {
+            *place = given.map_or(*place, |given| self.coordinate::<N>(k, given));
         }
         state
     }
@@ -201,9 +213,11 @@ impl Moving<4> for OscillatorModel<'_> {
             sweep.set(&mut inputs, value);
         }
         let coefficients = bridge::groups(&inputs).coefficients()?;
+        let per_metre = coefficients.radius() / inputs.number(OscillatorKey::Radius);
         Ok(Operating {
             system: StickSlip::new(self.contact.clone(), coefficients)?,
             per_second: inputs.number(OscillatorKey::NaturalFrequency),
+            per_metre,
             si: inputs.si_units(),
         })
     }
@@ -229,29 +243,13 @@ impl Moving<4> for OscillatorModel<'_> {
 pub struct BeltModel<'a> {
     inputs: &'a BeltInputs,
     /// The friction coefficient, where it is none of the keys.
-    curve: Option<Friction>,
+    curve: Option<&'a FrictionCurve<true>>,
 }
 
 impl<'a> BeltModel<'a> {
-    /// # Errors
-    /// [`OscillatorError::Friction`] for a table that makes no friction coefficient.
-    pub fn new(case: &'a BeltCase) -> Result<Self, OscillatorError> {
-        let curve = case.curve.as_ref().map(FrictionCurve::friction).transpose()?;
-        Ok(Self { inputs: &case.inputs, curve })
-    }
-
-    /// The friction coefficient at these inputs.
-    fn friction(&self, inputs: &BeltInputs) -> Friction {
-        let number = |key: BeltKey| inputs.number(key);
-        self.curve.clone().unwrap_or_else(|| {
-            Friction::Falling(FallingFriction {
-                at_rest: number(BeltKey::AtRest),
-                at_speed: number(BeltKey::AtSpeed),
-                decay_speed: number(BeltKey::DecaySpeed),
-                viscous: number(BeltKey::Viscous),
-                exponent: number(BeltKey::Exponent),
-            })
-        })
+    /// That of a case.
+    pub fn new(case: &'a BeltCase) -> Self {
+        Self { inputs: &case.inputs, curve: case.curve.as_ref() }
     }
 }
 
@@ -278,12 +276,16 @@ impl Moving<2> for BeltModel<'_> {
         if let Some((sweep, value)) = set {
             sweep.set(&mut inputs, value);
         }
-        let number = |key: BeltKey| inputs.number(key);
+        let number = |key: BeltKey| inputs.in_units(key);
         let [damping, normal_force, velocity] =
             [BeltKey::Damping, BeltKey::NormalForce, BeltKey::Velocity].map(number);
-        let system = BeltOscillator::new(damping, normal_force, velocity, self.friction(&inputs))?
+        let friction = inputs.friction(self.curve)?;
+        let system = BeltOscillator::new(damping, normal_force, velocity, friction)?
             .with_cubic_stiffness(number(BeltKey::CubicStiffness))?;
-        Ok(Operating { system, per_second: f64::NAN, si: None })
+        let si = inputs.si_units();
+        let [per_second, per_metre] = [si.map(|units| units.second), si.map(|units| units.metre)]
+            .map(|own| own.map_or(f64::NAN, f64::recip));
+        Ok(Operating { system, per_second, per_metre, si })
     }
 
     fn further(system: &BeltOscillator, sample: &StateSample<2>) -> Vec<f64> {

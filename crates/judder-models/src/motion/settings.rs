@@ -19,18 +19,18 @@ pub enum MotionStart {
     Disturbance(f64),
     /// A state: what is left out stands as in steady sliding.
     State {
-        /// Displacement, in units of x0 = F_n/k_x for the oscillator.
-        #[key(rule = ANY, omitted)]
-        x: Option<f64>,
-        /// Normal displacement, in units of x0; in the air where it is not above zero.
-        #[key(rule = ANY, omitted)]
-        y: Option<f64>,
-        /// Velocity along x, in units of x0 ω_nx for the oscillator.
-        #[key(rule = ANY, omitted)]
-        velocity_x: Option<f64>,
+        /// Displacement; a plain number is in units of x0 = F_n/k_x for the oscillator.
+        #[key(rule = DISPLACEMENT, omitted)]
+        x: Option<Value>,
+        /// Normal displacement; in the air where it is not above zero.
+        #[key(rule = DISPLACEMENT, omitted)]
+        y: Option<Value>,
+        /// Velocity along x; a plain number is in units of x0 ω_nx for the oscillator.
+        #[key(rule = COORDINATE_VELOCITY, omitted)]
+        velocity_x: Option<Value>,
         /// Velocity along y.
-        #[key(rule = ANY, omitted)]
-        velocity_y: Option<f64>,
+        #[key(rule = COORDINATE_VELOCITY, omitted)]
+        velocity_y: Option<Value>,
     },
 }
 
@@ -45,7 +45,11 @@ pub struct Following {
     pub steps: usize,
 }
 
-pub(super) const ANY: Number = Number::any(Dimension::NUMBER);
+const ANY: Number = Number::any(Dimension::NUMBER);
+pub(super) const DISPLACEMENT: Scaled =
+    Scaled { range: Range::Any, ..Scaled::positive(Dimension::LENGTH, "x/x0") };
+pub(super) const COORDINATE_VELOCITY: Scaled =
+    Scaled { range: Range::Any, ..Scaled::positive(Dimension::SPEED, "dx/dt / (x0 ω_nx)") };
 pub(crate) const DURATION: Scaled = Scaled::positive(Dimension::TIME, "ω_nx t");
 pub(super) const TRANSIENT: Scaled = Scaled { range: Range::NonNegative, ..DURATION };
 pub(crate) const TOLERANCE: Number =
@@ -81,7 +85,7 @@ impl MotionStart {
     pub const USUAL: Self = Self::Disturbance(0.2);
 
     /// What is given of the coordinates of a state: displacements, then their velocities.
-    pub fn state<const N: usize>(&self) -> [Option<f64>; N] {
+    pub fn state<const N: usize>(&self) -> [Option<Value>; N] {
         match *self {
             Self::Disturbance(_) => [None; N],
             Self::State { x, y, velocity_x, velocity_y } => in_order([x, y], [velocity_x, velocity_y]),
@@ -119,9 +123,6 @@ pub(crate) trait MotionModel: SweptKeys + Sized {
     /// What stands at an axis of frequencies.
     const FREQUENCY: &'static str;
 
-    /// Whether its cases can be written in SI.
-    const HAS_SECONDS: bool = true;
-
     /// The analyses of its cases.
     type Analysis;
 
@@ -133,8 +134,8 @@ pub(crate) trait MotionModel: SweptKeys + Sized {
         declared
     }
 
-    /// Refuses what it does not have.
-    fn refuse_others(_: &Section<'_>, _: &[Declaration]) -> Result<(), Fault> {
+    /// Refuses what a case does not have.
+    fn refuse_others(&self, _: &Section<'_>, _: &[Declaration]) -> Result<(), Fault> {
         Ok(())
     }
 }
@@ -148,7 +149,7 @@ pub(super) fn declared<S: MotionModel, T: Settings>() -> Vec<Declaration> {
 }
 
 /// Reads these settings of an analysis of a model.
-pub(super) fn read<S: MotionModel, T: Settings>(section: &Section<'_>) -> Result<T, Fault> {
-    S::refuse_others(section, &declared::<S, T>())?;
+pub(super) fn read<S: MotionModel, T: Settings>(keys: &S, section: &Section<'_>) -> Result<T, Fault> {
+    keys.refuse_others(section, &declared::<S, T>())?;
     T::read_table(section)
 }

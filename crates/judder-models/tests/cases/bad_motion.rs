@@ -191,9 +191,9 @@ fn friction_of_a_belt_that_cannot_be() {
     );
     refused(
         &belt("velocity = [\"0 m/s\", \"1 m/s\"]\ncoefficient = [1.0, 0.5]"),
-        "`friction.velocity` is a string, but must be a plain number",
-        "\"0 m/s\"",
-        "",
+        "`friction.velocity` has a unit, but the case is in units of its mass and its natural frequency",
+        "[\"0 m/s\", \"1 m/s\"]",
+        "give both: mass = \"1 kg\", stiffness = \"100 N/m\"; then every key of the case has its unit",
     );
     refused(
         &belt("velocity = [1, 0]\ncoefficient = [1.0, 0.5]"),
@@ -212,6 +212,61 @@ fn friction_of_a_belt_that_cannot_be() {
 }
 
 #[test]
+fn a_belt_with_units_here_and_none_there() {
+    let units = "model = \"belt\"\n[oscillator]\nmass = \"1 kg\"\nstiffness = \"100 N/m\"\n";
+    let whole = format!(
+        "{units}[friction]\ndecay_speed = \"5 mm/s\"\n[operation]\nvelocity = \"15 mm/s\"\nnormal_force = \"0.1 N\"\n"
+    );
+    let analysis = |own: &str| format!("{whole}[[analysis]]\n{own}\n");
+    assert!(super::parse(&analysis("kind = \"motion\"\nduration = \"2 s\"\nstart = { x = \"1 mm\" }"), &[]).is_ok());
+    let both = "give both: mass = \"1 kg\", stiffness = \"100 N/m\"; then every key of the case has its unit";
+    refused(
+        "model = \"belt\"\n[operation]\nvelocity = \"15 mm/s\"\n",
+        "`operation.velocity` has a unit, but the case is in units of its mass and its natural frequency",
+        "\"15 mm/s\"",
+        both,
+    );
+    refused(
+        "model = \"belt\"\noscillator = { mass = \"1 kg\" }\n",
+        "the case gives one of `oscillator.mass` and `oscillator.stiffness` alone",
+        "{ mass = \"1 kg\" }",
+        both,
+    );
+    refused(
+        &whole.replace("\"15 mm/s\"", "15"),
+        "`operation.velocity` needs a unit, as `oscillator.mass` and `oscillator.stiffness` have one",
+        "15",
+        "write velocity = \"30 mm/s\"",
+    );
+    refused(
+        &analysis("kind = \"motion\"\nstart = { x = 1 }"),
+        "`start.x` needs a unit: it has no dimensionless form",
+        "1",
+        "",
+    );
+    refused(
+        &analysis(
+            "kind = \"bifurcation\"\nsweep = { key = \"operation.velocity\", from = 1, to = 2, points = 3 }",
+        ),
+        "`operation.velocity` needs a unit, as `oscillator.mass` and `oscillator.stiffness` have one",
+        "{ key = \"operation.velocity\", from = 1, to = 2, points = 3 }",
+        "write velocity = \"30 mm/s\"",
+    );
+    refused(
+        "model = \"belt\"\n[[analysis]]\nkind = \"motion\"\nduration = \"2 s\"\n",
+        "`duration` is a string, but must be a plain number",
+        "\"2 s\"",
+        "",
+    );
+    refused(
+        "model = \"belt\"\n[[analysis]]\nkind = \"bifurcation\"\nsweep = { key = \"oscillator.mass\", from = \"1 kg\", to = \"2 kg\", points = 3 }\n",
+        "`oscillator.mass` has no meaning with a case without units",
+        "oscillator.mass",
+        "leave `oscillator.mass` out",
+    );
+}
+
+#[test]
 fn friction_in_a_file_that_cannot_be_used() {
     let folder = tempfile::tempdir().unwrap();
     let message = |content: &str| {
@@ -223,7 +278,10 @@ fn friction_in_a_file_that_cannot_be_used() {
     for (content, said) in [
         ("", "there are no numbers"),
         ("0,1\n1,0.5\n", "must be a header such as `speed,coefficient`"),
-        ("speed [m/s],coefficient\n0,1\n", "a column of numbers without a unit has the unit `m/s`"),
+        (
+            "speed [m/s],coefficient\n0,1\n",
+            "`friction.velocity` has a unit, but the case is in units of its mass",
+        ),
         ("speed,coefficient\n0,1\n0,0.5\n", "the speeds of the table of friction must ascend"),
         ("speed,coefficient\n0,-1\n", "a friction coefficient is -1: it must be finite and not negative"),
         ("speed,coefficient\n-1,1\n", "the speed of a friction coefficient is -1"),

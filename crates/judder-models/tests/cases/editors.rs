@@ -5,7 +5,7 @@ use serde_json::Value as Json;
 use super::{help_of, parse};
 use judder_keys::keys::Keys;
 use judder_models::belt::case::BeltCase;
-use judder_models::belt::case::BeltInputs;
+use judder_models::belt::inputs::BeltInputs;
 use judder_models::contact::case::ContactCase;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::inputs::OscillatorInputs;

@@ -37,7 +37,7 @@ fn a_motion_in_seconds_from_the_air() {
         "kind = \"motion\"\nduration = \"50 s\"\ntransient = \"20 s\"\nstart = { y = -0.5, velocity_y = 1 }",
     );
     assert!(matches!(history.start, MotionStart::State { .. }));
-    assert_eq!(history.start.state(), [None, Some(-0.5), None, Some(1.0)]);
+    assert_eq!(history.start.state(), [None, Some(Value::group(-0.5)), None, Some(Value::group(1.0))]);
     assert_eq!((history.duration, history.transient), (Value::si(50.0), Value::si(20.0)));
 }
 
@@ -98,7 +98,10 @@ fn a_mass_on_a_belt() {
     let case = parse(BELT, &["friction.at_speed=0.4"]).unwrap().of::<BeltCase>().unwrap().clone();
     assert_eq!((case.inputs.number(BeltKey::Velocity), case.inputs.number(BeltKey::AtSpeed)), (1.5, 0.4));
     let basin = &case.analyses[0].settings::<MotionAnalysis<BasinAnalysis>>().unwrap().0;
-    assert_eq!(basin.within.state(), [Some([-2.0, 2.0]), Some([0.0, 2.0])]);
+    assert_eq!(
+        basin.within.state(),
+        [Some([-2.0, 2.0].map(Value::group)), Some([0.0, 2.0].map(Value::group))]
+    );
     assert_eq!((basin.samples, basin.seed, basin.tolerance), (50, 7, 1e-6));
 }
 

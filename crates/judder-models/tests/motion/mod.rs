@@ -37,6 +37,31 @@ fn the_basin_of_the_belts_fixed_point() {
     assert!(folder.path().join("figures/basin.svg").exists());
 }
 
+/// The belt of the literature in SI, all lengths a thousandth: the same cycle, over 1/ω = 0.1 s and in m.
+#[test]
+fn a_belt_in_si_has_the_cycle_of_one_in_its_own_units() {
+    let results = |name: &str, only: &[&str]| {
+        let folder = tempfile::tempdir().unwrap();
+        let report = run_into(folder.path(), &case(name, &[]), only);
+        assert!(report.complete, "{:?}", report.messages);
+        report.summary.results
+    };
+    let (own, si) = (results(BELT, &["cycle"]), results("benchmarks/belt-in-si.toml", &["cycle"]));
+    for (key, factor) in [("period", 1.0), ("rms", 1e-3), ("mean", 1e-3), ("stick_fraction", 1.0)] {
+        let [own, si] = [&own, &si].map(|results| number(&results["cycle"][key]));
+        assert!((si / (factor * own) - 1.0).abs() < 1e-7, "{key}: {si} {own}");
+    }
+}
+
+/// A damper of 0 N s/m is none, which the canonical form says too.
+#[test]
+fn a_belt_in_si_without_a_damper_stays_one() {
+    let undamped = |name: &str| case(name, &["oscillator.damping=\"0 N s/m\""]).case.resolved();
+    let resolved = undamped("benchmarks/belt-in-si.toml");
+    assert_eq!(resolved["oscillator"]["damping"]["value"], 0.0);
+    assert_eq!(case(BELT, &[]).case.resolved()["oscillator"].get("mass"), None);
+}
+
 /// Closed form: steady sliding loses stability at 0.5 ln 10 = 1.1513; the case's comment: the cycle exists up to 1.83660.
 #[test]
 fn the_belts_diagram_has_its_jumps_at_the_fold_and_at_the_hopf_point() {

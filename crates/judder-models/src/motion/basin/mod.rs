@@ -4,13 +4,13 @@ mod run;
 
 use super::model::Moving;
 use super::settings::{
-    ANY, DURATION, MOTION_STEPS, MotionKinds, MotionModel, SETTLING_DURATION, STEPS, TOLERANCE, declared,
-    followed, in_order, read,
+    COORDINATE_VELOCITY, DISPLACEMENT, DURATION, MOTION_STEPS, MotionKinds, MotionModel, SETTLING_DURATION,
+    STEPS, TOLERANCE, declared, followed, in_order, read,
 };
 use super::{MotionOf, MotionSize, pictures, settling};
 use crate::error::ModelError;
 use judder_keys::Settings;
-use judder_keys::declared::{NumberPair, Settings, Whole};
+use judder_keys::declared::{ScaledPair, Settings, Whole};
 use judder_keys::error::Fault;
 use judder_keys::numeric_key::Value;
 use judder_keys::section::Section;
@@ -52,24 +52,26 @@ followed!(BasinAnalysis);
 #[settings(check = StartRanges::says_one)]
 pub struct StartRanges {
     /// Of the displacement.
-    #[key(rule = RANGE, omitted)]
-    pub x: Option<[f64; 2]>,
+    #[key(rule = DISPLACEMENTS, omitted)]
+    pub x: Option<[Value; 2]>,
     /// Of the normal displacement.
-    #[key(rule = RANGE, omitted)]
-    pub y: Option<[f64; 2]>,
+    #[key(rule = DISPLACEMENTS, omitted)]
+    pub y: Option<[Value; 2]>,
     /// Of the velocity along x.
-    #[key(rule = RANGE, omitted)]
-    pub velocity_x: Option<[f64; 2]>,
+    #[key(rule = VELOCITIES, omitted)]
+    pub velocity_x: Option<[Value; 2]>,
     /// Of the velocity along y.
-    #[key(rule = RANGE, omitted)]
-    pub velocity_y: Option<[f64; 2]>,
+    #[key(rule = VELOCITIES, omitted)]
+    pub velocity_y: Option<[Value; 2]>,
 }
 
-const RANGE: NumberPair = NumberPair { of: ANY, what: "two numbers, [from, to]", is_ascending: true };
+const ENDS: &str = "two numbers, [from, to]";
+const DISPLACEMENTS: ScaledPair = ScaledPair { of: DISPLACEMENT, what: ENDS };
+const VELOCITIES: ScaledPair = ScaledPair { of: COORDINATE_VELOCITY, what: ENDS };
 
 impl StartRanges {
     /// The ranges in the order of a state: displacements, then their velocities.
-    pub fn state<const N: usize>(&self) -> [Option<[f64; 2]>; N] {
+    pub fn state<const N: usize>(&self) -> [Option<[Value; 2]>; N] {
         in_order([self.x, self.y], [self.velocity_x, self.velocity_y])
     }
 
@@ -87,7 +89,7 @@ impl<S: MotionModel> MotionKinds<S> {
         name: "basin",
         doc: "the share of starts, drawn evenly, from which steady sliding is reached",
         declared: declared::<S, BasinAnalysis>,
-        read: |_, section| read::<S, BasinAnalysis>(section).map(S::of_motion),
+        read: |keys, section| read::<S, BasinAnalysis>(keys, section).map(S::of_motion),
         picture: Some(Picture {
             draw: pictures::basin,
             caption: "Starts, drawn evenly, and what becomes of them.",
@@ -109,7 +111,10 @@ impl<S: MotionModel> MotionOf<S> for BasinAnalysis {
         model: &M,
         task: Task<'_>,
     ) -> Result<Outcome, ModelError> {
-        let within = self.within.state::<N>();
+        let operating = model.operating(None)?;
+        let ranges = self.within.state::<N>();
+        let within: [_; N] =
+            std::array::from_fn(|k| ranges[k].map(|ends| ends.map(|end| operating.coordinate::<N>(k, end))));
         let draw = Draw { within: &within, samples: self.samples, seed: self.seed as u64 };
         run::run(model, &draw, &self.following(), task.own, task.progress)
     }

@@ -101,7 +101,7 @@ impl<S: MotionModel> MotionKinds<S> {
         declared: || [vec![SWEEP.declaration::<S>()], declared::<S, BifurcationAnalysis>()].concat(),
         read: |keys, section| {
             let (sweep, diagram) =
-                both(SWEEP.read_alone(keys, section), read::<S, BifurcationAnalysis>(section))?;
+                both(SWEEP.read_alone(keys, section), read::<S, BifurcationAnalysis>(keys, section))?;
             Ok(S::of_motion(Bifurcation { sweep, diagram }))
         },
         picture: Some(Picture {

@@ -61,12 +61,8 @@ impl<S: MotionModel> MotionKinds<S> {
     pub(crate) const HISTORY: Kind<S, S::Analysis> = Kind {
         name: "motion",
         doc: "the history of one motion: stick, slip, lift-off, its averages, its energy",
-        declared: || {
-            let mut all = declared::<S, HistoryAnalysis>();
-            all.retain(|key| S::HAS_SECONDS || key.name != "sound");
-            all
-        },
-        read: |_, section| read::<S, HistoryAnalysis>(section).map(S::of_motion),
+        declared: declared::<S, HistoryAnalysis>,
+        read: |keys, section| read::<S, HistoryAnalysis>(keys, section).map(S::of_motion),
         picture: Some(Picture {
             draw: |dataset| pictures::motion(dataset, S::FREQUENCY),
             caption: "The whole motion; its end with the contact state shaded (white: slip); the phase portrait of that end with the changes of the contact \

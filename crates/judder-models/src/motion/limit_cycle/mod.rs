@@ -45,7 +45,7 @@ impl<S: MotionModel> MotionKinds<S> {
         name: "limit-cycle",
         doc: "the cycle that a motion settles to, with its Floquet multipliers",
         declared: declared::<S, LimitCycle>,
-        read: |_, section| read::<S, LimitCycle>(section).map(S::of_motion),
+        read: |keys, section| read::<S, LimitCycle>(keys, section).map(S::of_motion),
         picture: Some(Picture {
             draw: pictures::limit_cycle,
             caption: "One period with the contact state shaded (white: slip), the phase portrait with the changes of the contact state, and the Floquet \

@@ -6,6 +6,7 @@ use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::sweep::{Family, ParameterKey, Sweep};
 use judder_keys::keys::Keys;
+use judder_numerics::words::plain;
 use judder_oscillator::critical;
 use judder_store::{Declared, Results, Told, ValueKind, Variable};
 use judder_study::axis::{SweptAxis, coordinate};
@@ -144,7 +145,7 @@ impl<I> Curves<I> {
     /// What tells a curve in a message: parameter = value; `None` where there is one alone.
     pub(crate) fn told(&self, curve: usize) -> Option<String> {
         let (quantity, values, _) = self.family.as_ref()?;
-        Some(format!("{} = {}", quantity.symbol, values.get(curve)?))
+        Some(format!("{} = {}", quantity.symbol, plain(*values.get(curve)?)))
     }
 
     /// The family's name and, for each curve, its value; for tables.

@@ -1,5 +1,6 @@
 //! How keys are called on axes and in tables, in the markup of the figures.
 
+use crate::text::four_digits;
 use judder_keys::dimension::Dimension;
 
 /// A swept quantity: its name, its symbol and its unit.
@@ -32,8 +33,9 @@ pub fn plain(label: &str) -> String {
     label.replace("_{", "").replace(['$', '{', '}'], "")
 }
 
-/// A number for a legend: powers of ten as such, others short.
+/// A number to four digits, for a legend: powers of ten as such, others short.
 pub fn short_number(value: f64) -> String {
+    let value = four_digits(value);
     let exponent = value.abs().log10().floor();
     if value == 0.0 || (-2.0..4.0).contains(&exponent) {
         return format!("{value}").replace('-', "−");
@@ -54,5 +56,8 @@ mod tests {
         assert_eq!(short_number(7.5e-5), "7.5·10^{−5}");
         assert_eq!(short_number(0.05), "0.05");
         assert_eq!(short_number(0.0), "0");
+        assert_eq!(short_number(147.0 * 1e-4), "0.0147", "what rounding left of 0.014700000000000001");
+        assert_eq!(short_number(-1.0 / 3.0), "−0.3333");
+        assert_eq!(short_number(9.99996e-7), "10^{−6}");
     }
 }

@@ -30,9 +30,14 @@ pub fn number(value: f64) -> String {
 
 /// A number to four digits, for sentences.
 pub fn short(value: f64) -> String {
-    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    let rounded = four_digits(value);
     let plain = rounded == 0.0 || (1e-3..1e5).contains(&rounded.abs());
     if plain { format!("{rounded}") } else { format!("{rounded:e}") }
+}
+
+/// The number of four digits that is nearest.
+pub(crate) fn four_digits(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
 }
 
 /// Numbers in a row, or a word where there are none.

@@ -61,7 +61,7 @@ pub(crate) fn contact_law(dataset: &Dataset) -> Option<Vec<Panel>> {
         for (index, row) in rows.iter().enumerate() {
             let depth = plane.indentations[*row];
             let role = Role::Graded { index, count: rows.len() };
-            let name = format!("$δ$/$R$ = {}", short_number(rounded(depth)));
+            let name = format!("$δ$/$R$ = {}", short_number(depth));
             layers.push(Layer::line(name, plane.velocities.to_vec(), plane.row(values, *row), role.solid()));
             for limit in elastic(quantity, *row) {
                 let level = vec![limit; plane.velocities.len()];
@@ -86,12 +86,6 @@ const QUANTITIES: [(&str, &str); 3] = [
 const QUANTITIES_OF_A_LINE: [(&str, &str); 3] =
     [("force", "Force per length $F$/($E_{0}^{*}$ $R$) (−)"), ("area", "Width $w$/$R$ (−)"), QUANTITIES[2]];
 
-/// A number to three digits, for a legend.
-fn rounded(value: f64) -> f64 {
-    let unit = 10_f64.powf(value.abs().log10().floor() - 2.0);
-    if unit.is_finite() && unit > 0.0 { (value / unit).round() * unit } else { value }
-}
-
 fn map(
     dataset: &Dataset,
     plane: &DrawnPlane<'_>,
@@ -114,7 +108,7 @@ pub(crate) fn fit(dataset: &Dataset) -> Option<Vec<Panel>> {
         let mut layers = Vec::new();
         for (index, row) in rows.iter().enumerate() {
             let role = Role::Graded { index, count: rows.len() };
-            let name = format!("$δ$/$R$ = {}", short_number(rounded(plane.indentations[*row])));
+            let name = format!("$δ$/$R$ = {}", short_number(plane.indentations[*row]));
             let x = plane.velocities.to_vec();
             layers.push(Layer::points(name, x.clone(), plane.row(computed, *row), role));
             layers.push(Layer::line("", x, plane.row(fitted, *row), role.solid()));

@@ -57,7 +57,7 @@ fn fixed(sweep: &DrawnSweep<'_>) -> String {
         let value = reals(sweep.dataset, &key.path)?.first().copied()?;
         let units = &sweep.dataset.variable(&key.path)?.units;
         let unit = if units == "1" { String::new() } else { format!(" {units}") };
-        (!axes.contains(&k)).then(|| format!("{} = {}{unit}", key.path, short_number(rounded(value))))
+        (!axes.contains(&k)).then(|| format!("{} = {}{unit}", key.path, short_number(value)))
     };
     let fixed: Vec<String> = sweep.keys.iter().enumerate().filter_map(at).collect();
     match fixed.is_empty() {
@@ -107,15 +107,10 @@ fn family(
         let point = |k: usize| if x_is_first { k * values.len() + own } else { own * along.len() + k };
         let y = (0..along.len()).map(|k| column.values.get(point(k)).copied().unwrap_or(f64::NAN)).collect();
         let role = Role::Graded { index: place, count: values.len() };
-        let label = format!("{symbol} = {}{unit}", short_number(rounded(values[own])));
+        let label = format!("{symbol} = {}{unit}", short_number(values[own]));
         layers.extend(curve(&label, along, y, role));
     }
     Some(Panel::new(axis(x), column.axis(), layers))
-}
-
-/// A number to four digits, for a legend.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.3e}").parse().unwrap_or(value)
 }
 
 /// The classes of points along one axis.

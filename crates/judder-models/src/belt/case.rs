@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::REGISTRY;
 use crate::belt::MODEL;
 use crate::belt::inputs::BeltInputs;
-use crate::belt::problem::BeltProblem;
+use crate::belt::problem::{BeltProblem, GIVE_UNITS};
 use crate::friction::FrictionCurve;
 use crate::motion::settings::{MotionKinds, MotionModel};
 use crate::motion::{MotionAnalysis, MotionOf};
@@ -145,6 +145,11 @@ impl SweptKeys for BeltKeys {
 
 impl MotionModel for BeltKeys {
     const FREQUENCY: &'static str = "Frequency $ω$ (−)";
+    const SECONDS: &'static str = GIVE_UNITS;
+
+    fn has_seconds(&self) -> bool {
+        self.inputs.is_si()
+    }
 
     type Analysis = Arc<dyn Analysis<BeltCase>>;
 

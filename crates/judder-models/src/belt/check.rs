@@ -12,7 +12,7 @@ use judder_study::text::{columns, number};
 use serde_json::{Value as Json, json};
 
 pub(super) fn resolve(case: &BeltCase, resolved: Json) -> Result<Resolved, ModelError> {
-    let system = BeltModel::new(case).operating(None)?.system;
+    let system = BeltModel::new(case, "").operating(None)?.system;
     let estimates = case.analyses.iter().map(|own| own.kind.estimate(&own.name.as_str()));
     let estimates = estimates.collect::<Result<Vec<Estimate>, ModelError>>()?;
     let has_meaning = |key: &&Key<BeltKey>| case.curve.is_none() || key.section() != "friction";

@@ -92,7 +92,8 @@ impl Model for BeltCase {
     }
 
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {
-        Ok(self.analyses[index].kind.run(&BeltModel::new(self), task)?)
+        let asked = &self.analyses[index];
+        Ok(asked.kind.run(&BeltModel::new(self, &asked.name), task)?)
     }
 
     fn resolve(&self, _: &CaseText, resolved: serde_json::Value) -> Result<Resolved, StudyError> {

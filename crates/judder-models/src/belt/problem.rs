@@ -25,6 +25,10 @@ pub enum BeltProblem {
     HalfUnits,
 }
 
+/// What makes a case one in SI.
+pub(super) const GIVE_UNITS: &str =
+    "give both: mass = \"1 kg\", stiffness = \"100 N/m\"; then every key of the case has its unit";
+
 impl Problem for BeltProblem {
     fn kind(&self) -> &'static str {
         "Belt"
@@ -40,10 +44,7 @@ impl Problem for BeltProblem {
 
     fn help(&self) -> Option<String> {
         Some(match self {
-            Self::WithoutUnits { .. } | Self::HalfUnits => {
-                "give both: mass = \"1 kg\", stiffness = \"100 N/m\"; then every key of the case has its unit"
-                    .to_owned()
-            }
+            Self::WithoutUnits { .. } | Self::HalfUnits => GIVE_UNITS.to_owned(),
             Self::NeedsUnit { key, example } => {
                 let name = key.rsplit_once('.').map_or(*key, |(_, name)| name);
                 format!("write {name} = \"{example}\"")

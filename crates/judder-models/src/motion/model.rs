@@ -126,9 +126,7 @@ pub(crate) trait Moving<const N: usize>: Sync {
     type System: SlidingSystem<N>;
 
     /// The name of the analysis, after which files are called.
-    fn name(&self) -> &str {
-        ""
-    }
+    fn name(&self) -> &str;
 
     /// Its time.
     const CLOCK: Clock;
@@ -241,21 +239,27 @@ impl Moving<4> for OscillatorModel<'_> {
 
 /// The mass on a belt of a case.
 pub struct BeltModel<'a> {
+    /// Of the analysis.
+    name: &'a str,
     inputs: &'a BeltInputs,
     /// The friction coefficient, where it is none of the keys.
     curve: Option<&'a FrictionCurve<true>>,
 }
 
 impl<'a> BeltModel<'a> {
-    /// That of a case.
-    pub fn new(case: &'a BeltCase) -> Self {
-        Self { inputs: &case.inputs, curve: case.curve.as_ref() }
+    /// That of a case, for the analysis of this name.
+    pub fn new(case: &'a BeltCase, name: &'a str) -> Self {
+        Self { name, inputs: &case.inputs, curve: case.curve.as_ref() }
     }
 }
 
 impl Moving<2> for BeltModel<'_> {
     type Key = BeltKey;
     type System = BeltOscillator;
+
+    fn name(&self) -> &str {
+        self.name
+    }
 
     const CLOCK: Clock = Clock { symbol: "t", time: "time t", frequency: "frequency ω" };
     const COORDINATES: [Coordinate; 2] = [

@@ -123,6 +123,12 @@ pub(crate) trait MotionModel: SweptKeys + Sized {
     /// What stands at an axis of frequencies.
     const FREQUENCY: &'static str;
 
+    /// What gives its cases seconds.
+    const SECONDS: &'static str;
+
+    /// Whether the case has seconds; of one in which something is wrong that is not known, and it has.
+    fn has_seconds(&self) -> bool;
+
     /// The analyses of its cases.
     type Analysis;
 

@@ -101,6 +101,9 @@ fn branch(own: &Value) -> Vec<String> {
     ]
 }
 
+/// What is told of motions in SI beside the groups: its key, what it is multiplied by, and the head of its column then.
+const IN_SI: [(&str, f64, &str); 2] = [("rms_m", 1e6, "rms (µm)"), ("period_s", 1.0, "period (s)")];
+
 /// Neighbouring values of a direction at which motions become the same, with the ranges of rms and period.
 fn settled(analysis: ToldAnalysis<'_>, swept: &str) -> Option<PageTable> {
     let words = |key: &str| -> Vec<&str> {
@@ -108,6 +111,14 @@ fn settled(analysis: ToldAnalysis<'_>, swept: &str) -> Option<PageTable> {
     };
     let (direction, becomes) = (words("direction"), words("becomes"));
     let [values, rms, period] = ["value", "rms", "period"].map(|key| numbers(analysis.results.get(key)));
+    let in_si: Vec<(&str, Vec<f64>)> = IN_SI
+        .into_iter()
+        .map(|(key, factor, head)| {
+            let values = numbers(analysis.results.get(key));
+            (head, values.into_iter().map(|value| factor * value).collect::<Vec<_>>())
+        })
+        .filter(|(_, values)| values.len() == becomes.len())
+        .collect();
     let lengths = [direction.len(), values.len(), rms.len(), period.len()];
     if lengths.iter().any(|length| *length != becomes.len()) {
         return None;
@@ -117,17 +128,19 @@ fn settled(analysis: ToldAnalysis<'_>, swept: &str) -> Option<PageTable> {
     while first < becomes.len() {
         let is_same = |k: &usize| (direction[*k], becomes[*k]) == (direction[first], becomes[first]);
         let last = (first..becomes.len()).take_while(is_same).last().unwrap_or(first);
-        rows.push(vec![
+        let mut row = vec![
             direction[first].to_owned(),
             told(values[first]),
             told(values[last]),
             becomes[first].to_owned(),
-            span(&rms[first..=last]),
-            span(&period[first..=last]),
-        ]);
+        ];
+        let measured = [&rms, &period].into_iter().chain(in_si.iter().map(|(_, values)| values));
+        row.extend(measured.map(|values| span(&values[first..=last])));
+        rows.push(row);
         first = last + 1;
     }
-    let head = ["direction", "from", "to", "motions become", "rms (−)", "period (−)"];
+    let mut head = vec!["direction", "from", "to", "motions become", "rms (−)", "period (−)"];
+    head.extend(in_si.iter().map(|(head, _)| *head));
     (!rows.is_empty()).then(|| table(format!("What motions become along: {swept}"), &head, rows))
 }
 
@@ -178,5 +191,12 @@ mod tests {
         assert_eq!(rows[0], ["forward", "1", "1", "steady sliding", "0", "–"]);
         assert_eq!(rows[1], ["forward", "2", "3", "cycle", "0.5 … 0.7", "6"]);
         assert_eq!(tables.len(), 1);
+        let mut in_si = results;
+        in_si["rms_m"] = json!([0.0, 0.5e-3, 0.7e-3, 0.7e-3]);
+        in_si["period_s"] = json!([null, 0.6, 0.6, 0.6]);
+        let told = ToldAnalysis { asked: &asked, results: in_si.as_object().unwrap() };
+        let table = &diagram(told, "key")[0];
+        assert_eq!(table.head[6..], ["rms (µm)", "period (s)"]);
+        assert_eq!(table.rows[1][6..], ["500 … 700", "0.6"]);
     }
 }

@@ -112,6 +112,11 @@ struct MapMargin {
 
 impl MotionModel for OscillatorKeys {
     const FREQUENCY: &'static str = "Frequency $ω$/$ω_{nx}$ (−)";
+    const SECONDS: &'static str = "give `operation.velocity` or `operation.normal_load` in SI";
+
+    fn has_seconds(&self) -> bool {
+        OscillatorKeys::has_seconds(self)
+    }
 
     type Analysis = Arc<dyn Operated>;
 

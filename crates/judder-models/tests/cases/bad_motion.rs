@@ -218,7 +218,10 @@ fn a_belt_with_units_here_and_none_there() {
         "{units}[friction]\ndecay_speed = \"5 mm/s\"\n[operation]\nvelocity = \"15 mm/s\"\nnormal_force = \"0.1 N\"\n"
     );
     let analysis = |own: &str| format!("{whole}[[analysis]]\n{own}\n");
-    assert!(super::parse(&analysis("kind = \"motion\"\nduration = \"2 s\"\nstart = { x = \"1 mm\" }"), &[]).is_ok());
+    assert!(
+        super::parse(&analysis("kind = \"motion\"\nduration = \"2 s\"\nstart = { x = \"1 mm\" }"), &[])
+            .is_ok()
+    );
     let both = "give both: mass = \"1 kg\", stiffness = \"100 N/m\"; then every key of the case has its unit";
     refused(
         "model = \"belt\"\n[operation]\nvelocity = \"15 mm/s\"\n",
@@ -242,7 +245,7 @@ fn a_belt_with_units_here_and_none_there() {
         &analysis("kind = \"motion\"\nstart = { x = 1 }"),
         "`start.x` needs a unit: it has no dimensionless form",
         "1",
-        "",
+        "write a length, such as \"10 mm\"",
     );
     refused(
         &analysis(
@@ -264,6 +267,26 @@ fn a_belt_with_units_here_and_none_there() {
         "oscillator.mass",
         "leave `oscillator.mass` out",
     );
+}
+
+#[test]
+fn a_sound_of_what_has_no_seconds() {
+    let said = "`sound` is asked of a motion in groups, which has no seconds";
+    let asked = "kind = \"motion\"\nduration = 100\nsound = true";
+    for (case, help) in [
+        (
+            "model = \"belt\"\n",
+            "give both: mass = \"1 kg\", stiffness = \"100 N/m\"; then every key of the case has its unit",
+        ),
+        (
+            "model = \"oscillator\"\n[operation]\nvelocity = 1e-4\nnormal_load = 1e-6\n",
+            "give `operation.velocity` or `operation.normal_load` in SI",
+        ),
+    ] {
+        refused(&format!("{case}[[analysis]]\n{asked}\n"), said, "true", help);
+    }
+    let silent = "model = \"belt\"\n[[analysis]]\nkind = \"motion\"\nsound = false\n";
+    assert!(super::parse(silent, &[]).is_ok());
 }
 
 #[test]

@@ -51,6 +51,32 @@ fn a_belt_in_si_has_the_cycle_of_one_in_its_own_units() {
         let [own, si] = [&own, &si].map(|results| number(&results["cycle"][key]));
         assert!((si / (factor * own) - 1.0).abs() < 1e-7, "{key}: {si} {own}");
     }
+    // x is in m, and a unit of time is 0.1 s
+    let told = |key: &str| number(&si["cycle"][key]);
+    assert_eq!((told("rms_m"), told("mean_m")), (told("rms"), told("mean")));
+    assert!((told("period_s") / (0.1 * told("period")) - 1.0).abs() < 1e-12);
+    assert!((told("frequency_hz") * told("period_s") - 1.0).abs() < 1e-12);
+}
+
+/// Its motion is drawn in µm and mm/s, and the 10 s after the transient are heard, 3 bytes a sample at 48 kHz.
+#[test]
+fn a_belt_in_si_is_drawn_in_si_and_heard() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = case("benchmarks/belt-in-si.toml", &["analysis.motion.sound=true"]);
+    let report = run_into(folder.path(), &file, &["motion", "diagram"]);
+    assert!(report.complete, "{:?}", report.messages);
+    assert_eq!(report.summary.results["motion"]["sound"][0]["file"], "motion-velocity_x.wav");
+    let bytes = std::fs::read(folder.path().join("motion-velocity_x.wav")).unwrap();
+    let seconds = bytes.len() as f64 / (3.0 * 48e3);
+    assert!(bytes.starts_with(b"RIFF") && (9.9..10.1).contains(&seconds), "{seconds}");
+    let table = std::fs::read_to_string(folder.path().join("motion.csv")).unwrap();
+    assert!(
+        table.starts_with("time,x,velocity_x,") && table.lines().next().unwrap().contains("velocity_x [m/s]")
+    );
+    let page = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
+    for shown in ["Frequency (Hz)", "(mm/s)", "rms (µm)", "rms of "] {
+        assert!(page.contains(shown), "{shown}");
+    }
 }
 
 /// A damper of 0 N s/m is none, which the canonical form says too.

@@ -1,6 +1,7 @@
 //! `motion`: the history of one motion.
 
 pub(super) mod run;
+mod sound;
 mod watched;
 
 use super::model::Moving;
@@ -14,12 +15,14 @@ use judder_keys::Settings;
 use judder_keys::declared::{Settings, Whole};
 use judder_keys::error::Fault;
 use judder_keys::numeric_key::{Form, Value};
+use judder_keys::problem::Placed;
 use judder_keys::section::Section;
 use judder_store::Declared;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::Task;
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
+use sound::SoundInGroups;
 
 /// The history of one motion.
 #[derive(Debug, Clone, PartialEq, Settings)]
@@ -43,7 +46,7 @@ pub struct HistoryAnalysis {
     /// The most steps of one motion.
     #[key(rule = STEPS, default = MOTION_STEPS)]
     pub steps: usize,
-    /// Whether the velocity along x becomes a sound, of a case whose speed or load is given in SI.
+    /// Whether the velocity along x becomes a sound; of a case with seconds: an oscillator whose speed or load is given in SI, a belt with mass and stiffness.
     #[key(omitted)]
     pub sound: Option<bool>,
 }
@@ -62,7 +65,13 @@ impl<S: MotionModel> MotionKinds<S> {
         name: "motion",
         doc: "the history of one motion: stick, slip, lift-off, its averages, its energy",
         declared: declared::<S, HistoryAnalysis>,
-        read: |keys, section| read::<S, HistoryAnalysis>(keys, section).map(S::of_motion),
+        read: |keys, section| {
+            let own = read::<S, HistoryAnalysis>(keys, section)?;
+            if own.sound == Some(true) && !keys.has_seconds() {
+                return Err(SoundInGroups { seconds: S::SECONDS }.at(section.place_of(&["sound"])));
+            }
+            Ok(S::of_motion(own))
+        },
         picture: Some(Picture {
             draw: |dataset| pictures::motion(dataset, S::FREQUENCY),
             caption: "The whole motion; its end with the contact state shaded (white: slip); the phase portrait of that end with the changes of the contact \

@@ -1,12 +1,12 @@
 //! `motion`: the history of one motion.
 
+use super::sound::{ToldSounds, sound};
 use super::watched::Blocks;
 use crate::error::ModelError;
 use crate::motion::amplitude_spectrum::amplitude_spectrum;
 use crate::motion::history::HistoryAnalysis;
 use crate::motion::model::{ContactMemory, Coordinate, Moving, Operating};
 use crate::motion::si::{MotionInSi, SiUnits};
-use crate::sliding::march::sound::{SoundFile, ToldSound, sound_of};
 use judder_oscillator::motion::attractor::{distance, repetition};
 use judder_oscillator::motion::history::{
     MotionHistory, Oscillation, StateSample, TimeWindow, follow, follow_watched,
@@ -53,8 +53,9 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     told.tell_si(operating.si);
     let mut scalars = told.scalars();
     scalars.extend(ToldWindow { duration, transient }.scalars());
-    let sound = asked.sound.unwrap_or(false).then(|| sound(model.name(), &operating, &history, &window));
-    let sound = sound.transpose()?;
+    // a case without seconds that asks for a sound is not read
+    let heard = operating.si.filter(|_| asked.sound == Some(true));
+    let sound = heard.map(|units| sound(model.name(), units, &history, &window)).transpose()?;
     scalars.extend(sound.as_ref().map(|own| own.told.scalars()).into_iter().flatten());
     let arrays = Arrays::<M, N> { operating: &operating, history: &history };
     Ok(Outcome {
@@ -65,39 +66,6 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
         files: sound.into_iter().map(|own| (own.name, own.bytes)).collect(),
         ..Outcome::default()
     })
-}
-
-/// The velocity along x after the transient as sound.
-fn sound<S, const N: usize>(
-    analysis: &str,
-    operating: &Operating<S>,
-    history: &MotionHistory<N>,
-    window: &TimeWindow,
-) -> Result<SoundOfMotion, ModelError> {
-    let units = operating.si.ok_or_else(|| {
-        ModelError::Unsupported(
-            "a motion in groups has no seconds, and no sound: give `operation.velocity` or `operation.normal_load` in SI".to_owned(),
-        )
-    })?;
-    let late = history.samples.iter().filter(|sample| sample.time >= window.transient);
-    let values = late.map(|sample| sample.state[N / 2] * units.metre / units.second).collect();
-    let sample_rate = (window.points - 1) as f64 / (window.duration * units.second);
-    let SoundFile { name, bytes, told } = sound_of(analysis, "velocity_x", "m/s", values, sample_rate)?;
-    Ok(SoundOfMotion { name, bytes, told: ToldSounds { sound: vec![told] } })
-}
-
-/// A file for the ear.
-struct SoundOfMotion {
-    name: String,
-    bytes: Vec<u8>,
-    told: ToldSounds,
-}
-
-/// What is told of sounds.
-#[derive(Results)]
-struct ToldSounds {
-    /// the velocity along x
-    sound: Vec<ToldSound>,
 }
 
 /// Whether there is a motion to speak of.

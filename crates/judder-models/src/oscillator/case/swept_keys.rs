@@ -38,6 +38,11 @@ impl OscillatorKeys {
         }
     }
 
+    /// Whether the case is written in SI.
+    pub(crate) fn has_seconds(&self) -> bool {
+        self.known.is_none_or(|(inputs, _)| inputs.si_units().is_some())
+    }
+
     /// What keeps a key from being swept.
     fn fixed_by(&self, key: OscillatorKey) -> Option<String> {
         use OscillatorKey::{GlassyModulus, RelaxationTime, RetardationTime, RubberyModulus};

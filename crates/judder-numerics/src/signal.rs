@@ -2,6 +2,7 @@
 //!
 //! - [`kaiser`], [`fir`]: low-pass filters of linear phase from band edges and an attenuation.
 //! - [`Decimation`], [`decimate`]: fewer samples of a signal while it is made, without aliases; its state goes into a checkpoint.
+//! - [`means`]: fewer samples of a signal that jumps, which a filter would make ring.
 //! - [`extremes`]: the smallest and the largest value of every step, with the step.
 //! - [`resample`]: any sample rate from any other, for the ear.
 //! - [`window`], [`spectrogram`]: levels over time and frequency.
@@ -18,6 +19,7 @@ pub mod extremes;
 pub mod fir;
 pub mod kaiser;
 mod line;
+pub mod means;
 pub mod octave;
 mod plan;
 pub mod resample;

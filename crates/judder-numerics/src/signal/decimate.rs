@@ -151,6 +151,12 @@ impl Decimator {
         self.asked.sample_rate / self.asked.factor as f64
     }
 
+    /// Samples of the input a sample of the output.
+    #[must_use]
+    pub fn factor(&self) -> usize {
+        self.asked.factor
+    }
+
     /// Multiply-adds a sample of one input, on average.
     #[must_use]
     pub fn cost(&self) -> f64 {

@@ -3,6 +3,7 @@
 mod allocations;
 mod bursts;
 mod decimate;
+mod means;
 mod resample;
 mod spectrogram;
 

@@ -51,13 +51,13 @@ fn forces(contact: &str) -> [Variable; 2] {
         signal(
             &format!("{contact}.normal_force"),
             "N",
-            &format!("normal forces of {contact}"),
+            &format!("normal forces of {contact}, means over the time of a sample"),
             format!("Normal force of {contact}, $N$ (N)"),
         ),
         signal(
             &format!("{contact}.friction_force"),
             "N",
-            &format!("friction on the slider along the slip of {contact}"),
+            &format!("friction on the slider along the slip of {contact}, means over the time of a sample"),
             format!("Friction of {contact}, $T$ (N)"),
         ),
     ]

@@ -1,4 +1,5 @@
-//! What is kept of a motion: signals, low-passed as they are thinned, and the states of all points at their times, on their way into the study.
+//! What is kept of a motion: signals, low-passed as they are thinned, forces as means, and the states of all points at their times, on their way into
+//! the study.
 
 use crate::error::ModelError;
 use judder_nonsmooth::NonsmoothError;
@@ -7,6 +8,7 @@ use judder_nonsmooth::march::NonsmoothMarch;
 use judder_numerics::contact_state::ContactState;
 use judder_numerics::signal::Decimation;
 use judder_numerics::signal::decimate::{Decimator, DecimatorState};
+use judder_numerics::signal::means::WindowMeans;
 use judder_store::StreamSlice;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -18,14 +20,17 @@ const PASS: f64 = 0.4;
 pub(super) struct Recorded {
     decimation: Decimation,
     filter: Option<Decimator>,
+    /// Of the forces, which jump.
+    means: Option<WindowMeans>,
     /// Steps by which what the filter lets through lies behind.
     delay: u64,
     step: f64,
     factor: u64,
     /// Contact points of each interface.
     interfaces: Vec<Range<usize>>,
-    /// N and T of each interface, then the velocity of each point along the slip, then acceleration and velocity of each observed
-    /// displacement.
+    /// N and T of each interface.
+    forces: Vec<f64>,
+    /// The velocity of each point along the slip, then acceleration and velocity of each observed displacement.
     values: Vec<f64>,
     /// Velocities of the observed points now and a step before.
     watched: [Vec<f64>; 2],
@@ -39,7 +44,7 @@ pub(super) struct Recorded {
 #[derive(Default)]
 struct WaitingSamples {
     time: Vec<f64>,
-    /// A column for each of the values but the velocities of the points,
+    /// A column for each of the forces and the values but the velocities of the points,
     columns: Vec<Vec<f64>>,
     /// which have a row a sample, as states and normal forces of the points at their times have.
     velocities: Vec<f64>,
@@ -52,6 +57,7 @@ struct WaitingSamples {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct RecordedState {
     filter: Option<DecimatorState>,
+    means: Option<WindowMeans>,
     watched: Vec<f64>,
     steps: u64,
     outputs: u64,
@@ -76,19 +82,23 @@ impl Recorded {
             })
             .collect();
         let single = 2 * counts.len() + 2 * watched;
+        let forces = vec![0.0; 2 * counts.len()];
         let factor = Decimation::factor_to(1.0 / step, rate);
         let kept = 1.0 / step / factor as f64;
         let mut recorded = Self {
             decimation: Decimation {
-                stop_edge: (1.0 - PASS) * kept,
+                // as the bound of the filter is reckoned: rounding is not to pass it
+                stop_edge: kept - PASS * kept,
                 ..Decimation::new(1.0 / step, PASS * kept, factor)
             },
             filter: None,
+            means: None,
             delay: 0,
             step,
             factor: factor as u64,
             interfaces,
-            values: vec![0.0; single + points],
+            forces,
+            values: vec![0.0; points + 2 * watched],
             watched: [vec![0.0; watched], vec![0.0; watched]],
             steps: 0,
             outputs: 0,
@@ -99,6 +109,7 @@ impl Recorded {
             recorded.look(march);
             let filter = Decimator::new(&recorded.decimation, &recorded.values)?;
             recorded.delay = filter.delay_in_samples() as u64;
+            recorded.means = Some(WindowMeans::beside(&filter, recorded.forces.len()));
             recorded.filter = Some(filter);
         }
         Ok(recorded)
@@ -125,9 +136,9 @@ impl Recorded {
                 let [normal, friction, _] = march.force(point);
                 sums[0] += normal;
                 sums[1] += friction;
-                self.values[2 * self.interfaces.len() + point] = march.velocity(point)[1];
+                self.values[point] = march.velocity(point)[1];
             }
-            self.values[2 * k..2 * k + 2].copy_from_slice(&sums);
+            self.forces[2 * k..2 * k + 2].copy_from_slice(&sums);
         }
         let [now, before] = &mut self.watched;
         std::mem::swap(now, before);
@@ -142,7 +153,10 @@ impl Recorded {
     /// Takes the step that a march has come to.
     pub(super) fn take(&mut self, march: &NonsmoothMarch<'_>) {
         self.look(march);
-        let points = self.velocities();
+        let points = self.points();
+        if let Some(means) = &mut self.means {
+            means.push(&self.forces);
+        }
         let passed = match &mut self.filter {
             Some(filter) => filter.push(&self.values),
             None => Some(&self.values[..]),
@@ -150,7 +164,10 @@ impl Recorded {
         if let Some(passed) = passed {
             let time = sample_time(self.outputs, self.factor, self.delay, self.step);
             self.outputs += 1;
-            self.samples.push(time, passed, points);
+            if let (Some(means), Some(_)) = (&mut self.means, time) {
+                means.take(&mut self.forces);
+            }
+            self.samples.push(time, &self.forces, passed, points);
         }
         if self.steps.is_multiple_of(self.factor) && self.points() > 0 {
             self.samples.state_time.push((self.steps + 1) as f64 * self.step);
@@ -162,21 +179,18 @@ impl Recorded {
         self.steps += 1;
     }
 
-    /// Which of the values are the velocities of the points.
-    fn velocities(&self) -> Range<usize> {
-        let first = 2 * self.interfaces.len();
-        first..first + self.points()
-    }
-
     /// Lets the rest out of the filter, as if the signals stayed at their last values; the march has ended.
     pub(super) fn flush(&mut self) {
-        let points = self.velocities();
+        let points = self.points();
         let tails = self.filter.clone().map(Decimator::finish).unwrap_or_default();
         for k in 0..tails.first().map_or(0, Vec::len) {
             let passed: Vec<f64> = tails.iter().map(|tail| tail[k]).collect();
             let time = sample_time(self.outputs, self.factor, self.delay, self.step);
             self.outputs += 1;
-            self.samples.push(time, &passed, points.clone());
+            if let (Some(means), Some(_)) = (&mut self.means, time) {
+                means.take(&mut self.forces);
+            }
+            self.samples.push(time, &self.forces, &passed, points);
         }
     }
 
@@ -214,6 +228,7 @@ impl Recorded {
     pub(super) fn state(&self) -> RecordedState {
         RecordedState {
             filter: self.filter.as_ref().map(Decimator::state),
+            means: self.means.clone(),
             watched: self.watched[0].clone(),
             steps: self.steps,
             outputs: self.outputs,
@@ -222,8 +237,10 @@ impl Recorded {
 
     /// Goes on from where a recorder of the same march was, to the bit.
     pub(super) fn resume(&mut self, state: &RecordedState) -> Result<(), ModelError> {
-        let fits =
-            state.watched.len() == self.watched[0].len() && state.filter.is_some() == self.filter.is_some();
+        let signals = |means: &Option<WindowMeans>| means.as_ref().map(WindowMeans::signals);
+        let fits = state.watched.len() == self.watched[0].len()
+            && state.filter.is_some() == self.filter.is_some()
+            && signals(&state.means) == signals(&self.means);
         if !fits {
             return Err(NonsmoothError::ForeignCheckpoint.into());
         }
@@ -234,6 +251,7 @@ impl Recorded {
             }
             self.filter = Some(filter);
         }
+        self.means.clone_from(&state.means);
         self.watched[0].copy_from_slice(&state.watched);
         (self.steps, self.outputs) = (state.steps, state.outputs);
         Ok(())
@@ -241,12 +259,13 @@ impl Recorded {
 }
 
 impl WaitingSamples {
-    /// A sample of all values, of which these are the velocities of the points; none before the first step.
-    fn push(&mut self, time: Option<f64>, values: &[f64], points: Range<usize>) {
+    /// A sample of forces and values, of which the first are the velocities of so many points; none before the first step.
+    fn push(&mut self, time: Option<f64>, forces: &[f64], values: &[f64], points: usize) {
         let (Some(time), false) = (time, values.is_empty()) else { return };
         self.time.push(time);
-        self.velocities.extend_from_slice(&values[points.clone()]);
-        let single = values[..points.start].iter().chain(&values[points.end..]);
+        let (velocities, observed) = values.split_at(points);
+        self.velocities.extend_from_slice(velocities);
+        let single = forces.iter().chain(observed);
         self.columns.iter_mut().zip(single).for_each(|(column, value)| column.push(*value));
     }
 }

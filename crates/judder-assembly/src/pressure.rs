@@ -1,7 +1,8 @@
 //! The normal law of a compliant interface: pressure against closure.
 
 use crate::AssemblyError;
-use crate::friction::{check_table, piece_of};
+use crate::friction::{TableInterpolation, check_table, piece_of};
+use judder_contact::table::TableColumns;
 #[cfg(feature = "keys")]
 use judder_keys::{
     declared::{Number, Several},
@@ -15,6 +16,10 @@ const CLOSURES: Several<Number> =
 #[cfg(feature = "keys")]
 const PRESSURES: Several<Number> =
     Several { of: Number::non_negative(Dimension::STRESS), length: [2, usize::MAX] };
+#[cfg(feature = "keys")]
+const DEFLECTIONS: Several<Number> = Several { of: Number::any(Dimension::LENGTH), length: [2, usize::MAX] };
+#[cfg(feature = "keys")]
+const FORCES: Several<Number> = Several { of: Number::any(Dimension::FORCE), length: [2, usize::MAX] };
 #[cfg(feature = "keys")]
 const STIFFNESS: Number = Number::positive(Dimension::new(-2, 1, -2, 0));
 #[cfg(feature = "keys")]
@@ -46,6 +51,8 @@ pub enum Pressure {
     PointCubic(CubicPointForce),
     /// Pressures at closures, in place of a stiffness.
     Table(PressureTable),
+    /// Forces of each contact point at closures, whatever its area: a spring of one's own.
+    PointTable(ForceTable),
 }
 
 /// p = k_n d + k_3 d³.
@@ -86,6 +93,24 @@ pub struct PressureTable {
     #[cfg_attr(feature = "keys", key(rule = PRESSURES, symbol = "p(d)", example = "[\"0 Pa\", \"1 MPa\"]"))]
     pub pressure: Vec<f64>,
 }
+
+/// Forces of a contact point at closures.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "keys", derive(judder_keys::Settings))]
+pub struct ForceTable {
+    /// Closures, ascending, zero among them, m; those below zero are of a contact whose points all stay closed, which pulls there.
+    #[cfg_attr(feature = "keys", key(rule = DEFLECTIONS, symbol = "d", example = "[\"-1 mm\", \"0 mm\", \"1 mm\"]"))]
+    pub closure: Vec<f64>,
+    /// Forces there, ascending, zero at the closure zero, N; beyond the closures as steep as at their ends.
+    #[cfg_attr(feature = "keys", key(rule = FORCES, symbol = "N(d)", example = "[\"-5 N\", \"0 N\", \"8 N\"]"))]
+    pub force: Vec<f64>,
+    /// How the force runs between the closures.
+    #[cfg_attr(feature = "keys", key(default = TableInterpolation::Monotone))]
+    pub interpolation: TableInterpolation,
+}
+
+/// The columns of a table of forces, in messages.
+const FORCE_COLUMNS: [&str; 2] = ["the closures of a table of forces", "the forces of a table of forces"];
 
 /// The columns of a table, in messages.
 const COLUMNS: [&str; 2] = ["the closures of a contact interface", "the pressures of a contact interface"];
@@ -139,16 +164,24 @@ impl Pressure {
                     (first, _) => invalid("the first closure of a contact interface", first, "zero"),
                 }
             }
+            Self::PointTable(own) => own.check(),
         }
+    }
+
+    /// Whether it bends: not one stiffness at all closures.
+    #[must_use]
+    pub fn bends(&self) -> bool {
+        !matches!(self, Self::Stiffness(_) | Self::PointStiffness(_))
     }
 
     /// Whether it is the force of a point whatever its area.
     #[must_use]
     pub fn is_of_points(&self) -> bool {
-        matches!(self, Self::PointStiffness(_) | Self::PointCubic(_))
+        matches!(self, Self::PointStiffness(_) | Self::PointCubic(_) | Self::PointTable(_))
     }
 
-    /// The closure in m at which the cube presses a hundredth of what is linear; none of a law of straight pieces.
+    /// The closure in m at which the cube presses a hundredth of what is linear, of a table of forces a tenth of its narrowest piece; none of a law of
+    /// straight pieces.
     #[must_use]
     pub fn bend(&self) -> Option<f64> {
         match self {
@@ -156,8 +189,37 @@ impl Pressure {
             | Self::PointCubic(CubicPointForce { stiffness, cubic_stiffness, .. }) => {
                 Some(0.1 * (stiffness / cubic_stiffness).sqrt())
             }
-            Self::Stiffness(_) | Self::PointStiffness(_) | Self::Table(_) => None,
+            Self::PointTable(own) if own.interpolation == TableInterpolation::Monotone => {
+                let widths = own.closure.windows(2).map(|pair| pair[1] - pair[0]);
+                Some(0.1 * widths.fold(f64::INFINITY, f64::min))
+            }
+            Self::Stiffness(_) | Self::PointStiffness(_) | Self::Table(_) | Self::PointTable(_) => None,
         }
+    }
+
+    /// ∫ (p(x) − p(d)) dx from a closure d in m to another, in J/m²; of a law of points in J: what is stored beyond what a constant force takes.
+    ///
+    /// Exact: between corners every law is a polynomial of the third degree at most, which two places of Gauss integrate.
+    #[must_use]
+    pub fn excess_energy(&self, [from, to]: [f64; 2], stays_closed: bool) -> f64 {
+        let at = |closure: f64| if stays_closed { self.extended_at(closure) } else { self.at(closure) }.value;
+        let (first, low, high) = (at(from), from.min(to), from.max(to));
+        let corners = match self {
+            Self::Table(own) => own.closure.as_slice(),
+            Self::PointTable(own) => own.closure.as_slice(),
+            // where the interface opens
+            _ => &[0.0],
+        };
+        let inside = corners.iter().copied().filter(|corner| *corner > low && *corner < high);
+        let mut energy = 0.0;
+        let mut start = low;
+        for end in inside.chain([high]) {
+            let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
+            let off = half / 3.0_f64.sqrt();
+            energy += half * (at(middle - off) - first + (at(middle + off) - first));
+            start = end;
+        }
+        if to < from { -energy } else { energy }
     }
 
     /// p and dp/dd at a closure in m of an interface that stays closed: below zero it pulls as stiffly as it begins to press, a cubic law as it presses.
@@ -169,6 +231,7 @@ impl Pressure {
         let slope = match self {
             Self::Cubic(own) => return own.at(closure),
             Self::PointCubic(own) => return own.at(closure),
+            Self::PointTable(own) => return own.at(closure),
             Self::Stiffness(stiffness) | Self::PointStiffness(stiffness) => *stiffness,
             Self::Table(PressureTable { closure: closures, pressure: pressures }) => {
                 straight(closures, pressures, 0.0).1
@@ -185,6 +248,12 @@ impl Pressure {
             Self::Table(PressureTable { closure: closures, .. }) => {
                 piece_of(&closures[..closures.len().saturating_sub(1)], closure)
             }
+            Self::PointTable(ForceTable { closure: closures, interpolation, .. }) => match interpolation {
+                TableInterpolation::Linear => {
+                    piece_of(closures.get(1..closures.len().saturating_sub(1)).unwrap_or_default(), closure)
+                }
+                TableInterpolation::Monotone => 0,
+            },
         }
     }
 
@@ -198,6 +267,7 @@ impl Pressure {
                 let pieces = closure.windows(2).zip(pressure.windows(2));
                 pieces.map(|(d, p)| (p[1] - p[0]) / (d[1] - d[0])).fold(0.0, f64::max)
             }
+            Self::PointTable(own) => own.columns().largest_slope(),
         }
     }
 
@@ -213,6 +283,7 @@ impl Pressure {
             }
             Self::Cubic(own) => own.at(closure),
             Self::PointCubic(own) => own.at(closure),
+            Self::PointTable(own) => own.at(closure),
             Self::Table(PressureTable { closure: closures, pressure: pressures }) => {
                 let last = closures.len() - 1;
                 if closure < closures[last] {
@@ -249,6 +320,45 @@ impl CubicPointForce {
     }
 }
 
+impl ForceTable {
+    fn columns(&self) -> TableColumns<'_> {
+        TableColumns { places: &self.closure, values: &self.force, interpolation: self.interpolation }
+    }
+
+    /// At a closure of any sign.
+    fn at(&self, closure: f64) -> PressureAt {
+        let (value, slope) = self.columns().at_and_beyond(closure);
+        PressureAt { value, slope }
+    }
+
+    fn check(&self) -> Result<(), AssemblyError> {
+        let Self { closure, force, .. } = self;
+        check_table(FORCE_COLUMNS, closure, force.len())?;
+        check_table([FORCE_COLUMNS[1], FORCE_COLUMNS[0]], force, closure.len())?;
+        if closure.len() < 2 {
+            return Err(AssemblyError::Length {
+                name: "the table of forces",
+                found: closure.len(),
+                expected: 2,
+            });
+        }
+        let at_rest = closure.iter().zip(force).find(|(closure, _)| **closure == 0.0);
+        match at_rest {
+            Some((_, 0.0)) => Ok(()),
+            Some((_, force)) => Err(AssemblyError::InvalidNumber {
+                name: "the force of a contact point at the closure zero",
+                value: *force,
+                requirement: "zero",
+            }),
+            None => Err(AssemblyError::InvalidNumber {
+                name: "the first closure of a table of forces without a zero",
+                value: closure[0],
+                requirement: "zero, or a later one",
+            }),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -265,6 +375,8 @@ mod tests {
             Pressure::Cubic(CubicPressure { stiffness: 1e12, cubic_stiffness: 2e23 }),
             Pressure::PointCubic(CubicPointForce { stiffness: 1e6, cubic_stiffness: 2e17, about: 1e-6 }),
             table(&[0.0, 1e-6, 3e-6], &[0.0, 1e5, 9e5]),
+            forces(TableInterpolation::Linear),
+            forces(TableInterpolation::Monotone),
         ] {
             law.check().unwrap();
             for closure in [2e-7, 2.2e-6, 5e-6] {
@@ -277,8 +389,64 @@ mod tests {
         }
     }
 
+    fn forces(interpolation: TableInterpolation) -> Pressure {
+        let (closure, force) = (vec![-2e-6, 0.0, 1e-6, 3e-6], vec![-1.0, 0.0, 2.0, 9.0]);
+        Pressure::PointTable(ForceTable { closure, force, interpolation })
+    }
+
+    /// Of k d + k₃ d³ it is k d²/2 + k₃ d⁴/4, less what a constant force takes; of the others the sum over small steps.
+    #[test]
+    fn energies_are_the_integrals_of_the_forces() {
+        let cubic =
+            Pressure::PointCubic(CubicPointForce { stiffness: 1e6, cubic_stiffness: 2e17, about: 0.0 });
+        let stored = |d: f64| 0.5e6 * d * d + 0.5e17 * d * d * d * d;
+        for [from, to] in [[1e-6, 3e-6], [3e-6, 1e-6], [1e-6, -1e-6]] {
+            let energy = cubic.excess_energy([from, to], true);
+            let expected = stored(to) - stored(from) - cubic.extended_at(from).value * (to - from);
+            assert!((energy / expected - 1.0).abs() < 1e-9, "{energy} {expected}");
+        }
+        // a motion that is a millionth of the closure is not lost in rounding
+        let small = cubic.excess_energy([2e-6, 2e-6 + 1e-12], true);
+        assert!((small / (0.5 * cubic.at(2e-6).slope * 1e-24) - 1.0).abs() < 1e-4, "{small}");
+        for law in [
+            table(&[0.0, 1e-6, 3e-6], &[0.0, 1e5, 9e5]),
+            forces(TableInterpolation::Linear),
+            forces(TableInterpolation::Monotone),
+            Pressure::PointStiffness(1e6),
+        ] {
+            for (stays_closed, [from, to]) in
+                [(true, [2e-6, -3e-6]), (false, [2e-6, -3e-6]), (true, [-1e-6, 4e-6])]
+            {
+                let at = |d: f64| if stays_closed { law.extended_at(d) } else { law.at(d) }.value;
+                let step = (to - from) / 1e5;
+                let middles = (0..100_000).map(|k| from + step * (f64::from(k) + 0.5));
+                let sum: f64 = middles.map(|d| step * (at(d) - at(from))).sum();
+                let energy = law.excess_energy([from, to], stays_closed);
+                assert!((energy / sum - 1.0).abs() < 1e-6, "{law:?}: {energy} {sum}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_spring_of_ones_own_pulls_where_it_stays_closed() {
+        let own = forces(TableInterpolation::Linear);
+        assert!((own.extended_at(-1e-6).value + 0.5).abs() < 1e-12 && own.at(-1e-6).value == 0.0);
+        assert!((own.extended_at(-4e-6).value + 2.0).abs() < 1e-12);
+        assert!((own.largest_slope() - 3.5e6).abs() < 1e-6 && own.is_of_points());
+        assert_eq!([-3e-6, -1e-6, 0.5e-6, 2e-6, 9e-6].map(|d| own.piece(d)), [0, 0, 1, 2, 2]);
+        assert!(own.bend().is_none() && forces(TableInterpolation::Monotone).bend().is_some());
+    }
+
     #[test]
     fn what_is_no_pressure_is_refused() {
+        let own = |closure: &[f64], force: &[f64]| {
+            let (closure, force) = (closure.to_vec(), force.to_vec());
+            let interpolation = TableInterpolation::Monotone;
+            Pressure::PointTable(ForceTable { closure, force, interpolation }).check()
+        };
+        assert!(own(&[-1.0, 0.0, 1.0], &[-1.0, 0.0, 3.0]).is_ok());
+        assert!(own(&[-1.0, 1.0], &[-1.0, 1.0]).is_err() && own(&[0.0, 1.0], &[0.5, 1.0]).is_err());
+        assert!(own(&[0.0, 1.0, 2.0], &[0.0, 2.0, 1.0]).is_err() && own(&[0.0], &[0.0]).is_err());
         assert!(Pressure::Stiffness(0.0).check().is_err());
         assert!(Pressure::Stiffness(-1.0).check().is_err());
         let cubic = |cubic_stiffness| Pressure::Cubic(CubicPressure { stiffness: 1e12, cubic_stiffness });

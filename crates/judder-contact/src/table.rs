@@ -38,6 +38,17 @@ pub enum TableFault {
     },
 }
 
+/// The columns of a table that stand elsewhere: n ≥ 1 ascending places and as many values.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TableColumns<'a> {
+    /// The places.
+    pub places: &'a [f64],
+    /// The values there.
+    pub values: &'a [f64],
+    /// How it runs between them.
+    pub interpolation: TableInterpolation,
+}
+
 /// A table: n ≥ 1 ascending places and as many values, all finite.
 ///
 /// It has n + 1 pieces on which it is smooth: below the first place, between two, above the last. Outside of its places it keeps its first
@@ -100,6 +111,46 @@ impl ValueTable {
     #[must_use]
     pub fn at(&self, at: f64) -> (f64, f64) {
         self.on_piece(self.piece(at), at)
+    }
+
+    /// Value and slope of a piece, beyond its ends too: as it goes on there.
+    #[must_use]
+    pub fn on_piece(&self, piece: usize, at: f64) -> (f64, f64) {
+        let Self { places, values, interpolation } = self;
+        TableColumns { places, values, interpolation: *interpolation }.on_piece(piece, at)
+    }
+}
+
+impl TableColumns<'_> {
+    /// Value and slope at a place; beyond the ends it goes on as steep as it is there.
+    #[must_use]
+    pub fn at_and_beyond(&self, at: f64) -> (f64, f64) {
+        let last = self.places.len() - 1;
+        let piece = self.places.partition_point(|place| *place <= at);
+        if last == 0 || (1..=last).contains(&piece) {
+            return self.on_piece(piece, at);
+        }
+        let (end, piece) = if piece == 0 { (self.places[0], 1) } else { (self.places[last], last) };
+        let (value, slope) = self.on_piece(piece, end);
+        (value + slope * (at - end), slope)
+    }
+
+    /// The largest slope of any piece between the places; zero of one place.
+    #[must_use]
+    pub fn largest_slope(&self) -> f64 {
+        let of_piece = |piece: usize| {
+            let (from, to) = (self.places[piece - 1], self.places[piece]);
+            let width = to - from;
+            let [first, middle, second] = [from, from + 0.5 * width, to].map(|at| self.on_piece(piece, at).1);
+            // the slope is a parabola, whose top may lie between the ends
+            let curvature = 2.0 * (first - 2.0 * middle + second);
+            let rise = 4.0 * middle - 3.0 * first - second;
+            let top = -0.5 * rise / curvature;
+            let inner =
+                if curvature < 0.0 && (0.0..1.0).contains(&top) { first + 0.5 * rise * top } else { first };
+            first.max(second).max(inner)
+        };
+        (1..self.places.len()).map(of_piece).fold(0.0, f64::max)
     }
 
     /// Value and slope of a piece, beyond its ends too: as it goes on there.
@@ -202,6 +253,21 @@ mod tests {
         assert_eq!(own.on_piece(1, 2.0), (3.0, 1.0), "it goes on beyond its end");
         assert_eq!((own.pieces(), own.piece(-0.1), own.piece(1.0), own.piece(3.0)), (4, 0, 2, 3));
         assert_eq!(table(&[2.0], &[0.3], TableInterpolation::Monotone).at(5.0), (0.3, 0.0));
+    }
+
+    #[test]
+    fn columns_go_on_as_steep_as_they_end_and_know_their_steepest_slope() {
+        let (places, values) = ([-1.0, 0.0, 2.0], [-3.0, 0.0, 1.0]);
+        for interpolation in [TableInterpolation::Linear, TableInterpolation::Monotone] {
+            let own = TableColumns { places: &places, values: &values, interpolation };
+            for (end, beyond) in [(-1.0, -1.5), (2.0, 4.0)] {
+                let ((value, slope), (further, same)) = (own.at_and_beyond(end), own.at_and_beyond(beyond));
+                assert!((further - value - slope * (beyond - end)).abs() < 1e-14 && slope == same);
+            }
+            let slopes = (0..=3000).map(|k| own.at_and_beyond(-1.0 + 1e-3 * f64::from(k)).1);
+            let found = slopes.fold(0.0, f64::max);
+            assert!((own.largest_slope() / found - 1.0).abs() < 1e-3, "{} {found}", own.largest_slope());
+        }
     }
 
     #[test]

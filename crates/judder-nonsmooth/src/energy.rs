@@ -4,12 +4,13 @@ use crate::NonsmoothError;
 use crate::march::NonsmoothMarch;
 use judder_assembly::assembly::Assembly;
 use judder_assembly::interface::InterfaceLaw;
+use judder_assembly::pressure::Pressure;
 use judder_assembly::steady::SteadySliding;
 
 /// The mechanical energy of a motion about steady sliding, as far as it is known before the motion.
 ///
 /// E = ½ vᵀ M v + ½ δqᵀ K δq + Σ ∫ (N_p − N(g)) dg over the contact points in J, with the displacements δq and the gaps g about steady sliding, at which
-/// E = 0, the symmetric part of K, and N of the slope of the law in steady sliding as far as a point presses.
+/// E = 0, and the symmetric part of K. N is that of a pressure or a table of forces; of an asperity that of its slope in steady sliding as far as it presses.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EnergyAboutSliding {
     /// Steady sliding, on the coordinates of the march.
@@ -18,7 +19,7 @@ pub struct EnergyAboutSliding {
 }
 
 /// A contact point in steady sliding.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 struct PressedPoint {
     /// N_p in N.
     force: f64,
@@ -27,11 +28,16 @@ struct PressedPoint {
     gap: f64,
     /// Whether it pulls where it is open.
     stays_closed: bool,
+    /// A law that bends, and what its energy is multiplied by.
+    bent: Option<(Pressure, f64)>,
 }
 
 impl PressedPoint {
-    /// ∫ (N_p − N(g)) dg from steady sliding to a gap, with the slope of the law there as far as the point presses, and none beyond.
+    /// ∫ (N_p − N(g)) dg from steady sliding to a gap; of a law that does not bend with the slope there as far as the point presses, and none beyond.
     fn potential(&self, gap: f64) -> f64 {
+        if let Some((law, area)) = &self.bent {
+            return area * law.excess_energy([-self.gap, -gap], self.stays_closed);
+        }
         let opened = gap - self.gap;
         // where the force has fallen to nothing
         let lifted = if self.stiffness > 0.0 { self.force / self.stiffness } else { f64::INFINITY };
@@ -65,6 +71,13 @@ impl EnergyAboutSliding {
             },
             gap: state.gap,
             stays_closed: point.stays_closed,
+            bent: match point.law {
+                InterfaceLaw::Compliant(law, _) if law.bends() && state.is_closed => {
+                    let area = if law.is_of_points() { 1.0 } else { point.point.area };
+                    Some((law.clone(), area))
+                }
+                _ => None,
+            },
         });
         Ok(Self { place: march.place().to_vec(), points: points.collect() })
     }
@@ -142,15 +155,35 @@ impl EnergyWindows {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use judder_assembly::pressure::CubicPointForce;
+
+    /// N = k d + k₃ d³ pressed by its force at 1 mm: what both polynomials store, less the work of that force.
+    #[test]
+    fn a_spring_that_bends_has_the_integral_of_its_force() {
+        let law = Pressure::PointCubic(CubicPointForce { stiffness: 4.0, cubic_stiffness: 8e6, about: 0.0 });
+        let force = law.at(1e-3).value;
+        let point = PressedPoint {
+            force,
+            stiffness: law.at(1e-3).slope,
+            gap: -1e-3,
+            stays_closed: true,
+            bent: Some((law, 1.0)),
+        };
+        let stored = |d: f64| 2.0 * d * d + 2e6 * d.powi(4);
+        for gap in [-3e-3, -1e-3, -0.5e-3, 2e-3] {
+            let known = stored(-gap) - stored(1e-3) - force * (-gap - 1e-3);
+            assert!((point.potential(gap) - known).abs() < 1e-15, "{gap}");
+        }
+    }
 
     /// N = k d pressed by 2 N on 4 N/m lifts off at 0.5 m, from where on the load alone works.
     #[test]
     fn a_point_that_lifts_off_has_the_work_of_its_load() {
-        let point = PressedPoint { force: 2.0, stiffness: 4.0, gap: -0.5, stays_closed: false };
+        let point = PressedPoint { force: 2.0, stiffness: 4.0, gap: -0.5, stays_closed: false, bent: None };
         for (gap, known) in [(-0.5, 0.0), (-0.75, 0.125), (-0.25, 0.125), (0.0, 0.5), (1.0, 2.5)] {
             assert!((point.potential(gap) - known).abs() < 1e-15, "{gap}");
         }
-        let rigid = PressedPoint { stiffness: f64::INFINITY, gap: 0.0, ..point };
+        let rigid = PressedPoint { stiffness: f64::INFINITY, gap: 0.0, ..point.clone() };
         assert!(rigid.potential(0.25) == 0.5 && rigid.potential(-1e-9) == 0.0);
         let held = PressedPoint { stays_closed: true, ..point };
         assert!((held.potential(0.5) - 2.0).abs() < 1e-15);

@@ -76,7 +76,10 @@ impl Complementarity {
                 }
                 // what stays closed pulls by a law of its own
                 InterfaceLaw::Compliant(
-                    Pressure::Table(_) | Pressure::Cubic(_) | Pressure::PointCubic(_),
+                    Pressure::Table(_)
+                    | Pressure::Cubic(_)
+                    | Pressure::PointCubic(_)
+                    | Pressure::PointTable(_),
                     friction,
                 ) if !point.stays_closed => {
                     is_curved = true;

@@ -8,10 +8,10 @@ use crate::common::{dense, diagonal, point_on_plane, rigid, undamped};
 use faer::Mat;
 use judder_assembly::AssemblyError;
 use judder_assembly::compliance::Compliance;
-use judder_assembly::friction::{FallingFriction, Friction};
+use judder_assembly::friction::{FallingFriction, Friction, TableInterpolation};
 use judder_assembly::interface::{Interface, InterfaceLaw};
 use judder_assembly::linearised::{ContactTerm, Linearised, LinearisedTerms};
-use judder_assembly::pressure::Pressure;
+use judder_assembly::pressure::{ForceTable, Pressure};
 use judder_assembly::steady::{FrictionLimit, PointState, SteadySliding, steady_sliding};
 use judder_assembly::work::{Worker, growth_shares};
 use judder_dense::general::solve;
@@ -75,6 +75,37 @@ fn a_held_point_that_pulls_has_no_friction_that_follows_the_slip() {
     assert_eq!(terms(&InterfaceLaw::Rigid(friction), 2.0), []);
     assert_eq!(terms(&spring, -2.0), [carries, follows].concat());
     assert_eq!(terms(&spring, 2.0), carries);
+}
+
+/// A spring of one's own of 3 N/mm and 5 N/mm where it pulls, 2 N/mm and 6 N/mm where it is pressed, beside one of 1 N/mm: loads that bend it by whole mm.
+#[test]
+fn a_tabulated_spring_is_where_its_table_says() {
+    let spring = ForceTable {
+        closure: vec![-2e-3, -1e-3, 0.0, 1e-3, 2e-3],
+        force: vec![-8.0, -3.0, 0.0, 2.0, 8.0],
+        interpolation: TableInterpolation::Linear,
+    };
+    for (closure, force, slope) in
+        [(-1.5e-3, -5.5, 5e3), (-0.5e-3, -1.5, 3e3), (0.5e-3, 1.0, 2e3), (3e-3, 14.0, 6e3)]
+    {
+        let point = point_on_plane([None, Some(0), None], [1.0, 0.0, 0.0]);
+        let law = InterfaceLaw::Compliant(Pressure::PointTable(spring.clone()), Friction::Constant(0.0));
+        let own = Interface { name: "spring".to_owned(), points: vec![point], law, all_closed: true };
+        let load = -(force + 1e3 * closure);
+        let assembly = undamped(diagonal(&[1.0]), diagonal(&[1e3]), vec![load], vec![own]);
+        let steady = steady_sliding(&assembly, &Compliance::new(&assembly).unwrap()).unwrap();
+        let PointState { normal_force, gap, .. } = steady.points[0];
+        assert!(
+            (normal_force - force).abs() < 1e-12 && (gap + closure).abs() < 1e-12,
+            "{normal_force} {gap}"
+        );
+        // small motions have the slope of the piece
+        let about = Linearised::new(&assembly, &steady, LinearisedTerms::default()).unwrap();
+        let region = Region { re: [-1.0, 1.0], im: [1.0, 200.0] };
+        let found = complex_modes(&about.problem, &region, &ComplexModeSettings::default()).unwrap();
+        let frequency = found.modes[0].eigenvalue.value.im;
+        assert!((frequency / f64::sqrt(1e3 + slope) - 1.0).abs() < 1e-9, "{frequency}");
+    }
 }
 
 /// ANSYS Verification Manual, VM29: a block that can only move vertically is pushed down an incline of 20° by 100, μ = 0.3: N = 95.942,

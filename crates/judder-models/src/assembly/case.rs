@@ -155,7 +155,7 @@ impl AssemblyCase {
         let of_structures = self.structures.iter().flat_map(|structure| structure.source.files());
         let of_substrate = self.substrate.iter().flat_map(|own| own.substrate.file());
         let of_laws = self.spheres.iter().flatten().flat_map(|sphere| &sphere.law_file);
-        let of_contacts = self.contacts.iter().filter_map(|own| own.forces.file());
+        let of_contacts = self.contacts.iter().flat_map(|own| own.forces.files());
         let of_analyses = self.analyses.iter().flat_map(|own| own.kind.files());
         of_structures.chain(of_contacts).chain(of_substrate).chain(of_laws).chain(of_analyses).collect()
     }

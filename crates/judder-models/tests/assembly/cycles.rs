@@ -310,6 +310,29 @@ fn shooting_agrees_with_harmonics() {
     }
 }
 
+/// The plate of the lumped brake by a table of its force: 201 places of k d + k₃ d³ leave the slope at steady sliding off by k₃ h² = 4e-4 of k.
+#[test]
+fn a_tabulated_spring_swings_as_the_one_that_was_tabulated() {
+    let run = |name: &str, only: &[&str]| {
+        let report = run_into(tempfile::tempdir().unwrap().path(), &case(name, &[]), only);
+        assert!(report.complete, "{:?}", report.messages);
+        serde_json::to_value(&report.summary.results).unwrap()
+    };
+    let cubic = run("assembly/lumped-brake.toml", &["modes", "cycle"]);
+    let table = run("assembly/tabulated-spring.toml", &["modes", "cycle", "motion"]);
+    let [own, other] = [&table, &cubic].map(|of| number(&of["cycle"]["frequency_hz"]));
+    assert!((own / other - 1.0).abs() < 1e-3, "{own} {other}");
+    let swing = |of: &Value| numbers(&of["contacts"]["stiffening"]["tangential_velocity_rms"])[0];
+    let [own, other] = [&table, &cubic].map(|of| swing(&of["cycle"]));
+    assert!((own / other - 1.0).abs() < 2e-2, "{own} {other}");
+    let [march, cycle] = ["motion", "cycle"].map(|name| swing(&table[name]));
+    assert!((march / cycle - 1.0).abs() < 1e-2, "{march} {cycle}");
+    for part in ["re", "im"] {
+        let [own, other] = [&table, &cubic].map(|of| number(&of["modes"]["eigenvalues"][0][part]));
+        assert!((own - other).abs() < 0.5, "{part}: {own} {other}");
+    }
+}
+
 /// Where contact is smooth two ways say it; where points stick, that steps alone do is told.
 #[test]
 fn stability_has_a_second_opinion() {

@@ -43,6 +43,32 @@ fn structures_that_slide_on_themselves_or_are_called_alike() {
 }
 
 #[test]
+fn springs_of_ones_own_that_cannot_be() {
+    let spring = |own: &str| spoilt(BLOCK, "normal = \"rigid\"", own);
+    let refusals = [
+        (
+            "normal = { point_table = { closure = [\"-1 mm\", \"0 mm\", \"1 mm\"], force = [\"-1 N\", \"0 N\", \"2 N\"] } }",
+            "has no force at closures below zero",
+        ),
+        (
+            "normal = { point_table = { closure = [\"0 mm\", \"1 mm\"], force = [\"1 N\", \"2 N\"] } }",
+            "the force of a contact point at the closure zero",
+        ),
+        (
+            "normal = { point_table = { closure = [\"0 mm\", \"1 mm\", \"2 mm\"], force = [\"0 N\", \"2 N\", \"1 N\"] } }",
+            "the forces of a table of forces",
+        ),
+        ("normal = { file = \"nothing.csv\" }", "nothing.csv"),
+    ];
+    for (own, said) in refusals {
+        let refused = parse("case.toml", &spring(own), &[]).expect_err(own).to_string();
+        assert!(refused.contains(said), "{refused}");
+    }
+    let pulling = "normal = { point_table = { closure = [\"-1 mm\", \"0 mm\", \"1 mm\"], force = [\"-1 N\", \"0 N\", \"2 N\"] } }\nall_closed = true";
+    assert!(parse("case.toml", &spring(pulling), &[]).is_ok());
+}
+
+#[test]
 fn vectors_without_a_direction() {
     refused(
         &spoilt(BLOCK, "normal = [0, 1]", "normal = [0, 0]"),

@@ -357,6 +357,9 @@ fn law(forces: &ContactForceSettings) -> Result<InterfaceLaw, FrictionError> {
         ContactForceSettings::Coulomb { normal: NormalLaw::Compliant(pressure), friction, .. } => {
             InterfaceLaw::Compliant(pressure.clone(), friction.friction()?)
         }
+        ContactForceSettings::Coulomb { normal: NormalLaw::File(own), friction, .. } => {
+            InterfaceLaw::Compliant(own.pressure(), friction.friction()?)
+        }
         ContactForceSettings::Asperity(_) => InterfaceLaw::Rigid(Friction::Constant(0.0)),
     })
 }

@@ -6,10 +6,11 @@ use super::problem::AssemblyProblem;
 use super::structure::AssemblyStructure;
 use super::vector::{PLACE, VECTOR, check_direction};
 use crate::friction::FrictionSettings;
+use crate::number_columns::ColumnFile;
 use crate::sliding::case::plain_name::{PlainName, find_structure};
 use crate::structure::case::reduction::KeptNodes;
-use judder_assembly::AssemblyError;
-use judder_assembly::pressure::Pressure;
+use judder_assembly::friction::TableInterpolation;
+use judder_assembly::pressure::{ForceTable, Pressure};
 use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Named, Number, Setting, all, both, read_settings};
@@ -75,12 +76,16 @@ pub enum ContactForceSettings {
 }
 
 impl ContactForceSettings {
-    /// The file of its friction coefficient.
-    pub(super) fn file(&self) -> Option<&FileReference> {
-        match self {
-            Self::Coulomb { friction, .. } => friction.file(),
-            Self::Asperity(_) => None,
-        }
+    /// The files of its friction coefficient and of its forces.
+    pub(super) fn files(&self) -> impl Iterator<Item = &FileReference> {
+        let own = match self {
+            Self::Coulomb { normal: NormalLaw::File(own), friction, .. } => {
+                [Some(&own.file.file), friction.file()]
+            }
+            Self::Coulomb { friction, .. } => [None, friction.file()],
+            Self::Asperity(_) => [None, None],
+        };
+        own.into_iter().flatten()
     }
 }
 
@@ -170,6 +175,26 @@ pub enum NormalLaw {
     Rigid,
     /// A pressure that follows the closure.
     Compliant(Pressure),
+    /// A force of each point that follows the closure by a table in a file.
+    File(ForceFile),
+}
+
+/// Forces of a contact point at closures, in a file.
+#[derive(Debug, Clone, PartialEq, Settings)]
+pub struct ForceFile {
+    /// A table in a file in place of `point_table`, with a header such as `closure [mm],force [N]`.
+    pub file: ColumnFile,
+    /// How the force runs between the closures.
+    #[key(default = TableInterpolation::Monotone)]
+    pub interpolation: TableInterpolation,
+}
+
+impl ForceFile {
+    /// The law.
+    pub(crate) fn pressure(&self) -> Pressure {
+        let [closure, force] = self.file.columns.clone();
+        Pressure::PointTable(ForceTable { closure, force, interpolation: self.interpolation })
+    }
 }
 
 impl NamedItem for ContactInterface {
@@ -183,14 +208,12 @@ impl NamedItem for ContactInterface {
 impl ContactInterface {
     /// Refuses laws whose numbers make none.
     fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
-        let refused = |key: &str| {
-            let place = section.place_of(&[key]);
-            move |error: AssemblyError| AssemblyProblem::Refused { reason: error.to_string() }.at(place)
-        };
-        let ContactForceSettings::Coulomb { normal, .. } = &self.forces else { return Ok(()) };
-        match normal {
-            NormalLaw::Rigid => Ok(()),
-            NormalLaw::Compliant(pressure) => pressure.check().map_err(refused("normal")),
+        match &self.forces {
+            ContactForceSettings::Coulomb { normal: NormalLaw::Compliant(law), all_closed, .. } => {
+                check_pressure(law, *all_closed, section)
+            }
+            // that of a file when it has been found
+            ContactForceSettings::Coulomb { .. } | ContactForceSettings::Asperity(_) => Ok(()),
         }
     }
 
@@ -201,9 +224,10 @@ impl ContactInterface {
         structures: &[AssemblyStructure],
         folder: &Path,
     ) -> Result<(), Fault> {
-        let friction = match &mut self.forces {
-            ContactForceSettings::Coulomb { friction, .. } => {
-                friction.admit(section, "friction_coefficient", folder)
+        let forces = match &mut self.forces {
+            ContactForceSettings::Coulomb { normal, friction, all_closed } => {
+                let friction = friction.admit(section, "friction_coefficient", folder);
+                both(normal.admit(section, folder, *all_closed), friction).map(drop)
             }
             ContactForceSettings::Asperity(_) => Ok(()),
         };
@@ -228,7 +252,7 @@ impl ContactInterface {
             }
             TrackMotion::Rotation(own) => check_direction(&own.axis, section, &["sliding", "axis"]),
         };
-        both(both(slider, track), both(sliding, friction))?;
+        both(both(slider, track), both(sliding, forces))?;
         let flat = match &self.track {
             TrackSettings::Plane(_) => Some("track.plane"),
             TrackSettings::Surface(track) => track.normal.as_ref().map(|_| "track.normal"),
@@ -288,6 +312,30 @@ impl ContactInterface {
     }
 }
 
+impl NormalLaw {
+    /// Finds its file, which is relative to a folder, and refuses what makes no law.
+    fn admit(&mut self, section: &Section<'_>, folder: &Path, all_closed: bool) -> Result<(), Fault> {
+        let Self::File(own) = self else { return Ok(()) };
+        let Some(inner) = section.inner("normal")? else { return Ok(()) };
+        let rules = [Dimension::LENGTH, Dimension::FORCE].map(|dimension| Number::any(dimension).scaled());
+        own.file.find(&inner, "file", folder, (rules, "closure [mm],force [N]"))?;
+        check_pressure(&own.pressure(), all_closed, section)
+    }
+}
+
+/// Refuses numbers that make no normal law, and forces of a contact that has opened.
+fn check_pressure(law: &Pressure, all_closed: bool, section: &Section<'_>) -> Result<(), Fault> {
+    let place = section.place_of(&["normal"]);
+    law.check().map_err(|error| AssemblyProblem::Refused { reason: error.to_string() }.at(place))?;
+    match law {
+        Pressure::PointTable(own) if !all_closed && own.closure.iter().any(|closure| *closure < 0.0) => {
+            let reason = "a contact that may open has no force at closures below zero; a spring that pulls stays closed, all_closed = true";
+            Err(AssemblyProblem::Refused { reason: reason.to_owned() }.at(place))
+        }
+        _ => Ok(()),
+    }
+}
+
 impl SurfaceOf {
     /// The nodes in words.
     pub(crate) fn words(&self) -> String {
@@ -312,14 +360,18 @@ impl Setting for NormalLaw {
 
     fn form((): &()) -> Allowed {
         let rigid = Allowed::Choice { words: &[(RIGID, "bodies do not pass into each other")] };
-        Allowed::Either(vec![rigid, Pressure::form(&())])
+        Allowed::Either(vec![rigid, Pressure::form(&()), ForceFile::form(&())])
     }
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
         match node.data {
-            Data::Table(_) => {
+            Data::Table(ref table) => {
                 let path = section.path(key);
-                read_settings(node, &path, &format!("`{path}`")).map(Self::Compliant)
+                let title = format!("`{path}`");
+                match table.entries.iter().any(|entry| entry.key == "file") {
+                    true => read_settings(node, &path, &title).map(Self::File),
+                    false => read_settings(node, &path, &title).map(Self::Compliant),
+                }
             }
             _ => word(&section.path(key), "normal law", node, &[(RIGID, ())]).map(|()| Self::Rigid),
         }
@@ -329,6 +381,7 @@ impl Setting for NormalLaw {
         match self {
             Self::Rigid => json!(RIGID),
             Self::Compliant(law) => Setting::write(law, &()),
+            Self::File(own) => Setting::write(own, &()),
         }
     }
 }

@@ -254,7 +254,16 @@ impl Declaration {
         let row = format!("| `{path}` | {symbol} | {} | {absent} | {doc} |\n", form.words());
         let inner =
             if matches!(form, Allowed::Named(_)) { format!("{path}.NAME.") } else { format!("{path}.") };
-        form.keys().iter().fold(row, |rows, key| rows + &key.rows(&inner))
+        let mut rows = vec![row];
+        // of several tables that a key may be, the keys of each; one that more than one has is one
+        for key in form.alternatives().iter().flat_map(Allowed::keys) {
+            let mut has_path = rows.iter().filter_map(|row| row.split('|').nth(1));
+            let own = format!(" `{inner}{}` ", key.name);
+            if !has_path.any(|path| path == own) {
+                rows.extend(key.rows(&inner).split_inclusive('\n').map(str::to_owned));
+            }
+        }
+        rows.concat()
     }
 }
 
@@ -266,6 +275,14 @@ impl Allowed {
             Self::List { of, .. } | Self::Named(of) => of.keys(),
             Self::Either(forms) => forms.iter().map(Self::keys).find(|keys| !keys.is_empty()).unwrap_or(&[]),
             _ => &[],
+        }
+    }
+
+    /// What a key may be, each alone.
+    pub(super) fn alternatives(&self) -> &[Self] {
+        match self {
+            Self::Either(forms) => forms,
+            form => std::slice::from_ref(form),
         }
     }
 

@@ -18,7 +18,7 @@ pub fn listed(prefix: &str, keys: &[Declaration]) -> Vec<Listed> {
         let of_each = if matches!(key.form, Allowed::List { .. } | Allowed::Named(_)) { "*." } else { "" };
         let mut all = vec![Listed { path: path.clone(), key: key.clone() }];
         // of several tables that a key may be, the keys of each; one that more than one has is one
-        for form in alternatives(&key.form) {
+        for form in key.form.alternatives() {
             let below = listed(&format!("{path}.{of_each}"), form.keys());
             let is_new = |own: &Listed| !all.iter().any(|there| there.path == own.path);
             let new: Vec<Listed> = below.into_iter().filter(is_new).collect();
@@ -29,14 +29,6 @@ pub fn listed(prefix: &str, keys: &[Declaration]) -> Vec<Listed> {
     keys.iter().flat_map(of_key).collect()
 }
 
-/// What a key may be, each alone.
-fn alternatives(form: &Allowed) -> &[Allowed] {
-    match form {
-        Allowed::Either(forms) => forms,
-        form => std::slice::from_ref(form),
-    }
-}
-
 impl Listed {
     /// Whether it is a number, with a unit or without, that is no count.
     pub fn is_number(&self) -> bool {
@@ -45,7 +37,7 @@ impl Listed {
 
     /// The words that it may be, among other things.
     pub fn words(&self) -> Vec<&'static str> {
-        let words = alternatives(&self.key.form).iter().map(|form| match form {
+        let words = self.key.form.alternatives().iter().map(|form| match form {
             Allowed::Choice { words } => *words,
             _ => &[],
         });

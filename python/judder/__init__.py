@@ -39,7 +39,7 @@ from judder.study import CaseLike, RemotePath, Study, check, load_study, run
 
 if TYPE_CHECKING:
     from judder import distributed, models
-    from judder.programs import Claim, Example, Page, Reproduction, demo, examples, explore, new, report, reproduce, schema
+    from judder.programs import Claim, Example, Page, Reproduction, demo, examples, explore, new, report, reproduce, schema, verify
 
 __all__ = [
     "ArgumentError",
@@ -92,6 +92,7 @@ __all__ = [
     "sliding",
     "sweep",
     "tqdm_progress",
+    "verify",
 ]
 
 

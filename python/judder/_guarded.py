@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING
 
 from zarr.storage import WrapperStore
 
+from judder import _judder
 from judder.errors import StoreError, rewritten
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from typing import Self
 
     from zarr.abc.store import ByteRequest, Store
@@ -27,21 +29,31 @@ class GuardedStore(WrapperStore["Store"]):
     they depend on; and a part that is not there is no part without values.
     """
 
-    def __init__(self, store: Store, folder: str, name: str, expected: str | None, owner: TemporaryFolder | None) -> None:
+    def __init__(
+        self,
+        store: Store,
+        folder: str,
+        name: str,
+        expected: str | None,
+        owner: TemporaryFolder | None,
+        files: Mapping[str, tuple[int, str]] | None = None,
+    ) -> None:
         super().__init__(store)
         self._folder, self._name, self._expected = folder, name, expected
+        # size and hash of what is stored, where a manifest says them
+        self._files = files or {}
         # the folder lasts until nobody reads from it any more
         self._owner = owner
 
     def _with_store(self, store: Store) -> Self:
-        return type(self)(store, self._folder, self._name, self._expected, self._owner)
+        return type(self)(store, self._folder, self._name, self._expected, self._owner, self._files)
 
     async def get(self, key: str, prototype: BufferPrototype, byte_range: ByteRequest | None = None) -> Buffer | None:
         """What the store has under a key.
 
         Raises:
             RewrittenError: the group is no longer that of the reader.
-            StoreError: values are missing.
+            StoreError: values are missing, or not those that were written.
         """
         content = await self._store.get(key, prototype, byte_range)
         own = f"{self._name}/{_METADATA}"
@@ -53,7 +65,17 @@ class GuardedStore(WrapperStore["Store"]):
             if content is None:
                 message = f"{self._folder}/results.zarr/{key}: this part of `{self._name}` is not there; `judder run --fresh` computes it again"
                 raise StoreError(message, "MissingChunk", {"path": f"{self._folder}/results.zarr/{key}"})
+        if content is not None and byte_range is None:
+            self._compare(f"results.zarr/{key}", content)
         return content
+
+    def _compare(self, path: str, content: Buffer) -> None:
+        """Refuses a file that is not as it was written."""
+        if path in self._files:
+            size, expected = self._files[path]
+            if len(content) != size or _judder.content_hash_of(content.to_bytes()) != expected:
+                message = f"{self._folder}/{path}: its content is not what was written; `judder run` computes `{self._name}` again and keeps the others"
+                raise StoreError(message, "Damaged", {"path": f"{self._folder}/{path}"})
 
     def _check(self, metadata: Buffer | None) -> None:
         """Refuses the metadata of another group than the reader's."""

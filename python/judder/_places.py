@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 _ABSENT = (FileNotFoundError, NotADirectoryError, IsADirectoryError)
 _ADDRESS = re.compile(r"[a-z][a-z0-9+.-]+(://|::)", re.IGNORECASE)
 _LOCAL = re.compile(r"(file|local)://", re.IGNORECASE)
-_NOT_BESIDE = ("results.zarr", "summary.json", "report.html", "figures", "inputs")
+_NOT_BESIDE = ("results.zarr", "summary.json", "manifest.json", "report.html", "figures", "inputs")
 _copies: list[tempfile.TemporaryDirectory[str]] = []
 
 
@@ -245,6 +245,7 @@ def group(folder: Path | RemotePath, name: str, expected: str | None = None) -> 
     """
     import xarray
 
+    from judder import _summaries
     from judder._guarded import GuardedStore
 
     store: Any = folder / "results.zarr"
@@ -256,7 +257,7 @@ def group(folder: Path | RemotePath, name: str, expected: str | None = None) -> 
         from zarr.storage import LocalStore
 
         store = LocalStore(store, read_only=True)
-    guarded = GuardedStore(store, str(folder), name, expected, TemporaryFolder.of(folder))
+    guarded = GuardedStore(store, str(folder), name, expected, TemporaryFolder.of(folder), _summaries.files(folder))
     return xarray.open_dataset(guarded, engine="zarr", group=name, chunks=None, zarr_format=3)  # type: ignore[arg-type]
 
 

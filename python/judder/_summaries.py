@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from judder import _judder
 from judder.errors import StoreError, StudyError
 
 if TYPE_CHECKING:
@@ -17,16 +18,41 @@ def read(folder: Path | RemotePath) -> dict[str, Any]:
 
     Raises:
         StudyError: there is none, or it cannot be read.
+        StoreError: it is not what was written, as the manifest of the study says.
     """
     try:
-        found: dict[str, Any] = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        content = (folder / "summary.json").read_bytes()
+        found: dict[str, Any] = json.loads(content)
     except (FileNotFoundError, NotADirectoryError):
         raise _no_study(folder, "no study here; `judder.run` makes one") from None
     except (ValueError, OSError, StoreError) as error:
         raise _no_study(folder, f"the summary cannot be read ({error})") from error
     if not _is_summary(found):
         raise _no_study(folder, "summary.json is none of judder's")
+    manifest = _manifest(folder)
+    if manifest is not None:
+        _judder.vouch_for_summary(str(folder), manifest, content)
     return found
+
+
+def files(folder: Path | RemotePath) -> dict[str, tuple[int, str]] | None:
+    """Size and hash of every file of a study, by the paths in it; ``None`` of one without a manifest.
+
+    Raises:
+        StoreError: the store cannot be read.
+    """
+    manifest = _manifest(folder)
+    if manifest is None:
+        return None
+    return {path: (record["bytes"], record["hash"]) for path, record in json.loads(manifest)["files"].items()}
+
+
+def _manifest(folder: Path | RemotePath) -> bytes | None:
+    """The list of what a study holds; ``None`` where there is none."""
+    try:
+        return (folder / "manifest.json").read_bytes()
+    except (FileNotFoundError, NotADirectoryError):
+        return None
 
 
 def _is_summary(found: Any) -> bool:

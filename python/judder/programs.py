@@ -22,7 +22,7 @@ from judder.study import CaseLike, Study, run
 if TYPE_CHECKING:
     from typing import Self
 
-__all__ = ["Claim", "Example", "Page", "Reproduction", "demo", "examples", "explore", "new", "report", "reproduce", "schema"]
+__all__ = ["Claim", "Example", "Page", "Reproduction", "demo", "examples", "explore", "new", "report", "reproduce", "schema", "verify"]
 
 _DEMO = "oscillator-paper"
 """The paper that a demo recomputes."""
@@ -224,6 +224,25 @@ def report(study: Study | str | os.PathLike[str]) -> Path:
     """
     folder = study.folder if isinstance(study, Study) else study
     return Path(_judder.rebuilt_report(_places.writable(folder)))
+
+
+def verify(folder: str | os.PathLike[str]) -> dict[str, Any]:
+    """Whether a study folder is whole and as it was written: the document of ``judder verify --json``. It reads all files and changes nothing.
+
+    Args:
+        folder: the study folder, of this machine.
+
+    Returns:
+        ``sound``; ``complete``, false while a run is at work or where one was interrupted; ``files`` and ``bytes`` that are as they were written;
+        ``findings``, each with ``path``, ``kind`` (``"damaged"``, ``"unreadable"``, ``"unfinished"`` or ``"extra"``), ``of``, the analysis, and ``reason``.
+
+    Raises:
+        StudyError: there is no study here.
+        StoreError: it has no manifest, or a damaged one, so that nothing says what it was.
+        Interrupted: Ctrl-C.
+    """
+    document: dict[str, Any] = json.loads(_judder.verified_study(_places.writable(folder)))
+    return document
 
 
 class Page:

@@ -12,6 +12,7 @@ mod report;
 mod reproduce;
 mod run;
 mod schema;
+mod verify;
 
 use std::path::PathBuf;
 
@@ -32,6 +33,7 @@ pub(crate) enum Command {
     Merge(merge::MergeArguments),
     Point(point::PointArguments),
     Report(report::ReportArguments),
+    Verify(verify::VerifyArguments),
     Reproduce(reproduce::ReproduceArguments),
     Schema(schema::SchemaArguments),
     Completions(completions::CompletionsArguments),
@@ -52,6 +54,7 @@ pub(crate) fn execute(command: Command, console: Console) -> Result<Exit, Failur
         Command::Merge(merge) => merge.execute(console),
         Command::Point(point) => point.execute(console),
         Command::Report(report) => report.execute(console),
+        Command::Verify(verify) => verify.execute(console),
         Command::Reproduce(reproduce) => reproduce.execute(console),
         Command::Schema(schema) => schema.execute(console),
         Command::Completions(completions) => completions.execute(console),

@@ -8,6 +8,7 @@ mod cases;
 mod checks;
 mod computed_law;
 mod contact;
+mod damaged;
 mod global_margin;
 mod growing;
 mod held;

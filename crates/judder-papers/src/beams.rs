@@ -15,6 +15,7 @@ use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::file::CaseFile;
 use judder_study::run::{self, Computed, RunOptions};
+use judder_study::version;
 
 use serde_json::json;
 use std::path::Path;
@@ -39,8 +40,9 @@ pub fn beams_paper(folder: &Path, quick: bool, progress: &dyn Progress) -> Resul
         run::compute(&file, folder, &RunOptions::default(), progress)?;
     let scoreboard = claims::lines(&StoredResults::stored(&store, &summary)?);
     summary.extra.insert(KEY.to_owned(), json!({ "paper": PAPER, "quick": quick, "scoreboard": scoreboard }));
-    store.write_summary(&summary)?;
+    store.write_summary(&summary, None)?;
     let report = page::write(&store, &summary)?;
+    store.seal(version())?;
     let columns = vec!["ours".to_owned()];
     Ok(Reproduction { folder: folder.to_owned(), report, columns, scoreboard, complete })
 }

@@ -14,7 +14,7 @@ mod plain;
 mod reproduction;
 mod summary;
 
-use judder_study::{StudyError, report};
+use judder_study::{StudyError, report, version};
 use std::path::{Path, PathBuf};
 use summary::KEY;
 
@@ -31,11 +31,12 @@ pub use reproduction::Reproduction;
 /// A folder without results, damaged results, or a folder that cannot be written.
 pub fn rebuild(folder: &Path) -> Result<PathBuf, StudyError> {
     let (store, summary) = report::stored(folder)?;
-    let Some(own) = summary.extra.get(KEY) else {
-        return report::write(judder_models::REGISTRY, &store, &summary);
-    };
-    match own.get("paper").and_then(serde_json::Value::as_str) {
-        Some(beams::PAPER) => beams::page::write(&store, &summary),
-        _ => oscillator::page::write(&store, &summary),
-    }
+    let paper = summary.extra.get(KEY).map(|own| own.get("paper").and_then(serde_json::Value::as_str));
+    let page = match paper {
+        None => report::write(judder_models::REGISTRY, &store, &summary),
+        Some(Some(beams::PAPER)) => beams::page::write(&store, &summary),
+        Some(_) => oscillator::page::write(&store, &summary),
+    }?;
+    store.seal_as_before(version())?;
+    Ok(page)
 }

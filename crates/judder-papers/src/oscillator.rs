@@ -31,6 +31,7 @@ use judder_study::ledger::Study;
 use judder_study::model::{Case, Prepared, Task};
 use judder_study::outcome::Outcome;
 use judder_study::run::analysis_hash;
+use judder_study::version;
 use motion_exhibits::{MotionRun, WAYS};
 use rayon::prelude::*;
 use readings::{READINGS, ReadLaw, Reading};
@@ -78,8 +79,9 @@ pub fn oscillator_paper(
         .extra
         .insert(KEY.to_owned(), json!({ "paper": "oscillator-paper", "scoreboard": scoreboard }));
     study.summary.wall_time_s = start.elapsed().as_secs_f64();
-    store.write_summary(&study.summary)?;
+    store.write_summary(&study.summary, None)?;
     let report = page::write(&store, &study.summary)?;
+    store.seal(version())?;
     let complete = study.is_complete(&names);
     let columns = READINGS.iter().map(|reading| reading.plain.to_owned()).collect();
     Ok(Reproduction { folder: folder.to_owned(), report, columns, scoreboard, complete })

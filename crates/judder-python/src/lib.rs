@@ -48,8 +48,8 @@ mod _judder {
     };
     #[pymodule_export]
     use crate::programs::{
-        ServedPage, embedded_examples, rebuilt_report, reproduced_paper, schema_text, template_text,
-        written_example,
+        ServedPage, content_hash_of, embedded_examples, rebuilt_report, reproduced_paper, schema_text,
+        template_text, verified_study, vouch_for_summary, written_example,
     };
     #[pymodule_export]
     use crate::sliding::{PyPair, sliding_locus, sliding_march};

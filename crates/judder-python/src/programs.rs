@@ -7,7 +7,8 @@ use judder_examples::{Example, example, examples};
 use judder_explorer::{Explorer, ViewedCase};
 use judder_models::template::template;
 use judder_papers::{Paper, rebuild};
-use judder_study::StudyError;
+use judder_store::{content_hash, verify, vouch_for};
+use judder_study::{Progress, StudyError};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::path::PathBuf;
@@ -32,6 +33,28 @@ pub(crate) fn schema_text() -> String {
 pub(crate) fn rebuilt_report(py: Python<'_>, folder: PathBuf) -> PyResult<PathBuf> {
     let done = watched(py, &Manner::default(), |_| rebuild(&folder))?;
     done.settled(|error| errors::study(&error))
+}
+
+/// Whether a study folder is as it was written, as JSON.
+#[pyfunction]
+pub(crate) fn verified_study(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
+    let done = watched(py, &Manner::default(), |watch| {
+        let found = verify(&folder, |_, _| !watch.interrupted())?;
+        if watch.interrupted() { Err(StudyError::Interrupted) } else { Ok(found.told().to_string()) }
+    })?;
+    done.settled(|error| errors::study(&error))
+}
+
+/// Refuses the summary of a study where its manifest says that it was another.
+#[pyfunction]
+pub(crate) fn vouch_for_summary(folder: PathBuf, manifest: &[u8], summary: &[u8]) -> PyResult<()> {
+    vouch_for(&folder, manifest, summary).map_err(|error| errors::study(&error.into()))
+}
+
+/// The hash of some bytes, as manifests have it.
+#[pyfunction]
+pub(crate) fn content_hash_of(content: &[u8]) -> String {
+    content_hash(content)
 }
 
 /// Recomputes a paper; its scoreboard as JSON.

@@ -25,7 +25,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     study.write_table("thresholds", &Table::new().column("load", "N", vec![0.1, 1e-7, f64::NAN])?)?;
     study.write_file("figures/map.svg", b"<svg xmlns='http://www.w3.org/2000/svg'/>")?;
-    study.write_summary(&summary(&hash))?;
+    study.write_summary(&summary(&hash), None)?;
+    study.seal(env!("CARGO_PKG_VERSION"))?;
     Ok(())
 }
 

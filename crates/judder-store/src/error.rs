@@ -4,7 +4,7 @@ use std::error::Error;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-use crate::ChunkDamage;
+use crate::{ChunkDamage, FileDamage};
 
 /// Why something could not be stored or read back. Every variant names the place and says what would be right.
 #[derive(Debug, thiserror::Error)]
@@ -79,6 +79,34 @@ pub enum StoreError {
         path: PathBuf,
         /// What JSON cannot hold.
         source: serde_json::Error,
+    },
+    /// `manifest.json` is damaged or was made by something else.
+    #[error("{}: this list of what the study holds is damaged, so that nothing says that the study is whole; `judder run` computes it anew", path.display())]
+    ManifestDamaged {
+        /// The manifest.
+        path: PathBuf,
+    },
+    /// A study without `manifest.json`.
+    #[error("{}: without `manifest.json` nothing says that this study is whole: it is damaged, or of an older judder; `judder run` computes it anew", path.display())]
+    NoManifest {
+        /// The study folder.
+        path: PathBuf,
+    },
+    /// A file of a study is not as it was written.
+    #[error("{}: {damage}; `judder run` computes this result again and keeps the others, `judder verify` lists all that is damaged", path.display())]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        damage: FileDamage,
+    },
+    /// A study tells of results of which nothing says that they are whole.
+    #[error("{}: `{name}` was being written when a run ended, or the study is damaged: `manifest.json` does not list it; `judder run` computes it", path.display())]
+    NotListed {
+        /// The study folder.
+        path: PathBuf,
+        /// The analysis or sweep.
+        name: String,
     },
     /// An analysis has no stored arrays.
     #[error("{}: no results stored here; run this analysis first", path.display())]

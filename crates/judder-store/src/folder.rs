@@ -1,20 +1,23 @@
 //! The folder of one study.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use serde_json::{Map, Value};
 
 use crate::lock::{self, Lock, LockMode};
+use crate::manifest::{self, FileRecord, ManifestKeeper};
+use crate::metadata;
 use crate::name::check_name;
 use crate::staging::{self, Stage};
 use crate::sweep::{self, SweepLayout, SweepStore};
 use crate::zarr::Elsewhere;
-use crate::{Dataset, Scratch, Status, StoreError, Summary, Table, results, scratch, summary, zarr};
-
-const LOCK: &str = ".judder.lock";
+use crate::{
+    Dataset, FileDamage, Scratch, Status, StoreError, Summary, Table, results, scratch, summary, zarr,
+};
 
 /// The folder of one study, held by this process alone until dropped.
 ///
@@ -25,6 +28,7 @@ pub struct StudyFolder {
     path: PathBuf,
     /// Taken while the root of `results.zarr` changes, so that two threads do not forget each other's groups.
     publishing: Mutex<()>,
+    manifest: Mutex<ManifestKeeper>,
     lock: Arc<Lock>,
 }
 
@@ -58,14 +62,15 @@ impl StudyFolder {
 
     /// Takes a folder that is a study already.
     pub(crate) fn take(path: &Path) -> Result<Self, StoreError> {
-        let lock = lock::try_lock(&path.join(LOCK), LockMode::Alone)?;
+        let lock = lock::try_lock(&path.join(lock::FILE), LockMode::Alone)?;
         let lock = lock.ok_or_else(|| StoreError::Locked { path: path.to_owned() })?;
         staging::sweep(path, staging::PREFIX)?;
         if lock.is_real() {
             staging::sweep(path, sweep::PREFIX)?;
         }
         results::repair(path)?;
-        Ok(Self { path: path.to_owned(), publishing: Mutex::new(()), lock: Arc::new(lock) })
+        let manifest = Mutex::new(ManifestKeeper::take(path)?);
+        Ok(Self { path: path.to_owned(), publishing: Mutex::new(()), manifest, lock: Arc::new(lock) })
     }
 
     /// Where it is.
@@ -80,6 +85,7 @@ impl StudyFolder {
     /// # Errors
     /// A failure of the file system.
     pub fn forget(&self) -> Result<(), StoreError> {
+        self.manifest().forget()?;
         for name in [summary::FILE, results::FOLDER] {
             let path = self.path.join(name);
             let forget = || {
@@ -139,7 +145,10 @@ impl StudyFolder {
         elsewhere: &Elsewhere,
     ) -> Result<(), StoreError> {
         check_name("an analysis", analysis)?;
-        results::write(&self.path, &self.publishing, analysis, hash, dataset, elsewhere)
+        let below = format!("{}/{analysis}/", results::FOLDER);
+        self.manifest().take_off(|path, _| path.starts_with(&below))?;
+        results::write(&self.path, &self.publishing, analysis, hash, dataset, elsewhere)?;
+        self.manifest().list_folder(analysis, &self.path.join(below))
     }
 
     /// Reads the arrays of an analysis back.
@@ -152,6 +161,7 @@ impl StudyFolder {
         if !group.exists() {
             return Err(StoreError::NoDataset { path: group });
         }
+        self.refuse_damaged(&format!("{}/{analysis}/", results::FOLDER), |_| true)?;
         zarr::read_group(&group)
     }
 
@@ -164,6 +174,8 @@ impl StudyFolder {
         if !group.exists() {
             return Err(StoreError::NoDataset { path: group });
         }
+        let own = format!("{}/{analysis}/{}", results::FOLDER, metadata::FILE);
+        self.refuse_damaged(&own, |_| true)?;
         zarr::read_attributes(&group)
     }
 
@@ -181,7 +193,10 @@ impl StudyFolder {
         if !group.exists() {
             return Err(StoreError::NoDataset { path: group });
         }
-        sweep::read_points(&group, choose)
+        // of the chunks only those that are read
+        let values = format!("{}/{name}/{}", results::FOLDER, sweep::CHUNKS);
+        self.refuse_damaged(&format!("{}/{name}/", results::FOLDER), |path| !path.starts_with(&values))?;
+        sweep::read_points(&group, choose, &|file| self.damage_of(file))
     }
 
     /// Whether an analysis need not be run again: the summary calls it done under this hash, and its arrays are there,
@@ -194,7 +209,98 @@ impl StudyFolder {
         let summary = self.read_summary()?;
         let record = summary.as_ref().and_then(|summary| summary.analyses.get(analysis));
         let recorded = record.is_some_and(|record| record.hash == hash && record.status == Status::Done);
-        Ok(recorded && zarr::stored_hash(&group).is_some_and(|stored| stored == hash))
+        let is_listed = self.manifest().manifest().results.contains_key(analysis);
+        Ok(recorded && is_listed && zarr::stored_hash(&group).is_some_and(|stored| stored == hash))
+    }
+
+    /// Writes anew what frames the chunks of a sweep, coordinates and metadata, where that is known to be damaged; whether it was. The sweep then has
+    /// to be finished again.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn mend_sweep(&self, layout: &SweepLayout) -> Result<bool, StoreError> {
+        let below = format!("{}/{}/", results::FOLDER, layout.name());
+        let chunks = format!("{below}{}", sweep::CHUNKS);
+        let is_frame = |path: &str| path.starts_with(&below) && !path.starts_with(&chunks);
+        if self.refuse_damaged(&below, is_frame).is_ok() {
+            return Ok(false);
+        }
+        self.manifest().begin(&[layout.name()])?;
+        sweep::mend(&self.path, layout)?;
+        self.consolidate()?;
+        Ok(true)
+    }
+
+    /// Lists all files of a sweep whose chunks are all there.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn list_sweep(&self, name: &str) -> Result<(), StoreError> {
+        let group = self.group(name)?;
+        self.manifest().list_folder(name, &group)
+    }
+
+    /// Takes these results off the list of what the study holds, before they are computed anew: a run that is killed then leaves no list that names
+    /// what it was about to replace.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn begin_results(&self, names: &[&str]) -> Result<(), StoreError> {
+        self.manifest().begin(names)
+    }
+
+    /// What of the results that the summary calls done is not as it was written, by the names of the results: their files, all of which are read, and
+    /// what the summary tells of them. A result that is not on the list of what the study holds was being written when a run ended.
+    #[must_use]
+    pub fn damages(&self, summary: &Summary) -> BTreeMap<String, Vec<(String, FileDamage)>> {
+        let keeper = self.manifest();
+        let done = summary.analyses.iter().filter(|(_, record)| record.status == Status::Done);
+        let found = done.map(|(name, _)| (name.clone(), keeper.damages(name, summary)));
+        found.filter(|(_, damages)| !damages.is_empty()).collect()
+    }
+
+    /// Writes `manifest.json`, the list of what the study holds, while more is being computed. `build` names the program.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn keep_manifest(&self, build: &str) -> Result<(), StoreError> {
+        self.manifest().keep(build, false)
+    }
+
+    /// Writes `manifest.json` for a study to which nothing is to be added: the last that a run does.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn seal(&self, build: &str) -> Result<(), StoreError> {
+        self.manifest().keep(build, true)
+    }
+
+    /// Writes `manifest.json` after something was drawn anew; a study that was not complete is no more so than before.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn seal_as_before(&self, build: &str) -> Result<(), StoreError> {
+        let mut keeper = self.manifest();
+        let was_complete = keeper.was_complete();
+        keeper.keep(build, was_complete)
+    }
+
+    /// Refuses a summary of which nothing says that it is what was written.
+    ///
+    /// # Errors
+    /// [`StoreError::NoManifest`], [`StoreError::NotListed`], [`StoreError::Damaged`].
+    pub fn vouch(&self, summary: &Summary) -> Result<(), StoreError> {
+        let damaged = |damage| Err(StoreError::Damaged { path: self.path.join(summary::FILE), damage });
+        let keeper = self.manifest();
+        if !keeper.is_on_disk() {
+            return Err(StoreError::NoManifest { path: self.path.clone() });
+        }
+        if let Some(name) =
+            summary.analyses.keys().find(|name| !keeper.manifest().results.contains_key(*name))
+        {
+            return Err(StoreError::NotListed { path: self.path.clone(), name: name.clone() });
+        }
+        if let Some(damage) = keeper.damage_of_summary(summary) { damaged(damage) } else { Ok(()) }
     }
 
     /// What an analysis has kept under this hash before it was interrupted, and where it keeps more.
@@ -206,12 +312,17 @@ impl StudyFolder {
         Scratch::open(&self.path, analysis, hash)
     }
 
-    /// Writes `summary.json`.
+    /// Writes `summary.json`. What it tells of the result `renewed` is new; what it tells of others must be what it was, or they count as damaged.
     ///
     /// # Errors
     /// [`StoreError::SummaryUnwritable`] for a wall time that is not finite; failures of the file system.
-    pub fn write_summary(&self, summary: &Summary) -> Result<(), StoreError> {
-        summary::write(&self.path, summary)
+    pub fn write_summary(&self, summary: &Summary, renewed: Option<&str>) -> Result<(), StoreError> {
+        let content = summary::content(&self.path, summary)?;
+        let mut keeper = self.manifest();
+        keeper.renew(summary, renewed)?;
+        staging::write_file(&self.path, &self.path.join(summary::FILE), &content)?;
+        keeper.list_summary(&content, summary);
+        Ok(())
     }
 
     /// Reads `summary.json`; `None` where there is none yet.
@@ -230,7 +341,7 @@ impl StudyFolder {
         check_name("a table", name)?;
         let path = self.path.join(format!("{name}.csv"));
         let content = table.to_csv().map_err(|source| StoreError::write(&path, 0, source))?;
-        staging::write_file(&self.path, &path, &content)?;
+        self.put(Some(name), &path, &content)?;
         Ok(path)
     }
 
@@ -240,7 +351,19 @@ impl StudyFolder {
     /// [`StoreError::OutsideFolder`] for a path that is absolute, leaves the folder (also through a link), or is one of
     /// the store's own; failures of the file system.
     pub fn write_file(&self, relative: impl AsRef<Path>, content: &[u8]) -> Result<PathBuf, StoreError> {
-        let relative = relative.as_ref();
+        self.write_file_of(None, relative.as_ref(), content)
+    }
+
+    /// The same for a file that is a part of what an analysis left, such as a sound: without it the analysis is not done.
+    ///
+    /// # Errors
+    /// As of [`write_file`](Self::write_file).
+    pub fn write_file_of(
+        &self,
+        analysis: Option<&str>,
+        relative: &Path,
+        content: &[u8],
+    ) -> Result<PathBuf, StoreError> {
         let outside = || StoreError::OutsideFolder { path: relative.to_owned() };
         if !is_plain_place(relative) {
             return Err(outside());
@@ -255,8 +378,41 @@ impl StudyFolder {
             return Err(outside());
         }
         fs::create_dir_all(folder).map_err(failed)?;
-        staging::write_file(&self.path, &path, content)?;
+        self.put(analysis, &path, content)?;
         Ok(path)
+    }
+
+    /// Puts a file in its place, and on the list of what the study holds.
+    fn put(&self, of: Option<&str>, path: &Path, content: &[u8]) -> Result<(), StoreError> {
+        let relative = manifest::relative(&self.path, path);
+        let relative = relative.ok_or_else(|| StoreError::OutsideFolder { path: path.to_owned() })?;
+        self.manifest().take_off(|listed, _| listed == relative)?;
+        staging::write_file(&self.path, path, content)?;
+        self.manifest().list(relative, FileRecord::new(of, content));
+        Ok(())
+    }
+
+    fn manifest(&self) -> MutexGuard<'_, ManifestKeeper> {
+        self.manifest.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Refuses files on the list below this path, or at it, that are not as they were written.
+    fn refuse_damaged(&self, below: &str, is_read: impl Fn(&str) -> bool) -> Result<(), StoreError> {
+        let keeper = self.manifest();
+        let listed =
+            keeper.manifest().files.iter().filter(|(path, _)| path.starts_with(below) && is_read(path));
+        for (path, record) in listed {
+            let path = self.path.join(path);
+            manifest::check(&path, record, true).map_err(|damage| StoreError::Damaged { path, damage })?;
+        }
+        Ok(())
+    }
+
+    /// What is wrong with a file that is on the list.
+    fn damage_of(&self, file: &Path) -> Option<FileDamage> {
+        let keeper = self.manifest();
+        let record = keeper.manifest().files.get(&manifest::relative(&self.path, file)?)?;
+        manifest::check(file, record, true).err()
     }
 
     /// The folder of an analysis in the store.
@@ -275,7 +431,7 @@ pub(crate) fn prepare(path: &Path) -> Result<PathBuf, StoreError> {
         _ => StoreError::write(path, 0, source),
     })?;
     refuse_foreign(path)?;
-    Ok(path.join(LOCK))
+    Ok(path.join(lock::FILE))
 }
 
 /// Refuses a folder that holds files of someone else.
@@ -285,7 +441,7 @@ fn refuse_foreign(path: &Path) -> Result<(), StoreError> {
         names.push(entry.map_err(|source| StoreError::read(path, source))?.file_name());
     }
     // Asked after the list is made: whoever began this study meanwhile began with its lock.
-    if path.join(summary::FILE).exists() || path.join(LOCK).exists() {
+    if path.join(summary::FILE).exists() || path.join(lock::FILE).exists() {
         return Ok(());
     }
     match names.iter().min() {
@@ -303,6 +459,7 @@ fn is_plain_place(relative: &Path) -> bool {
         Component::Normal(name) => !name.to_string_lossy().starts_with('.'),
         _ => false,
     };
-    let own = relative.starts_with(results::FOLDER) || relative == Path::new(summary::FILE);
+    let files = [summary::FILE, manifest::FILE];
+    let own = relative.starts_with(results::FOLDER) || files.iter().any(|file| relative == Path::new(file));
     relative.file_name().is_some() && relative.components().all(plain) && !own
 }

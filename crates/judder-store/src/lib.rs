@@ -18,6 +18,8 @@
 //! - [`SweepLayout`], [`SweepStore`] (`sweep.rs`): many points, computed chunk by chunk by any number of processes.
 //! - `zarr.rs`, `array.rs`: one dataset as one group of the Zarr v3 store `results.zarr`, and its arrays; `metadata.rs`: the metadata of its groups,
 //!   consolidated so that one read opens all; `staging.rs`: the atomic write under all of the above.
+//! - `manifest.rs`: `manifest.json`, what a study was when it was written, so that damage is told from results ([`FileDamage`]); [`verify`] (`verify.rs`)
+//!   compares all of a study with it. `plain.rs`: regular files, and no pipes and devices.
 //! - [`content_hash`] (`hash.rs`) names a case or an analysis by its content.
 //! - [`StoreError`] (`error.rs`): what can go wrong, and what to do about it.
 
@@ -28,8 +30,10 @@ mod error;
 mod folder;
 mod hash;
 mod lock;
+mod manifest;
 mod metadata;
 mod name;
+mod plain;
 mod reader;
 mod results;
 mod scratch;
@@ -40,6 +44,7 @@ mod summary;
 mod sweep;
 mod table;
 mod variable;
+mod verify;
 mod zarr;
 
 pub use dataset::Dataset;
@@ -49,6 +54,7 @@ pub use declared::{
 pub use error::StoreError;
 pub use folder::StudyFolder;
 pub use hash::content_hash;
+pub use manifest::{FileDamage, vouch_for};
 pub use num_complex::Complex64;
 pub use reader::{DatasetHead, StudyReader};
 pub use scratch::Scratch;
@@ -61,3 +67,4 @@ pub use sweep::{
 };
 pub use table::{Cells, Table};
 pub use variable::{Variable, VariableValues};
+pub use verify::{Finding, Verification, verify};

@@ -6,6 +6,9 @@ use std::path::Path;
 
 use crate::StoreError;
 
+/// The name of the file in a study that is locked.
+pub(crate) const FILE: &str = ".judder.lock";
+
 /// Whom a lock lets in beside its holder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum LockMode {

@@ -4,12 +4,11 @@
 //! everything with one read, and `xarray` does so without a flag and without a warning.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Map, Value, json};
 
-use crate::StoreError;
+use crate::{StoreError, plain};
 
 /// The attribute that binds a dataset to the analysis that made it.
 pub(crate) const HASH_ATTRIBUTE: &str = "judder_hash";
@@ -53,7 +52,7 @@ pub(crate) fn root(groups: &BTreeMap<String, PathBuf>) -> Result<Map<String, Val
 /// The metadata of the group or array in a folder.
 pub(crate) fn read(folder: &Path) -> Result<Map<String, Value>, StoreError> {
     let path = folder.join(FILE);
-    let content = fs::read(&path).map_err(|source| StoreError::read(&path, source))?;
+    let content = plain::read(&path).map_err(|source| StoreError::read(&path, source))?;
     serde_json::from_slice(&content).map_err(|source| StoreError::unreadable(&path, source))
 }
 

@@ -10,21 +10,25 @@ use zarrs::array::{Array, ArraySubset};
 use zarrs::filesystem::FilesystemStore;
 
 use crate::array::ReadFailure;
+use crate::manifest::ManifestReader;
 use crate::metadata::{self, HASH_ATTRIBUTE};
 use crate::name::check_name;
 use crate::zarr;
-use crate::{StoreError, Summary, Variable, results, summary};
+use crate::{StoreError, Summary, Variable, plain, results, summary};
 
 /// Folders below that of the study in which [`StudyReader::files`] looks: figures and fields lie one deep.
 const DEPTH: usize = 3;
 
 /// A study that is looked at and not held: others may work on it meanwhile, and nothing is written.
 ///
+/// What `manifest.json` lists is compared with it as it is read: [`StoreError::Damaged`] is no race with a writer.
+///
 /// Whatever it reads lies in the folder: a link that leads out of it is [`StoreError::OutsideFolder`]. What is being replaced while it is
 /// read is [`StoreError::DatasetUnreadable`] at worst, and whole when asked for again.
 #[derive(Debug, Clone)]
 pub struct StudyReader {
     root: PathBuf,
+    manifest: ManifestReader,
 }
 
 /// What is known of a dataset before its values are read.
@@ -50,7 +54,15 @@ impl StudyReader {
             return Err(StoreError::NoStudy { path: path.to_owned() });
         }
         let root = path.canonicalize().map_err(|source| StoreError::read(path, source))?;
-        Ok(Self { root })
+        Ok(Self { manifest: ManifestReader::new(&root), root })
+    }
+
+    /// Whether something says that the study is whole: `None` without a manifest, else whether a run has ended and listed all.
+    ///
+    /// # Errors
+    /// [`StoreError::ManifestDamaged`], a failure of the file system.
+    pub fn is_complete(&self) -> Result<Option<bool>, StoreError> {
+        self.manifest.is_complete()
     }
 
     /// Where it is, without links.
@@ -68,6 +80,7 @@ impl StudyReader {
         if path.symlink_metadata().is_ok() {
             self.inside(&path)?;
         }
+        self.manifest.check(&path)?;
         summary::read(&self.root)
     }
 
@@ -192,7 +205,8 @@ impl StudyReader {
             return Err(StoreError::OutsideFolder { path: PathBuf::from(relative) });
         }
         let path = self.inside(&self.root.join(relative))?;
-        fs::read(&path).map_err(|source| StoreError::read(&path, source))
+        self.manifest.check(&path)?;
+        plain::read(&path).map_err(|source| StoreError::read(&path, source))
     }
 
     fn group(&self, name: &str) -> Result<StoredGroup, StoreError> {
@@ -203,6 +217,7 @@ impl StudyReader {
         }
         let group = self.inside(&path)?;
         self.inside(&group.join(metadata::FILE))?;
+        self.manifest.check(&group.join(metadata::FILE))?;
         let mut content = metadata::read(&group)?;
         let members = metadata::take_members(&mut content)
             .ok_or_else(|| StoreError::unreadable(&group, "its metadata do not list its arrays"))?;
@@ -218,7 +233,7 @@ impl StudyReader {
         if !path.join(metadata::FILE).exists() {
             return Err(StoreError::NoDataset { path });
         }
-        self.inside(&path.join(metadata::FILE))?;
+        self.manifest.check(&self.inside(&path.join(metadata::FILE))?)?;
         let store = FilesystemStore::new(group).map_err(|source| StoreError::unreadable(group, source))?;
         let opened = Array::open(Arc::new(store), &format!("/{variable}"));
         let array = opened.map_err(|source| StoreError::unreadable(&path, source))?;
@@ -263,7 +278,8 @@ impl StudyReader {
             if !path.is_file() {
                 return Err(ReadFailure::from(format!("a part is missing: {}", path.display())).into());
             }
-            self.inside(&path).map_err(ReadRefusal::Refused)?;
+            let path = self.inside(&path).map_err(ReadRefusal::Refused)?;
+            self.manifest.check(&path).map_err(ReadRefusal::Refused)?;
         }
         Ok(())
     }

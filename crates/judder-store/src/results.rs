@@ -10,7 +10,7 @@ use serde_json::{Map, Value};
 
 use crate::staging::{self, Stage};
 use crate::zarr::{self, Elsewhere, WriteFailure};
-use crate::{Dataset, StoreError, metadata};
+use crate::{Dataset, StoreError, metadata, plain};
 
 /// The name of the store in a study folder.
 pub(crate) const FOLDER: &str = "results.zarr";
@@ -77,12 +77,17 @@ pub(crate) fn consolidate(study: &Path) -> Result<(), StoreError> {
     if !results.is_dir() {
         return Ok(());
     }
-    let root = metadata::content(&metadata::root(&groups(&results)?)?);
+    let root = derived(&results)?;
     let path = results.join(metadata::FILE);
-    if fs::read(&path).is_ok_and(|stands| stands == root) {
+    if plain::read(&path).is_ok_and(|stands| stands == root) {
         return Ok(());
     }
     staging::write_file(study, &path, &root)
+}
+
+/// The content of the metadata of the root, from those of the groups.
+pub(crate) fn derived(results: &Path) -> Result<Vec<u8>, StoreError> {
+    Ok(metadata::content(&metadata::root(&groups(results)?)?))
 }
 
 /// Puts a staged group where there is none yet, for several processes that may do so together; whether this one did.

@@ -1,11 +1,11 @@
 //! What a long analysis keeps while it runs, so that an interrupted one goes on from there.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use crate::{StoreError, staging};
+use crate::{StoreError, plain, staging};
 
 /// How the names of their files begin.
 pub(crate) const PREFIX: &str = ".scratch-";
@@ -24,8 +24,8 @@ impl Scratch {
     /// Takes up the lines of an earlier run under the same hash; those of another hash are forgotten.
     pub(crate) fn open(study: &Path, analysis: &str, hash: &str) -> Result<Self, StoreError> {
         let path = study.join(format!("{PREFIX}{analysis}"));
-        let text = match fs::read_to_string(&path) {
-            Ok(text) => text,
+        let text = match plain::read(&path) {
+            Ok(text) => String::from_utf8(text).unwrap_or_default(),
             Err(source) if source.kind() == io::ErrorKind::NotFound => String::new(),
             Err(source) => return Err(StoreError::read(&path, source)),
         };
@@ -76,6 +76,7 @@ impl Scratch {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     #[test]
     fn lines_stay_under_their_hash_and_a_torn_one_is_lost() {

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::name::check_name;
 use crate::zarr::Elsewhere;
-use crate::{Dataset, StoreError, StudyFolder, Variable, VariableValues, content_hash, staging};
+use crate::{Dataset, StoreError, StudyFolder, Variable, VariableValues, content_hash, plain, staging};
 
 /// The file that says how much counts. No variable is called so, since theirs end in `.f64` or `.u8`.
 const CHECKPOINT: &str = "checkpoint";
@@ -129,7 +129,7 @@ impl<'a> StreamWriter<'a> {
     pub fn values(&self, variable: &str) -> Result<Vec<f64>, StoreError> {
         let k = self.index_of(variable)?;
         let path = place(&self.folder, &self.variables[k]);
-        let mut bytes = fs::read(&path).map_err(|source| StoreError::read(&path, source))?;
+        let mut bytes = plain::read(&path).map_err(|source| StoreError::read(&path, source))?;
         bytes.truncate((self.rows[k] * row_bytes(&self.variables[k])) as usize);
         let (values, _) = bytes.as_chunks();
         Ok(values.iter().map(|value| f64::from_le_bytes(*value)).collect())
@@ -143,7 +143,7 @@ impl<'a> StreamWriter<'a> {
         let k = self.index_of(variable)?;
         let path = place(&self.folder, &self.variables[k]);
         let read = || -> io::Result<Vec<f64>> {
-            let mut file = BufReader::with_capacity(READ_BYTES, File::open(&path)?);
+            let mut file = BufReader::with_capacity(READ_BYTES, plain::open(&path)?);
             let mut row = vec![0; row_bytes(&self.variables[k]) as usize];
             let mut values = Vec::with_capacity(self.rows[k] as usize);
             for _ in 0..self.rows[k] {
@@ -327,7 +327,7 @@ fn left_by_earlier_run(
     variables: &[Variable],
 ) -> Result<Option<LeftRows>, StoreError> {
     let path = folder.join(CHECKPOINT);
-    let mut content = match fs::read(&path) {
+    let mut content = match plain::read(&path) {
         Ok(content) => content,
         Err(source) if matches!(source.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {
             return Ok(None);

@@ -1,14 +1,13 @@
 //! `summary.json`: what was run, what came of it, and what need not be run again.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Map, Value};
 
-use crate::{StoreError, staging};
+use crate::{StoreError, plain};
 
 /// The name of the summary in a study folder.
 pub(crate) const FILE: &str = "summary.json";
@@ -88,7 +87,7 @@ fn finite<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> 
 /// Reads the summary of a study; `None` where there is none yet.
 pub(crate) fn read(study: &Path) -> Result<Option<Summary>, StoreError> {
     let path = study.join(FILE);
-    match fs::read(&path) {
+    match plain::read(&path) {
         Ok(content) => serde_json::from_slice(&content)
             .map(Some)
             .map_err(|source| StoreError::SummaryUnreadable { path, source }),
@@ -97,11 +96,10 @@ pub(crate) fn read(study: &Path) -> Result<Option<Summary>, StoreError> {
     }
 }
 
-/// Writes the summary of a study.
-pub(crate) fn write(study: &Path, summary: &Summary) -> Result<(), StoreError> {
-    let path = study.join(FILE);
+/// The content of the file of the summary of a study.
+pub(crate) fn content(study: &Path, summary: &Summary) -> Result<Vec<u8>, StoreError> {
     let mut content = serde_json::to_vec_pretty(summary)
-        .map_err(|source| StoreError::SummaryUnwritable { path: path.clone(), source })?;
+        .map_err(|source| StoreError::SummaryUnwritable { path: study.join(FILE), source })?;
     content.push(b'\n');
-    staging::write_file(study, &path, &content)
+    Ok(content)
 }

@@ -30,6 +30,8 @@ pub use chunks::{ChunkState, StoredChunk, SweepChunks, SweepFailure};
 pub(crate) use claim::PREFIX;
 pub use claim::{ChunkClaim, ClaimAnswer};
 pub use damage::ChunkDamage;
+pub(crate) use group::mend;
+pub(crate) use layout::CHUNKS;
 pub use layout::{SweepDimension, SweepLayout, SweepQuantity};
 pub use points::ChunkPoints;
 pub use record::PointFailure;

@@ -1,5 +1,6 @@
 //! What a spreadsheet wants.
 
+use std::borrow::Cow;
 use std::io;
 
 use csv::Writer;
@@ -119,7 +120,13 @@ impl Serialize for WrittenCell<'_> {
         match self.cells {
             Cells::F64(cells) => cells.get(self.row).filter(|value| !value.is_nan()).serialize(serializer),
             Cells::I64(cells) => cells.get(self.row).serialize(serializer),
-            Cells::Text(cells) => cells.get(self.row).serialize(serializer),
+            Cells::Text(cells) => cells.get(self.row).map(|text| guarded(text)).serialize(serializer),
         }
     }
+}
+
+/// A text that a spreadsheet would take for a formula after an apostrophe, by which it takes it for a text; numbers are numbers.
+fn guarded(text: &str) -> Cow<'_, str> {
+    let is_formula = text.starts_with(['=', '+', '-', '@', '\t', '\r']) && text.parse::<f64>().is_err();
+    if is_formula { Cow::Owned(format!("'{text}")) } else { Cow::Borrowed(text) }
 }

@@ -19,7 +19,7 @@ use zarrs::storage::StorageError;
 
 use crate::array::{self, ReadFailure};
 use crate::metadata::{self, HASH_ATTRIBUTE};
-use crate::{Dataset, StoreError, Variable, VariableValues};
+use crate::{Dataset, StoreError, Variable, VariableValues, plain};
 
 /// A chunk is one file: large enough that a map of 1000 × 1000 is one, small enough to be read alone from a large one.
 const CHUNK_BYTES: u64 = 8 << 20;
@@ -162,7 +162,7 @@ fn write_from_file(
     let mut ranges: Vec<_> = array.shape().iter().map(|length| 0..*length).collect();
     let rows = ranges.first().map_or(0, |rows| rows.end);
     let row_size = ranges.iter().skip(1).map(|range| range.end).product::<u64>() * value_size;
-    let mut file = File::open(path)?;
+    let mut file = plain::open(path)?;
     let mut first = 0;
     while first < rows {
         let next = (first + chunk).min(rows);

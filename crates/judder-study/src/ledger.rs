@@ -5,7 +5,7 @@ use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::version::version;
 use crate::way::way;
-use judder_store::{AnalysisRecord, Status, StudyFolder, Summary, content_hash};
+use judder_store::{AnalysisRecord, FileDamage, Status, StoreError, StudyFolder, Summary, content_hash};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -112,17 +112,28 @@ pub struct Study<'a> {
     pub(crate) kept: Keepsakes,
     /// The names of results that were there, and are dropped.
     pub(crate) forgotten: Vec<String>,
+    /// What was found damaged of what was there, one line each.
+    pub(crate) damages: Vec<String>,
 }
 
 impl<'a> Study<'a> {
     /// Takes up what an earlier run left of these analyses under these hashes, and drops the rest: what another case left
-    /// must not stand under this one's name.
+    /// must not stand under this one's name, nor what is damaged.
     pub fn open<'b>(
         store: &'a StudyFolder,
         analyses: impl Iterator<Item = (&'b String, &'b String)>,
     ) -> Result<Self, StudyError> {
         let current: BTreeMap<&String, &String> = analyses.collect();
-        let mut summary = store.read_summary()?.unwrap_or_default();
+        let (mut summary, mut damages) = match store.read_summary() {
+            Err(error @ StoreError::SummaryUnreadable { .. }) => {
+                (Summary::default(), vec![error.to_string()])
+            }
+            read => (read?.unwrap_or_default(), Vec::new()),
+        };
+        for (name, found) in store.damages(&summary) {
+            damages.extend(damage_told(&name, &found));
+            summary.analyses.remove(&name);
+        }
         let mut kept = Keepsakes::of(&summary);
         version().clone_into(&mut summary.version);
         summary.warnings.clear();
@@ -136,7 +147,7 @@ impl<'a> Study<'a> {
         kept.checks.retain(|name, _| stays(name));
         kept.missing.retain(|name, _| stays(name));
         kept.put(&mut summary);
-        Ok(Self { store, summary, kept, forgotten })
+        Ok(Self { store, summary, kept, forgotten, damages })
     }
 
     /// Names the case whose study this is, by what it resolves to, and shows it with what is used.
@@ -179,9 +190,21 @@ impl<'a> Study<'a> {
             }
             Err(error) => self.kept.record(&mut self.summary, name, Err(error), took)?,
         };
-        self.store.write_summary(&self.summary)?;
+        self.store.write_summary(&self.summary, Some(name))?;
+        self.store.keep_manifest(version())?;
         Ok(refused)
     }
+}
+
+/// What is told of a damaged result.
+fn damage_told(name: &str, found: &[(String, FileDamage)]) -> Option<String> {
+    let (path, damage) = found.first()?;
+    let others = match found.len() {
+        1 => String::new(),
+        2 => "; so is 1 more file".to_owned(),
+        count => format!("; so are {} more files", count - 1),
+    };
+    Some(format!("{name}: is damaged and does not count ({path}: {damage}{others})"))
 }
 
 /// Stores arrays, table and files of an outcome.
@@ -198,7 +221,7 @@ pub(crate) fn write(
         store.write_table(name, table)?;
     }
     for (path, content) in &outcome.files {
-        store.write_file(path, content)?;
+        store.write_file_of(Some(name), Path::new(path), content)?;
     }
     Ok(())
 }

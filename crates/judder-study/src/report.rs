@@ -6,6 +6,7 @@ use crate::outcome::CheckRecord;
 use crate::pictures;
 use crate::registry::{Registry, ToldAnalysis};
 use crate::report_tables;
+use crate::version::version;
 use judder_report::page::{Check, Code, Details, PageTable};
 use judder_report::{Figure, Page, PageBlock, PageSection, html, png, svg};
 use judder_store::{Status, StoreError, StudyFolder, Summary};
@@ -23,7 +24,10 @@ pub fn stored(folder: &Path) -> Result<(StudyFolder, Summary), StudyError> {
     let store = StudyFolder::open(folder)?;
     let summary = store.read_summary()?.filter(|summary| !summary.analyses.is_empty());
     match summary {
-        Some(summary) => Ok((store, summary)),
+        Some(summary) => {
+            store.vouch(&summary)?;
+            Ok((store, summary))
+        }
         None => Err(StudyError::NoResults { folder: folder.display().to_string() }),
     }
 }
@@ -65,8 +69,10 @@ pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Resu
 pub fn write_copied(registry: Registry, folder: &Path) -> Result<PathBuf, StudyError> {
     let (store, mut summary) = stored(folder)?;
     Keepsakes { file: None, ..Keepsakes::of(&summary) }.put(&mut summary);
-    store.write_summary(&summary)?;
-    write(registry, &store, &summary)
+    store.write_summary(&summary, None)?;
+    let page = write(registry, &store, &summary)?;
+    store.seal_as_before(version())?;
+    Ok(page)
 }
 
 /// The figures of an analysis or a sweep. Of a sweep only what is drawn is read: the whole may not fit into memory.

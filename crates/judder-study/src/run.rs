@@ -23,10 +23,12 @@ use crate::registry::Registry;
 use crate::report;
 use crate::sweep::{Shard, SweepEstimate, SweepPlan};
 use crate::terminal_tables;
+use crate::version::version;
 use analyses::{AnalysisRunner, shared};
 use asked::AskedCase;
 use judder_store::{Status, StudyFolder, Summary};
 use serde_json::Value;
+use std::mem;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -197,6 +199,7 @@ impl Computed {
         let Self { store, summary, skipped, forgotten, complete, tables, messages, refused } = self;
         let drawn = || report::write(registry, &store, &summary);
         let report = if options.without_report { None } else { Some(drawn()?) };
+        store.seal(version())?;
         let folder = store.path().to_owned();
         Ok(RunReport {
             folder,
@@ -255,11 +258,16 @@ fn compute_in(
     let all = &asked.analyses;
     let runner = AnalysisRunner { file: asked.file, prepared, store: &store, all, shared: shared.as_deref() };
     let wanted = all.iter().enumerate().filter(|(_, (name, _))| analyses && asked.is_wanted(name));
+    let mut missing = Vec::new();
     for (index, (name, hash)) in wanted {
         if store.is_done(name, hash)? {
             skipped.push(name.clone());
-            continue;
+        } else {
+            missing.push((index, name, hash));
         }
+    }
+    store.begin_results(&missing.iter().map(|(_, name, _)| name.as_str()).collect::<Vec<_>>())?;
+    for (index, name, hash) in missing {
         let began = Instant::now();
         let (outcome, scratch) = runner.run(index, progress)?;
         asked.check_files()?;
@@ -273,10 +281,12 @@ fn compute_in(
         skipped.extend(sweeps::finished(&store, &mut study, plan, progress)?);
     }
     study.summary.wall_time_s = start.elapsed().as_secs_f64();
-    store.write_summary(&study.summary)?;
+    store.write_summary(&study.summary, None)?;
+    store.keep_manifest(version())?;
     let wanted = asked.wanted();
     let complete = study.is_complete(&wanted);
-    let messages = messages(&study.summary, &study.kept, &refused);
+    let mut messages = messages(&study.summary, &study.kept, &refused);
+    messages.splice(0..0, mem::take(&mut study.damages));
     let (summary, forgotten) = (study.summary, study.forgotten);
     let tables = terminal_tables::tables(asked.file.registry(), &summary, &wanted);
     Ok(Computed { store, summary, skipped, forgotten, complete, tables, messages, refused })

@@ -128,7 +128,16 @@ impl StudyView {
             version: summary.version.clone(),
             analyses: analyses.collect::<Result<_, StudyError>>()?,
             sounds: self.reader.files("wav")?,
-            warnings: summary.warnings.clone(),
+            warnings: self.doubt()?.into_iter().chain(summary.warnings.iter().cloned()).collect(),
+        })
+    }
+
+    /// Why the study may not be whole; nothing where a manifest says that it is.
+    fn doubt(&self) -> Result<Option<String>, StudyError> {
+        Ok(match self.reader.is_complete()? {
+            None => Some("without `manifest.json` nothing says that this study is whole".to_owned()),
+            Some(false) => Some("a run is at work in this study, or was interrupted: `judder run` goes on".to_owned()),
+            Some(true) => None,
         })
     }
 

@@ -13,7 +13,7 @@ fn an_unknown_command_is_told_its_neighbour() {
     refused(
         &["sing"],
         "there is no command `sing`",
-        "commands: demo, examples, new, check, run, merge, point, report, reproduce, schema, completions, explore",
+        "commands: demo, examples, new, check, run, merge, point, report, verify, reproduce, schema, completions, explore",
     );
 }
 

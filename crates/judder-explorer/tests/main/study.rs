@@ -199,6 +199,10 @@ fn the_case_of_a_folder_reads_no_file_outside_of_it() {
     let source = told.to_string().replace("[contact]", &outside.replace('\n', "\\n").replace('"', "\\\""));
     assert!(source.contains("law.json"), "the folder's case names it: {source}");
     fs::write(&summary, source).unwrap();
+    // an edited summary is refused where a manifest says what it was
+    let refused = judder_study::study_view::StudyView::open(judder_models::REGISTRY, &folder).unwrap().listing();
+    assert!(refused.unwrap_err().to_string().contains("judder verify"));
+    fs::remove_file(folder.join("manifest.json")).unwrap();
     let served = served(&folder);
     let session = served.get("/api/session").json();
     assert_eq!((&session["case"], &session["study"]["name"]), (&Value::Null, &json!("study")), "{session}");

@@ -8,7 +8,7 @@ use super::damage::ChunkDamage;
 use super::layout::SweepLayout;
 use super::record::{self, ChunkEnd, PointFailure, Record, TRAILER_BYTES};
 use super::{group, shard};
-use crate::StoreError;
+use crate::{StoreError, plain};
 
 /// The chunks of one sweep in a study, to be looked at: no lock is taken, so that chunks may be added meanwhile.
 #[derive(Debug, Clone)]
@@ -108,9 +108,13 @@ impl SweepChunks {
     /// [`StoreError::NoSuchChunk`], a failure of the file system.
     pub fn state(&self, chunk: usize) -> Result<ChunkState, StoreError> {
         let path = self.path(chunk)?;
-        let content = match fs::read(&path) {
+        let content = match plain::read(&path) {
             Ok(content) => content,
             Err(source) if source.kind() == ErrorKind::NotFound => return Ok(ChunkState::Missing),
+            // something else stands in its place
+            Err(source) if source.kind() == ErrorKind::InvalidInput => {
+                return Ok(ChunkState::Damaged(ChunkDamage::NoRecord));
+            }
             Err(source) => return Err(StoreError::read(&path, source)),
         };
         let points = self.layout.points(chunk)?.count();
@@ -128,9 +132,12 @@ impl SweepChunks {
     /// system.
     pub fn read(&self, chunk: usize) -> Result<StoredChunk, StoreError> {
         let path = self.path(chunk)?;
-        match fs::read(&path) {
+        match plain::read(&path) {
             Ok(content) => self.decoded(chunk, &content),
             Err(source) if source.kind() == ErrorKind::NotFound => Err(StoreError::MissingChunk { path }),
+            Err(source) if source.kind() == ErrorKind::InvalidInput => {
+                Err(StoreError::DamagedChunk { path, damage: ChunkDamage::NoRecord })
+            }
             Err(source) => Err(StoreError::read(&path, source)),
         }
     }
@@ -199,7 +206,7 @@ impl SweepChunks {
     fn record(&self, chunk: usize, points: usize) -> Result<Record, StoreError> {
         let path = self.path(chunk)?;
         let read = || -> io::Result<ChunkEnd> {
-            let mut file = File::open(&path)?;
+            let mut file = plain::open(&path)?;
             let size = file.metadata()?.len();
             let before = size.saturating_sub(TRAILER_BYTES as u64);
             let trailer = read_from(&mut file, before)?;

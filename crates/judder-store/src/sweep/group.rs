@@ -1,5 +1,7 @@
 //! The group of a sweep in `results.zarr`, the same bytes whoever begins it.
 
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Map, Value};
@@ -7,7 +9,7 @@ use serde_json::{Map, Value};
 use super::layout::{SweepLayout, VALUES};
 use super::shard;
 use crate::metadata::{self, HASH_ATTRIBUTE};
-use crate::staging::Stage;
+use crate::staging::{self, Stage};
 use crate::zarr::{self, WriteFailure};
 use crate::{StoreError, results};
 
@@ -50,11 +52,47 @@ fn compared(group: &Path, layout: &SweepLayout) -> Result<PathBuf, StoreError> {
     Ok(group.join(VALUES))
 }
 
+/// Writes anew all of a group but for its chunks, which say themselves whose they are.
+pub(crate) fn mend(study: &Path, layout: &SweepLayout) -> Result<(), StoreError> {
+    let group = place(study, layout);
+    let write = || -> Result<(), WriteFailure> {
+        let stage = Stage::new(study)?;
+        let staged = stage.place("group");
+        write(&staged, layout)?;
+        staging::sync_tree(&staged)?;
+        fs::create_dir_all(&group)?;
+        for entry in fs::read_dir(&staged)? {
+            let name = entry?.file_name();
+            let (from, to) = (staged.join(&name), group.join(&name));
+            if name == VALUES {
+                fs::create_dir_all(&to)?;
+                put(&from.join(metadata::FILE), &to.join(metadata::FILE))?;
+            } else {
+                put(&from, &to)?;
+            }
+        }
+        Ok(())
+    };
+    write().map_err(|failure| failed(&group, failure))
+}
+
+/// Puts a file or a folder in the place of whatever stands there.
+fn put(from: &Path, to: &Path) -> io::Result<()> {
+    staging::remove(to)?;
+    staging::rename(from, to)
+}
+
 /// Makes the group; whether no other process was faster.
 fn begin(study: &Path, layout: &SweepLayout) -> Result<bool, WriteFailure> {
     let stage = Stage::new(study)?;
     let staged = stage.place("group");
-    zarr::write_group_by(&staged, layout.hash(), layout.dataset(), |store, variable| {
+    write(&staged, layout)?;
+    Ok(results::add(&stage, &staged, study, layout.name())?)
+}
+
+/// Writes the group without a chunk.
+fn write(staged: &Path, layout: &SweepLayout) -> Result<(), WriteFailure> {
+    zarr::write_group_by(staged, layout.hash(), layout.dataset(), |store, variable| {
         if variable.name == VALUES {
             let array = shard::build_array(store, layout, variable)?;
             zarr::store_metadata(&array)?;
@@ -62,8 +100,7 @@ fn begin(study: &Path, layout: &SweepLayout) -> Result<bool, WriteFailure> {
         } else {
             zarr::write_variable(store, variable)
         }
-    })?;
-    Ok(results::add(&stage, &staged, study, layout.name())?)
+    })
 }
 
 /// Refuses a group of another case, or of another layout.

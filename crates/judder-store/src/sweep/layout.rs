@@ -9,6 +9,8 @@ use crate::{Dataset, StoreError, Variable};
 /// The name of the array that holds all quantities, and of its last dimension.
 pub(crate) const VALUES: &str = "values";
 pub(crate) const QUANTITY: &str = "quantity";
+/// How the paths of the files of chunks begin in the group of a sweep.
+pub(crate) const CHUNKS: &str = "values/c.";
 
 /// No chunk is larger; a chunk is in memory as a whole.
 const LARGEST_CHUNK_BYTES: usize = 1 << 30;

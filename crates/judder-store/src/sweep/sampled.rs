@@ -11,15 +11,16 @@ use super::layout::{QUANTITY, VALUES};
 use super::points::unravelled;
 use crate::array::ReadFailure;
 use crate::zarr;
-use crate::{Dataset, StoreError, Variable, VariableValues};
+use crate::{Dataset, FileDamage, StoreError, Variable, VariableValues};
 
 /// The chosen positions along each dimension of a sweep.
 type Chosen = Vec<(String, Vec<usize>)>;
 
-/// Reads the group of a sweep at the points that `choose` picks from names and lengths of its dimensions.
+/// Reads the group of a sweep at the points that `choose` picks from names and lengths of its dimensions; a chunk with a damage is refused.
 pub(crate) fn read_points(
     group: &Path,
     choose: impl FnOnce(&[(String, usize)]) -> Vec<Vec<usize>>,
+    damage_of: &dyn Fn(&Path) -> Option<FileDamage>,
 ) -> Result<Dataset, StoreError> {
     let unreadable = |source: ReadFailure| StoreError::DatasetUnreadable { path: group.join(VALUES), source };
     let lengths = lengths(group).map_err(unreadable)?;
@@ -33,7 +34,7 @@ pub(crate) fn read_points(
         })
         .collect();
     zarr::read_group_by(group, |store, name| match name {
-        VALUES => values(store, &chosen),
+        VALUES => values(store, &chosen, damage_of),
         _ => Ok(thinned(zarr::read_variable(store, name)?, &chosen)),
     })
 }
@@ -51,7 +52,11 @@ fn lengths(group: &Path) -> Result<Vec<(String, usize)>, ReadFailure> {
 }
 
 /// The values of all quantities at the chosen points.
-fn values(store: &Arc<FilesystemStore>, chosen: &Chosen) -> Result<Variable, ReadFailure> {
+fn values(
+    store: &Arc<FilesystemStore>,
+    chosen: &Chosen,
+    damage_of: &dyn Fn(&Path) -> Option<FileDamage>,
+) -> Result<Variable, ReadFailure> {
     let array = Array::open(store.clone(), &format!("/{VALUES}"))?;
     let quantities = array.shape().last().copied().unwrap_or(0) as usize;
     zarr::check_chunk_size(&array)?;
@@ -63,6 +68,9 @@ fn values(store: &Arc<FilesystemStore>, chosen: &Chosen) -> Result<Variable, Rea
         let file = store.key_to_fspath(&array.chunk_key(&cell));
         if !file.is_file() {
             return Err(format!("a part is missing: {}", file.display()).into());
+        }
+        if let Some(damage) = damage_of(&file) {
+            return Err(format!("a part is damaged: {}: {damage}", file.display()).into());
         }
         let stored: Vec<f64> = array.retrieve_chunk(&cell)?;
         for (to, from) in places {

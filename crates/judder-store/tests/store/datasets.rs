@@ -115,12 +115,13 @@ fn what_readers_would_misunderstand_is_refused() {
 #[test]
 fn damage_is_an_error_and_not_a_result() {
     let folder = tempfile::tempdir().unwrap();
-    let study = StudyFolder::create(folder.path()).unwrap();
+    // opened anew each time, without a manifest that would find it first
+    let study = || StudyFolder::create(folder.path()).unwrap();
     let group = folder.path().join("results.zarr/a");
     let chunk = group.join("value/c/0");
-    let write = || study.write_dataset("a", "h", &crate::constant(1.0, 8)).unwrap();
+    let write = || study().write_dataset("a", "h", &crate::constant(1.0, 8)).unwrap();
     let refused = || {
-        let refused = study.read_dataset("a").unwrap_err();
+        let refused = study().read_dataset("a").unwrap_err();
         assert!(matches!(refused, StoreError::DatasetUnreadable { .. }), "{refused}");
         refused.to_string()
     };
@@ -145,7 +146,7 @@ fn damage_is_an_error_and_not_a_result() {
         fs::write(group.join("zarr.json"), damaged).unwrap();
         refused();
     }
-    assert!(!study.is_done("a", "h").unwrap());
+    assert!(!study().is_done("a", "h").unwrap());
     write();
-    study.read_dataset("a").unwrap();
+    study().read_dataset("a").unwrap();
 }

@@ -35,7 +35,7 @@ fn small_summary() -> Summary {
 fn prepare(folder: &Path) -> StudyFolder {
     let study = StudyFolder::create(folder).unwrap();
     study.write_dataset("a", "old", &crate::constant(1.0, 10)).unwrap();
-    study.write_summary(&small_summary()).unwrap();
+    study.write_summary(&small_summary(), Some("a")).unwrap();
     study.write_file("figures/a.svg", b"old").unwrap();
     study
 }
@@ -66,7 +66,7 @@ fn write_without_room(study: &StudyFolder) {
     check_full(study.write_dataset("a", "new", &large()), "results.zarr/a", 2 << 20);
     check_untouched(study);
     check_full(study.write_dataset("b", "new", &large()), "results.zarr/b", 2 << 20);
-    check_full(study.write_summary(&summary), "summary.json", 2_000_000);
+    check_full(study.write_summary(&summary, Some("a")), "summary.json", 2_000_000);
     check_full(study.write_file("figures/a.svg", &[0; 2 << 20]).map(drop), "figures/a.svg", 2 << 20);
     check_untouched(study);
     stream_without_room(study);
@@ -169,7 +169,7 @@ fn a_full_disk() {
     let full = std::io::copy(&mut std::io::repeat(1), &mut filler).unwrap_err();
     assert_eq!(full.kind(), ErrorKind::StorageFull);
     check_full(
-        study.write_summary(&Summary { case_hash: "new".to_owned(), ..small_summary() }),
+        study.write_summary(&Summary { case_hash: "new".to_owned(), ..small_summary() }, Some("a")),
         "summary.json",
         1,
     );

@@ -43,7 +43,7 @@ fn a_study_is_taken_up_whether_it_ended_or_not() {
     killed.write_table("a", &judder_store::Table::new()).unwrap();
     drop(killed);
     let ended = StudyFolder::create(folder.path()).unwrap();
-    ended.write_summary(&Summary::default()).unwrap();
+    ended.write_summary(&Summary::default(), Some("a")).unwrap();
     drop(ended);
     fs::remove_file(folder.path().join(".judder.lock")).unwrap();
     drop(StudyFolder::create(folder.path()).unwrap());
@@ -107,7 +107,7 @@ fn a_rerun_resumes_only_what_is_done_and_there() {
     };
     let done = || study.is_done("a", "h").unwrap();
     assert!(!done());
-    study.write_summary(&summary(Status::Done)).unwrap();
+    study.write_summary(&summary(Status::Done), Some("a")).unwrap();
     assert!(!done(), "without arrays");
     study.write_dataset("a", "h", &crate::constant(1.0, 2)).unwrap();
     assert!(done());
@@ -116,7 +116,7 @@ fn a_rerun_resumes_only_what_is_done_and_there() {
     study.write_dataset("a", "other", &crate::constant(1.0, 2)).unwrap();
     assert!(!done(), "with the arrays of another case");
     study.write_dataset("a", "h", &crate::constant(1.0, 2)).unwrap();
-    study.write_summary(&summary(Status::Failed { reason: "no convergence".to_owned() })).unwrap();
+    study.write_summary(&summary(Status::Failed { reason: "no convergence".to_owned() }), Some("a")).unwrap();
     assert!(!done(), "after a failure");
     study.forget().unwrap();
     assert!(matches!(study.read_dataset("a").unwrap_err(), StoreError::NoDataset { .. }));

@@ -7,6 +7,7 @@ mod datasets;
 mod declared;
 mod disk_full;
 mod folders;
+mod manifests;
 mod readers;
 mod replacement;
 mod streams;

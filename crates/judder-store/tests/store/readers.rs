@@ -27,7 +27,7 @@ fn study(folder: &Path) -> StudyFolder {
         .and_then(|d| d.attribute("kind", "march"))
         .unwrap();
     study.write_dataset("march", "hash", &dataset).unwrap();
-    study.write_summary(&Summary { case_hash: "c".into(), ..Summary::default() }).unwrap();
+    study.write_summary(&Summary { case_hash: "c".into(), ..Summary::default() }, Some("a")).unwrap();
     study
 }
 

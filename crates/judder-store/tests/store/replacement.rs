@@ -36,9 +36,9 @@ fn a_summary_is_never_half() {
     let study = StudyFolder::create(folder.path()).unwrap();
     let summary =
         |run: usize| Summary { warnings: vec!["long".repeat(2000); run % 2 * 50], ..Summary::default() };
-    study.write_summary(&summary(0)).unwrap();
+    study.write_summary(&summary(0), Some("a")).unwrap();
     while_reading(
-        |run| study.write_summary(&summary(run)).unwrap(),
+        |run| study.write_summary(&summary(run), Some("a")).unwrap(),
         || assert!(matches!(study.read_summary().unwrap().unwrap().warnings.len(), 0 | 50)),
     );
 }

@@ -30,7 +30,7 @@ fn summary() -> Summary {
 fn a_summary_comes_back_and_has_its_plain_keys() {
     let folder = tempfile::tempdir().unwrap();
     let study = StudyFolder::create(folder.path()).unwrap();
-    study.write_summary(&summary()).unwrap();
+    study.write_summary(&summary(), Some("a")).unwrap();
     assert_eq!(study.read_summary().unwrap().unwrap(), summary());
     let text = fs::read_to_string(folder.path().join("summary.json")).unwrap();
     let plain: serde_json::Value = serde_json::from_str(&text).unwrap();
@@ -48,8 +48,9 @@ fn numbers_that_json_has_not_become_null_or_an_error() {
     }
     let folder = tempfile::tempdir().unwrap();
     let study = StudyFolder::create(folder.path()).unwrap();
-    study.write_summary(&summary()).unwrap();
-    let refused = study.write_summary(&Summary { wall_time_s: f64::NAN, ..summary() }).unwrap_err();
+    study.write_summary(&summary(), Some("a")).unwrap();
+    let refused =
+        study.write_summary(&Summary { wall_time_s: f64::NAN, ..summary() }, Some("a")).unwrap_err();
     assert!(matches!(refused, StoreError::SummaryUnwritable { .. }), "{refused}");
     assert_eq!(study.read_summary().unwrap().unwrap(), summary());
 }
@@ -97,4 +98,11 @@ fn a_ragged_table_is_refused() {
     assert!(matches!(refused, StoreError::ColumnLength { expected: 1, found: 2, .. }), "{refused}");
     let refused = table.column("a", "", Cells::I64(vec![1])).unwrap_err();
     assert!(matches!(refused, StoreError::Duplicate { what: "column", .. }), "{refused}");
+}
+
+#[test]
+fn a_text_is_no_formula_of_a_spreadsheet() {
+    let texts = ["=1+1", "@sum", "+cmd", "-1.5", "-x", "a=b"].map(String::from).to_vec();
+    let table = Table::new().column("label", "", texts).unwrap();
+    assert_eq!(table.to_csv().unwrap(), b"label\n'=1+1\n'@sum\n'+cmd\n-1.5\n'-x\na=b\n");
 }

@@ -171,6 +171,7 @@ impl HeldStudy {
         let mut study = Study::open(&store, self.all.iter().map(|(name, hash)| (name, hash)))?;
         study.set_case(&self.file, &self.resolved, self.summary.case.clone());
         let own = Keepsakes::of(&self.summary);
+        store.begin_results(&self.summary.analyses.keys().map(String::as_str).collect::<Vec<_>>())?;
         for (name, record) in &self.summary.analyses {
             if let Some(outcome) = self.outcome(name) {
                 ledger::write(&store, name, &record.hash, outcome)?;
@@ -178,10 +179,10 @@ impl HeldStudy {
             study.take_over(name, record, (&self.summary, &own));
         }
         study.summary.wall_time_s = self.summary.wall_time_s;
-        store.write_summary(&study.summary)?;
+        store.write_summary(&study.summary, None)?;
         if with_report {
             report::write(self.file.registry(), &store, &study.summary)?;
         }
-        Ok(())
+        Ok(store.seal(version())?)
     }
 }

@@ -26,9 +26,9 @@ pub(super) fn run(
     options: &RunOptions,
     progress: &dyn Progress,
 ) -> Result<RunReport, StudyError> {
+    let mut notes = mended_frames(plans, folder, options)?;
     let earlier = begun(asked, prepared, plans, folder, options, progress)?;
     let shared = joined(folder, progress)?;
-    let mut notes = Vec::new();
     let mut is_whole = true;
     for plan in plans {
         let (note, whole) = worked(&shared, plan, options.sweeps, progress)?;
@@ -64,6 +64,30 @@ pub(super) fn run(
         computed.forgotten.extend(forgotten);
     }
     computed.reported(asked.file.registry(), options, notes)
+}
+
+/// Writes coordinates and metadata of damaged sweeps anew, where nobody else is at work; says of which.
+fn mended_frames(
+    plans: &[SweepPlan],
+    folder: &Path,
+    options: &RunOptions,
+) -> Result<Vec<String>, StudyError> {
+    let store = match StudyFolder::open(folder) {
+        Ok(store) if !options.fresh => store,
+        Ok(_)
+        | Err(StoreError::NoStudy { .. } | StoreError::NotAFolder { .. } | StoreError::Locked { .. }) => {
+            return Ok(Vec::new());
+        }
+        Err(error) => return Err(error.into()),
+    };
+    let mut notes = Vec::new();
+    for plan in plans {
+        if store.mend_sweep(plan.layout())? {
+            let name = plan.layout().name();
+            notes.push(format!("{name}: coordinates or metadata were damaged and are written anew"));
+        }
+    }
+    Ok(notes)
 }
 
 /// Runs the analyses where nobody else is at work; gives back what became of earlier results.
@@ -222,6 +246,7 @@ pub(super) fn finished(
     }
     let began = Instant::now();
     let outcome = finish(plan, &store.sweep(layout)?, progress);
+    store.list_sweep(layout.name())?;
     study.keep(layout.name(), layout.hash().to_owned(), outcome, began.elapsed().as_secs_f64())?;
     store.consolidate()?;
     Ok(None)

@@ -66,7 +66,7 @@ fn files(folder: &Path) -> Map<String, Value> {
         let ending = name.rsplit('.').next().unwrap_or_default();
         let held = match (name.as_str(), ending) {
             (".judder.lock", _) => continue,
-            ("summary.json" | "report.html", _) | (_, "svg" | "png") => json!({}),
+            ("summary.json" | "manifest.json" | "report.html", _) | (_, "svg" | "png") => json!({}),
             (name, _) if name.starts_with("results.zarr/") => json!({}),
             (_, "csv") if !name.starts_with("fields/") => {
                 snapshot::table(&String::from_utf8(content).unwrap())

@@ -1,0 +1,202 @@
+//! Finished studies that were damaged afterwards: what `verify` finds, what `run` and `report` make of them.
+
+use judder_store::{Finding, StoreError, verify};
+use judder_study::Silent;
+use judder_study::StudyError;
+use judder_study::case::file::CaseFile;
+use judder_study::report::stored;
+use judder_study::run::{RunOptions, RunReport, run};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Two analyses, a sound, a sweep of three chunks.
+const CASE: &str = r#"
+model = "oscillator"
+[contact]
+shear_strength = "40 kPa"
+[substrate]
+rubbery_modulus = "1 MPa"
+glassy_modulus = "10 MPa"
+retardation_time = "5 ms"
+[operation]
+velocity = "5 mm/s"
+normal_load = "0.2 N"
+[[analysis]]
+name = "spectrum"
+kind = "spectrum"
+sweep = { key = "operation.velocity", from = "1 mm/s", to = "1 m/s", points = 4, scale = "log" }
+[[analysis]]
+name = "motion"
+kind = "motion"
+duration = "0.2 s"
+points = 64
+sound = true
+[[sweep]]
+name = "speeds"
+over = [{ key = "operation.velocity", from = "1 mm/s", to = "1 m/s", points = 6, scale = "log" }]
+quantities = ["growth_rate", "verdict"]
+chunk = 2
+"#;
+
+fn case() -> CaseFile {
+    judder_models::parse("case.toml", CASE, &[]).unwrap()
+}
+
+fn run_in(folder: &Path) -> RunReport {
+    run(&case(), folder, &RunOptions::default(), &Silent).unwrap()
+}
+
+fn all(_: &str, _: u64) -> bool {
+    true
+}
+
+/// The files of a study by their paths in it, but for its lock.
+fn contents(study: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let (mut found, mut folders) = (BTreeMap::new(), vec![study.to_owned()]);
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if !path.ends_with(".judder.lock") {
+                found.insert(path.strip_prefix(study).unwrap().to_owned(), fs::read(&path).unwrap());
+            }
+        }
+    }
+    found
+}
+
+fn written(study: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) {
+    for (path, content) in files {
+        let path = study.join(path);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, content).unwrap();
+    }
+    fs::write(study.join(".judder.lock"), "").unwrap();
+}
+
+/// A content with one of its digits another, so that JSON stays JSON; with another byte where it has none.
+fn other_number(content: &[u8], seed: usize) -> Vec<u8> {
+    let mut changed = content.to_vec();
+    let digits: Vec<usize> = (0..content.len()).filter(|k| content[*k].is_ascii_digit()).collect();
+    match digits.get(seed % digits.len().max(1)) {
+        Some(place) => changed[*place] = if content[*place] == b'7' { b'3' } else { b'7' },
+        None => changed[seed % content.len()] ^= 1,
+    }
+    changed
+}
+
+/// A file as it is after an accident; none where it is gone.
+fn damaged(files: &BTreeMap<PathBuf, Vec<u8>>, path: &Path, how: usize) -> Option<Vec<u8>> {
+    let content = &files[path];
+    match how % 5 {
+        0 => Some(other_number(content, how * 31 + content.len() / 2)),
+        1 => Some(content[..content.len() / 2].to_vec()),
+        2 => {
+            let other = files.iter().find(|(other, own)| *other > path && own != &content);
+            Some(other.map_or_else(Vec::new, |(_, own)| own.clone()))
+        }
+        3 => None,
+        _ => Some(Vec::new()),
+    }
+}
+
+/// Damages one file after another, each in its way.
+fn tried(step: usize, ways: usize) {
+    let origin = tempfile::tempdir().unwrap();
+    assert!(run_in(origin.path()).complete);
+    let files = contents(origin.path());
+    let sound = verify(origin.path(), all).unwrap();
+    assert!(sound.is_sound(), "{sound:?}");
+    let is_result = |path: &Path| {
+        path.starts_with("results.zarr") || path.extension().is_some_and(|end| end == "csv" || end == "wav")
+    };
+    for (index, path) in files.keys().enumerate() {
+        for way in (index % step..ways).step_by(step) {
+            let what = format!("{}, {way}", path.display());
+            let folder = tempfile::tempdir().unwrap();
+            written(folder.path(), &files);
+            let place = folder.path().join(path);
+            match damaged(&files, path, way) {
+                Some(content) => fs::write(&place, content).unwrap(),
+                None => fs::remove_file(&place).unwrap(),
+            }
+            let found = verify(folder.path(), all);
+            let is_found = match &found {
+                Ok(found) => found.findings.iter().any(|finding| Path::new(finding.path()) == path),
+                Err(StoreError::NoManifest { .. } | StoreError::ManifestDamaged { .. }) => true,
+                Err(_) => false,
+            };
+            assert!(is_found, "{what}: {found:?}");
+            let again = run_in(folder.path());
+            assert!(again.complete, "{what}: {:?}", again.messages);
+            let now = contents(folder.path());
+            for (own, expected) in files.iter().filter(|(own, _)| is_result(own)) {
+                assert!(now.get(own) == Some(expected), "{what}: {} is another", own.display());
+            }
+            let found = verify(folder.path(), all).unwrap();
+            assert!(found.is_sound(), "{what}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_damaged_is_found_and_computed_again_to_the_byte() {
+    tried(5, 5);
+}
+
+#[test]
+#[ignore = "minutes: every file in every way"]
+fn every_file_in_every_way() {
+    tried(1, 25);
+}
+
+/// The arrays of one analysis are damaged: the other results stay, and the user is told.
+#[test]
+fn one_result_is_computed_again_and_the_others_stay() {
+    let folder = tempfile::tempdir().unwrap();
+    run_in(folder.path());
+    let sound = folder.path().join("motion.wav");
+    let sound = if sound.exists() {
+        sound
+    } else {
+        contents(folder.path())
+            .into_keys()
+            .map(|own| folder.path().join(own))
+            .find(|own| own.extension().is_some_and(|end| end == "wav"))
+            .unwrap()
+    };
+    fs::remove_file(&sound).unwrap();
+    let again = run_in(folder.path());
+    assert!(sound.exists());
+    assert_eq!(again.skipped, ["spectrum", "speeds"]);
+    assert!(
+        again.messages.iter().any(|line| line.starts_with("motion: is damaged and does not count")),
+        "{:?}",
+        again.messages
+    );
+    assert!(run_in(folder.path()).messages.is_empty());
+}
+
+/// A number that was edited in the summary is not drawn.
+#[test]
+fn a_report_is_not_drawn_of_what_is_damaged() {
+    let folder = tempfile::tempdir().unwrap();
+    run_in(folder.path());
+    stored(folder.path()).unwrap();
+    let place = folder.path().join("summary.json");
+    let text = fs::read_to_string(&place).unwrap();
+    let edited = text.replacen("\"growth_rate\": [\n", "\"growth_rate\": [\n  1.0,\n", 1);
+    assert_ne!(edited, text);
+    fs::write(&place, edited).unwrap();
+    let refused = stored(folder.path()).map(drop).unwrap_err();
+    assert!(matches!(refused, StudyError::Store(StoreError::Damaged { .. })), "{refused}");
+    fs::write(&place, text).unwrap();
+    fs::remove_file(folder.path().join("manifest.json")).unwrap();
+    let refused = stored(folder.path()).map(drop).unwrap_err();
+    assert!(matches!(refused, StudyError::Store(StoreError::NoManifest { .. })), "{refused}");
+    let findings = verify(folder.path(), all)
+        .map(|found| found.findings.iter().any(|own| matches!(own, Finding::Extra { .. })));
+    assert!(matches!(findings, Err(StoreError::NoManifest { .. })));
+}

@@ -1,0 +1,166 @@
+//! `manifest.json`: what a study was when it was written, file by file, so that damage is told from results.
+//!
+//! It stands for accidents: a disk that fails, a copy that ends too soon, a file that was edited. It is no signature.
+//!
+//! - [`Manifest`]: every file with its size and hash, the analysis that it is of and the build that wrote it; of every result the hash of what
+//!   `summary.json` tells of it.
+//! - `keeper.rs`: the manifest of a study that is being written.
+//! - `reader.rs`: the manifest of a study that others may be writing.
+//! - `look.rs`: files beside what is listed of them.
+
+mod keeper;
+mod look;
+mod reader;
+
+use std::collections::BTreeMap;
+use std::io::ErrorKind;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+use crate::{StoreError, Summary, content_hash, plain, results, staging, summary};
+
+pub(crate) use keeper::{ManifestKeeper, files_below, relative};
+pub use look::FileDamage;
+pub(crate) use look::{check, hash_of};
+pub(crate) use reader::ManifestReader;
+
+/// The name of the manifest in a study folder.
+pub(crate) const FILE: &str = "manifest.json";
+
+/// What a study was when it was written.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Manifest {
+    /// Whether it lists all; not while a run is at work, or has been interrupted.
+    pub(crate) complete: bool,
+    /// Analysis or sweep → the hash of what the summary tells of it.
+    pub(crate) results: BTreeMap<String, String>,
+    /// Path in the study, with `/` between folders → what the file was.
+    pub(crate) files: BTreeMap<String, FileRecord>,
+}
+
+/// A manifest with the hash of itself, by which its own damage is found.
+#[derive(Debug, Serialize, Deserialize)]
+struct SealedManifest {
+    hash: String,
+    #[serde(flatten)]
+    manifest: Manifest,
+}
+
+/// What a file was when it was written.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct FileRecord {
+    /// Its size.
+    pub(crate) bytes: u64,
+    /// The BLAKE3 hash of its content.
+    pub(crate) hash: String,
+    /// The analysis or sweep that it is of; none for what is of the study as a whole.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) of: Option<String>,
+    /// The build that wrote it; empty until that is known.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub(crate) build: String,
+}
+
+impl FileRecord {
+    /// That of a file with this content.
+    pub(crate) fn new(of: Option<&str>, content: &[u8]) -> Self {
+        let (bytes, hash) = (content.len() as u64, content_hash(content));
+        Self { bytes, hash, of: of.map(str::to_owned), build: String::new() }
+    }
+}
+
+impl Manifest {
+    /// That of a study; `None` where there is none.
+    ///
+    /// # Errors
+    /// [`StoreError::ManifestDamaged`], a failure of the file system.
+    pub(crate) fn read(study: &Path) -> Result<Option<Self>, StoreError> {
+        let path = study.join(FILE);
+        let content = match plain::read(&path) {
+            Ok(content) => content,
+            Err(source) if source.kind() == ErrorKind::NotFound => return Ok(None),
+            Err(source) => return Err(StoreError::read(&path, source)),
+        };
+        Self::from_content(&path, &content).map(Some)
+    }
+
+    /// That which a file holds.
+    fn from_content(path: &Path, content: &[u8]) -> Result<Self, StoreError> {
+        match serde_json::from_slice::<SealedManifest>(content) {
+            Ok(read) if read.manifest.content()? == content => Ok(read.manifest),
+            _ => Err(StoreError::ManifestDamaged { path: path.to_owned() }),
+        }
+    }
+
+    /// That of a folder that should be a study.
+    ///
+    /// # Errors
+    /// [`StoreError::NoStudy`], [`StoreError::NoManifest`]; else as of [`Manifest::read`].
+    pub(crate) fn of_study(study: &Path) -> Result<Self, StoreError> {
+        let is_study = [FILE, summary::FILE, results::FOLDER].iter().any(|name| study.join(name).exists());
+        match Self::read(study)? {
+            Some(manifest) => Ok(manifest),
+            None if is_study => Err(StoreError::NoManifest { path: study.to_owned() }),
+            None => Err(StoreError::NoStudy { path: study.to_owned() }),
+        }
+    }
+
+    pub(crate) fn write(&self, study: &Path) -> Result<(), StoreError> {
+        staging::write_file(study, &study.join(FILE), &self.content()?)
+    }
+
+    /// The content of its file.
+    fn content(&self) -> Result<Vec<u8>, StoreError> {
+        let unwritable = |source| StoreError::SummaryUnwritable { path: FILE.into(), source };
+        let hash = content_hash(&serde_json::to_vec(self).map_err(unwritable)?);
+        let mut content = serde_json::to_vec_pretty(&SealedManifest { hash, manifest: self.clone() })
+            .map_err(unwritable)?;
+        content.push(b'\n');
+        Ok(content)
+    }
+
+    /// Whether a summary tells of listed results what was not told.
+    fn is_other(&self, summary: &Summary) -> bool {
+        self.results.iter().any(|(name, hash)| *hash != told(summary, name))
+    }
+
+    /// The files of an analysis or a sweep.
+    pub(crate) fn files_of(&self, name: &str) -> impl Iterator<Item = (&String, &FileRecord)> {
+        self.files.iter().filter(move |(_, record)| record.of.as_deref() == Some(name))
+    }
+}
+
+/// Refuses the content of the summary of a study where the content of its manifest says that it was another; for studies that lie elsewhere.
+///
+/// # Errors
+/// [`StoreError::ManifestDamaged`], [`StoreError::Damaged`], [`StoreError::SummaryUnreadable`].
+pub fn vouch_for(study: &Path, manifest: &[u8], content: &[u8]) -> Result<(), StoreError> {
+    let path = study.join(summary::FILE);
+    let manifest = Manifest::from_content(&study.join(FILE), manifest)?;
+    let record = manifest.files.get(summary::FILE);
+    if record
+        .is_some_and(|record| record.bytes != content.len() as u64 || record.hash != content_hash(content))
+    {
+        return Err(StoreError::Damaged { path, damage: FileDamage::Content });
+    }
+    match serde_json::from_slice::<Summary>(content) {
+        Err(source) => Err(StoreError::SummaryUnreadable { path, source }),
+        Ok(summary) if manifest.is_other(&summary) => {
+            Err(StoreError::Damaged { path, damage: FileDamage::Content })
+        }
+        Ok(_) => Ok(()),
+    }
+}
+
+/// The hash of what a summary tells of an analysis or a sweep: its results, its record, and what tables by such names hold for it among the rest.
+pub(crate) fn told(summary: &Summary, name: &str) -> String {
+    let tables = summary.extra.iter().filter_map(|(key, table)| Some((key, table.as_object()?)));
+    let rest: BTreeMap<String, &Value> = tables
+        .flat_map(|(key, tables)| tables.iter().map(move |(own, table)| (format!("{key}.{own}"), table)))
+        .filter_map(|(key, table)| Some((key, table.as_object()?.get(name)?)))
+        .collect();
+    let told = json!([summary.results.get(name), summary.analyses.get(name), rest]);
+    content_hash(told.to_string().as_bytes())
+}

@@ -1,0 +1,184 @@
+//! The manifest of a study that is being written.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::{FileRecord, Manifest, check, hash_of, told};
+use crate::{FileDamage, StoreError, Summary, results, summary};
+
+/// The manifest of a study that is held alone.
+///
+/// What is about to change is taken off the list on the disk first, and comes back with its new content. So a run that is killed, at any instant,
+/// leaves a list of which every entry is true: what it was about is not on it, and is computed again.
+#[derive(Debug)]
+pub(crate) struct ManifestKeeper {
+    study: PathBuf,
+    /// Whether the study was complete when it was taken.
+    was_complete: bool,
+    /// What holds now.
+    now: Manifest,
+    /// What the disk says; none where it says nothing.
+    on_disk: Option<Manifest>,
+}
+
+impl ManifestKeeper {
+    /// Takes up that of a study; one that cannot be read lists nothing.
+    ///
+    /// # Errors
+    /// A failure of the file system.
+    pub(crate) fn take(study: &Path) -> Result<Self, StoreError> {
+        let on_disk = match Manifest::read(study) {
+            Err(StoreError::ManifestDamaged { .. }) => None,
+            read => read?,
+        };
+        let now = on_disk.clone().unwrap_or_default();
+        Ok(Self { study: study.to_owned(), was_complete: now.complete, now, on_disk })
+    }
+
+    /// Whether the study was complete when it was taken.
+    pub(crate) fn was_complete(&self) -> bool {
+        self.was_complete
+    }
+
+    /// Whether the study has a manifest.
+    pub(crate) fn is_on_disk(&self) -> bool {
+        self.on_disk.is_some()
+    }
+
+    /// What holds now.
+    pub(crate) fn manifest(&self) -> &Manifest {
+        &self.now
+    }
+
+    /// Takes off the list what these results are and have, before they are computed anew.
+    ///
+    /// # Errors
+    /// A failure of the file system.
+    pub(crate) fn begin(&mut self, names: &[&str]) -> Result<(), StoreError> {
+        self.now.results.retain(|name, _| !names.contains(&name.as_str()));
+        self.take_off(|_, record| record.of.as_deref().is_some_and(|of| names.contains(&of)))
+    }
+
+    /// Takes files off the list before they change.
+    ///
+    /// # Errors
+    /// A failure of the file system.
+    pub(crate) fn take_off(&mut self, changes: impl Fn(&str, &FileRecord) -> bool) -> Result<(), StoreError> {
+        self.now.files.retain(|path, record| !changes(path, record));
+        self.now.complete = false;
+        let Some(disk) = &self.on_disk else { return Ok(()) };
+        let is_true = !disk.complete
+            && disk.files.iter().all(|(path, _)| self.now.files.contains_key(path))
+            && disk.results.keys().all(|name| self.now.results.contains_key(name));
+        if is_true { Ok(()) } else { self.write() }
+    }
+
+    /// Takes off the list all that a run from nothing forgets: the summary and all arrays, and that any result is there.
+    ///
+    /// # Errors
+    /// A failure of the file system.
+    pub(crate) fn forget(&mut self) -> Result<(), StoreError> {
+        self.now.results.clear();
+        let below = format!("{}/", results::FOLDER);
+        self.take_off(|path, _| path == summary::FILE || path.starts_with(&below))
+    }
+
+    /// Lists a file that has been written.
+    pub(crate) fn list(&mut self, path: String, record: FileRecord) {
+        self.now.files.insert(path, record);
+    }
+
+    /// Lists all files of a folder of the study.
+    ///
+    /// # Errors
+    /// A failure of the file system.
+    pub(crate) fn list_folder(&mut self, of: &str, folder: &Path) -> Result<(), StoreError> {
+        for path in files_below(folder).map_err(|source| StoreError::read(folder, source))? {
+            let (bytes, hash) = hash_of(&path).map_err(|source| StoreError::read(&path, source))?;
+            if let Some(relative) = relative(&self.study, &path) {
+                let record = FileRecord { bytes, hash, of: Some(of.to_owned()), build: String::new() };
+                self.list(relative, record);
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes the summary off the list, and what it tells of a result that is new in it.
+    ///
+    /// # Errors
+    /// A failure of the file system.
+    pub(crate) fn renew(&mut self, summary: &Summary, renewed: Option<&str>) -> Result<(), StoreError> {
+        let stays = |name: &str| summary.analyses.contains_key(name) && Some(name) != renewed;
+        self.now.results.retain(|name, _| stays(name));
+        self.take_off(|path, _| path == summary::FILE)
+    }
+
+    /// Lists the summary, and what it tells of results that are not on the list; what it tells of others must be what it was.
+    pub(crate) fn list_summary(&mut self, content: &[u8], summary: &Summary) {
+        self.list(summary::FILE.to_owned(), FileRecord::new(None, content));
+        for name in summary.analyses.keys() {
+            self.now.results.entry(name.clone()).or_insert_with(|| told(summary, name));
+        }
+    }
+
+    /// Writes the list, of this build where that was not known.
+    ///
+    /// # Errors
+    /// A failure of the file system.
+    pub(crate) fn keep(&mut self, build: &str, complete: bool) -> Result<(), StoreError> {
+        self.now.files.values_mut().filter(|record| record.build.is_empty()).for_each(|record| {
+            build.clone_into(&mut record.build);
+        });
+        self.now.complete = complete;
+        if self.on_disk.as_ref() == Some(&self.now) { Ok(()) } else { self.write() }
+    }
+
+    /// What is wrong with a result: its files, and what the summary tells of it. Nothing is known of one that is not on the list.
+    pub(crate) fn damages(&self, name: &str, summary: &Summary) -> Vec<(String, FileDamage)> {
+        let mut damages: Vec<_> = self
+            .now
+            .files_of(name)
+            .filter_map(|(path, record)| {
+                Some((path.clone(), check(&self.study.join(path), record, true).err()?))
+            })
+            .collect();
+        if self.now.results.get(name).is_some_and(|listed| *listed != told(summary, name)) {
+            damages.push((summary::FILE.to_owned(), FileDamage::Content));
+        }
+        damages
+    }
+
+    /// What is wrong with the summary: with its file, and with what it tells of results that are listed.
+    pub(crate) fn damage_of_summary(&self, summary: &Summary) -> Option<FileDamage> {
+        let file = self.now.files.get(summary::FILE);
+        let of_file = file.and_then(|record| check(&self.study.join(summary::FILE), record, true).err());
+        of_file.or_else(|| self.now.is_other(summary).then_some(FileDamage::Content))
+    }
+
+    fn write(&mut self) -> Result<(), StoreError> {
+        self.now.write(&self.study)?;
+        self.on_disk = Some(self.now.clone());
+        Ok(())
+    }
+}
+
+/// The path of a file of a study as the manifest has it; none where it is no text.
+pub(crate) fn relative(study: &Path, path: &Path) -> Option<String> {
+    let parts: Option<Vec<&str>> =
+        path.strip_prefix(study).ok()?.components().map(|part| part.as_os_str().to_str()).collect();
+    Some(parts?.join("/"))
+}
+
+/// All files below a folder, by their paths.
+pub(crate) fn files_below(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let (mut found, mut folders) = (Vec::new(), vec![folder.to_owned()]);
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder)? {
+            let entry = entry?;
+            if entry.file_type()?.is_dir() { folders.push(entry.path()) } else { found.push(entry.path()) }
+        }
+    }
+    found.sort();
+    Ok(found)
+}

@@ -1,0 +1,85 @@
+//! Files beside what is listed of them.
+
+use std::fs;
+use std::io::{ErrorKind, Read};
+use std::path::Path;
+
+use super::FileRecord;
+use crate::plain;
+
+/// Bytes that are read at a time.
+const BLOCK: usize = 1 << 20;
+
+/// What is wrong with a file of a study.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum FileDamage {
+    /// It is not there.
+    #[error("it is missing")]
+    Missing,
+    /// Something else has its name.
+    #[error("{0} stands in its place")]
+    Other(&'static str),
+    /// It is shorter or longer than it was written.
+    #[error("it has {found} bytes, where {expected} were written")]
+    Size {
+        /// Bytes that were written.
+        expected: u64,
+        /// Bytes that are there.
+        found: u64,
+    },
+    /// It is as long as it was written, with other content.
+    #[error("its content is not what was written")]
+    Content,
+    /// It cannot be read, which says nothing of what it holds.
+    #[error("it cannot be read: {0}")]
+    Unreadable(String),
+}
+
+impl FileDamage {
+    /// Whether the file is known not to be as it was written.
+    #[must_use]
+    pub fn is_damage(&self) -> bool {
+        !matches!(self, Self::Unreadable(_))
+    }
+}
+
+/// Compares a file with what is listed of it: by its size, and by its content where that is to be read.
+pub(crate) fn check(path: &Path, record: &FileRecord, by_content: bool) -> Result<(), FileDamage> {
+    let unreadable = |source: std::io::Error| FileDamage::Unreadable(source.to_string());
+    let metadata = match fs::symlink_metadata(path) {
+        Ok(metadata) => metadata,
+        Err(source) if matches!(source.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory) => {
+            return Err(FileDamage::Missing);
+        }
+        Err(source) => return Err(unreadable(source)),
+    };
+    if !metadata.is_file() {
+        return Err(FileDamage::Other(plain::words(metadata.file_type())));
+    }
+    if metadata.len() != record.bytes {
+        return Err(FileDamage::Size { expected: record.bytes, found: metadata.len() });
+    }
+    if by_content && hash_of(path).map_err(unreadable)?.1 != record.hash {
+        return Err(FileDamage::Content);
+    }
+    Ok(())
+}
+
+/// Size and hash of a file.
+pub(crate) fn hash_of(path: &Path) -> std::io::Result<(u64, String)> {
+    let mut file = plain::open(path)?;
+    let mut hasher = blake3::Hasher::new();
+    let mut block = vec![0; BLOCK.min(file.metadata()?.len().max(1) as usize)];
+    let mut bytes = 0;
+    loop {
+        match file.read(&mut block) {
+            Ok(0) => return Ok((bytes, hasher.finalize().to_hex().to_string())),
+            Ok(count) => {
+                bytes += count as u64;
+                hasher.update(&block[..count]);
+            }
+            Err(source) if source.kind() == ErrorKind::Interrupted => {}
+            Err(source) => return Err(source),
+        }
+    }
+}

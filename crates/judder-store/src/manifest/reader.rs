@@ -1,0 +1,65 @@
+//! The manifest of a study that others may be writing.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::SystemTime;
+
+use super::{FILE, Manifest, check, relative};
+use crate::StoreError;
+
+/// The manifest of a study, read anew where it has changed.
+#[derive(Debug, Clone)]
+pub(crate) struct ManifestReader {
+    study: PathBuf,
+    known: Arc<Mutex<Option<Known>>>,
+}
+
+/// A manifest and the state of its file.
+#[derive(Debug, Clone)]
+struct Known {
+    stamp: Stamp,
+    manifest: Arc<Manifest>,
+}
+
+/// By what a file is known to have been replaced: when it was written, its size.
+type Stamp = (Option<SystemTime>, u64);
+
+impl ManifestReader {
+    pub(crate) fn new(study: &Path) -> Self {
+        Self { study: study.to_owned(), known: Arc::default() }
+    }
+
+    /// `None` where there is none, else whether it lists all.
+    pub(crate) fn is_complete(&self) -> Result<Option<bool>, StoreError> {
+        Ok(self.now()?.map(|known| known.manifest.complete))
+    }
+
+    /// Refuses a file that is listed and not as it was written. One that does not fit is looked at again where the list has changed meanwhile: a run
+    /// was replacing it.
+    pub(crate) fn check(&self, path: &Path) -> Result<(), StoreError> {
+        let Some(relative) = relative(&self.study, path) else { return Ok(()) };
+        let mut last = None;
+        loop {
+            let Some(known) = self.now()? else { return Ok(()) };
+            let Some(record) = known.manifest.files.get(&relative) else { return Ok(()) };
+            let Err(damage) = check(path, record, true) else { return Ok(()) };
+            if last == Some(known.stamp) {
+                return Err(StoreError::Damaged { path: path.to_owned(), damage });
+            }
+            last = Some(known.stamp);
+        }
+    }
+
+    /// What holds now.
+    fn now(&self) -> Result<Option<Known>, StoreError> {
+        let path = self.study.join(FILE);
+        let Ok(metadata) = fs::metadata(&path) else { return Ok(None) };
+        let stamp = (metadata.modified().ok(), metadata.len());
+        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        if known.as_ref().is_none_or(|known| known.stamp != stamp) {
+            *known = Manifest::read(&self.study)?.map(|read| Known { stamp, manifest: Arc::new(read) });
+        }
+        Ok(known.clone())
+    }
+}

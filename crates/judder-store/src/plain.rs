@@ -1,0 +1,94 @@
+//! Regular files, and nothing else that a name may lead to: a pipe would be waited for, a device read until memory ends.
+
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Read};
+use std::path::Path;
+
+/// Opens a regular file to read; anything else is refused without waiting for it.
+pub(crate) fn open(path: &Path) -> io::Result<File> {
+    let mut options = fs::OpenOptions::new();
+    options.read(true);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        // a pipe that nobody writes to would be waited for
+        options.custom_flags(NON_BLOCKING);
+    }
+    let file = options.open(path)?;
+    let kind = file.metadata()?.file_type();
+    if kind.is_file() {
+        Ok(file)
+    } else {
+        Err(io::Error::new(ErrorKind::InvalidInput, NotAFile(words(kind))))
+    }
+}
+
+/// Reads a regular file whole.
+pub(crate) fn read(path: &Path) -> io::Result<Vec<u8>> {
+    let mut file = open(path)?;
+    let size = usize::try_from(file.metadata()?.len()).unwrap_or(0);
+    let mut content = Vec::new();
+    content.try_reserve_exact(size)?;
+    file.read_to_end(&mut content)?;
+    Ok(content)
+}
+
+/// What something is that is no file, in words.
+pub(crate) fn words(kind: fs::FileType) -> &'static str {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::FileTypeExt;
+        if kind.is_fifo() {
+            return "a pipe";
+        }
+        if kind.is_char_device() || kind.is_block_device() {
+            return "a device";
+        }
+        if kind.is_socket() {
+            return "a socket";
+        }
+    }
+    if kind.is_dir() {
+        "a folder"
+    } else if kind.is_symlink() {
+        "a link"
+    } else {
+        "no file"
+    }
+}
+
+#[cfg(unix)]
+const NON_BLOCKING: i32 = {
+    #[cfg(any(target_os = "linux", target_vendor = "apple"))]
+    {
+        rustix::fs::OFlags::NONBLOCK.bits() as i32
+    }
+    #[cfg(not(any(target_os = "linux", target_vendor = "apple")))]
+    {
+        0
+    }
+};
+
+/// What stands where a file should.
+#[derive(Debug, thiserror::Error)]
+#[error("this is {0}, where a file should be")]
+struct NotAFile(&'static str);
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_file_is_refused_at_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let refused = |path: &Path| read(path).unwrap_err().to_string();
+        assert_eq!(refused(folder.path()), "this is a folder, where a file should be");
+        assert_eq!(refused(Path::new("/dev/zero")), "this is a device, where a file should be");
+        let pipe = folder.path().join("pipe");
+        assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+        assert_eq!(refused(&pipe), "this is a pipe, where a file should be");
+        let file = folder.path().join("file");
+        fs::write(&file, "content").unwrap();
+        assert_eq!(read(&file).unwrap(), b"content");
+    }
+}

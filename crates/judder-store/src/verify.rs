@@ -1,0 +1,195 @@
+//! A whole study against its manifest.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
+
+use crate::manifest::{self, FileDamage, Manifest};
+use crate::{StoreError, lock, metadata, plain, results, scratch, staging, summary, sweep};
+
+/// How the names of what a run leaves in a study begin while it is at work.
+const AT_WORK: [&str; 4] = [staging::PREFIX, staging::STREAM_PREFIX, scratch::PREFIX, sweep::PREFIX];
+
+/// What a study is beside its manifest.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Verification {
+    /// Whether a run has ended and listed all; not while one is at work, or was interrupted.
+    pub is_complete: bool,
+    /// How many files are as they were written.
+    pub sound: usize,
+    /// Their size.
+    pub bytes: u64,
+    /// What is not so, by path.
+    pub findings: Vec<Finding>,
+}
+
+/// A file of a study with which something is wrong.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Finding {
+    /// It is not as it was written.
+    Damaged {
+        /// Its path in the study, with `/` between folders.
+        path: String,
+        /// The analysis or sweep that it is of.
+        of: Option<String>,
+        /// What is wrong.
+        damage: FileDamage,
+    },
+    /// It is not in the manifest: something that judder does not know, or what an earlier case has left.
+    Extra {
+        /// Its path.
+        path: String,
+    },
+    /// It is of a result that no run has finished.
+    Unfinished {
+        /// Its path.
+        path: String,
+    },
+}
+
+impl Finding {
+    /// The path of the file in the study, with `/` between folders.
+    #[must_use]
+    pub fn path(&self) -> &str {
+        match self {
+            Self::Damaged { path, .. } | Self::Extra { path } | Self::Unfinished { path } => path,
+        }
+    }
+
+    /// What is wrong, in words.
+    #[must_use]
+    pub fn words(&self) -> String {
+        match self {
+            Self::Damaged { of: Some(of), damage, .. } => format!("of {of}: {damage}"),
+            Self::Damaged { of: None, damage, .. } => damage.to_string(),
+            Self::Extra { .. } => "it is not in the manifest".to_owned(),
+            Self::Unfinished { .. } => "it is of a result that no run has finished".to_owned(),
+        }
+    }
+
+    /// Of which kind it is, for programs.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Damaged { damage, .. } if damage.is_damage() => "damaged",
+            Self::Damaged { .. } => "unreadable",
+            Self::Extra { .. } => "extra",
+            Self::Unfinished { .. } => "unfinished",
+        }
+    }
+}
+
+impl Verification {
+    /// Whether the study is finished and all of it as it was written. What is there besides does no harm.
+    #[must_use]
+    pub fn is_sound(&self) -> bool {
+        self.is_complete && self.findings.iter().all(|finding| matches!(finding, Finding::Extra { .. }))
+    }
+
+    /// All of it as JSON: `sound`, `complete`, `files` and `bytes` that are as they were written, `findings` with `path`, `kind`, `of` and `reason`.
+    #[must_use]
+    pub fn told(&self) -> Value {
+        let findings = self.findings.iter().map(|finding| {
+            let of = if let Finding::Damaged { of, .. } = finding { of.as_deref() } else { None };
+            json!({ "path": finding.path(), "kind": finding.kind(), "of": of, "reason": finding.words() })
+        });
+        json!({
+            "sound": self.is_sound(),
+            "complete": self.is_complete,
+            "files": self.sound,
+            "bytes": self.bytes,
+            "findings": findings.collect::<Vec<Value>>(),
+        })
+    }
+}
+
+/// Compares all files of a study with its manifest, by their content; writes nothing. `read` is told of every file with its size before it is read,
+/// and says whether to go on.
+///
+/// Links are not followed but for those to folders below `results.zarr`; what the metadata of all arrays together say, which follows from those of
+/// each, is derived again and compared.
+///
+/// # Errors
+/// [`StoreError::NoStudy`], [`StoreError::NoManifest`], [`StoreError::ManifestDamaged`]; failures of the file system but for those that concern one
+/// file.
+pub fn verify(
+    study: impl AsRef<Path>,
+    mut read: impl FnMut(&str, u64) -> bool,
+) -> Result<Verification, StoreError> {
+    let study = study.as_ref();
+    let manifest = Manifest::of_study(study)?;
+    let mut found = Verification { is_complete: manifest.complete, ..Verification::default() };
+    for (path, record) in &manifest.files {
+        if !read(path, record.bytes) {
+            break;
+        }
+        match manifest::check(&study.join(path), record, true) {
+            Ok(()) => {
+                found.sound += 1;
+                found.bytes += record.bytes;
+            }
+            Err(damage) => {
+                let (path, of) = (path.clone(), record.of.clone());
+                found.findings.push(Finding::Damaged { path, of, damage });
+            }
+        }
+    }
+    let root = format!("{}/{}", results::FOLDER, metadata::FILE);
+    match root_is_derived(study) {
+        Ok(true) => found.sound += 1,
+        Ok(false) if !manifest.complete => found.findings.push(Finding::Unfinished { path: root.clone() }),
+        Ok(false) => found.findings.push(damaged(&root, FileDamage::Content)),
+        Err(damage) => found.findings.push(damaged(&root, damage)),
+    }
+    for path in there(study)? {
+        let is_known = manifest.files.contains_key(&path) || path == root || path == manifest::FILE;
+        if !is_known && path != lock::FILE {
+            found.findings.push(unlisted(path, &manifest));
+        }
+    }
+    found.findings.sort_by(|one, other| one.path().cmp(other.path()));
+    Ok(found)
+}
+
+fn damaged(path: &str, damage: FileDamage) -> Finding {
+    Finding::Damaged { path: path.to_owned(), of: None, damage }
+}
+
+/// What a file is that the manifest does not list.
+fn unlisted(path: String, manifest: &Manifest) -> Finding {
+    let is_work = AT_WORK.iter().any(|prefix| path.starts_with(prefix));
+    let group = path.strip_prefix(results::FOLDER).and_then(|below| below.strip_prefix('/'));
+    let group = group.and_then(|below| below.split('/').next());
+    let is_open = group.is_some_and(|name| !manifest.results.contains_key(name));
+    let is_summary = path == summary::FILE && !manifest.complete;
+    if is_work || is_open || is_summary { Finding::Unfinished { path } } else { Finding::Extra { path } }
+}
+
+/// Whether the metadata of all arrays together are those that follow from the metadata of each.
+fn root_is_derived(study: &Path) -> Result<bool, FileDamage> {
+    let results = study.join(results::FOLDER);
+    let path = results.join(metadata::FILE);
+    let kind = fs::symlink_metadata(&path).map(|metadata| metadata.file_type());
+    match kind {
+        Err(_) if !results.exists() => return Ok(true),
+        Err(_) => return Err(FileDamage::Missing),
+        Ok(kind) if !kind.is_file() => return Err(FileDamage::Other(plain::words(kind))),
+        Ok(_) => {}
+    }
+    let unreadable = |source: std::io::Error| FileDamage::Unreadable(source.to_string());
+    let stands = plain::read(&path).map_err(unreadable)?;
+    let derived = results::derived(&results).map_err(|_| FileDamage::Content)?;
+    Ok(stands == derived)
+}
+
+/// The paths of all files of a study, links and other things among them.
+fn there(study: &Path) -> Result<BTreeSet<String>, StoreError> {
+    let files = manifest::files_below(study).map_err(|source| StoreError::read(study, source))?;
+    let name = |path: PathBuf| {
+        let below = path.strip_prefix(study).unwrap_or(&path);
+        manifest::relative(study, &path).unwrap_or_else(|| below.to_string_lossy().into_owned())
+    };
+    Ok(files.into_iter().map(name).collect())
+}

@@ -1,0 +1,235 @@
+//! What is damaged of a finished study is found, whatever it is.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use judder_store::{
+    AnalysisRecord, FileDamage, Finding, Status, StoreError, StudyFolder, StudyReader, Summary, Table,
+    Variable, verify,
+};
+use serde_json::json;
+
+const BUILD: &str = "0.0.0+test";
+
+fn summary(names: &[&str]) -> Summary {
+    let record = || AnalysisRecord {
+        hash: "h".to_owned(),
+        status: Status::Done,
+        wall_time_s: 1.0,
+        warnings: Vec::new(),
+    };
+    let results =
+        |name: &&str| ((*name).to_owned(), [("peak".to_owned(), json!(name.len()))].into_iter().collect());
+    Summary {
+        analyses: names.iter().map(|name| ((*name).to_owned(), record())).collect(),
+        results: names.iter().map(results).collect(),
+        extra: [("study".to_owned(), json!({ "checks": { names[0]: [{ "figure": 1.0 }] } }))]
+            .into_iter()
+            .collect(),
+        ..Summary::default()
+    }
+}
+
+/// A study of two analyses with arrays, tables and a sound.
+fn finished(folder: &Path) -> Summary {
+    let study = StudyFolder::create(folder).unwrap();
+    for (name, value) in [("one", 1.0), ("other", 2.0)] {
+        study.write_dataset(name, "h", &crate::constant(value, 40)).unwrap();
+        study.write_table(name, &Table::new().column("x", "m", vec![value]).unwrap()).unwrap();
+    }
+    study.write_file_of(Some("one"), Path::new("sound.wav"), b"RIFF").unwrap();
+    study.write_file("figures/one.svg", b"<svg/>").unwrap();
+    let summary = summary(&["one", "other"]);
+    study.write_summary(&summary, None).unwrap();
+    study.seal(BUILD).unwrap();
+    summary
+}
+
+fn all(_: &str, _: u64) -> bool {
+    true
+}
+
+/// All files of a study but for its lock, by their paths in it.
+fn files(study: &Path) -> Vec<PathBuf> {
+    let (mut found, mut folders) = (Vec::new(), vec![study.to_owned()]);
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() { folders.push(path) } else { found.push(path) }
+        }
+    }
+    found.retain(|path| !path.ends_with(".judder.lock"));
+    found.sort();
+    found
+}
+
+fn copied(from: &Path, to: &Path) {
+    for file in files(from) {
+        let target = to.join(file.strip_prefix(from).unwrap());
+        fs::create_dir_all(target.parent().unwrap()).unwrap();
+        fs::copy(file, target).unwrap();
+    }
+    fs::write(to.join(".judder.lock"), "").unwrap();
+}
+
+/// A way to damage a file.
+type Damaging = fn(&Path, &Path);
+
+/// Ways to damage a file; the second is some other file of the study.
+const DAMAGES: [(&str, Damaging); 7] = [
+    ("flip", |file, _| {
+        let mut content = fs::read(file).unwrap();
+        let middle = content.len() / 2;
+        content[middle] ^= 1;
+        fs::write(file, content).unwrap();
+    }),
+    ("cut", |file, _| {
+        let content = fs::read(file).unwrap();
+        fs::write(file, &content[..content.len() - 1]).unwrap();
+    }),
+    ("empty", |file, _| fs::write(file, "").unwrap()),
+    ("longer", |file, _| fs::write(file, [fs::read(file).unwrap(), b" ".to_vec()].concat()).unwrap()),
+    ("swapped", |file, other| {
+        fs::copy(other, file).unwrap();
+    }),
+    ("gone", |file, _| fs::remove_file(file).unwrap()),
+    ("folder", |file, _| {
+        fs::remove_file(file).unwrap();
+        fs::create_dir(file).unwrap();
+    }),
+];
+
+#[test]
+fn a_study_is_sound_until_any_of_its_files_is_touched() {
+    let (origin, work) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    finished(origin.path());
+    let untouched = verify(origin.path(), all).unwrap();
+    assert!(untouched.is_sound(), "{untouched:?}");
+    let names = files(origin.path());
+    assert_eq!(untouched.sound, names.len() - 1, "all but the manifest itself");
+    let (mut tried, mut missed) = (0, Vec::new());
+    for (index, file) in names.iter().enumerate() {
+        let inside = file.strip_prefix(origin.path()).unwrap();
+        for (what, damage) in DAMAGES {
+            let study = work.path().join(format!("{what}-{index}"));
+            copied(origin.path(), &study);
+            let other = names[(index + 1) % names.len()].strip_prefix(origin.path()).unwrap();
+            if fs::read(study.join(inside)).unwrap() == fs::read(study.join(other)).unwrap() {
+                continue;
+            }
+            damage(&study.join(inside), &study.join(other));
+            tried += 1;
+            let is_found = match verify(&study, all) {
+                Ok(found) => {
+                    found.findings.iter().any(|finding| Path::new(finding.path()) == inside)
+                        && !found.is_sound()
+                }
+                // of the manifest itself
+                Err(
+                    StoreError::NoManifest { .. }
+                    | StoreError::ManifestDamaged { .. }
+                    | StoreError::FileSystem { .. },
+                ) => inside == Path::new("manifest.json"),
+                Err(_) => false,
+            };
+            if !is_found {
+                missed.push(format!("{what} of {}", inside.display()));
+            }
+        }
+    }
+    assert!(missed.is_empty() && tried > 80, "of {tried}: {missed:?}");
+}
+
+#[test]
+fn what_is_not_listed_is_extra_or_unfinished() {
+    let folder = tempfile::tempdir().unwrap();
+    finished(folder.path());
+    fs::write(folder.path().join("notes.txt"), "mine").unwrap();
+    fs::create_dir(folder.path().join("results.zarr/begun")).unwrap();
+    fs::write(folder.path().join("results.zarr/begun/c"), "").unwrap();
+    let found = verify(folder.path(), all).unwrap();
+    let expected = [
+        Finding::Extra { path: "notes.txt".to_owned() },
+        Finding::Unfinished { path: "results.zarr/begun/c".to_owned() },
+    ];
+    assert_eq!(found.findings, expected);
+    assert!(!found.is_sound());
+}
+
+#[test]
+fn a_damaged_result_is_not_done_and_the_others_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let summary = finished(folder.path());
+    let damaged = |file: &str, content: &str| {
+        let path = folder.path().join(file);
+        let before = fs::read(&path).unwrap();
+        fs::write(&path, content).unwrap();
+        let study = StudyFolder::open(folder.path()).unwrap();
+        let found: Vec<String> = study.damages(&study.read_summary().unwrap().unwrap()).into_keys().collect();
+        let vouched = study.vouch(&summary).is_ok();
+        drop(study);
+        fs::write(path, before).unwrap();
+        (found, vouched)
+    };
+    assert_eq!(damaged("sound.wav", "RIFX"), (vec!["one".to_owned()], true));
+    assert_eq!(damaged("other.csv", "x\n3\n"), (vec!["other".to_owned()], true));
+    let text = fs::read_to_string(folder.path().join("summary.json")).unwrap();
+    let other_number = text.replacen("\"peak\": 5", "\"peak\": 6", 1);
+    assert_ne!(other_number, text);
+    assert_eq!(damaged("summary.json", &other_number), (vec!["other".to_owned()], false));
+    let other_check = text.replacen("\"figure\": 1.0", "\"figure\": 0.0", 1);
+    assert_ne!(other_check, text);
+    assert_eq!(damaged("summary.json", &other_check), (vec!["one".to_owned()], false));
+}
+
+#[test]
+fn a_run_that_is_killed_leaves_a_list_of_which_every_entry_is_true() {
+    let folder = tempfile::tempdir().unwrap();
+    let summary = finished(folder.path());
+    let study = StudyFolder::open(folder.path()).unwrap();
+    study.begin_results(&["one"]).unwrap();
+    study.write_dataset("one", "h", &crate::constant(3.0, 40)).unwrap();
+    study.write_summary(&summary, Some("one")).unwrap();
+    drop(study); // killed before the list was written
+    let found = verify(folder.path(), all).unwrap();
+    assert!(!found.is_complete);
+    let is_open = |finding: &Finding| matches!(finding, Finding::Unfinished { .. } | Finding::Extra { .. });
+    assert!(found.findings.iter().all(is_open), "{found:?}");
+    let study = StudyFolder::open(folder.path()).unwrap();
+    assert!(!study.is_done("one", "h").unwrap() && study.is_done("other", "h").unwrap());
+    assert!(matches!(study.vouch(&summary), Err(StoreError::NotListed { name, .. }) if name == "one"));
+}
+
+#[test]
+fn damaged_arrays_are_refused_where_they_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    finished(folder.path());
+    let chunk = files(folder.path()).into_iter().find(|path| path.ends_with("one/value/c/0")).unwrap();
+    // a whole chunk of another array, which has its own checksum
+    fs::copy(folder.path().join("results.zarr/other/value/c/0"), &chunk).unwrap();
+    let read = StudyFolder::open(folder.path()).unwrap().read_dataset("one");
+    assert!(matches!(read, Err(StoreError::Damaged { .. })), "{read:?}");
+    let reader = StudyReader::open(folder.path()).unwrap();
+    let read = reader.read_rows("one", "value", 0..2);
+    assert!(matches!(read, Err(StoreError::Damaged { .. })), "{read:?}");
+    reader.read_rows("other", "value", 0..2).unwrap();
+    let _: Variable = reader.head("one").unwrap().variables.remove(0);
+}
+
+#[cfg(unix)]
+#[test]
+fn links_pipes_and_devices_are_refused_as_what_they_are() {
+    let folder = tempfile::tempdir().unwrap();
+    finished(folder.path());
+    let place = folder.path().join("summary.json");
+    fs::remove_file(&place).unwrap();
+    std::os::unix::fs::symlink("/dev/zero", &place).unwrap();
+    let found = verify(folder.path(), all).unwrap();
+    let damage = FileDamage::Other("a link");
+    assert!(
+        matches!(&found.findings[..], [Finding::Damaged { damage: own, .. }] if *own == damage),
+        "{found:?}"
+    );
+    let refused = StudyFolder::open(folder.path()).unwrap().read_summary().unwrap_err().to_string();
+    assert!(refused.contains("this is a device, where a file should be"), "{refused}");
+}

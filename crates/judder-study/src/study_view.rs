@@ -136,7 +136,9 @@ impl StudyView {
     fn doubt(&self) -> Result<Option<String>, StudyError> {
         Ok(match self.reader.is_complete()? {
             None => Some("without `manifest.json` nothing says that this study is whole".to_owned()),
-            Some(false) => Some("a run is at work in this study, or was interrupted: `judder run` goes on".to_owned()),
+            Some(false) => {
+                Some("a run is at work in this study, or was interrupted: `judder run` goes on".to_owned())
+            }
             Some(true) => None,
         })
     }

@@ -200,7 +200,8 @@ fn the_case_of_a_folder_reads_no_file_outside_of_it() {
     assert!(source.contains("law.json"), "the folder's case names it: {source}");
     fs::write(&summary, source).unwrap();
     // an edited summary is refused where a manifest says what it was
-    let refused = judder_study::study_view::StudyView::open(judder_models::REGISTRY, &folder).unwrap().listing();
+    let refused =
+        judder_study::study_view::StudyView::open(judder_models::REGISTRY, &folder).unwrap().listing();
     assert!(refused.unwrap_err().to_string().contains("judder verify"));
     fs::remove_file(folder.join("manifest.json")).unwrap();
     let served = served(&folder);

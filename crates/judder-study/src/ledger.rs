@@ -130,9 +130,11 @@ impl<'a> Study<'a> {
             }
             read => (read?.unwrap_or_default(), Vec::new()),
         };
-        for (name, found) in store.damages(&summary) {
-            damages.extend(damage_told(&name, &found));
-            summary.analyses.remove(&name);
+        let damaged = store.damages(&summary);
+        store.begin_results(&damaged.keys().map(String::as_str).collect::<Vec<_>>())?;
+        for (name, found) in &damaged {
+            damages.extend(damage_told(name, found));
+            summary.analyses.remove(name);
         }
         let mut kept = Keepsakes::of(&summary);
         version().clone_into(&mut summary.version);

@@ -165,15 +165,20 @@ fn studies_without_a_cycle_to_begin_at() {
     let whole = std::fs::read(&chunk).unwrap();
     let mut flipped = whole.clone();
     flipped[whole.len() / 2] ^= 1;
-    let told = |what: &str| {
+    let told = |part: &str, what: &str| {
         format!(
-            "the study `first` at which the cycle begins is damaged: `results.zarr/own/point_force_harmonics` cannot be read ({what}); \
-             run the case of that study again with `-o {place} --fresh`, or name another study"
+            "the study `first` at which the cycle begins is damaged: `results.zarr/own/point_force_harmonics{part}` cannot be read ({what}); \
+             run the case of that study again with `-o {place}`, or name another study"
         )
     };
+    let part = format!("/{}", chunk.strip_prefix(&forces).unwrap().display());
+    std::fs::write(&chunk, &flipped).unwrap();
+    assert_eq!(refused(lines, &[], there), told(&part, "its content is not what was written"));
+    // without a manifest only the parts themselves say so
+    std::fs::remove_file(study.join("manifest.json")).unwrap();
     for damaged in [&flipped[..], &whole[..whole.len() / 2]] {
         std::fs::write(&chunk, damaged).unwrap();
-        assert_eq!(refused(lines, &[], there), told("the checksum is invalid"));
+        assert_eq!(refused(lines, &[], there), told("", "the checksum is invalid"));
     }
     std::fs::remove_file(&chunk).unwrap();
     let missing = refused(lines, &[], there);

@@ -18,12 +18,12 @@ pub(crate) struct ManifestReader {
 /// A manifest and the state of its file.
 #[derive(Debug, Clone)]
 struct Known {
-    stamp: Stamp,
+    stamp: ManifestStamp,
     manifest: Arc<Manifest>,
 }
 
 /// By what a file is known to have been replaced: when it was written, its size.
-type Stamp = (Option<SystemTime>, u64);
+type ManifestStamp = (Option<SystemTime>, u64);
 
 impl ManifestReader {
     pub(crate) fn new(study: &Path) -> Self {

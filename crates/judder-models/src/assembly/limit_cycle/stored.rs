@@ -133,6 +133,7 @@ impl StudyReference {
         let (path, what) = match error {
             StoreError::DatasetUnreadable { path, source } => (path, source.to_string()),
             StoreError::SummaryUnreadable { path, source } => (path, source.to_string()),
+            StoreError::Damaged { path, damage } => (path, damage.to_string()),
             _ => return None,
         };
         let root = self.path.canonicalize().unwrap_or_else(|_| self.path.clone());
@@ -142,7 +143,7 @@ impl StudyReference {
 
     fn damaged(&self, what: &str) -> String {
         format!(
-            "the study `{}` at which the cycle begins is damaged: {what}; run the case of that study again with `-o {} --fresh`, or name another study",
+            "the study `{}` at which the cycle begins is damaged: {what}; run the case of that study again with `-o {}`, or name another study",
             self.given,
             self.path.display()
         )

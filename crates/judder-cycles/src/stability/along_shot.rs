@@ -5,7 +5,7 @@
 //! 1958). The march is off by the first order of its steps, and so are the multipliers: those of two numbers of steps tell what is left without steps (L. F.
 //! Richardson), those of three how well it is known.
 
-use super::doubled::multipliers_of;
+use super::doubled::{multipliers_of, sort};
 use super::mean_law::add;
 use super::monodromy::SteppedMotions;
 use super::{FloquetMultipliers, MOST, apart};
@@ -66,8 +66,10 @@ fn without_steps(few: &FloquetMultipliers, many: &FloquetMultipliers) -> Floquet
         let off = |other: &c64| (own - other).norm();
         few.values.iter().copied().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(own)
     };
+    let mut values: Vec<c64> = many.values.iter().map(|own| beyond(*own, nearest(*own))).collect();
+    sort(&mut values);
     FloquetMultipliers {
-        values: many.values.iter().map(|own| beyond(*own, nearest(*own))).collect(),
+        values,
         phase: many.phase.zip(few.phase).map(|(own, coarse)| beyond(own, coarse)),
         ..*many
     }

@@ -75,6 +75,11 @@ pub(super) fn multipliers_of(
             most.map(|k| values.remove(k))
         }
     };
-    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(a.im.total_cmp(&b.im)));
+    sort(&mut values);
     Ok(FloquetMultipliers { values, phase, steps, error: f64::INFINITY })
+}
+
+/// The largest first.
+pub(super) fn sort(values: &mut [c64]) {
+    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(a.im.total_cmp(&b.im)));
 }

@@ -10,6 +10,7 @@
 //! harmonics know best has its harmonics about the mean: those are taken whose weighted mean harmonic Σ h |x_h|² / Σ |x_h|² is nearest zero (G. Moore, SIAM J. Numer. Anal. 42, 2005;
 //! A. Lazarus, O. Thomas, C. R. Mécanique 338, 2010).
 
+use super::doubled::sort;
 use super::{CycleStability, apart, verdict};
 use crate::CyclesError;
 use crate::backbone::PeriodicMotion;
@@ -259,7 +260,7 @@ impl Exponents {
         let sizes: Vec<f64> = self.vectors.iter().map(|own| along(own)).collect();
         let most = (0..sizes.len()).max_by(|a, b| sizes[*a].total_cmp(&sizes[*b]));
         let phase = most.filter(|_| !is_driven).map(|k| values.remove(k));
-        values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(a.im.total_cmp(&b.im)));
+        sort(&mut values);
         (values, phase)
     }
 }

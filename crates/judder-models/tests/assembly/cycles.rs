@@ -303,6 +303,14 @@ fn shooting_agrees_with_harmonics() {
     assert!(number(&told["residual"]) <= 1e-7 && told["steps"] == 2048, "{told:?}");
     assert_eq!(told["harmonics_frequency_hz"], own["frequency_hz"]);
     assert_eq!(told["frequency_hz"], shot["frequency_hz"]);
+    // one is that of the phase, the next is the same within what either says
+    let [by_harmonics, along_it] = [&own["floquet_error"], &told["floquet_error"]].map(number);
+    let both = [&own["floquet_multipliers"], &told["floquet_multipliers"]];
+    assert!((number(&both[1][0][0]) - 1.0).abs() <= along_it + 1e-9 && along_it < by_harmonics, "{both:?}");
+    for part in [0, 1] {
+        let [a, b] = both.map(|all| number(&all[1][part]));
+        assert!((a - b).abs() < by_harmonics + along_it, "{both:?}");
+    }
     for (key, within) in [("frequency_hz", 1e-4), ("normal_force_mean", 3e-3), ("friction_force_mean", 1e-2)]
     {
         let [a, b] = [&own, &shot].map(|told| number(&told[key]));

@@ -19,7 +19,7 @@ use judder_cycles::CyclesError;
 use judder_cycles::contributions::ModeContributions;
 use judder_cycles::cycle::AssemblyCycle;
 use judder_cycles::shooting::{ShootingSettings, ShotCycle, shoot};
-use judder_cycles::stability::HILL_ROWS;
+use judder_cycles::stability::{FloquetMultipliers, HILL_ROWS, shot_multipliers};
 use judder_structure::complex_modes::{ComplexMode, Verdict};
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Outcome};
@@ -87,7 +87,7 @@ fn told(
     outcome.checks = checks(&which, cycle.motion.residual.into(), power.imbalance().into());
     let shot = match shot(of, asked, cycle, progress)? {
         Some(Ok(shot)) => {
-            outcome.checks.push(comes_back(cycle, &shot));
+            outcome.checks.push(comes_back(cycle, &shot.0));
             Some(shot)
         }
         Some(Err(reason)) => {
@@ -167,21 +167,32 @@ fn words_of(sought: &CycleOfMode<'_>, cycle: &AssemblyCycle<'_>) -> Option<Strin
     (cycle.attracts == Some(false)).then(|| words.to_owned())
 }
 
+/// A cycle by a march, with its multipliers where they were asked for and are told by it.
+type ShotWithMultipliers = (ShotCycle, Option<FloquetMultipliers>);
+
 /// The same cycle by a march that comes back, where it is asked for; in words why there is none.
 fn shot(
     of: &AssemblySubject<'_>,
     asked: &ModeCycle,
     cycle: &AssemblyCycle<'_>,
     progress: &dyn Progress,
-) -> Result<Option<Result<ShotCycle, String>>, ModelError> {
+) -> Result<Option<Result<ShotWithMultipliers, String>>, ModelError> {
     if asked.method != CycleMethod::Shooting {
         return Ok(None);
     }
     progress.go_on()?;
     let settings =
         ShootingSettings { steps: asked.steps.unwrap_or(USUAL_STEPS), ..ShootingSettings::default() };
-    match shoot(&of.built.assembly, &cycle.balance, &cycle.motion, &settings, &|| !progress.interrupted()) {
-        Ok(shot) => Ok(Some(Ok(shot))),
+    let (assembly, go_on) = (&of.built.assembly, &|| !progress.interrupted());
+    let near = (&cycle.balance, &cycle.motion);
+    match shoot(assembly, near.0, near.1, &settings, go_on) {
+        Ok(shot) => {
+            let multipliers = match asked.solver.stability {
+                true => shot_multipliers(assembly, near, (&shot, &settings), go_on)?,
+                false => None,
+            };
+            Ok(Some(Ok((shot, multipliers))))
+        }
         Err(error @ (CyclesError::NotReturned { .. } | CyclesError::Singular)) => {
             Ok(Some(Err(error.to_string())))
         }

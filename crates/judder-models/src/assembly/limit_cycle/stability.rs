@@ -206,7 +206,7 @@ fn said(stability: CycleStability) -> &'static str {
 }
 
 /// All multipliers, the largest first, that of the phase among them.
-fn with_phase(values: &[Complex64], phase: Option<Complex64>) -> Vec<Complex64> {
+pub(super) fn with_phase(values: &[Complex64], phase: Option<Complex64>) -> Vec<Complex64> {
     let mut all = values.to_vec();
     if let Some(phase) = phase {
         let place = all.partition_point(|own| own.norm() > phase.norm());

@@ -3,7 +3,7 @@
 use super::contributions::ToldContribution;
 use super::search::{CycleOfMode, acceleration_mean_square};
 use super::settings::ModeCycle;
-use super::stability::KnownStability;
+use super::stability::{KnownStability, with_phase};
 use crate::assembly::AssemblySubject;
 use crate::assembly::march::levels::level;
 use crate::error::ModelError;
@@ -12,6 +12,7 @@ use judder_cycles::contributions::ModeContributions;
 use judder_cycles::cycle::{AssemblyCycle, PointCycle};
 use judder_cycles::power::CyclePower;
 use judder_cycles::shooting::ShotCycle;
+use judder_cycles::stability::FloquetMultipliers;
 use judder_store::{ByName, Complex64, Declared, Results};
 use serde_json::{Map, Value};
 use std::f64::consts::TAU;
@@ -114,6 +115,10 @@ pub(super) struct ToldShooting {
     iterations: usize,
     /// steps of a period
     steps: usize,
+    /// the ten largest Floquet multipliers along it, the one at 1 that belongs to the phase among them, without the error of the steps that half and a quarter of these tell; unknown where that does not apply
+    floquet_multipliers: Option<Vec<Complex64>>,
+    /// what the largest but that one may be off
+    floquet_error: Option<f64>,
 }
 
 /// What its points do over a period, by the march.
@@ -226,8 +231,9 @@ impl ToldModeCycle {
         cycle: &AssemblyCycle<'_>,
         (power, stability, made_of): (&CyclePower, &KnownStability, Option<&ModeContributions>),
         sound: Vec<ToldSound>,
-        shot: Option<&ShotCycle>,
+        by_the_march: Option<&(ShotCycle, Option<FloquetMultipliers>)>,
     ) -> Result<Self, ModelError> {
+        let shot = by_the_march.map(|(shot, _)| shot);
         let points = shot.map_or_else(|| cycle.points.clone(), |shot| shot_points(shot, cycle.points.len()));
         let frequency = shot.map_or_else(|| cycle.frequency(), |shot| shot.frequency);
         let sum = |pick: fn(&PointCycle) -> f64| points.iter().map(pick).sum::<f64>();
@@ -271,12 +277,16 @@ impl ToldModeCycle {
             levels: levels(of, cycle)?.into_iter().collect(),
             contacts: contacts.into_iter().collect(),
             sound,
-            shooting: shot.map(|shot| ToldShooting {
+            shooting: by_the_march.map(|(shot, multipliers)| ToldShooting {
                 frequency_hz: shot.frequency / TAU,
                 harmonics_frequency_hz: cycle.frequency() / TAU,
                 residual: shot.residual,
                 iterations: shot.iterations,
                 steps: shot.statistics.steps() as usize,
+                floquet_multipliers: multipliers
+                    .as_ref()
+                    .map(|own| with_phase(&own.values, own.phase).into_iter().take(LARGEST).collect()),
+                floquet_error: multipliers.as_ref().map(|own| own.error),
             }),
         })
     }

@@ -61,6 +61,7 @@ FILES: Final[dict[str, dict[str, tuple[str, ...]]]] = {
         "analysis.*.temperature.file": ("temperatures", "times"),
         "contact.*.asperity.law.file": ("accuracy", "computed"),
         "contact.*.friction_coefficient.file": ("at_rest", "at_speed", "coefficient", "decay_speed", "exponent", "interpolation", "velocity", "viscous"),
+        "contact.*.normal.file": ("cubic", "interpolation", "point_cubic", "point_stiffness", "point_table", "stiffness", "table"),
         "structure.*.matrices.damping.*.file": ("factor", "triangle"),
         "structure.*.matrices.freedoms": (),
         "structure.*.matrices.mass.*.file": ("factor", "triangle"),

@@ -13,6 +13,8 @@ pub(super) struct MarginOfOnset {
     pub(super) margin: Option<KnownMargin>,
     /// Whether the mode has cycles that may draw motions, but does not grow, with the case as it is.
     pub(super) is_within: Option<bool>,
+    /// Whether it has cycles there, but all that were looked at are left by motions nearby.
+    pub(super) is_left: bool,
 }
 
 /// A margin, and what it may be off; not a number where that is not known.
@@ -67,13 +69,14 @@ impl MarginOfOnset {
             (None, Some(value)) => sign * (value - own) > 0.0,
             (None, None) => false,
         };
+        let is_left = is_reached && beyond_onset > onset.error && reach.stability.is_left_beyond();
         let is_within = match is_reached {
             _ if beyond_onset < -onset.error => Some(false),
-            true if beyond_onset > onset.error && !reach.stability.is_left_beyond() => Some(true),
+            true if beyond_onset > onset.error && !is_left => Some(true),
             // within what onset and fold may be off; and cycles of branches that do not begin at the onset are not sought
             _ => None,
         };
-        Self { onset: *onset, mode, reach, margin, is_within }
+        Self { onset: *onset, mode, reach, margin, is_within, is_left }
     }
 
     /// That no motion is known to come to the cycles beyond the onset, where that was looked at.
@@ -202,6 +205,10 @@ mod tests {
                 ..CycleReach::unknown(String::new())
             };
             let own = MarginOfOnset::new(&ONSET, None, reach, 1.2);
+            // where the mode grows its cycles are no reason for anything
+            let growing = MarginOfOnset::new(&ONSET, None, own.reach.clone(), 0.5);
+            assert!(growing.is_within == Some(false) && !growing.is_left);
+            assert_eq!(own.is_left, stable == Some(false));
             (own.is_within, own.unstable(&friction()))
         };
         assert_eq!(with(Some(true)), (Some(true), None));

@@ -194,7 +194,7 @@ impl ToldMargins {
             }
         });
         let is_within = found.onsets.iter().any(|own| own.is_within == Some(true));
-        let is_left = found.onsets.iter().any(|own| own.reach.stability.is_left_beyond());
+        let is_left = found.onsets.iter().any(|own| own.is_left);
         Self {
             key: sweep.path.clone(),
             unit: any_key(&sweep.path, sweep.dimension).unit,
@@ -209,7 +209,7 @@ impl ToldMargins {
                     "no mode begins to grow within the range, and cycles are followed from onsets alone"
                 }
                 (false, false) if is_left => {
-                    "cycles beyond an onset were looked at, and all of them are unstable: no motion is known to come to them; others are not sought"
+                    "cycles of an onset reach the case, but all that were looked at beyond it are unstable: no motion is known to come to them; others are not sought"
                 }
                 (false, false) => {
                     "no cycles that begin at the onsets of the range are known to reach the case; others are not sought"

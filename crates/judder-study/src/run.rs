@@ -182,6 +182,8 @@ pub struct Computed {
     /// Whether every requested result is there.
     pub complete: bool,
     tables: Vec<String>,
+    /// What was found damaged, one line each.
+    damages: Vec<String>,
     /// Warnings and failed checks, one line each; not why an analysis was refused.
     pub messages: Vec<String>,
     /// Analyses without a result because the input is wrong.
@@ -196,7 +198,8 @@ impl Computed {
         options: &RunOptions,
         notes: Vec<String>,
     ) -> Result<RunReport, StudyError> {
-        let Self { store, summary, skipped, forgotten, complete, tables, messages, refused } = self;
+        let Self { store, summary, skipped, forgotten, complete, tables, damages, messages, refused } = self;
+        let messages = damages.into_iter().chain(messages).collect();
         let drawn = || report::write(registry, &store, &summary);
         let report = if options.without_report { None } else { Some(drawn()?) };
         store.seal(version())?;
@@ -285,11 +288,11 @@ fn compute_in(
     store.keep_manifest(version())?;
     let wanted = asked.wanted();
     let complete = study.is_complete(&wanted);
-    let mut messages = messages(&study.summary, &study.kept, &refused);
-    messages.splice(0..0, mem::take(&mut study.damages));
+    let messages = messages(&study.summary, &study.kept, &refused);
+    let damages = mem::take(&mut study.damages);
     let (summary, forgotten) = (study.summary, study.forgotten);
     let tables = terminal_tables::tables(asked.file.registry(), &summary, &wanted);
-    Ok(Computed { store, summary, skipped, forgotten, complete, tables, messages, refused })
+    Ok(Computed { store, summary, skipped, forgotten, complete, tables, damages, messages, refused })
 }
 
 /// Everything that the user should read, in the order of the case: failures, warnings, checks beyond their limits.

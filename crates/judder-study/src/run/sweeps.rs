@@ -1,7 +1,7 @@
 //! The sweeps of a case: chunks by as many processes as there are, then what they say together.
 
 use super::asked::AskedCase;
-use super::{RunOptions, RunReport, SweepWork, compute_in, taken};
+use super::{Computed, RunOptions, RunReport, SweepWork, compute_in, taken};
 use crate::error::StudyError;
 use crate::ledger::Study;
 use crate::model::Prepared;
@@ -15,6 +15,7 @@ use std::time::Instant;
 struct Earlier {
     done: Vec<String>,
     forgotten: Vec<String>,
+    damages: Vec<String>,
 }
 
 /// Runs analyses and sweeps. Analyses are run by whoever holds the study alone: at first where nobody else is there, else at the end.
@@ -57,11 +58,12 @@ pub(super) fn run(
     let analyses = options.sweeps == SweepWork::All;
     let mut computed = compute_in(store, asked, prepared, plans, analyses, progress)?;
     // what this run did before it shared the study was not done before it, and what it forgot is gone
-    if let Some(Earlier { done: mut names, forgotten }) = earlier {
+    if let Some(Earlier { done: mut names, forgotten, damages }) = earlier {
         let of_sweeps = |name: &String| plans.iter().any(|plan| plan.layout().name() == name);
         names.extend(computed.skipped.into_iter().filter(of_sweeps));
         computed.skipped = names;
         computed.forgotten.extend(forgotten);
+        computed.damages.extend(damages);
     }
     computed.reported(asked.file.registry(), options, notes)
 }
@@ -114,7 +116,8 @@ fn begun(
     match taken(folder, options.fresh) {
         Ok(store) if options.sweeps == SweepWork::All => {
             let computed = compute_in(store, asked, prepared, &[], true, progress)?;
-            Ok(Some(Earlier { done: computed.skipped, forgotten: computed.forgotten }))
+            let Computed { skipped: done, forgotten, damages, .. } = computed;
+            Ok(Some(Earlier { done, forgotten, damages }))
         }
         Ok(_) => Ok(None),
         Err(StudyError::Store(StoreError::Locked { .. })) if !options.fresh => Ok(None),

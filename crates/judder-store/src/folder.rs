@@ -259,6 +259,12 @@ impl StudyFolder {
         found.filter(|(_, damages)| !damages.is_empty()).collect()
     }
 
+    /// Whether the study has a list of what it holds.
+    #[must_use]
+    pub fn has_manifest(&self) -> bool {
+        self.manifest().is_on_disk()
+    }
+
     /// Writes `manifest.json`, the list of what the study holds, while more is being computed. `build` names the program.
     ///
     /// # Errors

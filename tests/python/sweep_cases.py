@@ -102,7 +102,11 @@ def tree(folder):
     """All files of a study with their content, but for those that tell times."""
     told = {"summary.json", "report.html"}
     files = (path for path in pathlib.Path(folder).rglob("*") if path.is_file() and path.name not in told)
-    return {str(path.relative_to(folder)): path.read_bytes() for path in files}
+    found = {str(path.relative_to(folder)): path.read_bytes() for path in files}
+    if "manifest.json" in found:
+        listed = json.loads(found["manifest.json"])
+        found["manifest.json"] = listed["complete"], {name: record for name, record in listed["files"].items() if name not in told}
+    return found
 
 
 def without_times(value):

@@ -74,8 +74,11 @@ class GuardedStore(WrapperStore["Store"]):
         if path in self._files:
             size, expected = self._files[path]
             if len(content) != size or _judder.content_hash_of(content.to_bytes()) != expected:
-                message = f"{self._folder}/{path}: its content is not what was written; `judder run` computes `{self._name}` again and keeps the others"
-                raise StoreError(message, "Damaged", {"path": f"{self._folder}/{path}"})
+                place = f"{self._folder}/{path}"
+                if "/values/c." in path:
+                    raise StoreError(f"{place}: this chunk is damaged; `judder run` computes it again", "DamagedChunk", {"path": place})
+                message = f"{place}: its content is not what was written; `judder run` computes `{self._name}` again and keeps the others"
+                raise StoreError(message, "Damaged", {"path": place})
 
     def _check(self, metadata: Buffer | None) -> None:
         """Refuses the metadata of another group than the reader's."""

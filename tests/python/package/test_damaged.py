@@ -55,7 +55,7 @@ def test_an_edited_number_is_no_result(folder):
     place.write_text(json.dumps(summary))
     with pytest.raises(judder.errors.StoreError, match="its content is not what was written") as caught:
         judder.load_study(folder)
-    assert caught.value.kind == "Damaged"
+    assert caught.value.cause == "Damaged"
     with pytest.raises(judder.errors.StoreError):
         judder.report(folder)
 
@@ -70,7 +70,7 @@ def test_arrays_of_another_are_not_read(folder):
     assert study["damping"].load().sizes
     with pytest.raises(judder.errors.StoreError, match="its content is not what was written") as caught:
         study["spectrum"].load()
-    assert caught.value.kind == "Damaged"
+    assert caught.value.cause == "Damaged"
 
 
 def test_without_a_manifest_nothing_says_what_a_study_was(folder):

@@ -71,7 +71,7 @@ def test_a_study_in_a_store_is_that_of_the_disk(memory, local):
 
 def test_opening_fetches_no_values(fetched, local):
     study = judder.load_study("memory://bucket/study")
-    assert [path for path, _, _ in fetched] == ["summary.json"]
+    assert [path for path, _, _ in fetched] == ["summary.json", "manifest.json"]
     data = study["grid"]
     values = [one for one in fetched if one[0].startswith("results.zarr/grid/values/c")]
     assert values == [] and data.growth_rate.dims == ("velocity", "shear_strength")

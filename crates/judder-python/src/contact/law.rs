@@ -81,7 +81,7 @@ impl Unsampled {
 impl PyLaw {
     #[new]
     #[pyo3(signature = (*given, **named), text_signature = "(name)")]
-    fn new<'py>(
+    fn from_arguments<'py>(
         py: Python<'py>,
         given: &Bound<'py, PyTuple>,
         named: Option<&Bound<'py, PyDict>>,

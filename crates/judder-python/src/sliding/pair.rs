@@ -144,7 +144,7 @@ impl PyPair {
         signature = (*given, **named),
         text_signature = "(slider, track, *, friction, interpolation='linear', side='left', observed=())"
     )]
-    fn new<'py>(
+    fn from_arguments<'py>(
         py: Python<'py>,
         given: &Bound<'py, PyTuple>,
         named: Option<&Bound<'py, PyDict>>,

@@ -62,7 +62,7 @@ fn a_jump_does_not_ring() {
 #[test]
 fn the_sum_of_the_samples_is_kept() {
     let sample = |step: usize| {
-        if step < 100 || step >= STEPS - 100 { 0.0 } else { uniform(3, step as u64) }
+        if (100..STEPS - 100).contains(&step) { uniform(3, step as u64) } else { 0.0 }
     };
     let means: f64 = both(6, &sample).iter().map(|[_, mean]| 6.0 * mean).sum();
     let samples: f64 = (0..STEPS).map(sample).sum();

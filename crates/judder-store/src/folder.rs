@@ -273,11 +273,15 @@ impl StudyFolder {
         self.manifest().keep(build, false)
     }
 
-    /// Writes `manifest.json` for a study to which nothing is to be added: the last that a run does.
+    /// Writes `manifest.json` for a study to which nothing is to be added: the last that a run does. The metadata of all arrays together, which follow
+    /// from those of each, are written anew where they are not what follows.
     ///
     /// # Errors
     /// Failures of the file system.
     pub fn seal(&self, build: &str) -> Result<(), StoreError> {
+        let publishing = self.publishing.lock().unwrap_or_else(PoisonError::into_inner);
+        results::consolidate(&self.path)?;
+        drop(publishing);
         self.manifest().keep(build, true)
     }
 

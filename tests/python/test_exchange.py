@@ -5,6 +5,8 @@ import re
 import subprocess
 import xml.etree.ElementTree
 
+import hdf5storage
+import mat73
 import meshio
 import numpy as np
 import pytest
@@ -14,7 +16,8 @@ import scipy.sparse
 
 from conftest import ROOT
 
-MESHES = ROOT / "crates" / "judder-exchange" / "tests" / "validation" / "meshes"
+VALIDATION = ROOT / "crates" / "judder-exchange" / "tests" / "validation"
+MESHES = VALIDATION / "meshes"
 
 
 @pytest.fixture(scope="module")
@@ -44,6 +47,8 @@ def saved(matrix, folder, kind):
             scipy.io.savemat(path, {"A": matrix.tocsc()}, do_compression=True)
         case "mat full":
             scipy.io.savemat(path, {"A": matrix.toarray()})
+        case "mat 7.3":
+            hdf5storage.savemat(str(path), {"A": matrix.toarray()}, format="7.3", store_python_metadata=False)
         case "mtx":
             scipy.io.mmwrite(path, matrix, precision=17)
         case "mtx array":
@@ -54,7 +59,7 @@ def saved(matrix, folder, kind):
     return path
 
 
-KINDS = ["mat v5", "mat compressed", "mat full", "mtx", "mtx array", "npz csr", "npz csc", "npz coo", "npz bsr", "npz dia",
+KINDS = ["mat v5", "mat compressed", "mat full", "mat 7.3", "mtx", "mtx array", "npz csr", "npz csc", "npz coo", "npz bsr", "npz dia",
          "npz csr stored"]
 
 
@@ -71,13 +76,21 @@ def test_matrices_come_through_to_the_last_bit(exchanged, tmp_path, kind, shape)
     assert abs(read - matrix).max() == 0.0
 
 
+@pytest.mark.parametrize("name", ["sparse_73", "sparse_73_compressed", "full_73"])
+def test_matrices_of_matlab_7_3_are_those_that_mat73_reads(exchanged, name):
+    theirs = mat73.loadmat(VALIDATION / "matrices" / f"{name}.mat")["A"]
+    ours = scipy.io.mmread(exchanged(VALIDATION / "matrices" / f"{name}.mat", f"{name}.mtx"))
+    assert abs(ours - theirs).max() == 0.0
+
+
 def cells(mesh, numbers):
     """Each cell as its type and its nodes, by their numbers."""
     return sorted((block.type, *numbers[row]) for block in mesh.cells for row in block.data)
 
 
-@pytest.mark.parametrize("name", ["quad4", "quad8", "quad8_binary", "triangle6", "hexahedron8", "hexahedron20",
-                                  "hexahedron20_binary", "tetrahedron10"])
+@pytest.mark.parametrize("name", ["quad4", "quad8", "quad8_binary", "quad8_22", "quad8_22_binary", "triangle6",
+                                  "hexahedron8", "hexahedron20",
+                                  "hexahedron20_binary", "hexahedron20_22_binary", "tetrahedron10", "tetrahedron10_22"])
 def test_meshes_of_gmsh_have_the_elements_that_meshio_reads(exchanged, name):
     theirs = meshio.read(MESHES / f"{name}.msh")
     ours = meshio.read(exchanged(MESHES / f"{name}.msh", f"{name}.vtu"))
@@ -96,7 +109,7 @@ def test_meshes_of_gmsh_have_the_elements_that_meshio_reads(exchanged, name):
 
 
 @pytest.mark.parametrize("kind", ["quad", "quad8", "triangle6", "hexahedron", "hexahedron20", "tetra10"])
-@pytest.mark.parametrize("name", ["mesh.inp", "mesh.msh", "mesh_binary.msh"])
+@pytest.mark.parametrize("name", ["mesh.inp", "mesh.msh", "mesh_binary.msh", "mesh_22.msh", "mesh_22_binary.msh"])
 def test_meshes_of_meshio_come_through(exchanged, tmp_path, kind, name):
     points = {
         "quad": [(0, 0), (1, 0), (1, 1), (0, 1)],
@@ -119,7 +132,7 @@ def test_meshes_of_meshio_come_through(exchanged, tmp_path, kind, name):
         tags = np.full((len(both), 2), [dimension, 1])
         mesh.point_data["gmsh:dim_tags"] = tags
         mesh.cell_data = {"gmsh:geometrical": [np.array([1, 1])], "gmsh:physical": [np.array([5, 5])]}
-        meshio.gmsh.write(tmp_path / name, mesh, fmt_version="4.1", binary="binary" in name)
+        meshio.gmsh.write(tmp_path / name, mesh, fmt_version="2.2" if "22" in name else "4.1", binary="binary" in name)
     else:
         meshio.write(tmp_path / name, mesh)
         # of the many types of a shape meshio writes one of shells, fluids or axes

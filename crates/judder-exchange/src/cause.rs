@@ -3,6 +3,7 @@
 use crate::npy::error::NpyError;
 use crate::triangle::Triangle;
 use crate::wav::error::SoundError;
+use judder_memory::BeyondMemory;
 use judder_structure::StructureError;
 use judder_structure::element::ElementKind;
 use std::io;
@@ -17,6 +18,17 @@ pub enum FileCause {
     Unreadable {
         /// What the system said.
         source: io::Error,
+    },
+    /// What is there is a folder, a device or a pipe.
+    #[error("is no file; give a regular one")]
+    NotAFile,
+    /// It would take more memory than there is for it.
+    #[error("{what}: {source}; {}", source.remedy())]
+    Memory {
+        /// What would take it.
+        what: &'static str,
+        /// How much, and how much there is.
+        source: BeyondMemory,
     },
     /// The system does not take the file.
     #[error("cannot be written: {source}")]
@@ -55,6 +67,15 @@ pub enum FileCause {
         text: String,
         /// What it stands for.
         what: &'static str,
+    },
+    /// An entry of a Matrix Market file whose field is `integer` is written otherwise.
+    #[error(
+        "`{text}` is no integer, and the first line of the file says that all entries are; if it means numbers with fractions, write `real` \
+         there in the place of `integer`"
+    )]
+    NotAnInteger {
+        /// The word.
+        text: String,
     },
     /// A word should be a whole number.
     #[error("`{text}` is no whole number from {least} on ({what})")]

@@ -1,12 +1,17 @@
 //! Tables of degrees of freedom: what the rows of a matrix are.
 
 use crate::cause::FileCause;
+use crate::door::bytes_of;
 use crate::error::ExchangeError;
 use crate::text::{count, number, text_of};
+use judder_memory::MemoryBudget;
 use judder_structure::freedom::{Direction, Freedom};
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::Path;
+
+/// Bytes of memory a byte of the file: a row of a dozen letters is a freedom in the table, and twice in what finds doubles.
+const MEMORY_A_BYTE: u64 = 16;
 
 const COLUMNS: [&str; 5] = ["node", "direction", "x", "y", "z"];
 
@@ -19,8 +24,7 @@ const COLUMNS: [&str; 5] = ["node", "direction", "x", "y", "z"];
 /// What is wrong, with its line: a missing column, a row that is too short, what is no number or direction, a freedom that is
 /// there twice ([`FileCause::Twice`]), a node in two places.
 pub fn read_freedoms(path: &Path) -> Result<Vec<Freedom>, ExchangeError> {
-    let bytes = std::fs::read(path)
-        .map_err(|source| ExchangeError::from(FileCause::Unreadable { source }).in_file(path))?;
+    let bytes = bytes_of(path, MEMORY_A_BYTE, MemoryBudget::of_process())?;
     read(&bytes).map_err(|error| error.in_file(path))
 }
 

@@ -11,6 +11,7 @@
 mod bytes;
 mod cause;
 pub mod dma_table;
+mod door;
 mod error;
 mod fields;
 pub mod freedom_table;

@@ -2,14 +2,18 @@
 
 mod coordinate_text;
 mod mat_file;
+mod mat_hdf5;
+mod mat_matrix;
 pub mod matrix_market;
 mod npz;
 
 pub use crate::triangle::Triangle;
 
 use crate::cause::FileCause;
+use crate::door::bytes_of;
 use crate::error::ExchangeError;
 use faer::sparse::{SparseColMat, Triplet};
+use judder_memory::MemoryBudget;
 use judder_structure::assembly::Sparse;
 use std::path::Path;
 
@@ -41,13 +45,19 @@ pub enum Symmetry {
 /// The most rows and columns: far beyond what is solved here, and its column pointers still fit into memory.
 const MOST_ROWS: usize = 1 << 26;
 
+/// Bytes that an entry takes while a matrix is read: row, column and value, and half as much while they are sorted.
+const ENTRY_BYTES: u128 = 36;
+
+/// What they are called where there is no room for them.
+const ENTRIES: &str = "the entries of the matrix";
+
 const EXTENSIONS: &str = ".mtx (Matrix Market, coordinates of Abaqus), .mat (MATLAB), .npz (scipy.sparse)";
 
 /// Reads a whole matrix; the extension of the file tells the format.
 ///
 /// - `.mtx`: Matrix Market, coordinate or array, real or integer, general, symmetric or skew-symmetric; without its header line the
 ///   coordinates of Abaqus (`*MATRIX OUTPUT, FORMAT=COORDINATE`): row, column and entry a line.
-/// - `.mat`: MATLAB v5 to v7, one real matrix, sparse or full.
+/// - `.mat`: MATLAB v5 to v7 and v7.3 (HDF5), one real matrix, sparse or full.
 /// - `.npz`: `scipy.sparse.save_npz` of CSR, CSC, BSR, COO or DIA.
 ///
 /// # Errors
@@ -67,7 +77,7 @@ pub fn read_matrix(path: &Path) -> Result<Matrix, ExchangeError> {
 pub fn read_stored_matrix(path: &Path) -> Result<Matrix, ExchangeError> {
     let extension =
         path.extension().and_then(|extension| extension.to_str()).unwrap_or("").to_ascii_lowercase();
-    let read: fn(&[u8]) -> Result<Matrix, ExchangeError> = match extension.as_str() {
+    let read: fn(&[u8], MemoryBudget) -> Result<Matrix, ExchangeError> = match extension.as_str() {
         "mtx" => read_mtx,
         "mat" => mat_file::read_mat,
         "npz" => npz::read_npz,
@@ -76,16 +86,16 @@ pub fn read_stored_matrix(path: &Path) -> Result<Matrix, ExchangeError> {
             return Err(ExchangeError::from(cause).in_file(path));
         }
     };
-    let bytes = std::fs::read(path)
-        .map_err(|source| ExchangeError::from(FileCause::Unreadable { source }).in_file(path))?;
-    read(&bytes).map_err(|error| error.in_file(path))
+    let budget = MemoryBudget::of_process();
+    let bytes = bytes_of(path, 1, budget)?;
+    read(&bytes, budget).map_err(|error| error.in_file(path))
 }
 
-fn read_mtx(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
+fn read_mtx(bytes: &[u8], budget: MemoryBudget) -> Result<Matrix, ExchangeError> {
     if bytes.get(..2).is_some_and(|start| start == b"%%") {
-        matrix_market::read_matrix_market(bytes)
+        matrix_market::read_matrix_market(bytes, budget)
     } else {
-        coordinate_text::read_coordinates(bytes)
+        coordinate_text::read_coordinates(bytes, budget)
     }
 }
 

@@ -5,7 +5,9 @@ mod inp;
 mod msh;
 
 use crate::cause::FileCause;
+use crate::door::bytes_of;
 use crate::error::ExchangeError;
+use judder_memory::MemoryBudget;
 use judder_structure::material::{Elastic, ElementSection};
 use judder_structure::mesh::Mesh;
 use std::collections::BTreeMap;
@@ -30,6 +32,9 @@ pub struct MeshFile {
     /// What was passed over.
     pub warnings: Vec<Warning>,
 }
+
+/// Bytes of memory a byte of the file: the node or element of a line stands in lists, in what finds doubles and in sets.
+const MEMORY_A_BYTE: u64 = 12;
 
 /// The name of blocks that have none.
 pub const UNNAMED: &str = "unnamed";
@@ -86,7 +91,7 @@ impl fmt::Display for Warning {
     }
 }
 
-/// Reads a mesh; the extension of the file tells the format: `.msh` (Gmsh 4.1, text or binary) or `.inp` (Abaqus, CalculiX).
+/// Reads a mesh; the extension of the file tells the format: `.msh` (Gmsh 4.1 and 2.2, text or binary) or `.inp` (Abaqus, CalculiX).
 ///
 /// # Errors
 /// What is wrong with the file and where.
@@ -97,14 +102,13 @@ pub fn read_mesh(path: &Path) -> Result<MeshFile, ExchangeError> {
         "msh" => msh::read_msh,
         "inp" => inp::read_inp,
         _ => {
-            let known = ".msh (Gmsh 4.1) and .inp (Abaqus, CalculiX)";
+            let known = ".msh (Gmsh 4.1, 2.2) and .inp (Abaqus, CalculiX)";
             return Err(
                 ExchangeError::from(FileCause::UnknownExtension { found: extension, known }).in_file(path)
             );
         }
     };
-    let bytes = std::fs::read(path)
-        .map_err(|source| ExchangeError::from(FileCause::Unreadable { source }).in_file(path))?;
+    let bytes = bytes_of(path, MEMORY_A_BYTE, MemoryBudget::of_process())?;
     read(&bytes).map_err(|error| error.in_file(path))
 }
 

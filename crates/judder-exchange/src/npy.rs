@@ -39,27 +39,53 @@ impl NpyArray {
     }
 }
 
-/// Reads an array. No more is taken than the header says, and one byte to see that no more is there: what unpacks on the way
-/// cannot fill the memory with what the array does not have.
+/// What the header of an array says.
+pub(crate) struct NpyHeader {
+    descr: String,
+    stored: Option<StoredNumber>,
+    big_endian: bool,
+    fortran_order: bool,
+    shape: Vec<usize>,
+    /// Bytes of its numbers.
+    pub(crate) said: usize,
+    /// How many numbers it says.
+    pub(crate) count: usize,
+}
+
+/// Reads an array: its header, then its numbers.
 pub(crate) fn read_npy(from: &mut impl Read) -> Result<NpyArray, NpyError> {
-    let header = read_header(from)?;
-    let descr = entry(&header, "descr")?.trim_matches(['\'', '"']);
-    let (stored, big_endian, size) =
-        number(descr).ok_or_else(|| NpyError::Numbers { found: quoted(descr) })?;
-    let fortran_order = match entry(&header, "fortran_order")? {
-        "True" => true,
-        "False" => false,
-        other => return Err(NpyError::Order { found: quoted(other) }),
-    };
-    let shape = shape(entry(&header, "shape")?)?;
-    let said = shape.iter().try_fold(size, |bytes, length| bytes.checked_mul(*length));
-    let Some(said) = said else { return Err(NpyError::TooLarge { shape }) };
-    let data = at_most(from, (said as u64).saturating_add(1))?;
-    if data.len() != said {
-        let found = Some(data.len()).filter(|found| *found < said);
-        return Err(NpyError::WrongSize { found, shape });
+    NpyHeader::read(from)?.read_numbers(from)
+}
+
+impl NpyHeader {
+    pub(crate) fn read(from: &mut impl Read) -> Result<Self, NpyError> {
+        let header = read_header(from)?;
+        let descr = entry(&header, "descr")?.trim_matches(['\'', '"']);
+        let (stored, big_endian, size) =
+            number(descr).ok_or_else(|| NpyError::Numbers { found: quoted(descr) })?;
+        let fortran_order = match entry(&header, "fortran_order")? {
+            "True" => true,
+            "False" => false,
+            other => return Err(NpyError::Order { found: quoted(other) }),
+        };
+        let shape = shape(entry(&header, "shape")?)?;
+        let said = shape.iter().try_fold(size, |bytes, length| bytes.checked_mul(*length));
+        let Some(said) = said else { return Err(NpyError::TooLarge { shape }) };
+        let descr = descr.to_owned();
+        Ok(Self { descr, stored, big_endian, fortran_order, shape, said, count: said / size })
     }
-    Ok(NpyArray { descr: descr.to_owned(), stored, big_endian, fortran_order, shape, data })
+
+    /// The array. No more is taken than the header says, and one byte to see that no more is there: what unpacks on the way cannot fill
+    /// the memory with what the array does not have.
+    pub(crate) fn read_numbers(self, from: &mut impl Read) -> Result<NpyArray, NpyError> {
+        let Self { descr, stored, big_endian, fortran_order, shape, said, .. } = self;
+        let data = at_most(from, (said as u64).saturating_add(1))?;
+        if data.len() != said {
+            let found = Some(data.len()).filter(|found| *found < said);
+            return Err(NpyError::WrongSize { found, shape });
+        }
+        Ok(NpyArray { descr, stored, big_endian, fortran_order, shape, data })
+    }
 }
 
 /// The next bytes, so many at most.

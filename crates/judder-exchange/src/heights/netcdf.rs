@@ -2,6 +2,8 @@
 
 use super::error::HeightsError;
 use super::table::{EQUAL, HeightTable};
+use crate::door::check_unpacked;
+use judder_memory::MemoryBudget;
 use netcdf_reader::{NcFile, NcVariable};
 
 /// Reads the matrix named `variable`, or the only one that there is, of the file's root group.
@@ -14,8 +16,10 @@ use netcdf_reader::{NcFile, NcVariable};
 /// A damaged file, no matrix, several without a name, unequal steps, cells that are not squares, heights and
 /// coordinates in different units.
 pub(super) fn read_netcdf(bytes: Vec<u8>, variable: Option<&str>) -> Result<HeightTable, HeightsError> {
+    let packed = bytes.len() as u64;
     let file = NcFile::from_vec(bytes).map_err(unreadable)?;
     let matrix = chosen(file.variables().map_err(unreadable)?, variable)?;
+    check_room(matrix, packed, MemoryBudget::of_process())?;
     let values = file.read_variable_unpacked_masked(matrix.name()).map_err(unreadable)?;
     let mut table = oriented(values.iter().copied().collect(), matrix)?;
     let transposed = is_transposed(matrix);
@@ -37,6 +41,14 @@ pub(super) fn read_netcdf(bytes: Vec<u8>, variable: Option<&str>) -> Result<Heig
         table.spacing = Some(x);
     }
     Ok(table)
+}
+
+/// Whether the file can hold the heights, and the memory their numbers: as they are unpacked, as they are handed out and as they are kept.
+fn check_room(matrix: &NcVariable, packed: u64, budget: MemoryBudget) -> Result<(), HeightsError> {
+    let count = matrix.shape().iter().fold(1_u64, |product, size| product.saturating_mul(*size));
+    let said = count.saturating_mul(matrix.dtype().size().unwrap_or(1) as u64);
+    check_unpacked(said, packed, budget, u128::from(count) * 24)
+        .map_err(|cause| HeightsError::NetCdf { reason: cause.to_string() })
 }
 
 fn unreadable(error: netcdf_reader::Error) -> HeightsError {

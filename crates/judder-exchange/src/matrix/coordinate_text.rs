@@ -1,15 +1,19 @@
 //! Coordinates of Abaqus: `*MATRIX OUTPUT, FORMAT=COORDINATE`.
 
-use super::{Matrix, Symmetry};
+use super::{ENTRIES, ENTRY_BYTES, Matrix, Symmetry};
 use crate::cause::FileCause;
+use crate::door::ask;
 use crate::error::ExchangeError;
 use crate::text::{count, number, text_of};
+use judder_memory::MemoryBudget;
 
 /// Reads a row, a column and an entry a line, rows and columns from 1. The file does not say its size: it is that of the
 /// largest row or column, and the matrix is square.
-pub(super) fn read_coordinates(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
+pub(super) fn read_coordinates(bytes: &[u8], budget: MemoryBudget) -> Result<Matrix, ExchangeError> {
     let mut entries = Vec::new();
     let mut size = 0;
+    let lines = bytes.iter().filter(|byte| **byte == b'\n').count() as u128;
+    ask(budget, ENTRIES, lines * ENTRY_BYTES)?;
     for (index, line) in text_of(bytes)?.lines().enumerate() {
         let line = line.trim();
         if line.is_empty() || line.starts_with("**") {
@@ -57,15 +61,19 @@ fn foreign(found: String) -> FileCause {
 mod tests {
     use super::*;
 
+    fn read(text: &[u8]) -> Result<Matrix, ExchangeError> {
+        read_coordinates(text, MemoryBudget::of_bytes(1 << 20))
+    }
+
     #[test]
     fn rows_columns_and_entries_are_read() {
-        let matrix = read_coordinates(b"  1  1  2.0D+00\n 2, 1, -1.\n1 2 -1\n2 2 2e0\n").unwrap();
+        let matrix = read(b"  1  1  2.0D+00\n 2, 1, -1.\n1 2 -1\n2 2 2e0\n").unwrap();
         assert_eq!(matrix.entries, [(0, 0, 2.0), (0, 1, -1.0), (1, 0, -1.0), (1, 1, 2.0)]);
     }
 
     #[test]
     fn wrong_lines_are_named() {
-        let message = |text: &str| read_coordinates(text.as_bytes()).unwrap_err().to_string();
+        let message = |text: &str| read(text.as_bytes()).unwrap_err().to_string();
         assert!(message("1 1 1\n1 1").starts_with("line 2: a line of coordinates takes a row"));
         assert!(message("1,1,1,1,2.0").contains("FORMAT=COORDINATE"));
         assert!(message("0 1 2.0").contains("`0` is no whole number from 1 on (a row)"));

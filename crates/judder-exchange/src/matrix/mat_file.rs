@@ -2,15 +2,20 @@
 //!
 //! MathWorks, *MAT-File Format*, chapter 1.
 
-use super::{Matrix, Symmetry};
+use super::Matrix;
+use super::mat_hdf5::{is_hdf5, read_mat_hdf5};
+use super::mat_matrix::{
+    SparseColumns, ask_for_numbers, complex, foreign, full_entries, only_matrix, whole_matrix,
+};
 use crate::bytes::{Bytes, StoredNumber};
 use crate::cause::FileCause;
+use crate::door::{ask, check_unpacked};
 use crate::error::{ExchangeError, FilePlace};
 use flate2::read::ZlibDecoder;
+use judder_memory::MemoryBudget;
 use std::io::Read;
 
 const HEADER: usize = 128;
-const FORMAT: &str = "MATLAB file";
 
 const ELEMENT: &str = "a data element";
 /// Bytes of an element's type and size.
@@ -33,8 +38,11 @@ struct MatElement<'a> {
     at: usize,
 }
 
-/// Reads the one real matrix, sparse or full, of a file; what is no matrix of numbers is passed over.
-pub(super) fn read_mat(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
+/// Reads the one real matrix, sparse or full, of a file of any version; what is no matrix of numbers is passed over.
+pub(super) fn read_mat(bytes: &[u8], budget: MemoryBudget) -> Result<Matrix, ExchangeError> {
+    if is_hdf5(bytes) {
+        return read_mat_hdf5(bytes, budget);
+    }
     let big_endian = check_header(bytes)?;
     let mut walk = Bytes::new(bytes, HEADER, big_endian);
     let mut found: Vec<(String, Matrix)> = Vec::new();
@@ -44,45 +52,22 @@ pub(super) fn read_mat(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
         let read = if element.kind == COMPRESSED {
             // places in what was packed mean nothing in the file: the element's own is told
             let at = element.at;
-            let plain = unpacked(&element, big_endian)?;
+            let plain = unpacked(&element, big_endian, budget)?;
             let mut inner = Bytes::new(&plain, 0, big_endian);
             self::element(&mut inner, false)
-                .and_then(|element| variable(&element, big_endian))
+                .and_then(|element| variable(&element, big_endian, budget))
                 .map_err(|error| error.moved(FilePlace::Byte(at)))?
         } else {
-            variable(&element, big_endian).map_err(|error| error.shifted(element.at))?
+            variable(&element, big_endian, budget).map_err(|error| error.shifted(element.at))?
         };
         found.extend(read);
         debug_assert!(walk.at() > start);
     }
-    match found.len() {
-        1 => Ok(found.swap_remove(0).1),
-        0 => Err(foreign("it holds no matrix of numbers").into()),
-        _ => {
-            let names: Vec<&str> = found.iter().map(|(name, _)| name.as_str()).collect();
-            Err(FileCause::Unsupported {
-                what: "the content",
-                found: format!("{} matrices ({})", names.len(), crate::quoted::quoted(&names.join(", "))),
-                read: "one matrix a file",
-            }
-            .into())
-        }
-    }
-}
-
-fn foreign(found: &str) -> FileCause {
-    FileCause::Foreign {
-        format: FORMAT,
-        found: found.to_owned(),
-        remedy: "save one sparse or full matrix with save(…, '-v7') or scipy.io.savemat",
-    }
+    only_matrix(found)
 }
 
 /// Whether the file is big-endian.
 fn check_header(bytes: &[u8]) -> Result<bool, ExchangeError> {
-    if bytes.starts_with(b"\x89HDF") || bytes.starts_with(b"MATLAB 7.3") {
-        return Err(foreign("it is of version 7.3 (HDF5)").into());
-    }
     match bytes.get(HEADER - 4..HEADER) {
         Some([0, 1, b'I', b'M']) => Ok(false),
         Some([1, 0, b'M', b'I']) => Ok(true),
@@ -121,7 +106,11 @@ fn element<'a>(walk: &mut Bytes<'a>, aligned: bool) -> Result<MatElement<'a>, Ex
 
 /// The element within a compressed one, with its tag: no more is unpacked than the tag says, and one byte to see that no more is
 /// there, which also lets the checksum be compared.
-fn unpacked(element: &MatElement<'_>, big_endian: bool) -> Result<Vec<u8>, ExchangeError> {
+fn unpacked(
+    element: &MatElement<'_>,
+    big_endian: bool,
+    budget: MemoryBudget,
+) -> Result<Vec<u8>, ExchangeError> {
     let damaged = |problem: String| {
         ExchangeError::at_byte(element.at, FileCause::Damaged { what: "a compressed element", problem })
     };
@@ -138,6 +127,9 @@ fn unpacked(element: &MatElement<'_>, big_endian: bool) -> Result<Vec<u8>, Excha
         (Ok(first), Ok(size)) if first >> 16 == 0 => u64::from(size),
         _ => 0,
     };
+    // what is unpacked, and numbers of eight bytes that are made of it
+    check_unpacked(size, element.data.len() as u64, budget, 2 * u128::from(size))
+        .map_err(|cause| ExchangeError::at_byte(element.at, cause))?;
     unpack(size, &mut plain)?;
     if unpack(1, &mut plain)? > 0 {
         return Err(damaged(format!("it holds more than the {size} bytes that its tag says")));
@@ -146,7 +138,11 @@ fn unpacked(element: &MatElement<'_>, big_endian: bool) -> Result<Vec<u8>, Excha
 }
 
 /// The matrix in an element, with its name; none where it is no array of numbers.
-fn variable(outer: &MatElement<'_>, big_endian: bool) -> Result<Option<(String, Matrix)>, ExchangeError> {
+fn variable(
+    outer: &MatElement<'_>,
+    big_endian: bool,
+    budget: MemoryBudget,
+) -> Result<Option<(String, Matrix)>, ExchangeError> {
     if outer.kind != MATRIX {
         return Ok(None);
     }
@@ -164,73 +160,26 @@ fn variable(outer: &MatElement<'_>, big_endian: bool) -> Result<Option<(String, 
         return Ok(None);
     };
     if flags & COMPLEX != 0 {
-        return Err(walk.error(FileCause::Unsupported {
-            what: "the matrix",
-            found: format!("complex (`{}`)", crate::quoted::quoted(&name)),
-            read: "a real one; save real and imaginary parts as two matrices",
-        }));
+        return Err(walk.error(complex(&name)));
     }
     let entries = if class == SPARSE {
-        sparse(&mut walk, rows, columns, big_endian)?
+        let (places, starts) = (element(&mut walk, true)?, element(&mut walk, true)?);
+        let values = element(&mut walk, true)?;
+        let count = values.data.len() / stored(&values)?.size();
+        ask_for_numbers(budget, count).map_err(|cause| walk.error(cause))?;
+        let (places, starts) = (whole_numbers(&places, big_endian)?, whole_numbers(&starts, big_endian)?);
+        SparseColumns { places, starts, values: numbers(&values, big_endian)? }.entries(rows, columns)
     } else {
-        full(&mut walk, rows, columns, big_endian)?
+        let values = element(&mut walk, true)?;
+        // numbers of one byte become eight
+        let needed = 8 * (values.data.len() / stored(&values)?.size()) as u128;
+        ask(budget, "the numbers of the matrix", needed).map_err(|cause| walk.error(cause))?;
+        full_entries(&numbers(&values, big_endian)?, rows, columns, budget)
     };
-    if let Some((row, column, value)) = entries.iter().find(|(_, _, value)| !value.is_finite()) {
-        let text = format!("{value} at row {}, column {}", row + 1, column + 1);
-        return Err(walk.error(FileCause::NotANumber { text, what: "an entry of the matrix" }));
-    }
-    Ok(Some((name, Matrix::from_stored(rows, columns, entries, Symmetry::General)?)))
-}
-
-/// Columns with their rows and entries.
-fn sparse(
-    walk: &mut Bytes<'_>,
-    rows: usize,
-    columns: usize,
-    big_endian: bool,
-) -> Result<Vec<(usize, usize, f64)>, ExchangeError> {
-    let places = whole_numbers(&element(walk, true)?, big_endian)?;
-    let starts = whole_numbers(&element(walk, true)?, big_endian)?;
-    let values = numbers(&element(walk, true)?, big_endian)?;
-    let inconsistent =
-        |problem: String| walk.error(FileCause::Inconsistent { what: "the sparse matrix", problem });
-    let ascending = starts.windows(2).all(|pair| pair[0] <= pair[1]);
-    if Some(starts.len()) != columns.checked_add(1) || !ascending {
-        return Err(inconsistent(format!(
-            "its {} column pointers do not ascend over {columns} columns",
-            starts.len()
-        )));
-    }
-    // of both arrays more may be stored than is used
-    let used = starts[columns];
-    if places.len().min(values.len()) < used {
-        let (rows, values) = (places.len(), values.len());
-        return Err(inconsistent(format!(
-            "its columns hold {used} entries, stored are {rows} rows and {values} numbers"
-        )));
-    }
-    if let Some(row) = places[..used].iter().find(|row| **row >= rows) {
-        return Err(inconsistent(format!("a row is {row} (from 0), of {rows}")));
-    }
-    let of_column = |column: usize| (starts[column]..starts[column + 1]).map(move |k| (column, k));
-    Ok((0..columns).flat_map(of_column).map(|(column, k)| (places[k], column, values[k])).collect())
-}
-
-/// All entries, column by column.
-fn full(
-    walk: &mut Bytes<'_>,
-    rows: usize,
-    columns: usize,
-    big_endian: bool,
-) -> Result<Vec<(usize, usize, f64)>, ExchangeError> {
-    let values = numbers(&element(walk, true)?, big_endian)?;
-    if rows.checked_mul(columns) != Some(values.len()) {
-        let found = values.len();
-        let problem = format!("{rows} × {columns} numbers are said, {found} are there");
-        return Err(walk.error(FileCause::Inconsistent { what: "the full matrix", problem }));
-    }
-    let entries = values.into_iter().enumerate().filter(|(_, value)| *value != 0.0);
-    Ok(entries.map(|(k, value)| (k % rows, k / rows, value)).collect())
+    let entries = entries.map_err(|cause| walk.error(cause))?;
+    let matrix =
+        whole_matrix(rows, columns, entries).map_err(|error| error.moved(FilePlace::Byte(walk.at())))?;
+    Ok(Some((name, matrix)))
 }
 
 /// How an element stores its numbers.

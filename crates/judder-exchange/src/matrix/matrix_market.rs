@@ -2,11 +2,13 @@
 //!
 //! R. F. Boisvert, R. Pozo, K. Remington, *The Matrix Market Exchange Formats: Initial Design*, NISTIR 5935 (1996).
 
-use super::{Matrix, Symmetry};
+use super::{ENTRIES, ENTRY_BYTES, Matrix, Symmetry};
 use crate::cause::FileCause;
+use crate::door::ask;
 use crate::error::ExchangeError;
 use crate::quoted::quoted;
 use crate::text::{check_room, count, number, text_of};
+use judder_memory::MemoryBudget;
 use std::io::Write;
 
 /// Writes a matrix in coordinates: one triangle where it is symmetric or skew-symmetric by [`Matrix::symmetry`], all entries otherwise.
@@ -41,14 +43,34 @@ pub fn write_matrix_market(to: &mut dyn Write, matrix: &Matrix) -> Result<(), Ex
 /// The header line of a file.
 struct MarketHeader {
     sparse: bool,
+    /// Whether the field is `integer`.
+    integer: bool,
     symmetry: Symmetry,
+}
+
+/// What there is for entries: the bytes of the file and those of the memory.
+#[derive(Clone, Copy)]
+struct MarketRoom {
+    bytes: usize,
+    budget: MemoryBudget,
+}
+
+impl MarketRoom {
+    /// Whether so many entries of so many bytes each can be in the file and, mirrored, in the memory.
+    fn check(&self, said: usize, bytes_each: usize, symmetry: Symmetry) -> Result<(), FileCause> {
+        // the last line may lack its end
+        check_room(said, bytes_each, self.bytes + 1, "entries")?;
+        let sides = if symmetry == Symmetry::General { 1 } else { 2 };
+        ask(self.budget, ENTRIES, said as u128 * sides * ENTRY_BYTES)
+    }
 }
 
 /// Lines that are no comments, with their numbers.
 type NumberedLines<'a> = dyn Iterator<Item = (usize, &'a str)> + 'a;
 
-/// Reads coordinate and array files of real and integer matrices: general, symmetric and skew-symmetric.
-pub(super) fn read_matrix_market(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
+/// Reads coordinate and array files of real and integer matrices: general, symmetric and skew-symmetric. The field is that of the entries
+/// (NISTIR 5935): below `integer` an entry is written as an integer.
+pub(super) fn read_matrix_market(bytes: &[u8], budget: MemoryBudget) -> Result<Matrix, ExchangeError> {
     let text = text_of(bytes)?;
     let header =
         header(text.lines().next().unwrap_or("")).map_err(|cause| ExchangeError::at_line(1, cause))?;
@@ -56,10 +78,11 @@ pub(super) fn read_matrix_market(bytes: &[u8]) -> Result<Matrix, ExchangeError> 
     let mut lines = numbered.filter(|(_, line)| !line.is_empty() && !line.starts_with('%'));
     let (line, sizes) =
         lines.next().ok_or(FileCause::Cut { what: "the sizes of the matrix", needed: 3, left: 0 })?;
+    let room = MarketRoom { bytes: bytes.len(), budget };
     if header.sparse {
-        coordinates(&header, line, sizes, &mut lines, bytes.len())
+        coordinates(&header, line, sizes, &mut lines, room)
     } else {
-        array(&header, line, sizes, &mut lines, bytes.len())
+        array(&header, line, sizes, &mut lines, room)
     }
 }
 
@@ -96,7 +119,7 @@ fn header(line: &str) -> Result<MarketHeader, FileCause> {
             return Err(unsupported("the symmetry of the matrix", other, read));
         }
     };
-    Ok(MarketHeader { sparse, symmetry })
+    Ok(MarketHeader { sparse, integer: *field == "integer", symmetry })
 }
 
 /// The numbers of the line of sizes, each with its name and the least that it can be.
@@ -144,18 +167,23 @@ fn coordinates(
     line: usize,
     text: &str,
     lines: &mut NumberedLines<'_>,
-    bytes: usize,
+    room: MarketRoom,
 ) -> Result<Matrix, ExchangeError> {
     let here = |cause| ExchangeError::at_line(line, cause);
     let names = [("rows", 1), ("columns", 1), ("entries", 0)];
     let [rows, columns, said] = sizes(text, "rows, columns and entries", names).map_err(here)?;
     // the shortest line is `1 1 1` with its end
-    check_room(said, 5, bytes + 1, "entries").map_err(here)?;
-    let entries = each_line(lines, "entries", line, said, |text| entry(text, rows, columns))?;
+    room.check(said, 5, header.symmetry).map_err(here)?;
+    let entries = each_line(lines, "entries", line, said, |text| entry(text, rows, columns, header))?;
     Matrix::from_stored(rows, columns, entries, header.symmetry)
 }
 
-fn entry(text: &str, rows: usize, columns: usize) -> Result<(usize, usize, f64), FileCause> {
+fn entry(
+    text: &str,
+    rows: usize,
+    columns: usize,
+    header: &MarketHeader,
+) -> Result<(usize, usize, f64), FileCause> {
     let words: Vec<&str> = text.split_whitespace().collect();
     let [row, column, value] = words.as_slice() else {
         let (what, expected) = ("an entry", "a row, a column and a number");
@@ -165,7 +193,20 @@ fn entry(text: &str, rows: usize, columns: usize) -> Result<(usize, usize, f64),
     if row > rows || column > columns {
         return Err(FileCause::OutsideMatrix { row, column, rows, columns });
     }
-    Ok((row - 1, column - 1, number(value, "an entry of the matrix")?))
+    Ok((row - 1, column - 1, header.value(value)?))
+}
+
+impl MarketHeader {
+    /// The value of an entry, in the form that the field of the matrix has. A fraction below `integer` is a wrong header or a wrong number:
+    /// readers that take integers would cut it.
+    fn value(&self, word: &str) -> Result<f64, FileCause> {
+        let value = number(word, "an entry of the matrix")?;
+        let digits = word.strip_prefix(['+', '-']).unwrap_or(word);
+        if self.integer && !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+            return Err(FileCause::NotAnInteger { text: quoted(word) });
+        }
+        Ok(value)
+    }
 }
 
 /// A dense matrix, column by column; of symmetric ones from the diagonal down.
@@ -174,13 +215,13 @@ fn array(
     line: usize,
     text: &str,
     lines: &mut NumberedLines<'_>,
-    bytes: usize,
+    room: MarketRoom,
 ) -> Result<Matrix, ExchangeError> {
     let here = |cause| ExchangeError::at_line(line, cause);
     let [rows, columns] = sizes(text, "rows and columns", [("rows", 1), ("columns", 1)]).map_err(here)?;
     let said = dense_entries(rows, columns, header.symmetry).map_err(here)?;
     // the shortest line is `1` with its end
-    check_room(said, 2, bytes + 1, "entries").map_err(here)?;
+    room.check(said, 2, header.symmetry).map_err(here)?;
     let first = |column: usize| match header.symmetry {
         Symmetry::General => 0,
         Symmetry::Symmetric => column,
@@ -191,7 +232,7 @@ fn array(
         Symmetry::Symmetric => "entries from the diagonal down",
         Symmetry::SkewSymmetric => "entries below the diagonal",
     };
-    let values = each_line(lines, what, line, said, |text| number(text, "an entry of the matrix"))?;
+    let values = each_line(lines, what, line, said, |text| header.value(text))?;
     let places = (0..columns).flat_map(|column| (first(column)..rows).map(move |row| (row, column)));
     let entries = places.zip(values).filter(|(_, value)| *value != 0.0);
     let entries = entries.map(|((row, column), value)| (row, column, value)).collect();
@@ -216,7 +257,7 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> Result<Matrix, ExchangeError> {
-        read_matrix_market(text.as_bytes())
+        read_matrix_market(text.as_bytes(), MemoryBudget::of_bytes(1 << 20))
     }
 
     #[test]
@@ -240,13 +281,23 @@ mod tests {
             let matrix = Matrix::from_stored(3, 3, entries, symmetry).unwrap();
             let mut file = Vec::new();
             write_matrix_market(&mut file, &matrix).unwrap();
-            assert_eq!(read_matrix_market(&file).unwrap(), matrix);
+            assert_eq!(read_matrix_market(&file, MemoryBudget::of_bytes(1 << 20)).unwrap(), matrix);
         }
         let wrong = Matrix {
             symmetry: Symmetry::Symmetric,
             ..read("%%MatrixMarket matrix array real general\n2 2\n1\n2\n3\n4\n").unwrap()
         };
         assert!(write_matrix_market(&mut Vec::new(), &wrong).unwrap_err().to_string().contains("departs"));
+    }
+
+    #[test]
+    fn entries_beyond_the_budget_are_refused_before_they_are_read() {
+        let text =
+            format!("%%MatrixMarket matrix coordinate real symmetric\n9 9 100\n{}", "1 1 1\n".repeat(100));
+        let read = |bytes| read_matrix_market(text.as_bytes(), MemoryBudget::of_bytes(bytes));
+        assert_eq!(read(7200).unwrap().entries, [(0, 0, 100.0)]);
+        let message = read(7199).unwrap_err().to_string();
+        assert!(message.starts_with("line 2: the entries of the matrix: 7.2 kB of memory"), "{message}");
     }
 
     #[test]
@@ -269,6 +320,9 @@ mod tests {
         assert!(message("coordinate real skew-symmetric", "1 1 1\n1 1 1\n").contains("on its diagonal"));
         assert!(message("array real general", "2 2\n1\n2\n3\n").contains("says 4 entries, holds 3"));
         assert!(message("array real general", "4000000000 4000000000\n1\n").contains("says 1"));
+        let fraction = message("coordinate integer general", "2 2 2\n1 1 -3\n2 2 1.5\n");
+        assert!(fraction.starts_with("line 4: `1.5` is no integer"), "{fraction}");
+        assert!(message("array integer general", "1 1\n2e0\n").starts_with("line 3: `2e0` is no integer"));
         assert!(read("%%MatrixMarket tensor\n").unwrap_err().to_string().contains("should be, say"));
     }
 }

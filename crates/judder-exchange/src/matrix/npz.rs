@@ -1,23 +1,33 @@
 //! Archives of `scipy.sparse.save_npz`.
 
-use super::{Matrix, Symmetry};
+use super::{ENTRY_BYTES, Matrix, Symmetry};
 use crate::cause::FileCause;
+use crate::door::check_unpacked;
 use crate::error::ExchangeError;
-use crate::npy::{NpyArray, NpyError, read_npy};
+use crate::npy::{NpyArray, NpyError, NpyHeader};
 use crate::quoted::quoted;
+use judder_memory::MemoryBudget;
 use std::io::Cursor;
 use zip::ZipArchive;
 
 const ARCHIVE: &str = "the archive";
 
 /// The arrays of an archive, unpacked.
-struct ArchiveArrays<'a>(ZipArchive<Cursor<&'a [u8]>>);
+struct ArchiveArrays<'a> {
+    archive: ZipArchive<Cursor<&'a [u8]>>,
+    budget: MemoryBudget,
+}
+
+/// Bytes that a number of the matrix takes while it is read, beside its entry: as a value and as a place.
+const VALUE_BYTES: u128 = 16;
+/// Bytes that any number takes while it is read: as it is and as what it may not be.
+const COUNT_BYTES: u128 = 24;
 
 /// Reads CSR, CSC, BSR, COO and DIA matrices.
-pub(super) fn read_npz(bytes: &[u8]) -> Result<Matrix, ExchangeError> {
+pub(super) fn read_npz(bytes: &[u8], budget: MemoryBudget) -> Result<Matrix, ExchangeError> {
     let archive = ZipArchive::new(Cursor::new(bytes))
         .map_err(|error| FileCause::Damaged { what: ARCHIVE, problem: error.to_string() })?;
-    let mut arrays = ArchiveArrays(archive);
+    let mut arrays = ArchiveArrays { archive, budget };
     let shape = arrays.counts("shape")?;
     let [rows, columns] = shape.as_slice() else {
         return Err(inconsistent(format!("its shape has {} numbers; a matrix has two", shape.len())));
@@ -59,14 +69,18 @@ fn inconsistent(problem: String) -> ExchangeError {
 }
 
 impl ArchiveArrays<'_> {
-    /// An array; it unpacks no further than its own header says.
+    /// An array; it unpacks no further than its own header says, and where that is not more than the archive can hold and the budget has.
     fn array(&mut self, name: &str) -> Result<NpyArray, ExchangeError> {
-        let mut file = self.0.by_name(&format!("{name}.npy")).map_err(|error| FileCause::Foreign {
+        let mut file = self.archive.by_name(&format!("{name}.npy")).map_err(|error| FileCause::Foreign {
             format: "sparse matrix of SciPy",
             found: format!("its array `{name}` cannot be had ({error})"),
             remedy: "write it with scipy.sparse.save_npz",
         })?;
-        Ok(read_npy(&mut file).map_err(refused)?)
+        let header = NpyHeader::read(&mut file).map_err(refused)?;
+        let each = if name == "data" { VALUE_BYTES + ENTRY_BYTES } else { COUNT_BYTES };
+        let needed = header.said as u128 + header.count as u128 * each;
+        check_unpacked(header.said as u64, file.compressed_size(), self.budget, needed)?;
+        Ok(header.read_numbers(&mut file).map_err(refused)?)
     }
 
     fn floats(&mut self, name: &str) -> Result<Vec<f64>, ExchangeError> {

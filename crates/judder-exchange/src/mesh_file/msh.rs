@@ -1,11 +1,12 @@
-//! Meshes of Gmsh in its format 4.1, text and binary, with physical names as sets.
+//! Meshes of Gmsh in its formats 4.1 and 2.2, text and binary, with physical names as sets.
 //!
-//! *Gmsh Reference Manual*, MSH file format, version 4.1.
+//! *Gmsh Reference Manual*, MSH file format, version 4.1 and version 2 (legacy).
 
 mod element_type;
 mod groups;
 mod sections;
 mod source;
+mod version2;
 
 use super::MeshFile;
 use crate::bytes::Bytes;
@@ -16,29 +17,40 @@ use crate::quoted::quoted;
 use sections::Sections;
 use source::{MshForm, MshSource};
 
-const FORMAT: &str = "mesh of Gmsh's format 4.1";
+const FORMAT: &str = "mesh of Gmsh's format 4.1 or 2.2";
 const REMEDY: &str = "save it anew with `gmsh FILE -save -format msh41 -o NEW.msh`";
+
+/// The formats that are read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum MshVersion {
+    /// 2.2.
+    Two,
+    /// 4.1.
+    Four,
+}
 
 /// Reads nodes, elements and physical groups.
 pub(super) fn read_msh(bytes: &[u8]) -> Result<MeshFile, ExchangeError> {
     let mut source = MshSource::new(bytes);
-    read_format(&mut source)?;
+    let version = read_format(&mut source)?;
     let mut sections = Sections::default();
     while let Some(line) = source.line()? {
         let name = line.strip_prefix('$').ok_or_else(|| {
             let problem = format!("`{}` stands where a section should begin", quoted(line));
             source.error(FileCause::Inconsistent { what: "the order of the file", problem })
         })?;
-        match name {
-            "PhysicalNames" => sections.read_names(&mut source)?,
-            "Entities" => sections.read_entities(&mut source)?,
-            "Nodes" => sections.read_nodes(&mut source)?,
-            "Elements" => sections.read_elements(&mut source)?,
-            "PartitionedEntities" => {
+        match (name, version) {
+            ("PhysicalNames", _) => sections.read_names(&mut source)?,
+            ("Entities", MshVersion::Four) => sections.read_entities(&mut source)?,
+            ("Nodes", MshVersion::Four) => sections.read_nodes(&mut source)?,
+            ("Nodes", MshVersion::Two) => sections.read_nodes_of_2(&mut source)?,
+            ("Elements", MshVersion::Four) => sections.read_elements(&mut source)?,
+            ("Elements", MshVersion::Two) => sections.read_elements_of_2(&mut source)?,
+            ("PartitionedEntities", _) => {
                 let (what, found) = ("the mesh", String::from("partitioned"));
                 return Err(source.error(FileCause::Unsupported { what, found, read: "a mesh in one part" }));
             }
-            other => {
+            (other, _) => {
                 let text = format!("the section ${} is passed over", quoted(other));
                 sections.parts.warnings.push(Warning { line: None, text });
             }
@@ -51,7 +63,7 @@ pub(super) fn read_msh(bytes: &[u8]) -> Result<MeshFile, ExchangeError> {
 }
 
 /// The version, the form and, in a binary file, the endianness.
-fn read_format(source: &mut MshSource<'_>) -> Result<(), ExchangeError> {
+fn read_format(source: &mut MshSource<'_>) -> Result<MshVersion, ExchangeError> {
     let foreign = |found: String| FileCause::Foreign { format: FORMAT, found, remedy: REMEDY };
     let first = source.line()?.unwrap_or("");
     if first != "$MeshFormat" {
@@ -63,9 +75,11 @@ fn read_format(source: &mut MshSource<'_>) -> Result<(), ExchangeError> {
     let [version, form, width] = words.as_slice() else {
         return Err(source.error(foreign(format!("its format line is `{}`", quoted(line)))));
     };
-    if *version != "4.1" {
-        return Err(source.error(foreign(format!("its version is {}", quoted(version)))));
-    }
+    let read = match *version {
+        "4.1" => MshVersion::Four,
+        "2.2" => MshVersion::Two,
+        other => return Err(source.error(foreign(format!("its version is {}", quoted(other))))),
+    };
     match (*form, *width) {
         ("0", _) => {}
         ("1", "8") => {
@@ -80,7 +94,7 @@ fn read_format(source: &mut MshSource<'_>) -> Result<(), ExchangeError> {
         _ => return Err(source.error(foreign(format!("its format line is `{}`", quoted(line))))),
     }
     if source.skip_to("$EndMeshFormat") {
-        Ok(())
+        Ok(read)
     } else {
         Err(source.error(FileCause::NoEnd { section: String::from("MeshFormat") }))
     }

@@ -45,8 +45,8 @@ fn binary_files_are_no_text_and_texts_no_binary_files() {
     assert!(message("a.mtx", [0x31, 0xff, 0xfe]).contains("line 1: is no text: byte 1"));
     assert!(message("a.mat", sample("general.mtx")).contains("its header is not that of version 5"));
     assert!(message("a.npz", sample("general.mtx")).contains("the archive does not unpack"));
-    assert!(message("a.mat", b"\x89HDF\r\n\x1a\n").contains("version 7.3"));
-    assert!(message("a.mat", b"MATLAB 7.3 MAT-file").contains("version 7.3"));
+    assert!(message("a.mat", b"\x89HDF\r\n\x1a\n").contains("the HDF5 file does not unpack"));
+    assert!(message("a.mat", b"MATLAB 7.3 MAT-file").contains("the HDF5 file does not unpack"));
     assert!(message("a.mat", b"MATLAB 5").contains("ends within the header of 128 bytes"));
 }
 
@@ -95,6 +95,28 @@ fn numbers_that_are_none_and_counts_that_cannot_be_are_refused() {
     let array = |rest: &str| message("a.mtx", format!("%%MatrixMarket matrix array real general\n{rest}"));
     assert!(array("4000000000 4000000000\n1\n").contains("says 16000000000000000000 entries"));
     assert!(message("a.mtx", "1 1 1\n99999999999 1 1\n").contains("is a number damaged?"));
+}
+
+/// Its first column has the rows 0, 1 and 4, its second begins at entry 3 and ends at 7.
+#[test]
+fn matlab_files_of_version_7_3_that_are_changed_are_named() {
+    let pointer = |value: u64| value.to_le_bytes();
+    let starts = [0, 3, 7].map(pointer).concat();
+    let descending = message("a.mat", replaced("sparse_73.mat", &starts, &[0, 9, 7].map(pointer).concat()));
+    assert!(descending.contains("column pointers do not ascend"), "{descending}");
+    let beyond = message(
+        "a.mat",
+        replaced("sparse_73.mat", &[1, 4].map(pointer).concat(), &[1, 77].map(pointer).concat()),
+    );
+    assert!(beyond.contains("a row is 77 (from 0), of 6"), "{beyond}");
+    let not_finite = replaced("full_73.mat", &6.6_f64.to_le_bytes(), &f64::NAN.to_le_bytes());
+    assert!(message("a.mat", not_finite).contains("NaN at row 6, column 6"));
+    let other_class = replaced("full_73.mat", b"double", b"cell\0\0");
+    assert!(message("a.mat", other_class).contains("it holds no matrix of numbers"));
+    // a matrix of 2^40 rows in a file of some kilobytes
+    let tall = replaced("full_73.mat", &[6, 6].map(pointer).concat(), &[6, 1 << 40].map(pointer).concat());
+    let said = message("a.mat", tall);
+    assert!(said.contains("unpacked bytes") || said.contains("does not unpack"), "{said}");
 }
 
 /// Compressed files of some hundred bytes that would unpack to sixteen megabytes, a thousandfold each.

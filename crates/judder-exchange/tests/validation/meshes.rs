@@ -49,6 +49,8 @@ fn a_ring_of_gmsh_has_its_area_and_its_edges() {
         ("quad4.msh", ElementKind::Quad4, 8, straight, 1e-12),
         ("quad8.msh", ElementKind::Quad8, 8, 0.75 * PI, 2e-4),
         ("quad8_binary.msh", ElementKind::Quad8, 8, 0.75 * PI, 2e-4),
+        ("quad8_22.msh", ElementKind::Quad8, 8, 0.75 * PI, 2e-4),
+        ("quad8_22_binary.msh", ElementKind::Quad8, 8, 0.75 * PI, 2e-4),
         ("triangle6.msh", ElementKind::Triangle6, 16, 0.75 * PI, 2e-4),
     ] {
         let file = read(name);
@@ -77,15 +79,35 @@ fn a_ring_of_gmsh_has_its_area_and_its_edges() {
 
 #[test]
 fn text_and_binary_are_the_same_mesh() {
-    for name in ["quad8", "hexahedron20"] {
-        let (text, mut binary) = (read(&format!("{name}.msh")), read(&format!("{name}_binary.msh")));
-        // texts hold sixteen digits
-        for (place, other) in text.mesh.nodes.iter().zip(&mut binary.mesh.nodes) {
-            assert!((0..3).all(|axis| (place[axis] - other[axis]).abs() < 1e-14));
-            *other = *place;
-        }
-        assert_eq!(text, binary);
+    for name in ["quad8", "hexahedron20", "quad8_22", "two_groups_22"] {
+        same(&read(&format!("{name}.msh")), read(&format!("{name}_binary.msh")));
     }
+}
+
+/// Texts hold sixteen digits.
+fn same(text: &MeshFile, mut other: MeshFile) {
+    assert_eq!(text.mesh.nodes.len(), other.mesh.nodes.len());
+    for (place, other) in text.mesh.nodes.iter().zip(&mut other.mesh.nodes) {
+        assert!((0..3).all(|axis| (place[axis] - other[axis]).abs() < 1e-14));
+        *other = *place;
+    }
+    assert_eq!(*text, other);
+}
+
+/// The format 2.2 has no entities: an element of two groups stands there twice, and would have twice its mass.
+#[test]
+fn both_formats_of_gmsh_are_the_same_mesh() {
+    for (name, elements) in [("quad8", 8), ("tetrahedron10", 12), ("two_groups", 8)] {
+        let (four, mut two) = (read(&format!("{name}.msh")), read(&format!("{name}_22.msh")));
+        assert_eq!(two.mesh.elements(), elements, "{name}");
+        close(content(&two), content(&four), 1e-14);
+        // elements are numbered anew in files of format 2.2
+        two.element_labels.clone_from(&four.element_labels);
+        same(&four, two);
+    }
+    let both = read("two_groups_22.msh");
+    assert_eq!(both.mesh.element_sets["all"], both.mesh.element_sets["ring"]);
+    assert_eq!(both.mesh.side_sets["rim"], both.mesh.side_sets["outer"]);
 }
 
 /// Middles of edges in the wrong order would change the volume or fold the elements.
@@ -95,7 +117,9 @@ fn a_box_of_gmsh_has_its_volume_and_its_faces() {
         ("hexahedron8.msh", ElementKind::Hexahedron8),
         ("hexahedron20.msh", ElementKind::Hexahedron20),
         ("hexahedron20_binary.msh", ElementKind::Hexahedron20),
+        ("hexahedron20_22_binary.msh", ElementKind::Hexahedron20),
         ("tetrahedron10.msh", ElementKind::Tetrahedron10),
+        ("tetrahedron10_22.msh", ElementKind::Tetrahedron10),
     ] {
         let file = read(name);
         assert_eq!((file.mesh.blocks.len(), file.mesh.blocks[0].kind), (1, kind));

@@ -29,7 +29,7 @@ pub(super) struct Sections {
     /// Physical groups by dimension and number of the entity.
     pub(super) groups: BTreeMap<(usize, i64), Vec<i64>>,
     pub(super) blocks: Vec<ElementBlock>,
-    places: HashMap<usize, usize>,
+    pub(super) places: HashMap<usize, usize>,
     pub(super) parts: FileParts,
 }
 

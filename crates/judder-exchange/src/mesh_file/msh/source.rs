@@ -48,6 +48,10 @@ impl<'a> MshSource<'a> {
         }
     }
 
+    pub(super) fn is_text(&self) -> bool {
+        self.form == MshForm::Text
+    }
+
     /// Bytes that are left.
     pub(super) fn left_bytes(&self) -> usize {
         self.left().len()
@@ -88,7 +92,7 @@ impl<'a> MshSource<'a> {
 
     /// Enters the numbers of a section.
     pub(super) fn begin_numbers(&mut self) {
-        if self.form != MshForm::Text {
+        if !self.is_text() {
             self.begin_numbers_after_line();
         }
     }
@@ -177,11 +181,33 @@ impl<'a> MshSource<'a> {
         what: &'static str,
     ) -> Result<usize, ExchangeError> {
         let said = self.size(what)?;
-        let word = if self.form == MshForm::Text { 2 } else { 4 };
-        // the last word of a text may lack its end
-        check_room(said, words_each * word, self.left().len() + 1, what)
-            .map_err(|cause| self.error(cause))?;
+        self.check_words(said, words_each, what)?;
         Ok(said)
+    }
+
+    /// An `int` that is not negative.
+    pub(super) fn whole(&mut self, what: &'static str) -> Result<usize, ExchangeError> {
+        let number = self.int(what)?;
+        usize::try_from(number)
+            .map_err(|_| self.error(FileCause::NotACount { text: number.to_string(), least: 0, what }))
+    }
+
+    /// How many things follow, of at least so many words each, where the number itself is an `int`.
+    pub(super) fn int_count(
+        &mut self,
+        words_each: usize,
+        what: &'static str,
+    ) -> Result<usize, ExchangeError> {
+        let said = self.whole(what)?;
+        self.check_words(said, words_each, what)?;
+        Ok(said)
+    }
+
+    fn check_words(&self, said: usize, words_each: usize, what: &'static str) -> Result<(), ExchangeError> {
+        let word = if self.is_text() { 2 } else { 4 };
+        // the last word of a text may lack its end
+        check_room(said, words_each.saturating_mul(word), self.left().len() + 1, what)
+            .map_err(|cause| self.error(cause))
     }
 
     /// Goes behind the line that ends a section; whether it is there.

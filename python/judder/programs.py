@@ -12,7 +12,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, overload
 
-from judder import _arguments, _judder, _places
+from judder import _arguments, _judder, _places, _warned
 from judder._objects import CaseSource
 from judder._shown import Shown
 from judder.errors import InputError
@@ -223,7 +223,10 @@ def report(study: Study | str | os.PathLike[str]) -> Path:
         StoreError: it cannot be read or written.
     """
     folder = study.folder if isinstance(study, Study) else study
-    return Path(_judder.rebuilt_report(_places.writable(folder)))
+    page, lacking = _judder.rebuilt_report(_places.writable(folder))
+    for line in lacking:
+        _warned.warn(line)
+    return Path(page)
 
 
 def verify(folder: str | os.PathLike[str]) -> dict[str, Any]:

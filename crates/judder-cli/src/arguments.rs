@@ -1,10 +1,11 @@
 //! The command line as types.
 
-use clap::error::{ContextKind, ContextValue};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgAction, Args, CommandFactory, Parser};
+use serde_json::json;
 
 use crate::commands::Command;
-use crate::console::Console;
+use crate::console::{Console, ProgressForm};
 use crate::failure::{Exit, Failure};
 
 const HELP: &str = "\
@@ -20,7 +21,7 @@ Examples:
 
 Exit codes:
   0  done; an unstable point or an empty list of roots is an answer, a failed check a warning
-  1  a requested result is missing: it did not converge, was interrupted or could not be written
+  1  a requested result is missing: it did not converge, was interrupted (Ctrl-C, SIGTERM, SIGHUP) or could not be written
   2  the input is wrong: the case, an option, the folder
 
 Colours obey NO_COLOR, CLICOLOR and CLICOLOR_FORCE.";
@@ -48,12 +49,16 @@ struct ConsoleManner {
     /// Say more: every analysis with its time; -vv also where and what
     #[arg(short, long, global = true, action = ArgAction::Count)]
     verbose: u8,
+    /// How to tell on standard error how far a command is
+    #[arg(long, global = true, value_name = "FORM", value_enum, default_value_t = ProgressForm::Auto)]
+    progress: ProgressForm,
 }
 
 impl Arguments {
     /// The console that these arguments ask for.
     pub(crate) fn console(&self) -> Console {
-        Console::new(self.manner.json, self.manner.quiet, self.manner.verbose)
+        let ConsoleManner { json, quiet, verbose, progress } = self.manner;
+        Console::new(json, quiet, verbose, progress)
     }
 }
 
@@ -70,8 +75,27 @@ pub(crate) fn without_command(console: Console) -> Result<Exit, Failure> {
     Ok(Exit::Done)
 }
 
+/// The answer to a command line that asks for no command: help, version.
+///
+/// # Errors
+/// What is wrong with it, and what would be right.
+pub(crate) fn answer(error: &clap::Error, console: Console) -> Result<Exit, Failure> {
+    let key = match error.kind() {
+        ErrorKind::DisplayHelp => "help",
+        ErrorKind::DisplayVersion => "version",
+        _ => return Err(refuse(error)),
+    };
+    if console.json() {
+        console.document(|| json!({ key: error.to_string() }))?;
+    } else {
+        // A reader that has gone, as in `judder --help | head -1`, is no failure.
+        let _ = error.print();
+    }
+    Ok(Exit::Done)
+}
+
 /// What is wrong with a command line, and what would be right.
-pub(crate) fn refuse(error: &clap::Error) -> Failure {
+fn refuse(error: &clap::Error) -> Failure {
     if let Some(ContextValue::String(name)) = error.get(ContextKind::InvalidSubcommand) {
         return unknown_command(name);
     }

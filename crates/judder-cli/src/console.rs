@@ -3,15 +3,22 @@
 use std::ffi::OsString;
 use std::fmt::Display;
 use std::io::{self, ErrorKind, IsTerminal, Write};
+use std::sync::{Mutex, PoisonError};
 
+use clap::ValueEnum;
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme};
-use serde_json::Value;
+use serde_json::{Value, json};
 use terminal_size::{Width, terminal_size_of};
 
-use crate::failure::{Failure, Message};
+use crate::failure::{Exit, Failure, Message};
 
+/// Where more is said of what a result lacks.
+pub(crate) const IN_THE_REPORT: &str = "the report says it in its place";
 /// Where no terminal gives a width.
 const WIDTH: u16 = 120;
+
+/// Whether the one document of `--json` stands on standard output; held while it is written.
+static HAS_DOCUMENT: Mutex<bool> = Mutex::new(false);
 
 /// How to speak to the user of this command line.
 #[derive(Debug, Clone, Copy)]
@@ -19,17 +26,34 @@ pub(crate) struct Console {
     json: bool,
     quiet: bool,
     verbosity: u8,
+    progress: ProgressForm,
+}
+
+/// How is told how far a command is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ProgressForm {
+    /// Bars on a terminal, elsewhere a line at least every ten seconds
+    Auto,
+    /// Lines of JSON on standard error, messages among them
+    Json,
+    /// Nothing
+    None,
 }
 
 impl Console {
-    pub(crate) fn new(json: bool, quiet: bool, verbosity: u8) -> Self {
-        Self { json, quiet, verbosity }
+    pub(crate) fn new(json: bool, quiet: bool, verbosity: u8, progress: ProgressForm) -> Self {
+        Self { json, quiet, verbosity, progress }
     }
 
     /// For arguments that could not be parsed: of these only `--json` matters.
     pub(crate) fn before_parsing(words: &[OsString]) -> Self {
         let mut options = words.iter().skip(1).take_while(|argument| *argument != "--");
-        Self::new(options.any(|argument| argument == "--json"), false, 0)
+        Self::new(options.any(|argument| argument == "--json"), false, 0, ProgressForm::Auto)
+    }
+
+    /// For a command that begins: no document stands on standard output yet.
+    pub(crate) fn begin(self) {
+        *HAS_DOCUMENT.lock().unwrap_or_else(PoisonError::into_inner) = false;
     }
 
     /// Whether one JSON document is the result.
@@ -39,7 +63,40 @@ impl Console {
 
     /// Whether progress bars may be drawn.
     pub(crate) fn has_bars(self) -> bool {
-        !self.json && !self.quiet && io::stderr().is_terminal()
+        !self.json && !self.quiet && self.progress == ProgressForm::Auto && io::stderr().is_terminal()
+    }
+
+    /// Whether lines tell how far a command is.
+    pub(crate) fn has_lines(self) -> bool {
+        !self.quiet && self.progress == ProgressForm::Auto && !self.has_bars()
+    }
+
+    /// Whether these are lines of JSON.
+    pub(crate) fn has_json_lines(self) -> bool {
+        self.progress == ProgressForm::Json
+    }
+
+    /// A line of JSON, where they are asked for.
+    pub(crate) fn json_line(self, line: impl FnOnce() -> Value) {
+        if self.has_json_lines() {
+            write_message(&format!("{}\n", line()));
+        }
+    }
+
+    /// A line that tells how far a command is.
+    pub(crate) fn progress_line(self, text: impl FnOnce() -> String, line: impl FnOnce() -> Value) {
+        if self.has_lines() {
+            write_message(&format!("{}\n", text()));
+        }
+        self.json_line(line);
+    }
+
+    /// A message as it is, or as a line of JSON.
+    fn say(self, text: &str) {
+        match self.has_json_lines() {
+            true => self.json_line(|| json!({ "event": "message", "text": text.trim_end() })),
+            false => write_message(text),
+        }
     }
 
     /// Prints the result of a command in the form that was asked for.
@@ -51,7 +108,7 @@ impl Console {
         text: impl FnOnce() -> String,
         json: impl FnOnce() -> Value,
     ) -> Result<(), Failure> {
-        if self.json { write_output(&format!("{:#}\n", json())) } else { write_output(&text()) }
+        if self.json { write_document(&json()) } else { write_output(&text()) }
     }
 
     /// Prints the result of a command that has one only for `--json`.
@@ -70,20 +127,30 @@ impl Console {
     /// A line for whoever asked for as many `-v`.
     pub(crate) fn detail(self, verbosity: u8, text: impl Display) {
         if !self.quiet && self.verbosity >= verbosity {
-            write_message(&format!("{text}\n"));
+            self.say(&format!("{text}\n"));
         }
     }
 
     /// What the user has to know before trusting the result.
     pub(crate) fn warn(self, text: &str) {
         if !self.quiet {
-            write_message(&draw(&Message::warning(text)));
+            self.say(&draw(&Message::warning(text)));
         }
     }
 
     /// Why a result is missing although the command ended well; told also to whoever asked for silence.
     pub(crate) fn incomplete(self, text: &str, help: &str) {
-        write_message(&draw(&Message::error(text).with_help(help)));
+        self.say(&draw(&Message::error(text).with_help(help)));
+    }
+
+    /// What a result lacks, a line each, also for whoever asked for silence; how the command ends.
+    pub(crate) fn lacking(self, lacking: &[String], help: &str) -> Exit {
+        if lacking.is_empty() {
+            return Exit::Done;
+        }
+        let text = format!("a requested result is missing: {}", lacking.join("\n"));
+        self.incomplete(&text, help);
+        Exit::Incomplete
     }
 
     /// Why a part of the result is missing; told also to whoever asked for silence.
@@ -96,11 +163,11 @@ impl Console {
         /// A screen or two.
         const MOST: usize = 20;
         for one in std::iter::once(failure).chain(&failure.others).take(MOST) {
-            write_message(&draw(one.diagnostic()));
+            self.say(&draw(one.diagnostic()));
         }
         let more = (failure.others.len() + 1).saturating_sub(MOST);
         if more > 0 {
-            write_message(&draw(&Message::error(format!("{more} more things are wrong with it"))));
+            self.say(&draw(&Message::error(format!("{more} more things are wrong with it"))));
         }
     }
 
@@ -108,7 +175,7 @@ impl Console {
     pub(crate) fn failure(self, failure: &Failure) {
         if self.json {
             // If standard output cannot be written, the message on standard error is all there is.
-            let _ = write_output(&format!("{:#}\n", failure.json()));
+            let _ = write_document(&failure.json());
         }
         self.draw_all(failure);
     }
@@ -137,6 +204,16 @@ fn draw(diagnostic: &dyn Diagnostic) -> String {
 fn write_message(text: &str) {
     // Where standard error is closed there is nobody to tell.
     let _ = anstream::stderr().write_all(text.as_bytes());
+}
+
+/// Writes the document, where none stands there yet.
+fn write_document(document: &Value) -> Result<(), Failure> {
+    let mut has_document = HAS_DOCUMENT.lock().unwrap_or_else(PoisonError::into_inner);
+    if *has_document {
+        return Ok(());
+    }
+    *has_document = true;
+    write_output(&format!("{document:#}\n"))
 }
 
 fn write_output(text: &str) -> Result<(), Failure> {

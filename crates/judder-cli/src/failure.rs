@@ -1,5 +1,6 @@
 //! Every error with its message, place, help and exit code.
 
+use std::any::Any;
 use std::fmt::{self, Display};
 use std::io;
 use std::path::Path;
@@ -8,8 +9,8 @@ use judder_examples::ExampleError;
 use judder_explorer::ExplorerError;
 use judder_keys::error::CaseError;
 use judder_models::ModelError;
-use judder_study::StudyError;
 use judder_study::run::RefusedAnalysis;
+use judder_study::{StudyError, fault_told};
 use miette::{Diagnostic, Severity};
 use serde_json::{Value, json};
 
@@ -57,7 +58,7 @@ impl Message {
     }
 
     /// A sentence that says what is wrong and, after its last semicolon, what would be right.
-    fn from_sentence(error: &impl Display) -> Self {
+    pub(crate) fn from_sentence(error: &impl Display) -> Self {
         let text = error.to_string();
         match text.rsplit_once("; ") {
             Some((wrong, right)) => Self::error(wrong).with_help(right),
@@ -107,6 +108,12 @@ impl Failure {
     /// The result could not be computed or kept.
     pub(crate) fn missing(message: Message) -> Self {
         Self { exit: Exit::Incomplete, diagnostic: Box::new(message), others: Vec::new() }
+    }
+
+    /// A panic of the program.
+    pub(crate) fn fault(panic: &(dyn Any + Send)) -> Self {
+        let help = "please report it, with the command and its case";
+        Self::missing(Message::error(fault_told(panic)).with_help(help))
     }
 
     /// Standard output could not be written.

@@ -6,7 +6,7 @@
 //!
 //! - `arguments`: the command line as types, with the help texts.
 //! - `commands`: one module a command; each makes one call into `judder-study` and prints what came of it.
-//! - `threads`, `interrupt`, `progress`: the pool of `--threads`, Ctrl-C, bars and times.
+//! - `threads`, `interrupt`, `progress`: the pool of `--threads`, what ends a command from outside, how far it is.
 //! - `failure`: every error with its message, place, help and exit code.
 //! - `console`: results to standard output, all else to standard error.
 //! - `scoreboard`: the table of `judder reproduce`.
@@ -21,13 +21,14 @@ mod scoreboard;
 mod threads;
 
 use std::ffi::OsString;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 
 use crate::arguments::Arguments;
 use crate::console::Console;
-use crate::failure::Exit;
+use crate::failure::{Exit, Failure};
+use crate::interrupt::Interrupt;
 
 /// The version of the program: its number and, where they are known, the sources it was built from, such as `0.1.0+4d3b94b50f1e`.
 pub const VERSION: &str = env!("JUDDER_VERSION");
@@ -48,25 +49,44 @@ pub fn command_line() -> clap::Command {
 pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     judder_study::name_version(VERSION);
     let words: Vec<OsString> = arguments.into_iter().collect();
-    let (console, outcome) = match Arguments::try_parse_from(&words) {
-        Ok(arguments) => {
-            let console = arguments.console();
-            let outcome = match arguments.command {
+    let parsed = Arguments::try_parse_from(&words);
+    let console = parsed.as_ref().map_or_else(|_| Console::before_parsing(&words), Arguments::console);
+    console.begin();
+    let outcome = caught(|| {
+        Interrupt::watch(console)?;
+        match parsed {
+            Ok(arguments) => match arguments.command {
                 Some(command) => commands::execute(command, console),
                 None => arguments::without_command(console),
-            };
-            (console, outcome)
+            },
+            Err(error) => arguments::answer(&error, console),
         }
-        Err(help) if matches!(help.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
-            // A reader that has gone, as in `judder --help | head -1`, is no failure.
-            let _ = help.print();
-            return Exit::Done.code();
-        }
-        Err(error) => (Console::before_parsing(&words), Err(arguments::refuse(&error))),
-    };
+    });
+    interrupt::end_by_itself();
     let exit = outcome.unwrap_or_else(|failure| {
         console.failure(&failure);
         failure.exit
     });
     exit.code()
+}
+
+/// The outcome of a command; a panic of it is a failure as any other, for an exit code of its own would surprise a script.
+fn caught(command: impl FnOnce() -> Result<Exit, Failure>) -> Result<Exit, Failure> {
+    // what the command has changed is gone with it
+    catch_unwind(AssertUnwindSafe(command)).unwrap_or_else(|panic| Err(Failure::fault(&*panic)))
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::panic, clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use super::*;
+
+    #[test]
+    fn a_panic_is_a_missing_result() {
+        let failure = caught(|| panic!("the matrix has no rows")).unwrap_err();
+        assert_eq!(failure.exit, Exit::Incomplete);
+        let message = failure.json()["error"]["message"].clone();
+        assert_eq!(message, "a fault of the program: the matrix has no rows");
+    }
 }

@@ -76,7 +76,7 @@ mod tests {
             report: "out/report.html".into(),
             columns: ["printed", "other load", "corrected"].map(String::from).to_vec(),
             scoreboard: vec![claim(["1", "1", "1"], "agrees"), claim(["1", "1", "2"], "open")],
-            complete: true,
+            lacking: Vec::new(),
         }
     }
 

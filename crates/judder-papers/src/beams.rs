@@ -36,15 +36,16 @@ const QUICK_START: &str = "76 mm";
 /// A folder that cannot be written, or [`StudyError::Interrupted`]; what was done until then is kept.
 pub fn beams_paper(folder: &Path, quick: bool, progress: &dyn Progress) -> Result<Reproduction, StudyError> {
     let file = case(quick, &growth(quick, folder, progress)?)?;
-    let Computed { store, mut summary, complete, .. } =
+    let Computed { store, mut summary, lacking, .. } =
         run::compute(&file, folder, &RunOptions::default(), progress)?;
     let scoreboard = claims::lines(&StoredResults::stored(&store, &summary)?);
     summary.extra.insert(KEY.to_owned(), json!({ "paper": PAPER, "quick": quick, "scoreboard": scoreboard }));
     store.write_summary(&summary, None)?;
-    let report = page::write(&store, &summary)?;
+    let page = page::write(&store, &summary)?;
     store.seal(version())?;
     let columns = vec!["ours".to_owned()];
-    Ok(Reproduction { folder: folder.to_owned(), report, columns, scoreboard, complete })
+    let lacking = [lacking, page.lacking()].concat();
+    Ok(Reproduction { folder: folder.to_owned(), report: page.path, columns, scoreboard, lacking })
 }
 
 /// Computes the loci, and says which growth analyses there are in their zones. The folder is free again afterwards.
@@ -105,7 +106,7 @@ mod tests {
         let computed =
             run::compute(&file, folder.path(), &RunOptions { only, ..RunOptions::default() }, &Silent)
                 .unwrap();
-        assert!(computed.complete && computed.skipped == ["locus", "locus-deformed"]);
+        assert!(computed.lacking.is_empty() && computed.skipped == ["locus", "locus-deformed"]);
         let found = StoredResults::stored(&computed.store, &computed.summary).unwrap();
         for (_, method) in LOCI {
             let growths = found.growths(method);

@@ -14,8 +14,9 @@ mod plain;
 mod reproduction;
 mod summary;
 
-use judder_study::{StudyError, report, version};
-use std::path::{Path, PathBuf};
+use judder_study::report::{self, WrittenPage};
+use judder_study::{StudyError, version};
+use std::path::Path;
 use summary::KEY;
 
 pub use beams::beams_paper;
@@ -25,12 +26,15 @@ pub use paper::Paper;
 pub use plain::plain;
 pub use reproduction::Reproduction;
 
-/// Rebuilds figures and `report.html` of any study folder from its stored results; returns the page's path.
+/// Rebuilds figures and `report.html` of any study folder from its stored results, there or in another folder.
 ///
 /// # Errors
 /// A folder without results, damaged results, or a folder that cannot be written.
-pub fn rebuild(folder: &Path) -> Result<PathBuf, StudyError> {
-    let (store, summary) = report::stored(folder)?;
+pub fn rebuild(folder: &Path, output: Option<&Path>) -> Result<WrittenPage, StudyError> {
+    let (store, summary) = match output {
+        None => report::stored(folder),
+        Some(output) => report::stored_for(folder, output),
+    }?;
     let paper = summary.extra.get(KEY).map(|own| own.get("paper").and_then(serde_json::Value::as_str));
     let page = match paper {
         None => report::write(judder_models::REGISTRY, &store, &summary),

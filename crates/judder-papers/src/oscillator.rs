@@ -80,11 +80,11 @@ pub fn oscillator_paper(
         .insert(KEY.to_owned(), json!({ "paper": "oscillator-paper", "scoreboard": scoreboard }));
     study.summary.wall_time_s = start.elapsed().as_secs_f64();
     store.write_summary(&study.summary, None)?;
-    let report = page::write(&store, &study.summary)?;
+    let page = page::write(&store, &study.summary)?;
     store.seal(version())?;
-    let complete = study.is_complete(&names);
+    let lacking = [study.lacking(&names), page.lacking()].concat();
     let columns = READINGS.iter().map(|reading| reading.plain.to_owned()).collect();
-    Ok(Reproduction { folder: folder.to_owned(), report, columns, scoreboard, complete })
+    Ok(Reproduction { folder: folder.to_owned(), report: page.path, columns, scoreboard, lacking })
 }
 
 /// Runs what is not done yet.

@@ -16,8 +16,8 @@ pub struct Reproduction {
     pub columns: Vec<String>,
     /// What the paper says, and what we find.
     pub scoreboard: Vec<ClaimLine>,
-    /// Whether every result is there.
-    pub complete: bool,
+    /// Results and figures that are not whole, a line each: which, and why.
+    pub lacking: Vec<String>,
 }
 
 impl Reproduction {
@@ -39,9 +39,10 @@ impl Reproduction {
             })
         };
         json!({
-            "folder": self.folder,
-            "report": self.report,
-            "complete": self.complete,
+            "folder": self.folder.display().to_string(),
+            "report": self.report.display().to_string(),
+            "complete": self.lacking.is_empty(),
+            "lacking": self.lacking,
             "scoreboard": self.scoreboard.iter().map(line).collect::<Vec<_>>(),
         })
     }

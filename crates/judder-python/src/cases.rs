@@ -57,7 +57,7 @@ pub(crate) fn package_of(file: &CaseFile) -> CasePackage {
 #[pyfunction]
 pub(crate) fn checked_case(py: Python<'_>, case: CaseSource, overrides: Vec<String>) -> PyResult<String> {
     let file = case.read(&overrides)?;
-    let done = watched(py, &Manner::default(), |_| resolve(&file))?;
+    let done = watched(py, &Manner::default(), |watch| resolve(&file, watch))?;
     Ok(done.settled(|error| errors::study(&error))?.json().to_string())
 }
 

@@ -28,11 +28,13 @@ pub(crate) fn schema_text() -> String {
     judder_models::schema().to_string()
 }
 
-/// Rebuilds figures and report of a study folder; returns the path of the page.
+/// Rebuilds figures and report of a study folder; returns the path of the page, and the figures that it lacks.
 #[pyfunction]
-pub(crate) fn rebuilt_report(py: Python<'_>, folder: PathBuf) -> PyResult<PathBuf> {
-    let done = watched(py, &Manner::default(), |_| rebuild(&folder))?;
-    done.settled(|error| errors::study(&error))
+pub(crate) fn rebuilt_report(py: Python<'_>, folder: PathBuf) -> PyResult<(PathBuf, Vec<String>)> {
+    let done = watched(py, &Manner::default(), |_| rebuild(&folder, None))?;
+    let page = done.settled(|error| errors::study(&error))?;
+    let lacking = page.lacking();
+    Ok((page.path, lacking))
 }
 
 /// Whether a study folder is as it was written, as JSON.

@@ -41,7 +41,7 @@ mod wire;
 pub use axis::{Axis, Scale};
 pub use error::{PanelError, ReportError};
 pub use figure::{Figure, Layer, Legend, Panel, SecondAxis, Swing};
-pub use page::{Page, PageBlock, PageSection, html};
+pub use page::{Page, PageBlock, PageSection, UndrawnFigure, html};
 pub use palette::{Role, Style};
 pub use png::png;
 pub use svg::svg;

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-use crate::{ChunkDamage, FileDamage};
+use crate::{ChunkDamage, FileDamage, lock_sign};
 
 /// Why something could not be stored or read back. Every variant names the place and says what would be right.
 #[derive(Debug, thiserror::Error)]
@@ -13,6 +13,12 @@ pub enum StoreError {
     /// The output folder, or a part of its path, is a file.
     #[error("{}: a study needs a folder, and this is a file (or runs through one); name another place with -o", path.display())]
     NotAFolder {
+        /// The folder that was asked for.
+        path: PathBuf,
+    },
+    /// The way to the output folder is not text in UTF-8, as arrays need it.
+    #[error("{}: the way to this folder is not text in UTF-8, and arrays cannot be stored there; name another place with -o", path.display())]
+    PathNotText {
         /// The folder that was asked for.
         path: PathBuf,
     },
@@ -30,8 +36,14 @@ pub enum StoreError {
         /// The folder that was asked for.
         path: PathBuf,
     },
+    /// The folder for figures and page of another study holds a study itself.
+    #[error("{}: holds a study, whose own report would be lost; name a new or an empty folder with -o", path.display())]
+    HoldsStudy {
+        /// The folder that was asked for.
+        path: PathBuf,
+    },
     /// Another process writes into this study.
-    #[error("{}: another judder is at work in this study; wait until it ends, or name another folder with -o", path.display())]
+    #[error("{}: another judder ({}) is at work in this study; wait until it ends, or name another folder with -o", path.display(), holder(path))]
     Locked {
         /// The study folder.
         path: PathBuf,
@@ -380,4 +392,9 @@ impl StoreError {
     pub(crate) fn unreadable(path: &Path, source: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
         Self::DatasetUnreadable { path: path.to_owned(), source: source.into() }
     }
+}
+
+/// Who holds the study, where that is known.
+fn holder(study: &Path) -> String {
+    lock_sign(study).holder.unwrap_or_else(|| "nobody knows which".to_owned())
 }

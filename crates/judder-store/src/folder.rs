@@ -26,6 +26,8 @@ use crate::{
 #[derive(Debug)]
 pub struct StudyFolder {
     path: PathBuf,
+    /// Where files go of a study that stays as it is.
+    output: Option<PathBuf>,
     /// Taken while the root of `results.zarr` changes, so that two threads do not forget each other's groups.
     publishing: Mutex<()>,
     manifest: Mutex<ManifestKeeper>,
@@ -51,13 +53,26 @@ impl StudyFolder {
     /// [`StoreError::NoStudy`] where there is none; else as [`create`](Self::create).
     pub fn open(path: impl AsRef<Path>) -> Result<Self, StoreError> {
         let path = path.as_ref();
-        if path.is_file() {
-            return Err(StoreError::NotAFolder { path: path.to_owned() });
-        }
-        if !path.join(summary::FILE).exists() && !path.join(results::FOLDER).exists() {
-            return Err(StoreError::NoStudy { path: path.to_owned() });
-        }
+        look(path)?;
         Self::take(path)
+    }
+
+    /// Looks at an existing study that stays as it is, held by nobody here: files that are written go into another folder, made where there is none.
+    ///
+    /// # Errors
+    /// [`StoreError::NoStudy`]; of the other folder [`StoreError::HoldsStudy`], or [`StoreError::ForeignFolder`] for files of somebody else; else as
+    /// [`create`](Self::create).
+    pub fn drawn_into(path: impl AsRef<Path>, output: impl AsRef<Path>) -> Result<Self, StoreError> {
+        let (path, output) = (path.as_ref(), output.as_ref());
+        look(path)?;
+        if output.join(summary::FILE).exists() {
+            return Err(StoreError::HoldsStudy { path: output.to_owned() });
+        }
+        let lock = lock::try_lock(&prepare(output)?, LockMode::Alone)?;
+        let lock = Arc::new(lock.ok_or_else(|| StoreError::Locked { path: output.to_owned() })?);
+        let manifest = Mutex::new(ManifestKeeper::take(path)?);
+        let output = Some(output.to_owned());
+        Ok(Self { path: path.to_owned(), output, publishing: Mutex::new(()), manifest, lock })
     }
 
     /// Takes a folder that is a study already.
@@ -70,7 +85,8 @@ impl StudyFolder {
         }
         results::repair(path)?;
         let manifest = Mutex::new(ManifestKeeper::take(path)?);
-        Ok(Self { path: path.to_owned(), publishing: Mutex::new(()), manifest, lock: Arc::new(lock) })
+        let lock = Arc::new(lock);
+        Ok(Self { path: path.to_owned(), output: None, publishing: Mutex::new(()), manifest, lock })
     }
 
     /// Where it is.
@@ -290,6 +306,9 @@ impl StudyFolder {
     /// # Errors
     /// Failures of the file system.
     pub fn seal_as_before(&self, build: &str) -> Result<(), StoreError> {
+        if self.output.is_some() {
+            return Ok(());
+        }
         let mut keeper = self.manifest();
         let was_complete = keeper.was_complete();
         keeper.keep(build, was_complete)
@@ -378,13 +397,14 @@ impl StudyFolder {
         if !is_plain_place(relative) {
             return Err(outside());
         }
-        let path = self.path.join(relative);
-        let folder = path.parent().unwrap_or(&self.path);
+        let root = self.output.as_ref().unwrap_or(&self.path);
+        let path = root.join(relative);
+        let folder = path.parent().unwrap_or(root);
         let failed = |source| StoreError::write(&path, content.len() as u64, source);
         // Asked before any folder is made: a link may lead elsewhere.
         let existing = folder.ancestors().find(|ancestor| ancestor.exists()).unwrap_or(folder);
         let real = existing.canonicalize().map_err(failed)?;
-        if !real.starts_with(self.path.canonicalize().map_err(failed)?) {
+        if !real.starts_with(root.canonicalize().map_err(failed)?) {
             return Err(outside());
         }
         fs::create_dir_all(folder).map_err(failed)?;
@@ -394,6 +414,9 @@ impl StudyFolder {
 
     /// Puts a file in its place, and on the list of what the study holds.
     fn put(&self, of: Option<&str>, path: &Path, content: &[u8]) -> Result<(), StoreError> {
+        if let Some(output) = &self.output {
+            return staging::write_file(output, path, content);
+        }
         let relative = manifest::relative(&self.path, path);
         let relative = relative.ok_or_else(|| StoreError::OutsideFolder { path: path.to_owned() })?;
         self.manifest().take_off(|listed, _| listed == relative)?;
@@ -432,8 +455,23 @@ impl StudyFolder {
     }
 }
 
+/// Refuses what is no study.
+fn look(path: &Path) -> Result<(), StoreError> {
+    if path.is_file() {
+        return Err(StoreError::NotAFolder { path: path.to_owned() });
+    }
+    if !path.join(summary::FILE).exists() && !path.join(results::FOLDER).exists() {
+        return Err(StoreError::NoStudy { path: path.to_owned() });
+    }
+    Ok(())
+}
+
 /// Makes the folder of a study where there is none, and returns the place of its lock.
 pub(crate) fn prepare(path: &Path) -> Result<PathBuf, StoreError> {
+    let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    if whole.to_str().is_none() {
+        return Err(StoreError::PathNotText { path: path.to_owned() });
+    }
     fs::create_dir_all(path).map_err(|source| match source.kind() {
         ErrorKind::AlreadyExists | ErrorKind::NotADirectory => {
             StoreError::NotAFolder { path: path.to_owned() }

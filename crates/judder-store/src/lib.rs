@@ -11,7 +11,7 @@
 //!   a rerun resumes.
 //! - [`StudyFolder`] (`folder.rs`): the folder of one study: takes it, locks it, sweeps what a killed run left, and is the
 //!   one door through which everything is written and read.
-//! - [`SharedStudy`] (`shared.rs`): the same folder while several processes work on its sweeps; `lock.rs`: the locks of both.
+//! - [`SharedStudy`] (`shared.rs`): the same folder while several processes work on its sweeps; `lock.rs`: the locks of both; [`LockSign`] (`lock_sign.rs`): who holds one, and whether that process lives.
 //! - [`StudyReader`] (`reader.rs`): the same folder, looked at while others may work on it; part by part, and nothing outside.
 //! - [`Scratch`] (`scratch.rs`): what an analysis keeps while it runs.
 //! - [`StreamWriter`] (`stream.rs`): a dataset in the making, too long for memory, with the checkpoint from which an interrupted analysis goes on.
@@ -30,6 +30,7 @@ mod error;
 mod folder;
 mod hash;
 mod lock;
+mod lock_sign;
 mod manifest;
 mod metadata;
 mod name;
@@ -54,6 +55,7 @@ pub use declared::{
 pub use error::StoreError;
 pub use folder::StudyFolder;
 pub use hash::content_hash;
+pub use lock_sign::{LockSign, lock_sign};
 pub use manifest::{FileDamage, vouch_for};
 pub use num_complex::Complex64;
 pub use reader::{DatasetHead, StudyReader};

@@ -3,8 +3,10 @@
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind};
 use std::path::Path;
+use std::sync::Arc;
 
 use crate::StoreError;
+use crate::lock_sign::sign;
 
 /// The name of the file in a study that is locked.
 pub(crate) const FILE: &str = ".judder.lock";
@@ -21,7 +23,7 @@ pub(crate) enum LockMode {
 /// A locked file; unlocked when dropped.
 #[derive(Debug)]
 pub(crate) struct Lock {
-    file: File,
+    file: Arc<File>,
     is_real: bool,
 }
 
@@ -47,7 +49,11 @@ pub(crate) fn try_lock(path: &Path, mode: LockMode) -> Result<Option<Lock>, Stor
         LockMode::Shared => file.try_lock_shared(),
     };
     match locked {
-        Ok(()) => Ok(Some(Lock { file, is_real: true })),
+        Ok(()) => {
+            let file = Arc::new(file);
+            sign(&file, &file);
+            Ok(Some(Lock { file, is_real: true }))
+        }
         Err(TryLockError::WouldBlock) => Ok(None),
         Err(TryLockError::Error(source)) => unlocked(path, file, source).map(Some),
     }
@@ -61,7 +67,7 @@ fn open(path: &Path) -> Result<File, StoreError> {
 
 fn unlocked(path: &Path, file: File, source: io::Error) -> Result<Lock, StoreError> {
     if has_no_locks(&source) {
-        return Ok(Lock { file, is_real: false });
+        return Ok(Lock { file: Arc::new(file), is_real: false });
     }
     Err(StoreError::FileSystem { action: "lock", path: path.to_owned(), source })
 }

@@ -110,6 +110,16 @@ pub enum StudyError {
         /// Values that are read at most.
         most: usize,
     },
+    /// What is needed is held by a process that seems to have stopped.
+    #[error(
+        "{held} has shown no sign of life for {seconds} s; let that process go on, or end it, then run again: what is done is kept"
+    )]
+    NoSignOfLife {
+        /// The file that is locked, and who holds it.
+        held: String,
+        /// For how long, s.
+        seconds: u64,
+    },
     /// The folder holds no results to report on.
     #[error("{folder} holds no results yet: run `judder run CASE.toml -o {folder}` first")]
     NoResults {
@@ -139,7 +149,7 @@ impl StudyError {
             | Self::NoResults { .. } => true,
             Self::Model(fault) => fault.is_wrong_input(),
             Self::Store(error) => is_wrong_folder(error),
-            Self::Report(_) | Self::Interrupted => false,
+            Self::Report(_) | Self::NoSignOfLife { .. } | Self::Interrupted => false,
         }
     }
 }
@@ -149,6 +159,8 @@ fn is_wrong_folder(error: &StoreError) -> bool {
     matches!(
         error,
         StoreError::NotAFolder { .. }
+            | StoreError::PathNotText { .. }
+            | StoreError::HoldsStudy { .. }
             | StoreError::ForeignFolder { .. }
             | StoreError::ForeignSweep { .. }
             | StoreError::OtherLayout { .. }

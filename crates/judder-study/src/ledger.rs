@@ -95,12 +95,17 @@ impl Keepsakes {
         Ok(refused)
     }
 
-    /// Whether these analyses are done and miss nothing.
-    pub(crate) fn is_complete(&self, summary: &Summary, names: &[String]) -> bool {
-        names.iter().all(|name| {
-            let done = summary.analyses.get(name).is_some_and(|record| record.status == Status::Done);
-            done && self.missing.get(name).copied().unwrap_or(0) == 0
-        })
+    /// Of these results those that are not whole, a line each: which, and why.
+    pub(crate) fn lacking(&self, summary: &Summary, names: &[String]) -> Vec<String> {
+        let of = |name: &String| match summary.analyses.get(name) {
+            None => Some("it was not computed".to_owned()),
+            Some(AnalysisRecord { status: Status::Failed { reason }, .. }) => Some(reason.clone()),
+            Some(record) => match self.missing.get(name).copied().unwrap_or(0) {
+                0 => None,
+                count => Some(missing_told(count, &record.warnings)),
+            },
+        };
+        names.iter().filter_map(|name| Some(format!("{name}: {}", of(name)?))).collect()
     }
 }
 
@@ -172,9 +177,9 @@ impl<'a> Study<'a> {
         self.kept.put(&mut self.summary);
     }
 
-    /// Whether these analyses are done and miss nothing.
-    pub fn is_complete(&self, names: &[String]) -> bool {
-        self.kept.is_complete(&self.summary, names)
+    /// Of these results those that are not whole, a line each: which, and why.
+    pub fn lacking(&self, names: &[String]) -> Vec<String> {
+        self.kept.lacking(&self.summary, names)
     }
 
     /// Stores the outcome of an analysis, or why there is none; gives the error back where the input is to blame. Interruptions
@@ -198,6 +203,14 @@ impl<'a> Study<'a> {
         self.store.keep_manifest(version())?;
         Ok(refused)
     }
+}
+
+/// How many results an analysis misses, and what it has warned of, which says why.
+fn missing_told(count: usize, warnings: &[String]) -> String {
+    let counted =
+        if count == 1 { "1 of its results is".to_owned() } else { format!("{count} of its results are") };
+    let why = if warnings.is_empty() { String::new() } else { format!(": {}", warnings.join("; ")) };
+    format!("{counted} missing{why}")
 }
 
 /// What is told of a damaged result.

@@ -18,12 +18,13 @@
 //! - [`report`], [`report_tables`]: figures and page of a study folder, rebuilt from what is stored.
 //! - [`study_view`]: a study folder for a page, not held: what it holds, parts of its arrays.
 //! - [`fn@version`]: which judder this is, as studies are stamped with it.
-//! - [`resolve`], [`text`]: what `judder check` shows.
+//! - [`resolve`], [`text`]: what `judder check` shows. [`fault_told`]: what a panic says.
 
 pub mod analyses;
 pub mod axis;
 pub mod case;
 mod error;
+mod fault;
 pub mod home;
 pub mod input_file;
 pub mod kept;
@@ -47,6 +48,7 @@ mod version;
 mod way;
 
 pub use error::{ModelFault, StudyError};
+pub use fault::fault_told;
 pub use progress::{Progress, Silent, Untold};
 pub use registry::Registry;
 pub use version::{name_version, version};

@@ -13,6 +13,9 @@ pub trait Progress: Sync {
     /// Whether the user wants the run to stop.
     fn interrupted(&self) -> bool;
 
+    /// Something begins that may take a while and has no steps to tell, such as to wait for another process; `None` where it has ended.
+    fn announce(&self, _what: Option<&str>) {}
+
     /// Goes on, if the run is not to stop.
     ///
     /// # Errors
@@ -20,6 +23,14 @@ pub trait Progress: Sync {
     fn go_on(&self) -> Result<(), StudyError> {
         if self.interrupted() { Err(StudyError::Interrupted) } else { Ok(()) }
     }
+}
+
+/// Does what may take a while and has no steps to tell.
+pub(crate) fn announced<T>(progress: &dyn Progress, what: &str, work: impl FnOnce() -> T) -> T {
+    progress.announce(Some(what));
+    let done = work();
+    progress.announce(None);
+    done
 }
 
 /// Tells nothing, and hears that the run is to stop: of what runs within a step.

@@ -1,6 +1,7 @@
 //! Figures and page of a study folder, from what is stored in it.
 
 use crate::error::StudyError;
+use crate::fault::fault_told;
 use crate::ledger::Keepsakes;
 use crate::outcome::CheckRecord;
 use crate::pictures;
@@ -8,9 +9,10 @@ use crate::registry::{Registry, ToldAnalysis};
 use crate::report_tables;
 use crate::version::version;
 use judder_report::page::{Check, Code, Details, PageTable};
-use judder_report::{Figure, Page, PageBlock, PageSection, html, png, svg};
-use judder_store::{Status, StoreError, StudyFolder, Summary};
+use judder_report::{Figure, Page, PageBlock, PageSection, UndrawnFigure, html, png, svg};
+use judder_store::{Status, StudyFolder, Summary};
 use serde_json::Value;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
 /// Pixels per typographic point in the PNG figures: 216 dots per inch.
@@ -21,7 +23,18 @@ const PIXELS_PER_POINT: f64 = 3.0;
 /// # Errors
 /// A folder without results, or damaged results.
 pub fn stored(folder: &Path) -> Result<(StudyFolder, Summary), StudyError> {
-    let store = StudyFolder::open(folder)?;
+    with_results(StudyFolder::open(folder)?, folder)
+}
+
+/// The same for a study that stays as it is: figures and page go into another folder.
+///
+/// # Errors
+/// As of [`stored`], and another folder that holds a study or files of somebody else.
+pub fn stored_for(folder: &Path, output: &Path) -> Result<(StudyFolder, Summary), StudyError> {
+    with_results(StudyFolder::drawn_into(folder, output)?, folder)
+}
+
+fn with_results(store: StudyFolder, folder: &Path) -> Result<(StudyFolder, Summary), StudyError> {
     let summary = store.read_summary()?.filter(|summary| !summary.analyses.is_empty());
     match summary {
         Some(summary) => {
@@ -32,11 +45,31 @@ pub fn stored(folder: &Path) -> Result<(StudyFolder, Summary), StudyError> {
     }
 }
 
-/// Draws all figures and the page; returns the page's path.
+/// A page that was written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct WrittenPage {
+    /// Its file.
+    pub path: PathBuf,
+    /// The figures that it lacks.
+    pub undrawn: Vec<UndrawnFigure>,
+}
+
+impl WrittenPage {
+    /// The figures that it lacks, a line each.
+    #[must_use]
+    pub fn lacking(&self) -> Vec<String> {
+        self.undrawn
+            .iter()
+            .map(|UndrawnFigure { name, reason }| format!("{name}: no figure: {reason}"))
+            .collect()
+    }
+}
+
+/// Draws all figures and the page. What cannot be read or drawn says why in its place, and takes nothing else of the page with it.
 ///
 /// # Errors
-/// Damaged results, or a folder that cannot be written.
-pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
+/// A folder that cannot be written.
+pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Result<WrittenPage, StudyError> {
     let kept = Keepsakes::of(summary);
     let mut sections = Vec::new();
     for (name, record) in in_order(summary) {
@@ -44,9 +77,7 @@ pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Resu
         match &record.status {
             Status::Failed { reason } => blocks.push(PageBlock::text(format!("No result: {reason}"))),
             Status::Done => {
-                for figure in figures(registry, store, summary, name)? {
-                    blocks.push(figure_or_reason(store, figure)?);
-                }
+                blocks.extend(figure_blocks(registry, store, summary, name)?);
                 blocks.extend(summary.results.get(name).and_then(scalar_table).map(PageBlock::Table));
                 blocks.extend(tables(registry, summary, name).into_iter().map(PageBlock::Table));
             }
@@ -66,13 +97,28 @@ pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Resu
 ///
 /// # Errors
 /// A folder without results or that cannot be written, damaged results.
-pub fn write_copied(registry: Registry, folder: &Path) -> Result<PathBuf, StudyError> {
+pub fn write_copied(registry: Registry, folder: &Path) -> Result<WrittenPage, StudyError> {
     let (store, mut summary) = stored(folder)?;
     Keepsakes { file: None, ..Keepsakes::of(&summary) }.put(&mut summary);
     store.write_summary(&summary, None)?;
     let page = write(registry, &store, &summary)?;
     store.seal_as_before(version())?;
     Ok(page)
+}
+
+/// The figures of an analysis or a sweep as blocks of the page; what cannot be read or drawn says why.
+fn figure_blocks(
+    registry: Registry,
+    store: &StudyFolder,
+    summary: &Summary,
+    name: &str,
+) -> Result<Vec<PageBlock>, StudyError> {
+    let undrawn = |reason| vec![PageBlock::Undrawn(UndrawnFigure { name: name.to_owned(), reason })];
+    let drawn = catch_unwind(AssertUnwindSafe(|| match figures(registry, store, summary, name) {
+        Ok(figures) => figures.into_iter().map(|figure| write_figure(store, figure)).collect(),
+        Err(error) => Ok(undrawn(error.to_string())),
+    }));
+    drawn.unwrap_or_else(|panic| Ok(undrawn(fault_told(&*panic))))
 }
 
 /// The figures of an analysis or a sweep. Of a sweep only what is drawn is read: the whole may not fit into memory.
@@ -227,26 +273,28 @@ pub fn case_section(summary: &Summary, kept: &Keepsakes) -> PageSection {
     PageSection::new("Case", blocks)
 }
 
-/// A figure as [`write_figure`] gives it; a picture that cannot be drawn says why, and takes nothing else of the page with it.
-fn figure_or_reason(store: &StudyFolder, figure: Figure) -> Result<PageBlock, StudyError> {
-    match write_figure(store, figure) {
-        Err(StudyError::Report(reason)) => Ok(PageBlock::text(format!("No figure: {reason}"))),
-        written => written,
-    }
-}
-
-/// Writes a figure as SVG and PNG, and gives it as a block of the page.
+/// Writes a figure as SVG and PNG, and gives it as a block of the page; a picture that cannot be drawn says why.
+///
+/// # Errors
+/// A folder that cannot be written.
 pub fn write_figure(store: &StudyFolder, figure: Figure) -> Result<PageBlock, StudyError> {
-    store.write_file(format!("figures/{}.svg", figure.name), svg(&figure)?.as_bytes())?;
-    store.write_file(format!("figures/{}.png", figure.name), &png(&figure, PIXELS_PER_POINT)?)?;
+    let drawn = svg(&figure).and_then(|svg| Ok((svg, png(&figure, PIXELS_PER_POINT)?)));
+    let (svg, png) = match drawn {
+        Ok(drawn) => drawn,
+        Err(reason) => {
+            return Ok(PageBlock::Undrawn(UndrawnFigure { name: figure.name, reason: reason.to_string() }));
+        }
+    };
+    store.write_file(format!("figures/{}.svg", figure.name), svg.as_bytes())?;
+    store.write_file(format!("figures/{}.png", figure.name), &png)?;
     Ok(PageBlock::figure(figure))
 }
 
-/// Writes `report.html`; returns its path.
+/// Writes `report.html`.
 ///
 /// # Errors
 /// A page that cannot be made, or a folder that cannot be written.
-pub fn write_page(store: &StudyFolder, page: &Page) -> Result<PathBuf, StudyError> {
-    let written: Result<PathBuf, StoreError> = store.write_file("report.html", html(page)?.as_bytes());
-    Ok(written?)
+pub fn write_page(store: &StudyFolder, page: &Page) -> Result<WrittenPage, StudyError> {
+    let path = store.write_file("report.html", html(page)?.as_bytes())?;
+    Ok(WrittenPage { path, undrawn: page.undrawn() })
 }

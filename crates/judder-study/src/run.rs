@@ -18,9 +18,9 @@ use crate::error::StudyError;
 use crate::ledger::{Keepsakes, Study, case_hash};
 use crate::model::Prepared;
 use crate::outcome::CheckRecord;
-use crate::progress::Progress;
+use crate::progress::{Progress, announced};
 use crate::registry::Registry;
-use crate::report;
+use crate::report::{self, WrittenPage};
 use crate::sweep::{Shard, SweepEstimate, SweepPlan};
 use crate::terminal_tables;
 use crate::version::version;
@@ -82,6 +82,10 @@ pub struct RunReport {
     pub notes: Vec<String>,
     /// Warnings and failed checks, one line each; not why an analysis was refused.
     pub messages: Vec<String>,
+    /// Requested results that are not whole, a line each: which, and why.
+    pub lacking: Vec<String>,
+    /// Figures that the report lacks, a line each, among the messages too.
+    pub undrawn: Vec<String>,
     /// Analyses without a result because the input is wrong.
     pub refused: Vec<RefusedAnalysis>,
 }
@@ -105,8 +109,8 @@ pub fn run(
     options: &RunOptions,
     progress: &dyn Progress,
 ) -> Result<RunReport, StudyError> {
-    let asked = AskedCase::new(file, options)?;
-    let prepared = file.case.preflight(file, &|name| asked.is_wanted(name))?;
+    let start = Instant::now();
+    let (asked, prepared) = prepared(file, options, progress)?;
     let plans = asked.plans()?;
     if plans.is_empty() && matches!(options.sweeps, SweepWork::Part(_)) {
         let known = file.sweeps.iter().map(|sweep| sweep.name.clone()).collect();
@@ -117,11 +121,20 @@ pub fn run(
     }
     let store = taken(folder, options.fresh)?;
     let analyses = options.sweeps == SweepWork::All;
-    compute_in(store, &asked, &prepared, &[], analyses, progress)?.reported(
-        file.registry(),
-        options,
-        Vec::new(),
-    )
+    let computed = compute_in(store, &asked, &prepared, &[], analyses, progress, start)?;
+    computed.reported(file.registry(), options, Vec::new(), progress)
+}
+
+/// What is asked for, and what its analyses share.
+fn prepared<'a>(
+    file: &'a CaseFile,
+    options: &'a RunOptions,
+    progress: &dyn Progress,
+) -> Result<(AskedCase<'a>, Prepared), StudyError> {
+    let asked = announced(progress, "reading the files of the case", || AskedCase::new(file, options))?;
+    let prepare = || file.case.preflight(file, &|name| asked.is_wanted(name));
+    let prepared = announced(progress, "preparing the model", prepare)?;
+    Ok((asked, prepared))
 }
 
 /// By what a study knows a case and what was computed of it.
@@ -164,8 +177,7 @@ pub fn dry_run(
     options: &RunOptions,
     progress: &dyn Progress,
 ) -> Result<Vec<SweepEstimate>, StudyError> {
-    let asked = AskedCase::new(file, options)?;
-    file.case.preflight(file, &|name| asked.is_wanted(name))?;
+    let (asked, _) = prepared(file, options, progress)?;
     asked.plans()?.iter().map(|plan| SweepEstimate::new(plan, folder, progress)).collect()
 }
 
@@ -179,13 +191,13 @@ pub struct Computed {
     pub skipped: Vec<String>,
     /// Results that were there and are dropped.
     forgotten: Vec<String>,
-    /// Whether every requested result is there.
-    pub complete: bool,
     tables: Vec<String>,
     /// What was found damaged, one line each.
     damages: Vec<String>,
     /// Warnings and failed checks, one line each; not why an analysis was refused.
     pub messages: Vec<String>,
+    /// Requested results that are not whole, a line each: which, and why.
+    pub lacking: Vec<String>,
     /// Analyses without a result because the input is wrong.
     pub refused: Vec<RefusedAnalysis>,
 }
@@ -197,23 +209,27 @@ impl Computed {
         registry: Registry,
         options: &RunOptions,
         notes: Vec<String>,
+        progress: &dyn Progress,
     ) -> Result<RunReport, StudyError> {
-        let Self { store, summary, skipped, forgotten, complete, tables, damages, messages, refused } = self;
-        let messages = damages.into_iter().chain(messages).collect();
-        let drawn = || report::write(registry, &store, &summary);
+        let Self { store, summary, skipped, forgotten, tables, damages, messages, lacking, refused } = self;
+        let draw = || report::write(registry, &store, &summary);
+        let drawn = || announced(progress, "drawing figures and report", draw);
         let report = if options.without_report { None } else { Some(drawn()?) };
+        let undrawn = report.as_ref().map(WrittenPage::lacking).unwrap_or_default();
         store.seal(version())?;
         let folder = store.path().to_owned();
         Ok(RunReport {
             folder,
             summary,
-            report,
+            report: report.map(|page| page.path),
             skipped,
             forgotten,
-            complete,
+            complete: lacking.is_empty(),
             tables,
             notes,
-            messages,
+            messages: [damages, messages, undrawn.clone()].concat(),
+            lacking,
+            undrawn,
             refused,
         })
     }
@@ -229,9 +245,9 @@ pub fn compute(
     options: &RunOptions,
     progress: &dyn Progress,
 ) -> Result<Computed, StudyError> {
-    let asked = AskedCase::new(file, options)?;
-    let prepared = file.case.preflight(file, &|name| asked.is_wanted(name))?;
-    compute_in(taken(folder, options.fresh)?, &asked, &prepared, &[], true, progress)
+    let start = Instant::now();
+    let (asked, prepared) = prepared(file, options, progress)?;
+    compute_in(taken(folder, options.fresh)?, &asked, &prepared, &[], true, progress, start)
 }
 
 /// The study in a folder, held alone; without earlier results where it is to be fresh.
@@ -243,7 +259,7 @@ fn taken(folder: &Path, fresh: bool) -> Result<StudyFolder, StudyError> {
     Ok(store)
 }
 
-/// Runs the wanted analyses that are not done yet, where they are to be run, and finishes these sweeps, whose chunks are all there.
+/// Runs the wanted analyses that are not done yet, where they are to be run, and finishes these sweeps, whose chunks are all there. The run began at `start`.
 fn compute_in(
     store: StudyFolder,
     asked: &AskedCase<'_>,
@@ -251,10 +267,11 @@ fn compute_in(
     sweeps: &[SweepPlan],
     analyses: bool,
     progress: &dyn Progress,
+    start: Instant,
 ) -> Result<Computed, StudyError> {
-    let start = Instant::now();
     asked.keep_files(&store)?;
-    let mut study = Study::open(&store, asked.all())?;
+    let look = || Study::open(&store, asked.all());
+    let mut study = announced(progress, "looking at what is there", look)?;
     study.set_case(asked.file, &asked.resolved, asked.file.case.with_used(asked.resolved.clone())?);
     let (mut skipped, mut refused) = (Vec::new(), Vec::new());
     let shared = shared(&asked.file.case, &asked.resolved);
@@ -274,7 +291,9 @@ fn compute_in(
         let began = Instant::now();
         let (outcome, scratch) = runner.run(index, progress)?;
         asked.check_files()?;
-        if let Some(error) = study.keep(name, hash.clone(), outcome, began.elapsed().as_secs_f64())? {
+        let took = began.elapsed().as_secs_f64();
+        let keep = || study.keep(name, hash.clone(), outcome, took);
+        if let Some(error) = announced(progress, &format!("storing {name}"), keep)? {
             refused.push(RefusedAnalysis { name: name.clone(), error });
         }
         scratch.discard()?;
@@ -287,12 +306,12 @@ fn compute_in(
     store.write_summary(&study.summary, None)?;
     store.keep_manifest(version())?;
     let wanted = asked.wanted();
-    let complete = study.is_complete(&wanted);
+    let lacking = study.kept.lacking(&study.summary, &wanted);
     let messages = messages(&study.summary, &study.kept, &refused);
     let damages = mem::take(&mut study.damages);
     let (summary, forgotten) = (study.summary, study.forgotten);
     let tables = terminal_tables::tables(asked.file.registry(), &summary, &wanted);
-    Ok(Computed { store, summary, skipped, forgotten, complete, tables, damages, messages, refused })
+    Ok(Computed { store, summary, skipped, forgotten, tables, damages, messages, lacking, refused })
 }
 
 /// Everything that the user should read, in the order of the case: failures, warnings, checks beyond their limits.

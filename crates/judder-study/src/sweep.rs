@@ -6,6 +6,7 @@
 //! - `scalars`: a number out of the results of an analysis.
 //! - `evaluate`: the points of a chunk.
 //! - [`shard`]: which chunks are whose; `chunks`: chunks claimed, computed, written.
+//! - `waiting`: for what another process holds.
 //! - `part`: chunks and points for whoever hands them out to machines of his own.
 //! - `dry_run`: what a sweep would take.
 //! - `statistics`, `indices`: what a finished sweep says: extremes, failures, sensitivity.
@@ -22,12 +23,13 @@ mod probabilities;
 mod scalars;
 pub mod shard;
 mod statistics;
+mod waiting;
 
 pub(crate) use chunks::{damaged, mend, work};
 pub use dry_run::SweepEstimate;
 pub use evaluate::Evaluator;
 pub(crate) use finish::finish;
-pub(crate) use part::when_free;
 pub use part::{Handed, joined, missing};
 pub use plan::SweepPlan;
 pub use shard::Shard;
+pub(crate) use waiting::when_free;

@@ -6,6 +6,7 @@ use judder_study::resolve::resolve;
 use super::CaseArguments;
 use crate::console::Console;
 use crate::failure::{Exit, Failure};
+use crate::progress::Bars;
 
 const HELP: &str = "\
 Examples:
@@ -23,7 +24,9 @@ pub(crate) struct CheckArguments {
 
 impl CheckArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
-        let resolved = resolve(&self.case.read()?)?;
+        let bars = Bars::of_what_is_not_kept(console);
+        let resolved = resolve(&self.case.read()?, &bars)?;
+        drop(bars);
         console.result(|| resolved.text(), || resolved.json())?;
         Ok(Exit::Done)
     }

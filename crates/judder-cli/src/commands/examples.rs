@@ -41,7 +41,7 @@ impl ExamplesArguments {
         match &self.output {
             Some(folder) => {
                 let path = own.write(folder)?;
-                console.document(|| json!({ "name": own.name, "path": path }))?;
+                console.document(|| json!({ "name": own.name, "path": path.display().to_string() }))?;
                 console.note(path.display());
             }
             None => {

@@ -48,7 +48,7 @@ pub(crate) struct ExploreArguments {
 impl ExploreArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let explorer = Explorer::new(self.open()?, self.port)?;
-        let interrupt = Interrupt::watch(console, "ending")?;
+        let interrupt = Interrupt::served(console);
         let address = explorer.address();
         console.result(
             || format!("{address}\n\nThe address lets a browser of this machine in. Ctrl-C ends the page.\n"),

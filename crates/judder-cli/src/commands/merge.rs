@@ -48,7 +48,7 @@ impl MergeArguments {
             ));
         }
         let options = RunOptions { only, sweeps: SweepWork::Merge, ..RunOptions::default() };
-        let bars = Bars::new(console)?;
+        let bars = Bars::new(console);
         let report = run(&file, &folder, &options, &bars)?;
         console.document(|| json!(report.summary))?;
         Ok(tell(report, &self.case.case, console))

@@ -33,6 +33,10 @@ impl PointArguments {
         };
         let point = point(case)?;
         console.result(|| point.text(), || point.json())?;
-        Ok(if point.steady.class.verdict().is_some() { Exit::Done } else { Exit::Incomplete })
+        let lacking = match point.steady.class.verdict() {
+            Some(_) => Vec::new(),
+            None => vec![format!("operating point: {}", point.steady.verdict_in_words())],
+        };
+        Ok(console.lacking(&lacking, "another speed, load or strength may have one: --set tries it"))
     }
 }

@@ -6,12 +6,16 @@ use clap::Args;
 use judder_papers::rebuild;
 use serde_json::json;
 
-use crate::console::Console;
+use crate::console::{Console, IN_THE_REPORT};
 use crate::failure::{Exit, Failure};
 
 const HELP: &str = "\
-Example:
-  judder report out/case";
+Examples:
+  judder report out/case
+  judder report /data/of-others/case -o my-report
+
+With -o the study stays as it is, as it must where its folder may not be written to. A figure that cannot be drawn says why in its place; \
+the exit code is then 1.";
 
 /// Rebuild figures and report.html of a study folder from its stored results
 #[derive(Debug, Args)]
@@ -20,13 +24,20 @@ pub(crate) struct ReportArguments {
     /// The study folder
     #[arg(value_name = "DIR")]
     folder: PathBuf,
+    /// Write figures and report.html into this folder, and nothing into that of the study
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
 }
 
 impl ReportArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
-        let page = rebuild(&self.folder)?;
-        console.document(|| json!({ "report": page }))?;
-        console.note(format_args!("report: {}", page.display()));
-        Ok(Exit::Done)
+        let page = rebuild(&self.folder, self.output.as_deref())?;
+        let (path, lacking) = (page.path.display(), page.lacking());
+        console.document(|| match lacking.is_empty() {
+            true => json!({ "report": path.to_string() }),
+            false => json!({ "report": path.to_string(), "lacking": lacking }),
+        })?;
+        console.note(format_args!("report: {path}"));
+        Ok(console.lacking(&lacking, IN_THE_REPORT))
     }
 }

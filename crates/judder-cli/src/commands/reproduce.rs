@@ -6,7 +6,7 @@ use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 use judder_papers::Paper;
 
-use crate::console::{Console, output_width};
+use crate::console::{Console, IN_THE_REPORT, output_width};
 use crate::failure::{Exit, Failure};
 use crate::progress::Bars;
 use crate::scoreboard;
@@ -69,13 +69,9 @@ pub(super) fn reproduce(
     console: Console,
 ) -> Result<Exit, Failure> {
     let folder = output.map_or_else(|| paper.usual_folder(), Path::to_owned);
-    let bars = Bars::new(console)?;
+    let bars = Bars::new(console);
     let reproduction = threads.install(|| paper.reproduce(&folder, quick, &bars))??;
     console.result(|| scoreboard::text(&reproduction, output_width()), || reproduction.json())?;
     console.note(format_args!("report: {}", reproduction.report.display()));
-    if reproduction.complete {
-        return Ok(Exit::Done);
-    }
-    console.incomplete("a result of the reproduction is missing", "the report says which");
-    Ok(Exit::Incomplete)
+    Ok(console.lacking(&reproduction.lacking, IN_THE_REPORT))
 }

@@ -9,7 +9,7 @@ use judder_study::sweep::{Shard, SweepEstimate};
 use serde_json::{Value, json};
 
 use super::CaseArguments;
-use crate::console::Console;
+use crate::console::{Console, IN_THE_REPORT};
 use crate::failure::{Exit, Failure};
 use crate::progress::Bars;
 use crate::threads::Threads;
@@ -69,7 +69,7 @@ impl RunArguments {
         let sweeps = self.shard.map_or(SweepWork::All, SweepWork::Part);
         let options =
             RunOptions { only: self.only.clone(), fresh: self.fresh, sweeps, ..RunOptions::default() };
-        let bars = Bars::new(console)?;
+        let bars = Bars::new(console);
         if self.dry_run {
             let estimates = self.threads.install(|| dry_run(&file, &folder, &options, &bars))??;
             console.result(|| told(&estimates), || json!({ "sweeps": documents(&estimates) }))?;
@@ -90,7 +90,7 @@ pub(super) fn run_case(
 ) -> Result<Exit, Failure> {
     let file = judder_models::read(case, &[])?;
     let folder = output.map_or_else(|| home::of_file(&file, false), |folder| Ok(folder.to_owned()))?;
-    let bars = Bars::new(console)?;
+    let bars = Bars::new(console);
     let report = threads.install(|| run(&file, &folder, &RunOptions::default(), &bars))??;
     console.document(|| json!(report.summary))?;
     Ok(tell(report, case, console))
@@ -120,7 +120,7 @@ pub(super) fn tell(report: RunReport, case: &Path, console: Console) -> Exit {
     for table in &report.tables {
         console.note(table);
     }
-    let is_unfinished = !report.complete && report.report.is_none();
+    let is_unfinished = !report.complete && report.lacking.is_empty();
     for note in report.notes.iter().filter(|_| !is_unfinished) {
         console.note(note);
     }
@@ -133,9 +133,6 @@ pub(super) fn tell(report: RunReport, case: &Path, console: Console) -> Exit {
     if let Some(page) = &report.report {
         console.note(format_args!("report: {}", page.display()));
     }
-    if report.complete {
-        return Exit::Done;
-    }
     if !report.refused.is_empty() {
         for refused in report.refused {
             console.refusal(&Failure::of_analysis(case, refused));
@@ -145,8 +142,7 @@ pub(super) fn tell(report: RunReport, case: &Path, console: Console) -> Exit {
     if is_unfinished {
         let text = format!("a requested result is missing: {}", report.notes.join("; "));
         console.incomplete(&text, "`judder run` computes what is missing");
-    } else {
-        console.incomplete("a requested result is missing", "the report says which and where");
+        return Exit::Incomplete;
     }
-    Exit::Incomplete
+    console.lacking(&[report.lacking, report.undrawn].concat(), IN_THE_REPORT)
 }

@@ -28,7 +28,7 @@ pub(crate) struct VerifyArguments {
 
 impl VerifyArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
-        let bars = Bars::new(console)?;
+        let bars = Bars::new(console);
         bars.begin("verify", 0);
         let found = verify(&self.folder, |_, _| {
             bars.expect(1);

@@ -72,3 +72,12 @@ fn errors_are_documents_too() {
         assert!(error["place"].is_null());
     }
 }
+
+#[test]
+fn help_and_version_are_documents_too() {
+    let desk = Desk::new();
+    let help = desk.succeed(&["run", "--help", "--json"]).json();
+    assert!(help["help"].as_str().unwrap().contains("Usage: judder run"));
+    let version = desk.succeed(&["--json", "--version"]).json();
+    assert!(version["version"].as_str().unwrap().starts_with("judder "));
+}

@@ -127,3 +127,70 @@ fn quick(title: &str, load: &str) -> String {
          sweep = {{ key = \"operation.velocity\", from = 1e-5, to = 1e-2, points = 5 }}\n"
     )
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_path_that_is_no_text() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+
+    let desk = Desk::with_case(CASE);
+    let odd = OsStr::from_bytes(b"a\xffb");
+    let call =
+        |arguments: &[&str], last: &OsStr| Said::of(desk.command(arguments).arg(last).output().unwrap());
+    let before = desk.files();
+    let said = call(&["run", "case.toml", "--json", "-o"], odd);
+    assert_eq!(said.code, 2, "{}", said.stderr);
+    said.says("not text in UTF-8");
+    said.says("name another place with -o");
+    assert_eq!(desk.files(), before, "nothing is written");
+    // what needs no arrays goes there
+    let said = call(&["examples", "python/own-rubber-to-map", "--json", "-o"], odd);
+    assert_eq!(said.code, 0, "{}", said.stderr);
+    assert!(said.json()["path"].is_string());
+    fs::copy(desk.path("case.toml"), desk.0.path().join(odd).join("case.toml")).unwrap();
+    let case = desk.0.path().join(odd).join("case.toml");
+    assert_eq!(call(&["run", "--only", "damping", "-o", "out/odd"], case.as_os_str()).code, 0);
+    let said = call(&["report", "out/odd", "--json", "-o"], OsStr::from_bytes(b"r\xff"));
+    assert_eq!(said.code, 2, "{}", said.stderr);
+}
+
+#[test]
+fn a_report_elsewhere_leaves_the_study_alone() {
+    let desk = Desk::with_case(&quick("one", "1 mN"));
+    desk.succeed(&["run", "case.toml"]);
+    let page = fs::read(desk.path("out/case/report.html")).unwrap();
+    for file in ["report.html", "figures/damping.svg"] {
+        fs::remove_file(desk.path("out/case").join(file)).unwrap();
+    }
+    fs::remove_file(desk.path("out/case/.judder.lock")).unwrap();
+    let before = crate::desk::files_below(&desk.path("out"));
+    for _ in 0..2 {
+        let said = desk.succeed(&["report", "out/case", "-o", "elsewhere", "--json"]);
+        assert_eq!(said.json(), serde_json::json!({ "report": "elsewhere/report.html" }));
+    }
+    assert_eq!(crate::desk::files_below(&desk.path("out")), before);
+    assert_eq!(fs::read(desk.path("elsewhere/report.html")).unwrap(), page);
+    assert!(desk.path("elsewhere/figures/damping.svg").is_file());
+    // neither another study nor somebody's files
+    desk.refused(&["report", "out/case", "-o", "out/case"], "holds a study", "name a new");
+    desk.write("taken.txt", "precious");
+    desk.refused(&["report", "out/case", "-o", "."], "not a study and not empty", "-o");
+}
+
+#[test]
+fn a_figure_that_fails_leaves_the_others() {
+    let desk = Desk::with_case(CASE);
+    desk.succeed(&["run", "case.toml", "--only", "loci", "--only", "damping"]);
+    fs::remove_file(desk.path("out/case/report.html")).unwrap();
+    let metadata = desk.path("out/case/results.zarr/damping/zarr.json");
+    let text = fs::read_to_string(&metadata).unwrap();
+    fs::write(&metadata, text.replace("judder", "jodder")).unwrap();
+    let said = desk.judder(&["report", "out/case", "-q", "--json"]);
+    assert_eq!(said.code, 1, "{}", said.stderr);
+    said.says("a requested result is missing: damping: no figure: ");
+    assert!(said.json()["lacking"][0].as_str().unwrap().starts_with("damping: no figure: "));
+    let page = fs::read_to_string(desk.path("out/case/report.html")).unwrap();
+    assert!(page.contains("id=\"figure-loci\"") && !page.contains("id=\"figure-damping\""));
+    assert!(page.contains("no figure</span> damping: "));
+}

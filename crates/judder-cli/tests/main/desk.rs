@@ -43,7 +43,7 @@ global_margin = false
 "#;
 
 /// The folder, removed at the end.
-pub(crate) struct Desk(TempDir);
+pub(crate) struct Desk(pub(crate) TempDir);
 
 /// What a call of `judder` left on its streams.
 pub(crate) struct Said {

@@ -214,7 +214,7 @@ fn a_missing_result_shows_in_the_exit_code() {
     );
     let said = desk.judder(&["run", "case.toml", "--json", "-q"]);
     assert_eq!(said.code, 1);
-    said.says("× a requested result is missing");
+    said.says("× a requested result is missing: locus: 2 of its results are missing: ");
     assert_eq!(said.json(), desk.read_json("out/case/summary.json"));
     assert!(desk.path("out/case/report.html").is_file());
 }

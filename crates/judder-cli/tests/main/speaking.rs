@@ -52,6 +52,26 @@ fn documents_stand_alone() {
 }
 
 #[test]
+fn progress_is_lines_of_json_where_asked_for() {
+    let desk = Desk::with_case(CASE);
+    let said = desk.succeed(&["run", "case.toml", "--progress", "json"]);
+    let lines: Vec<serde_json::Value> =
+        said.stderr.lines().map(|line| serde_json::from_str(line).expect(line)).collect();
+    let of = |event: &str, name: &str| {
+        lines.iter().position(|line| line["event"] == event && line["name"] == name).unwrap()
+    };
+    assert!(of("begin", "loci") < of("end", "loci"));
+    assert_eq!(
+        (&lines[of("end", "loci")]["done"], &lines[of("end", "loci")]["steps"]),
+        (&11.into(), &11.into())
+    );
+    let message = &lines.last().unwrap()["text"];
+    assert!(message.as_str().unwrap().ends_with("report: out/case/report.html"), "{message}");
+    let said = desk.succeed(&["run", "case.toml", "--fresh", "--progress", "none", "-q"]);
+    assert_eq!(said.stderr, "");
+}
+
+#[test]
 fn colours_are_asked_for() {
     let desk = Desk::new();
     let coloured = |variables: &[(&str, &str)]| {

@@ -162,3 +162,17 @@ fn the_report_has_a_section_and_the_terminal_a_table() {
     rebuilt.says("report: ");
     assert_eq!(std::fs::read_to_string(desk.path("out/case/report.html")).unwrap(), page);
 }
+
+#[test]
+fn wall_time_has_the_sweeps() {
+    let desk = Desk::with_case(
+        "model = \"oscillator\"\n[[sweep]]\nname = \"speeds\"\nquantities = [\"critical_shear_strength\"]\n\
+         over = [{ key = \"operation.velocity\", from = 1e-6, to = 1.0, points = 2000, scale = \"log\" }]\n",
+    );
+    let said = desk.succeed(&["run", "case.toml", "--json", "--progress", "json"]);
+    let ends = said.stderr.lines().filter_map(|line| serde_json::from_str::<serde_json::Value>(line).ok());
+    let of_sweep = ends.filter(|line| line["event"] == "end" && line["name"] == "speeds");
+    let seconds: f64 = of_sweep.map(|line| line["seconds"].as_f64().unwrap()).sum();
+    let wall = said.json()["wall_time_s"].as_f64().unwrap();
+    assert!(seconds > 0.01 && wall >= seconds, "{seconds} s of {wall} s");
+}

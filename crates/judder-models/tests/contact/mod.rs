@@ -312,7 +312,8 @@ fn a_check_knows_the_grid_of_strips_and_of_heights() {
             "model = \"contact\"\nindenter = {{ shape = {shape} }}\n[[analysis]]\nkind = \"contact\"\nvelocity = 1e-2\nload = 1e-4\n"
         );
         std::fs::write(&path, text).unwrap();
-        let checked = resolve(&judder_models::read(&path, &[]).unwrap()).unwrap().json();
+        let checked =
+            resolve(&judder_models::read(&path, &[]).unwrap(), &judder_study::Silent).unwrap().json();
         assert_eq!(checked["estimate"][0]["bytes"], bytes, "{checked}");
     }
 }

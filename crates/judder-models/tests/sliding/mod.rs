@@ -202,7 +202,7 @@ fn refused(text: &str) -> String {
     let path = folder.path().join("study");
     let refused = run(&file, &path, &RunOptions::default(), &Silent).unwrap_err();
     assert!(!path.exists());
-    let checked = resolve(&file).err().unwrap();
+    let checked = resolve(&file, &Silent).err().unwrap();
     assert_eq!(refused.to_string(), checked.to_string());
     refused.to_string()
 }
@@ -221,7 +221,7 @@ fn a_smooth_edge_of_three_nodes_is_refused() {
     let said = refused(&smooth(2));
     assert!(said.contains("`hermite` interpolation takes 4 nodes of the track, this one has 3"), "{said}");
     let file = judder_models::parse("case.toml", &smooth(3), &[]).unwrap();
-    assert!(resolve(&file).is_ok());
+    assert!(resolve(&file, &Silent).is_ok());
 }
 
 /// A micrometre a second along a tenth of a metre: a day and more of samples. The estimate of a march counts what is looked at afterwards.
@@ -236,7 +236,7 @@ fn a_march_that_keeps_too_much_is_refused() {
     let said = refused(&with("1 um/s"));
     assert!(said.contains("samples of 5 signals") && said.contains("more than 4.0 GiB"), "{said}");
     let file = judder_models::parse("case.toml", &with("0.1 m/s"), &[]).unwrap();
-    let checked = resolve(&file).unwrap().json();
+    let checked = resolve(&file, &Silent).unwrap().json();
     let estimate = checked["estimate"].as_array().unwrap().iter().find(|own| own["name"] == "march").unwrap();
     // 0.9 s and more at 120 kHz or more, five signals and what is copied of them
     let bytes = number(&estimate["bytes"]);

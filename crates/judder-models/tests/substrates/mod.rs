@@ -67,7 +67,7 @@ fn what_is_shown_of_a_substrate_is_what_is_used() {
             );
             let summary = run_text(folder.path(), &text).summary;
             let file = judder_models::read(folder.path().join("case.toml"), &[]).unwrap();
-            let checked = resolve(&file).unwrap();
+            let checked = resolve(&file, &Silent).unwrap();
             let case = file.case.of::<OscillatorCase>().unwrap();
             let taken = with_material(case).unwrap().inputs;
             for shown in [&summary.case["substrate"], &checked.json()["case"]["substrate"]] {
@@ -172,7 +172,7 @@ fn a_contact_that_is_not_in_step_is_told_everywhere() {
     let page = std::fs::read_to_string(report.report.unwrap()).unwrap();
     assert!(page.contains("ω_nx τ = 113.1 with τ = 0.3 s"));
     let read = || judder_models::read(folder.path().join("case.toml"), &[]).unwrap();
-    let checked = resolve(&read()).unwrap();
+    let checked = resolve(&read(), &Silent).unwrap();
     assert!(checked.text().contains("113.1, broken") && checked.text().contains("warning: eq. (3)"));
     let case = read().case.of::<OscillatorCase>().unwrap().clone();
     let point = judder_models::point::point(&case).unwrap();
@@ -183,7 +183,7 @@ fn a_contact_that_is_not_in_step_is_told_everywhere() {
     );
     // the paper's 0.4 is shown as borderline, without a warning
     std::fs::write(folder.path().join("case.toml"), "model = \"oscillator\"\n").unwrap();
-    let checked = resolve(&read()).unwrap();
+    let checked = resolve(&read(), &Silent).unwrap();
     assert!(checked.text().contains("0.4, borderline") && !checked.text().contains("eq. (3), the condition"));
 }
 
@@ -192,7 +192,7 @@ fn of_band(folder: &Path, text: &str) -> [Vec<String>; 2] {
     let path = folder.join("case.toml");
     std::fs::write(&path, text).unwrap();
     let file = judder_models::read(&path, &[]).unwrap();
-    let checked = resolve(&file).unwrap().json();
+    let checked = resolve(&file, &Silent).unwrap().json();
     let warnings = checked["warnings"].as_array().unwrap().iter();
     let checked = warnings.map(|warning| warning.as_str().unwrap().to_owned()).collect();
     let study = folder.join("study");

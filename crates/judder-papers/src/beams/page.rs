@@ -9,12 +9,13 @@ use judder_report::{Figure, Page, PageBlock, PageSection};
 use judder_store::{Dataset, StudyFolder, Summary};
 use judder_study::StudyError;
 use judder_study::ledger::Keepsakes;
-use judder_study::report::{case_section, check_rows, facts, warnings, write_figure, write_page};
+use judder_study::report::{
+    WrittenPage, case_section, check_rows, facts, warnings, write_figure, write_page,
+};
 use serde_json::Value;
-use std::path::PathBuf;
 
 /// Draws every figure of the paper and the page.
-pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
+pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<WrittenPage, StudyError> {
     let kept = Keepsakes::of(summary);
     let lines: Vec<ClaimLine> = summary
         .extra

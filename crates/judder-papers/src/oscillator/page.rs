@@ -13,10 +13,9 @@ use judder_report::{Figure, Legend, Page, PageBlock, PageSection};
 use judder_store::{StudyFolder, Summary};
 use judder_study::StudyError;
 use judder_study::ledger::Keepsakes;
-use judder_study::report::{check_rows, facts, warnings, write_figure, write_page};
+use judder_study::report::{WrittenPage, check_rows, facts, warnings, write_figure, write_page};
 use rayon::prelude::*;
 use serde_json::Value;
-use std::path::PathBuf;
 
 /// The figures of one law: how many of the readings, from where, and what is added to names and titles.
 const LAWS: [(usize, &str, &str); 3] = [
@@ -30,7 +29,7 @@ const FRICTION_LOADS: usize = 2;
 const BY_LAW: [(usize, &str); 3] = [(0, "as printed"), (2, "corrected axis"), (4, "computed")];
 
 /// Draws every figure of the paper and the page.
-pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<PathBuf, StudyError> {
+pub(crate) fn write(store: &StudyFolder, summary: &Summary) -> Result<WrittenPage, StudyError> {
     let lines: Vec<ClaimLine> = summary
         .extra
         .get(KEY)

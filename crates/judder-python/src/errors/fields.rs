@@ -90,6 +90,8 @@ fields!(LawError {
 
 fields!(StoreError {
     NotAFolder { path },
+    PathNotText { path },
+    HoldsStudy { path },
     ForeignFolder { path, holds },
     NoStudy { path },
     Locked { path },

@@ -30,6 +30,28 @@ pub struct PageSection {
     pub blocks: Vec<PageBlock>,
 }
 
+impl Page {
+    /// The figures that could not be drawn, from top to bottom.
+    #[must_use]
+    pub fn undrawn(&self) -> Vec<UndrawnFigure> {
+        let blocks = self.sections.iter().flat_map(|section| &section.blocks);
+        let undrawn = blocks.filter_map(|block| match block {
+            PageBlock::Undrawn(undrawn) => Some(undrawn.clone()),
+            _ => None,
+        });
+        undrawn.collect()
+    }
+}
+
+/// A figure that could not be drawn.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UndrawnFigure {
+    /// Its name.
+    pub name: String,
+    /// Why.
+    pub reason: String,
+}
+
 impl PageSection {
     /// A section of these blocks.
     pub fn new(title: impl Into<String>, blocks: Vec<PageBlock>) -> Self {
@@ -46,6 +68,8 @@ pub enum PageBlock {
     Text(String),
     /// An interactive figure with its caption, numbered through the page, and links to `figures/<name>.svg` and `.png`.
     Figure(Box<Figure>),
+    /// In the place of a figure that could not be drawn.
+    Undrawn(UndrawnFigure),
     /// A table.
     Table(PageTable),
     /// What a paper says against what we find.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::StoreError;
 use crate::lock::{self, Lock, LockMode};
+use crate::lock_sign::LockSign;
 
 /// How the names of the folders begin in which the claims of a sweep lie, and chunks that are being written.
 pub(crate) const PREFIX: &str = ".sweep-";
@@ -35,9 +36,18 @@ impl ChunkClaim {
     /// The file stays when a claim ends without a chunk: whoever opened it before could else lock a file that is gone, beside one who makes it
     /// anew.
     pub(super) fn take(claims: &Path, chunk: usize) -> Result<Option<Self>, StoreError> {
-        let file = claims.join(format!("{chunk}.claim"));
+        let file = Self::file(claims, chunk);
         let lock = lock::try_lock(&file, LockMode::Alone)?;
         Ok(lock.map(|lock| Self { chunk, file, _lock: lock }))
+    }
+
+    /// What is known of who has claimed a chunk.
+    pub(super) fn sign(claims: &Path, chunk: usize) -> LockSign {
+        LockSign::of(Self::file(claims, chunk))
+    }
+
+    fn file(claims: &Path, chunk: usize) -> PathBuf {
+        claims.join(format!("{chunk}.claim"))
     }
 
     /// The chunk.

@@ -12,6 +12,7 @@ use super::group;
 use super::layout::SweepLayout;
 use super::record::PointFailure;
 use crate::lock::Lock;
+use crate::lock_sign::LockSign;
 use crate::{StoreError, staging};
 
 /// The chunks of one sweep in a study that this process holds, alone or with others.
@@ -74,6 +75,12 @@ impl SweepStore {
             ChunkState::Foreign { hash } => return Err(self.foreign(path, hash)),
         }
         Ok(ClaimAnswer::Claimed(claim))
+    }
+
+    /// What is known of who is computing a chunk.
+    #[must_use]
+    pub fn claim_sign(&self, chunk: usize) -> LockSign {
+        ChunkClaim::sign(&self.claims, chunk)
     }
 
     /// Writes a claimed chunk; it is on the disk when this returns. The arguments are those of [`SweepLayout::encode`].

@@ -5,7 +5,7 @@ use super::{Computed, RunOptions, RunReport, SweepWork, compute_in, taken};
 use crate::error::StudyError;
 use crate::ledger::Study;
 use crate::model::Prepared;
-use crate::progress::Progress;
+use crate::progress::{Progress, announced};
 use crate::sweep::{Shard, SweepPlan, damaged, finish, joined, mend, when_free, work};
 use judder_store::{SharedStudy, StoreError, StudyFolder, Summary, SweepChunks, SweepStore};
 use std::path::Path;
@@ -27,6 +27,7 @@ pub(super) fn run(
     options: &RunOptions,
     progress: &dyn Progress,
 ) -> Result<RunReport, StudyError> {
+    let start = Instant::now();
     let mut notes = mended_frames(plans, folder, options)?;
     let earlier = begun(asked, prepared, plans, folder, options, progress)?;
     let shared = joined(folder, progress)?;
@@ -56,7 +57,7 @@ pub(super) fn run(
         return Ok(unfinished(folder, summary, is_part, notes));
     }
     let analyses = options.sweeps == SweepWork::All;
-    let mut computed = compute_in(store, asked, prepared, plans, analyses, progress)?;
+    let mut computed = compute_in(store, asked, prepared, plans, analyses, progress, start)?;
     // what this run did before it shared the study was not done before it, and what it forgot is gone
     if let Some(Earlier { done: mut names, forgotten, damages }) = earlier {
         let of_sweeps = |name: &String| plans.iter().any(|plan| plan.layout().name() == name);
@@ -65,7 +66,7 @@ pub(super) fn run(
         computed.forgotten.extend(forgotten);
         computed.damages.extend(damages);
     }
-    computed.reported(asked.file.registry(), options, notes)
+    computed.reported(asked.file.registry(), options, notes, progress)
 }
 
 /// Writes coordinates and metadata of damaged sweeps anew, where nobody else is at work; says of which.
@@ -115,7 +116,7 @@ fn begun(
     }
     match taken(folder, options.fresh) {
         Ok(store) if options.sweeps == SweepWork::All => {
-            let computed = compute_in(store, asked, prepared, &[], true, progress)?;
+            let computed = compute_in(store, asked, prepared, &[], true, progress, Instant::now())?;
             let Computed { skipped: done, forgotten, damages, .. } = computed;
             Ok(Some(Earlier { done, forgotten, damages }))
         }
@@ -127,10 +128,7 @@ fn begun(
 
 /// The study held alone, as soon as the others have left it.
 fn alone(folder: &Path, progress: &dyn Progress) -> Result<StudyFolder, StudyError> {
-    progress.begin("waiting for other processes", 1);
-    let taken = when_free(progress, || StudyFolder::create(folder));
-    progress.end();
-    taken
+    when_free(folder, progress, || StudyFolder::create(folder))
 }
 
 /// Whether somebody has completed all these sweeps.
@@ -155,6 +153,8 @@ fn unfinished(folder: &Path, summary: Summary, complete: bool, notes: Vec<String
         tables: Vec::new(),
         notes,
         messages: Vec::new(),
+        lacking: Vec::new(),
+        undrawn: Vec::new(),
         refused: Vec::new(),
     }
 }
@@ -206,8 +206,9 @@ fn looked_through(
     progress: &dyn Progress,
 ) -> Result<(Option<String>, bool), StudyError> {
     let Some(chunks) = SweepChunks::look(study.path(), plan.layout())? else { return Ok((None, true)) };
-    let count = damaged(&chunks, Shard::WHOLE, progress)?.len();
     let name = plan.layout().name();
+    let look = || damaged(&chunks, Shard::WHOLE, progress);
+    let count = announced(progress, &format!("reading the chunks of {name}"), look)?.len();
     match (count, how) {
         (0, _) | (_, SweepWork::Part(_)) => Ok((None, true)),
         (_, SweepWork::All) => {
@@ -248,7 +249,9 @@ pub(super) fn finished(
         return Ok(Some(layout.name().to_owned()));
     }
     let began = Instant::now();
-    let outcome = finish(plan, &store.sweep(layout)?, progress);
+    let chunks = store.sweep(layout)?;
+    let what = format!("what the points of {} say together", layout.name());
+    let outcome = announced(progress, &what, || finish(plan, &chunks, progress));
     store.list_sweep(layout.name())?;
     study.keep(layout.name(), layout.hash().to_owned(), outcome, began.elapsed().as_secs_f64())?;
     store.consolidate()?;

@@ -3,16 +3,13 @@
 use super::evaluate::Evaluator;
 use super::plan::SweepPlan;
 use super::shard::Shard;
+use super::waiting::Waiting;
 use crate::error::StudyError;
-use crate::progress::Progress;
+use crate::progress::{Progress, announced};
 use judder_store::{ClaimAnswer, StoreError, SweepChunks, SweepStore};
 use rayon::prelude::*;
 use std::process;
-use std::thread;
-use std::time::Duration;
 
-/// How long to wait before looking again whether another process has written its chunks.
-const PAUSE: Duration = Duration::from_millis(50);
 /// Takes process numbers that follow each other far apart.
 const SPREAD: u64 = 0x9E37_79B1;
 
@@ -55,25 +52,36 @@ pub(crate) fn mend(
 fn compute(
     plan: &SweepPlan,
     store: &SweepStore,
-    mut left: Vec<usize>,
+    left: Vec<usize>,
     were_missing: bool,
     progress: &dyn Progress,
 ) -> Result<(), StudyError> {
     if left.is_empty() {
         return Ok(());
     }
-    let evaluator = Evaluator::new(plan, progress)?;
-    progress.begin(plan.layout().name(), left.len());
-    let worked = loop {
-        match round(&evaluator, store, &left, were_missing, progress) {
-            Ok(busy) if busy.is_empty() => break Ok(()),
-            Ok(busy) => left = busy,
-            Err(error) => break Err(error),
-        }
-        thread::sleep(PAUSE);
-    };
+    let name = plan.layout().name();
+    let make = || Evaluator::new(plan, progress);
+    let evaluator = announced(progress, &format!("preparing the points of {name}"), make)?;
+    progress.begin(name, left.len());
+    let worked = rounds(&evaluator, store, left, were_missing, progress);
     progress.end();
     worked
+}
+
+/// Goes over these chunks until others are computing none of them, as long as they show a sign of life.
+fn rounds(
+    evaluator: &Evaluator<'_>,
+    store: &SweepStore,
+    mut left: Vec<usize>,
+    were_missing: bool,
+    progress: &dyn Progress,
+) -> Result<(), StudyError> {
+    let mut waiting = Waiting::new(progress);
+    loop {
+        left = round(evaluator, store, &left, were_missing, progress)?;
+        let Some(first) = left.first() else { return Ok(()) };
+        waiting.pause(store.claim_sign(*first))?;
+    }
 }
 
 /// Goes over these chunks once; gives back those that others are computing.

@@ -4,11 +4,11 @@ use super::plan::{StoredColumn, SweepPlan};
 use super::scalars::number_at;
 use crate::analyses::run_alone;
 use crate::error::StudyError;
+use crate::fault::fault_told;
 use crate::model::{OperatingPoints, OperatingQuantity, Prepared, placed};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::{Progress, Untold};
 use judder_store::{PointFailure, StoredChunk};
-use std::any::Any;
 use std::borrow::Cow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
@@ -143,7 +143,7 @@ impl<'a> Evaluator<'a> {
             Ok(Ok(told)) => Ok(told.reason()),
             Ok(Err(error)) if is_passing(&error) => Err(error),
             Ok(Err(error)) => Ok(Some(failed(&self.plan.columns, row, &told(&error)))),
-            Err(panic) => Ok(Some(failed(&self.plan.columns, row, &panicked(&*panic)))),
+            Err(panic) => Ok(Some(failed(&self.plan.columns, row, &fault_told(&*panic)))),
         }
     }
 
@@ -297,10 +297,4 @@ fn told(error: &StudyError) -> String {
         return format!("{}: {reason}", path.file_name().unwrap_or_default().to_string_lossy());
     }
     error.to_string().lines().next().unwrap_or_default().to_owned()
-}
-
-fn panicked(panic: &(dyn Any + Send)) -> String {
-    let text = panic.downcast_ref::<&str>().copied();
-    let text = text.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
-    format!("a fault of the program: {}", text.unwrap_or("it gave no reason"))
 }

@@ -4,15 +4,11 @@ use super::chunks::damaged;
 use super::evaluate::Evaluator;
 use super::plan::{StoredColumn, SweepPlan};
 use super::shard::Shard;
+use super::waiting::when_free;
 use crate::error::StudyError;
 use crate::progress::Progress;
-use judder_store::{ClaimAnswer, SharedStudy, StoreError, SweepChunks};
+use judder_store::{ClaimAnswer, SharedStudy, SweepChunks};
 use std::path::Path;
-use std::thread;
-use std::time::Duration;
-
-/// How long to wait before asking again for a study that another holds alone.
-const PAUSE: Duration = Duration::from_millis(50);
 
 /// What became of chunks that were handed out.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -26,26 +22,9 @@ pub struct Handed {
 /// The study of a folder, shared with others, as soon as nobody holds it alone.
 ///
 /// # Errors
-/// Failures of the file system, [`StudyError::Interrupted`].
+/// Failures of the file system, [`StudyError::NoSignOfLife`], [`StudyError::Interrupted`].
 pub fn joined(folder: &Path, progress: &dyn Progress) -> Result<SharedStudy, StudyError> {
-    when_free(progress, || SharedStudy::join(folder))
-}
-
-/// A study as soon as nobody keeps it. Asked for again and again: a wait in the file system would not hear that it is to end.
-///
-/// # Errors
-/// Failures of the file system, [`StudyError::Interrupted`].
-pub(crate) fn when_free<T>(
-    progress: &dyn Progress,
-    take: impl Fn() -> Result<T, StoreError>,
-) -> Result<T, StudyError> {
-    loop {
-        match take() {
-            Err(StoreError::Locked { .. }) if progress.interrupted() => return Err(StudyError::Interrupted),
-            Err(StoreError::Locked { .. }) => thread::sleep(PAUSE),
-            taken => return Ok(taken?),
-        }
-    }
+    when_free(folder, progress, || SharedStudy::join(folder))
 }
 
 /// The chunks of a sweep that a study folder lacks, and those in it that cannot be read; writes nothing. All that is there is read and compared

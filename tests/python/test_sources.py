@@ -39,3 +39,11 @@ def test_a_type_has_a_name_of_its_own():
             places[name].setdefault(path, f"{path.relative_to(ROOT)}:{number}")
     assert len(places) > 1000
     assert [f"{name}: {', '.join(found.values())}" for name, found in places.items() if len(found) > 1] == []
+
+
+def test_every_crate_forbids_functions_whose_bits_are_the_machines():
+    """Derive macros compute nothing that is stored."""
+    line = "#![cfg_attr(not(test), warn(clippy::disallowed_methods))]"
+    roots = [path for path in SOURCES if path.name in ("lib.rs", "main.rs") and path.parent.name == "src" and "-derive" not in str(path)]
+    assert len(roots) > 20
+    assert not [str(path.relative_to(ROOT)) for path in roots if line not in path.read_text("utf-8").splitlines()]

@@ -269,7 +269,7 @@ fn softest(mass: &Sparse, solve: &dyn Fn(&mut [f64])) -> (Vec<f64>, f64) {
     /// Steps: each brings out what lies at zero by as much as it lies nearer than the rest.
     const STEPS: usize = 3;
     let size = |shape: &[f64]| shape.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let mut shape: Vec<f64> = (0..mass.nrows()).map(|k| 1.0 + 0.5 * (k as f64).sin()).collect();
+    let mut shape: Vec<f64> = (0..mass.nrows()).map(|k| 1.0 + 0.5 * libm::sin(k as f64)).collect();
     let mut nearest = f64::INFINITY;
     for _ in 0..STEPS {
         let before = size(&shape);

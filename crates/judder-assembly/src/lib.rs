@@ -13,6 +13,8 @@
 //! - [`linearised`]: small motions about it, `null_basis` on the freedoms that closed rigid points leave.
 //! - [`work`]: what each damping and each interface adds to the growth of a mode.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 pub mod assembly;
 pub mod compliance;
 pub mod contact_point;

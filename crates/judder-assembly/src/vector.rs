@@ -25,7 +25,7 @@ pub(crate) fn minus(a: Vector, b: Vector) -> Vector {
 }
 
 pub(crate) fn length(a: Vector) -> f64 {
-    a[0].hypot(a[1]).hypot(a[2])
+    libm::hypot(libm::hypot(a[0], a[1]), a[2])
 }
 
 /// The vector of length one in its direction; `None` where it has none.

@@ -11,6 +11,8 @@
 //! - `console`: results to standard output, all else to standard error.
 //! - `scoreboard`: the table of `judder reproduce`.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod arguments;
 mod commands;
 mod console;

@@ -1,5 +1,7 @@
 //! `judder`, the command; everything of it is in the library beside.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 use std::process::ExitCode;
 
 fn main() -> ExitCode {

@@ -104,12 +104,13 @@ impl CylinderOnLayer {
         let too_wide = CylinderError::TooWide { indentation, thickness: layer.thickness() };
         // ln δ over ln a is smooth and rises: between √δ/4 and √(6 δ), the thinnest layer that keeps its volume
         let excess = |ln_half: f64| -> Result<f64, CylinderError> {
-            let pressed = CylinderBasis::new(layer, ln_half.exp()).and_then(|basis| basis.pressed());
+            let pressed = CylinderBasis::new(layer, libm::exp(ln_half)).and_then(|basis| basis.pressed());
             let found = pressed.and_then(|pressed| pressed.last().copied()).ok_or(too_wide)?;
-            Ok((found / indentation).ln())
+            Ok(libm::log(found / indentation))
         };
         let root = indentation.sqrt();
-        let (mut low, mut high) = ((0.05 * root).ln(), (2.5 * root).min(WIDEST * layer.thickness()).ln());
+        let (mut low, mut high) =
+            (libm::log(0.05 * root), libm::log((2.5 * root).min(WIDEST * layer.thickness())));
         let (mut below, mut above) = (excess(low)?, excess(high)?);
         if below > 0.0 || above < 0.0 {
             return Err(too_wide);
@@ -129,7 +130,7 @@ impl CylinderOnLayer {
                 (low, below, above) = (middle, here, 0.5 * above);
             }
         }
-        Self::of_half_width(layer, (0.5 * (low + high)).exp()).map_err(|_| too_wide)
+        Self::of_half_width(layer, libm::exp(0.5 * (low + high))).map_err(|_| too_wide)
     }
 }
 
@@ -157,7 +158,9 @@ impl<'a> CylinderBasis<'a> {
         let weights: Vec<Vec<f64>> = (0..self.count)
             .map(|n| {
                 let order = (2 * n + 1) as f64;
-                rule.iter().map(|node| node.weight * node.angle.sin() * (order * node.angle).sin()).collect()
+                rule.iter()
+                    .map(|node| node.weight * libm::sin(node.angle) * libm::sin(order * node.angle))
+                    .collect()
             })
             .collect();
         let mut entries = Vec::with_capacity(size * size);
@@ -167,16 +170,16 @@ impl<'a> CylinderBasis<'a> {
             let smooth = self.smooth_at(angle, &rule);
             for (n, weights) in weights.iter().enumerate() {
                 let order = (2 * n) as f64;
-                let far = PI * ((order + 2.0) * angle).cos() / (order + 2.0);
+                let far = PI * libm::cos((order + 2.0) * angle) / (order + 2.0);
                 // −∫√(1 − s²) U ln|t − s| ds
                 let logarithm =
-                    0.5 * if n == 0 { PI * LN_2 - far } else { PI * (order * angle).cos() / order - far };
+                    0.5 * if n == 0 { PI * LN_2 - far } else { PI * libm::cos(order * angle) / order - far };
                 let weighted = dot(&smooth, weights);
-                let reference = if n == 0 { 0.5 * PI * (self.layer.thickness() / a).ln() } else { 0.0 };
+                let reference = if n == 0 { 0.5 * PI * libm::log(self.layer.thickness() / a) } else { 0.0 };
                 entries.push(a * (FRAC_2_PI * (logarithm + reference) + weighted));
             }
             entries.push(-1.0);
-            right.push(-0.5 * (a * angle.cos()).powi(2));
+            right.push(-0.5 * (a * libm::cos(angle)).powi(2));
         }
         Triangles::new(size, entries)?.solve(&mut right);
         Some(right)
@@ -189,7 +192,7 @@ impl<'a> CylinderBasis<'a> {
         let weights: Vec<Vec<f64>> = (0..size)
             .map(|n| {
                 let order = (2 * n + 1) as f64;
-                rule.iter().map(|node| node.weight * (order * node.angle).cos()).collect()
+                rule.iter().map(|node| node.weight * libm::cos(order * node.angle)).collect()
             })
             .collect();
         let mut entries = Vec::with_capacity(size * size);
@@ -199,9 +202,9 @@ impl<'a> CylinderBasis<'a> {
             let smooth = self.smooth_at(angle, &rule);
             for (n, weights) in weights.iter().enumerate() {
                 let order = (2 * n + 1) as f64;
-                entries.push(a * (2.0 * (order * angle).cos() / order + dot(&smooth, weights)));
+                entries.push(a * (2.0 * libm::cos(order * angle) / order + dot(&smooth, weights)));
             }
-            right.push(a * angle.cos());
+            right.push(a * libm::cos(angle));
         }
         Triangles::new(size, entries)?.solve(&mut right);
         Some(right)
@@ -221,8 +224,10 @@ impl<'a> CylinderBasis<'a> {
 
     /// The smooth part of the displacement at a place from a force at every node.
     fn smooth_at(&self, angle: f64, rule: &[WidthNode]) -> Vec<f64> {
-        let at = angle.cos();
-        rule.iter().map(|node| self.layer.smooth_part(self.half_width * (at - node.angle.cos()))).collect()
+        let at = libm::cos(angle);
+        rule.iter()
+            .map(|node| self.layer.smooth_part(self.half_width * (at - libm::cos(node.angle))))
+            .collect()
     }
 }
 

@@ -209,10 +209,10 @@ pub fn fit_law(
         samples
             .iter()
             .map(|sample| {
-                let scale = sample.indentation.powf(power);
+                let scale = libm::pow(sample.indentation, power);
                 Observation {
-                    log10_velocity: sample.velocity.log10() + log10_velocity_scale,
-                    log10_indentation: sample.indentation.log10(),
+                    log10_velocity: libm::log10(sample.velocity) + log10_velocity_scale,
+                    log10_indentation: libm::log10(sample.indentation),
                     value: select(&sample.values) / scale,
                     weight: if weighting == Weighting::Absolute { scale } else { 1.0 },
                 }

@@ -22,6 +22,8 @@
 //!
 //! Everything is dimensionless: v̂ = v τ/R and ŷ = y/R go in; F̃_k = F_k/(E0* R²), Ã = A/R² and μ_visc come out.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 pub mod contact_law;
 pub mod cylinder_on_layer;
 pub mod fit;

@@ -20,6 +20,7 @@ use faer::{Mat, MatMut, c64};
 use judder_assembly::assembly::Assembly;
 use judder_assembly::steady::SteadySliding;
 use judder_nonsmooth::contact::ContactPoints;
+use judder_numerics::complex::ElementaryComplex;
 use std::sync::Arc;
 
 pub(crate) use evaluated::Evaluated;
@@ -111,7 +112,7 @@ impl<'a> HarmonicBalance<'a> {
         }
         let bodies = HarmonicBodies::new(assembly, &contact)?;
         let force = steady.points.iter().fold(0.0_f64, |most, own| most.max(own.normal_force.abs()));
-        let driving = forcing.iter().flat_map(|own| own.amplitude.iter().map(|own| own.norm()));
+        let driving = forcing.iter().flat_map(|own| own.amplitude.iter().map(|own| own.modulus()));
         let force = [force, largest(&assembly.load), driving.fold(0.0, f64::max), 1.0];
         let force = force.into_iter().find(|own| *own > 0.0).unwrap_or(1.0);
         let scales = scales(&bodies, contact.dimension, frequency)?;
@@ -352,7 +353,7 @@ fn scales(
     const NORMAL: f64 = 0.3;
     const TANGENTIAL: f64 = 0.5;
     let receptance = bodies.receptance(c64::new(frequency, 0.0), 0.0)?;
-    let size = |component: usize| receptance[(component, component)].norm();
+    let size = |component: usize| receptance[(component, component)].modulus();
     let of = |point: usize| {
         let [normal, tangential] = [0, 1].map(|k| size(point * dimension + k));
         let stiffness = NORMAL / normal;

@@ -23,6 +23,8 @@
 //! - [`near`]: cycles near a periodic motion that is known from elsewhere. [`marched`]: the motion that a march comes to.
 //! - [`power`]: where the energy of a periodic motion comes from and goes to.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 pub mod backbone;
 pub mod balance;
 pub mod branch;

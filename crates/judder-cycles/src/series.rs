@@ -55,7 +55,7 @@ impl Series {
             let order = column.div_ceil(2);
             // an exact multiple of a turn is taken off before it is rounded
             let angle = TAU * ((order * instant) % samples) as f64 / samples as f64;
-            if column % 2 == 1 || column == 0 { angle.cos() } else { angle.sin() }
+            if column % 2 == 1 || column == 0 { libm::cos(angle) } else { libm::sin(angle) }
         };
         let table = Mat::from_fn(samples, wide, entry);
         let weight = |column: usize| if column == 0 { 1.0 } else { 2.0 } / samples as f64;
@@ -105,7 +105,7 @@ impl Series {
         let weight = |row: usize| if row == 0 { 1.0 } else { 2.0 } / values.nrows() as f64;
         let factor = |row: usize, instant: usize| {
             let angle = TAU * ((row.div_ceil(2) * instant) % values.nrows()) as f64 / values.nrows() as f64;
-            if row % 2 == 1 || row == 0 { angle.cos() } else { angle.sin() }
+            if row % 2 == 1 || row == 0 { libm::cos(angle) } else { libm::sin(angle) }
         };
         Mat::from_fn(self.coefficients(), values.ncols(), |row, signal| {
             if row > 2 * told {

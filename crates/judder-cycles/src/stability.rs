@@ -25,6 +25,7 @@ use crate::path::GoOn;
 use doubled::DoubledSteps;
 use faer::c64;
 use judder_nonsmooth::contact_problem::PointMotion;
+use judder_numerics::complex::ElementaryComplex;
 
 pub use along_shot::shot_multipliers;
 pub use change::{CircleCrossing, StabilityChange, stability_changes};
@@ -75,7 +76,7 @@ impl FloquetMultipliers {
     /// The largest modulus but that of the phase.
     #[must_use]
     pub fn largest(&self) -> f64 {
-        self.values.first().map_or(0.0, |own| own.norm())
+        self.values.first().map_or(0.0, |own| own.modulus())
     }
 
     /// What they say; nothing where another multiplier may be that of the phase, and would let them say something else.
@@ -108,12 +109,12 @@ fn verdict(values: &[c64], phase: Option<c64>, error: f64) -> CycleStability {
         beyond if beyond < -error => CycleStability::Stable,
         _ => CycleStability::Undecided,
     };
-    let own = said(values.first().map_or(0.0, |own| own.norm()), error);
-    let off = |value: c64| (value - 1.0).norm();
+    let own = said(values.first().map_or(0.0, |own| own.modulus()), error);
+    let off = |value: c64| (value - 1.0).modulus();
     let near = (0..values.len()).filter(|k| phase.is_some() && off(values[*k]) <= NEAR * error);
     let as_others = near.map(|chosen| {
-        let others = (0..values.len()).filter(|k| *k != chosen).map(|k| values[k].norm());
-        let phase = phase.map_or(0.0, c64::norm);
+        let others = (0..values.len()).filter(|k| *k != chosen).map(|k| values[k].modulus());
+        let phase = phase.map_or(0.0, ElementaryComplex::modulus);
         said(others.fold(phase, f64::max), error.max(off(values[chosen])))
     });
     if as_others.into_iter().all(|other| other == own) { own } else { CycleStability::Undecided }
@@ -152,7 +153,8 @@ pub fn floquet_multipliers(
     }
     // with as many steps both have the same error of them
     let left_out = apart(&own.found.values, &other.found.values);
-    let of_phases = own.found.phase.zip(other.found.phase).map_or(0.0, |(own, other)| (own - other).norm());
+    let of_phases =
+        own.found.phase.zip(other.found.phase).map_or(0.0, |(own, other)| (own - other).modulus());
     let enough = (OF_LEFT_OUT * left_out.max(of_phases)).max(ENOUGH_SLIDING);
     let slide = own.slides() && other.slides();
     while slide && !other.is_known_to(enough) {
@@ -160,7 +162,7 @@ pub fn floquet_multipliers(
     }
     // what slides on is closer to the motion under the forces of the laws, by as much as the harmonics alone leave out
     let mut found = if slide { other.found } else { own.found };
-    let of_phase = found.phase.map_or(0.0, |phase| (phase - 1.0).norm());
+    let of_phase = found.phase.map_or(0.0, |phase| (phase - 1.0).modulus());
     found.error = found.error.max(left_out).max(of_phase);
     Ok(Ok(found))
 }
@@ -169,7 +171,7 @@ pub fn floquet_multipliers(
 fn apart(some: &[c64], others: &[c64]) -> f64 {
     let off = |own: &[c64], from: &[c64]| {
         let largest = own.first().copied().unwrap_or_default();
-        from.iter().map(|other| (largest - other).norm()).fold(f64::INFINITY, f64::min)
+        from.iter().map(|other| (largest - other).modulus()).fold(f64::INFINITY, f64::min)
     };
     off(some, others).max(off(others, some))
 }

@@ -7,6 +7,8 @@
 //! - [`general`]: eigenvalues, solutions and pivots of matrices that need not be symmetric.
 //! - `product`: the product of two.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 pub mod general;
 pub mod product;
 pub mod symmetric;

@@ -1,5 +1,7 @@
 //! The cases and scripts of the folder `cases`, inside the program: what `judder examples` lists and `judder demo` runs.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 use rust_embed::RustEmbed;
 use std::path::{Path, PathBuf};
 use std::{fs, io};

@@ -149,7 +149,7 @@ fn check_length(said: usize, found: usize) -> Result<(), FileCause> {
 /// Displacements at a phase of the period: Re(φ exp(iθ)), θ in rad.
 #[must_use]
 pub fn at_phase(shape: &[[c64; 3]], phase: f64) -> Vec<[f64; 3]> {
-    let (sine, cosine) = phase.sin_cos();
+    let (sine, cosine) = libm::sincos(phase);
     shape.iter().map(|own| own.map(|value| value.re * cosine - value.im * sine)).collect()
 }
 

@@ -8,6 +8,8 @@
 //! - [`wav`]: signals as sound.
 //! - [`matrix_market`]: matrices for other programs; [`whole_file`]: files whole or not at all.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod bytes;
 mod cause;
 pub mod dma_table;

@@ -9,6 +9,7 @@ use crate::whole_file::write_file;
 use base64::{Engine, engine::general_purpose::STANDARD};
 use faer::c64;
 use flate2::{Compression, write::ZlibEncoder};
+use judder_numerics::complex::ElementaryComplex;
 use judder_structure::element::ElementKind;
 use std::f64::consts::TAU;
 use std::io::{self, Write};
@@ -52,8 +53,8 @@ pub fn complex_fields(name: &str, shape: &[[c64; 3]]) -> Vec<VtuField> {
     vec![
         field("real", |value| value.re),
         field("imaginary", |value| value.im),
-        field("amplitude", |value| value.re.hypot(value.im)),
-        field("phase", |value| value.im.atan2(value.re)),
+        field("amplitude", ElementaryComplex::modulus),
+        field("phase", ElementaryComplex::argument),
     ]
 }
 

@@ -123,7 +123,7 @@ fn gain(channels: &[&[f64]], loudness: Loudness) -> Result<f64, SoundError> {
             if peak == 0.0 {
                 return Ok(1.0);
             }
-            ("a peak", peak, 10_f64.powf(level / 20.0) / peak)
+            ("a peak", peak, libm::pow(10_f64, level / 20.0) / peak)
         }
         Loudness::FullScale(full_scale) => {
             for (channel, samples) in channels.iter().enumerate() {

@@ -17,6 +17,8 @@
 //! - `answers`: one module a kind of answer.
 //! - `refusal`: errors as documents. [`ExplorerError`]: why there is no page.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod admission;
 mod answers;
 mod body;

@@ -4,6 +4,8 @@
 //! all else in it. Here they are compiled once; what comes out are objects. Of vector instructions AVX and NEON alone are compiled in, and
 //! chosen at run time.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 pub use realfft::{ComplexToReal, RealToComplex};
 pub use rustfft::Fft;
 use std::sync::Arc;

@@ -61,17 +61,17 @@ type Function = fn(f64) -> f64;
 
 /// The functions of one argument; angles in radians.
 const FUNCTIONS: [(&str, Function); 13] = [
-    ("sin", f64::sin),
-    ("cos", f64::cos),
-    ("tan", f64::tan),
-    ("asin", f64::asin),
-    ("acos", f64::acos),
-    ("atan", f64::atan),
-    ("sinh", f64::sinh),
-    ("cosh", f64::cosh),
-    ("tanh", f64::tanh),
-    ("exp", f64::exp),
-    ("ln", f64::ln),
+    ("sin", libm::sin),
+    ("cos", libm::cos),
+    ("tan", libm::tan),
+    ("asin", libm::asin),
+    ("acos", libm::acos),
+    ("atan", libm::atan),
+    ("sinh", libm::sinh),
+    ("cosh", libm::cosh),
+    ("tanh", libm::tanh),
+    ("exp", libm::exp),
+    ("ln", libm::log),
     ("sqrt", f64::sqrt),
     ("abs", f64::abs),
 ];
@@ -230,7 +230,7 @@ impl Compiler<'_> {
             self.atom()?;
             if self.take('^') {
                 self.signed()?;
-                self.steps.push(ExpressionStep::Combine(f64::powf));
+                self.steps.push(ExpressionStep::Combine(libm::pow));
             }
         }
         self.nesting -= 1;

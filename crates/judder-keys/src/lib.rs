@@ -13,6 +13,8 @@
 //! - [`cause`], [`problem`], `help`, [`nearest`], `excerpt`, [`error`]: what is wrong, what would be right, where.
 //! - [`schema`], [`mod@reference`]: pieces of the JSON Schema and of the book's reference.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 extern crate self as judder_keys;
 
 pub mod cause;

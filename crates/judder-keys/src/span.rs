@@ -24,12 +24,12 @@ impl Span {
     /// All points in order: the ends exact.
     pub fn values(&self) -> Vec<f64> {
         let last = self.points.saturating_sub(1).max(1);
-        let (first, end) = (self.from.log10(), self.to.log10());
+        let (first, end) = (libm::log10(self.from), libm::log10(self.to));
         (0..self.points)
             .map(|index| match index {
                 0 => self.from,
                 _ if index == last => self.to,
-                _ => 10_f64.powf(first + (end - first) * index as f64 / last as f64),
+                _ => libm::pow(10_f64, first + (end - first) * index as f64 / last as f64),
             })
             .collect()
     }

@@ -1,5 +1,6 @@
 //! The amplitude of a signal in a narrow band about a frequency, and by how much a mode grows in a zone.
 
+use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::signal::window::Window;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -18,7 +19,7 @@ impl Band {
         let window = Window::Hann.weights((WINDOW / interval).round() as usize);
         let sum: f64 = window.iter().sum();
         let turned = |(k, weight): (usize, f64)| {
-            Complex64::from_polar(2.0 * weight / sum, -TAU * frequency * k as f64 * interval)
+            judder_numerics::complex::from_polar(2.0 * weight / sum, -TAU * frequency * k as f64 * interval)
         };
         Self { weights: window.into_iter().enumerate().map(turned).collect() }
     }
@@ -29,7 +30,7 @@ impl Band {
         let first = middle.checked_sub(self.weights.len() / 2);
         let piece = first.and_then(|first| values.get(first..first + self.weights.len()));
         let sum = |piece: &[f64]| piece.iter().zip(&self.weights).map(|(y, w)| y * w).sum::<Complex64>();
-        piece.filter(|piece| !piece.is_empty()).map_or(f64::NAN, |piece| sum(piece).norm())
+        piece.filter(|piece| !piece.is_empty()).map_or(f64::NAN, |piece| sum(piece).modulus())
     }
 }
 

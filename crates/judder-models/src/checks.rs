@@ -3,6 +3,7 @@
 use crate::bridge;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::steady_states::SteadyState;
+use judder_numerics::complex::ElementaryComplex;
 use judder_oscillator::characteristic::{Characteristic, MARGINAL_BAND};
 use judder_oscillator::conservative::discriminant_share;
 use judder_oscillator::critical::Thresholds;
@@ -112,7 +113,7 @@ fn disagrees(system: &LinearSystem) -> Option<bool> {
     let reduced = system.reduced().ok()?;
     let Ok(values) = eigenvalues(&reduced) else { return Some(true) };
     let growth = growth_rate(&values);
-    let size = values.iter().map(|l| l.norm()).fold(0.0, f64::max);
+    let size = values.iter().map(|l| l.modulus()).fold(0.0, f64::max);
     let margin = Characteristic::new(&reduced).margin();
     let clear = growth.abs() > EIGENVALUE_BAND * size && margin.abs() > MARGINAL_BAND;
     clear.then_some((growth > 0.0) != (margin < 0.0))
@@ -130,11 +131,11 @@ fn determinant_residual(system: &LinearSystem) -> f64 {
         .map(|value| {
             let entry = |i: usize, j: usize| (value * mass[i][j] + damping[i][j]) * value + stiffness[i][j];
             let size = |i: usize, j: usize| {
-                let r = value.norm();
+                let r = value.modulus();
                 (r * mass[i][j].abs() + damping[i][j].abs()) * r + stiffness[i][j].abs()
             };
             let determinant = entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(1, 0);
-            determinant.norm() / (size(0, 0) * size(1, 1) + size(0, 1) * size(1, 0))
+            determinant.modulus() / (size(0, 0) * size(1, 1) + size(0, 1) * size(1, 0))
         })
         .fold(0.0, f64::max)
 }
@@ -143,7 +144,7 @@ fn determinant_residual(system: &LinearSystem) -> f64 {
 pub(crate) fn unstable_as_eigenvalues_say(systems: &[(LinearSystem, bool)]) -> CheckRecord {
     let decided = systems.iter().filter_map(|(system, unstable)| {
         let values = eigenvalues(&system.reduced().ok()?).ok()?;
-        let (growth, size) = (growth_rate(&values), values.iter().map(|l| l.norm()).fold(0.0, f64::max));
+        let (growth, size) = (growth_rate(&values), values.iter().map(|l| l.modulus()).fold(0.0, f64::max));
         (growth.abs() > EIGENVALUE_BAND * size).then_some((growth > 0.0) != *unstable)
     });
     CheckRecord::new(
@@ -199,7 +200,7 @@ impl VanishingGrowth {
         if system.damping.iter().flatten().all(|entry| *entry == 0.0) {
             self.limit = 1e-6;
         }
-        let size = values.iter().map(|l| l.norm()).fold(0.0, f64::max);
+        let size = values.iter().map(|l| l.modulus()).fold(0.0, f64::max);
         self.found.add(growth_rate(&values).abs() / size);
     }
 }

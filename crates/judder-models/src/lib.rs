@@ -15,6 +15,8 @@
 //! - `samples`: arrays of a march on their way into the study; [`mod@spectrogram`]: of any of them. `estimate`: what analyses would take. `written`: files of other programs, in memory.
 //! - [`template`]: the commented cases of `judder new`.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 pub mod assembly;
 mod axis;
 pub mod band;

@@ -42,8 +42,8 @@ impl MeasuredBand {
                 (least.min(frequency), most.max(frequency))
             });
         let [from, to] = self.band;
-        let below = (least < from / BLURRED).then(|| (from / least).log10());
-        let above = (most > to * BLURRED).then(|| (most / to).log10());
+        let below = (least < from / BLURRED).then(|| libm::log10(from / least));
+        let above = (most > to * BLURRED).then(|| libm::log10(most / to));
         let outside: Vec<String> = [(below, "below"), (above, "above")]
             .into_iter()
             .filter_map(|(decades, side)| decades.map(|decades| format!("{decades:.1} decades {side}")))

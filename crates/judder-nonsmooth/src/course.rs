@@ -101,7 +101,7 @@ impl TimeFactor {
         match self {
             Self::Constant(_) => 0.0,
             Self::Rise(duration) if (0.0..*duration).contains(&time) => {
-                0.5 * PI / duration * (PI * time / duration).sin()
+                0.5 * PI / duration * libm::sin(PI * time / duration)
             }
             Self::Rise(_) => 0.0,
             Self::Table(TimeTable { times, values }) => match times.partition_point(|own| *own <= time) {

@@ -138,7 +138,7 @@ impl EnergyWindows {
     #[must_use]
     pub fn fastest_fall(&self) -> Option<f64> {
         let logarithms: Vec<f64> =
-            self.sums.iter().zip(self.counts).map(|(sum, count)| (sum / count as f64).ln()).collect();
+            self.sums.iter().zip(self.counts).map(|(sum, count)| libm::log(sum / count as f64)).collect();
         let count = WINDOWS as f64;
         let mean = logarithms.iter().sum::<f64>() / count;
         let place = |k: usize| k as f64 - 0.5 * (count - 1.0);

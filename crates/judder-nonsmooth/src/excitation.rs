@@ -63,8 +63,8 @@ impl FrequencySweep {
         }
         match self.is_logarithmic {
             true => {
-                let rate = (to / from).ln() / duration;
-                from / rate * (rate * time).exp_m1()
+                let rate = libm::log(to / from) / duration;
+                from / rate * libm::expm1(rate * time)
             }
             false => time * (from + 0.5 * (to - from) * time / duration),
         }
@@ -152,9 +152,9 @@ impl DrivingSignal {
     pub fn at(&mut self, time: f64) -> f64 {
         match self {
             Self::Sine { amplitude, angular_frequency, phase } => {
-                *amplitude * (*angular_frequency * time + *phase).sin()
+                *amplitude * libm::sin(*angular_frequency * time + *phase)
             }
-            Self::Sweep(own) => own.amplitude * own.phase(time).sin(),
+            Self::Sweep(own) => own.amplitude * libm::sin(own.phase(time)),
             Self::Random(noise) => noise.at(time),
             Self::Samples(samples) => samples.at(time),
             Self::Rate(factor) => factor.rate(time),

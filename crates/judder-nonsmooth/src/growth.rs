@@ -8,6 +8,7 @@ use faer::c64;
 use judder_assembly::assembly::Assembly;
 use judder_assembly::linearised::Linearised;
 use judder_assembly::steady::SteadySliding;
+use judder_numerics::complex::ElementaryComplex;
 use judder_structure::complex_modes::ComplexMode;
 use std::f64::consts::TAU;
 
@@ -82,7 +83,8 @@ pub fn growth(
             steady.displacement.iter().enumerate().map(|(k, q)| q + scaled(k, one)).collect();
         // of central differences the velocity lies half a step back
         let back = if settings.scheme.implicitness() == 0.0 { -0.5 * settings.step } else { 0.0 };
-        let velocity: Vec<f64> = (0..right.len()).map(|k| scaled(k, value * (value * back).exp())).collect();
+        let velocity: Vec<f64> =
+            (0..right.len()).map(|k| scaled(k, value * (value * back).exponential())).collect();
         march.start(&displacement, &velocity);
         march.guess(&forces);
         let measured = measure(&mut march, &share, value, steady)?;
@@ -101,11 +103,11 @@ fn smallest_ratio(march: &NonsmoothMarch<'_>, right: &[c64], value: c64, steady:
     let contact = march.contact();
     let ratio = |point: usize| {
         let form = &contact.points[point].frame.slip;
-        contact.speed(point) / (value * form.of_complex(right)).norm()
+        contact.speed(point) / (value * form.of_complex(right)).modulus()
     };
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
     let moved = largest(&mut steady.iter().map(|own| own.abs()));
-    let of_bodies = moved / largest(&mut right.iter().map(|own| own.norm()));
+    let of_bodies = moved / largest(&mut right.iter().map(|own| own.modulus()));
     let of_bodies = if of_bodies > 0.0 { of_bodies } else { 1.0 };
     (0..contact.points.len()).map(ratio).filter(|ratio| ratio.is_finite()).fold(of_bodies, f64::min)
 }
@@ -137,7 +139,7 @@ fn measure(
         is_small &= as_before(march);
         let amplitude = share.of(march);
         // the angle without jumps
-        let angle = amplitude.im.atan2(amplitude.re);
+        let angle = libm::atan2(amplitude.im, amplitude.re);
         turns += ((angle - last + 0.5 * TAU) / TAU).floor();
         last = angle;
         let unwrapped = angle - TAU * turns;
@@ -146,12 +148,12 @@ fn measure(
             (amplitudes[place], angles[place]) = (amplitude, unwrapped);
         }
         if taken % every == 0 {
-            history.push([taken as f64 * step, amplitude.norm() / amplitudes[0].norm()]);
+            history.push([taken as f64 * step, amplitude.modulus() / amplitudes[0].modulus()]);
         }
     }
     let time = half as f64 * step;
     let rate = |from: usize, to: usize| {
-        (amplitudes[to].norm() / amplitudes[from].norm()).ln() / ((to - from) as f64 * time)
+        libm::log(amplitudes[to].modulus() / amplitudes[from].modulus()) / ((to - from) as f64 * time)
     };
     Ok(MarchGrowth {
         measured: c64::new(rate(0, 2), (angles[2] - angles[0]) / (2.0 * time)),

@@ -13,6 +13,8 @@
 //! - [`energy`]: its mechanical energy about steady sliding, and how that falls.
 //! - [`statistics`]: what its points do on average. [`mode_share`], [`growth`]: how much of a mode a motion has, and how that grows.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 pub mod bodies;
 pub mod contact;
 pub mod contact_problem;

@@ -153,7 +153,7 @@ impl ModalContent {
             return Some([0.0, 0.0]);
         }
         let half_chord = 0.5 * (sums.changed / (count - 1.0) / variance).sqrt();
-        Some([variance.sqrt(), 2.0 * half_chord.min(1.0).asin() / apart])
+        Some([variance.sqrt(), 2.0 * libm::asin(half_chord.min(1.0)) / apart])
     }
 }
 

@@ -131,7 +131,7 @@ fn cycle(
                 (cosine * column[i] + sine * column[i + 1], cosine * column[i + 1] - sine * column[i]);
         }
         let last = column.len() - 1;
-        let radius = column[last].hypot(length);
+        let radius = libm::hypot(column[last], length);
         if radius == 0.0 {
             break;
         }

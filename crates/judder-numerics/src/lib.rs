@@ -1,6 +1,7 @@
 //! The few numerical tools that two rooms of judder share.
 //!
 //! - [`elementary`]: `exp`, `ln`, `erf` without branches, the same bits on every machine and at every vector width.
+//! - [`complex`]: elementary functions of complex numbers, with portable bits.
 //! - [`root`]: one root in a bracket, and all roots of a scalar function over an interval.
 //! - [`polynomial`]: all roots of a small real polynomial, conjugate pairs exact.
 //! - [`quadrature`]: the rule of Gauss and Legendre.
@@ -20,6 +21,9 @@
 //!
 //! What a library does is called, not wrapped; these stand here because no library gives them in this form.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
+pub mod complex;
 pub mod contact_state;
 pub mod counter;
 pub mod dense;

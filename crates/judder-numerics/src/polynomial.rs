@@ -1,5 +1,6 @@
 //! All roots of a small real polynomial.
 
+use crate::complex::ElementaryComplex;
 use crate::words::plain;
 use num_complex::Complex64;
 use thiserror::Error;
@@ -28,7 +29,7 @@ pub enum PolynomialError {
 
 /// Value, derivative, and a bound of the rounding error of the value, at `z`.
 fn evaluate(coefficients: &[f64], z: Complex64) -> (Complex64, Complex64, f64) {
-    let radius = z.norm();
+    let radius = z.modulus();
     let mut value = Complex64::ZERO;
     let mut slope = Complex64::ZERO;
     let mut bound = 0.0;
@@ -68,7 +69,7 @@ pub fn real_polynomial_roots(coefficients: &[f64]) -> Result<Vec<Complex64>, Pol
 /// Starting values on circles of the radii of the coefficients' Newton polygon (Bini's choice).
 fn starting_values(coefficients: &[f64]) -> Vec<Complex64> {
     let degree = coefficients.len() - 1;
-    let logs: Vec<f64> = coefficients.iter().map(|c| c.abs().ln()).collect();
+    let logs: Vec<f64> = coefficients.iter().map(|c| libm::log(c.abs())).collect();
     let mut hull: Vec<usize> = Vec::new();
     for k in (0..=degree).filter(|k| coefficients[*k] != 0.0) {
         while let [.., a, b] = hull[..] {
@@ -83,10 +84,10 @@ fn starting_values(coefficients: &[f64]) -> Vec<Complex64> {
     let mut starts = Vec::with_capacity(degree);
     for edge in hull.windows(2) {
         let count = edge[1] - edge[0];
-        let radius = ((logs[edge[0]] - logs[edge[1]]) / count as f64).exp();
+        let radius = libm::exp((logs[edge[0]] - logs[edge[1]]) / count as f64);
         for j in 0..count {
             let angle = std::f64::consts::TAU * j as f64 / count as f64 + 0.7 + 0.3 * edge[0] as f64;
-            starts.push(Complex64::from_polar(radius, angle));
+            starts.push(crate::complex::from_polar(radius, angle));
         }
     }
     starts
@@ -115,8 +116,8 @@ fn simultaneous_iteration(coefficients: &[f64]) -> Result<Vec<Complex64>, Polyno
                 continue;
             }
             roots[i] -= step;
-            let relative = step.norm() / roots[i].norm();
-            settled[i] = value.norm() <= bound || relative <= f64::EPSILON;
+            let relative = step.modulus() / roots[i].modulus();
+            settled[i] = value.modulus() <= bound || relative <= f64::EPSILON;
             if !settled[i] {
                 change = change.max(relative);
             }
@@ -138,13 +139,14 @@ fn make_conjugates_exact(coefficients: &[f64], roots: &mut [Complex64]) {
             continue;
         }
         let (_, slope, bound) = evaluate(coefficients, roots[i]);
-        let uncertainty = 8.0 * bound / slope.norm();
-        let partner =
-            (0..roots.len()).filter(|j| *j != i && !paired[*j] && (roots[*j].im * roots[i].im < 0.0)).min_by(
-                |a, b| (roots[*a] - roots[i].conj()).norm().total_cmp(&(roots[*b] - roots[i].conj()).norm()),
-            );
+        let uncertainty = 8.0 * bound / slope.modulus();
+        let partner = (0..roots.len())
+            .filter(|j| *j != i && !paired[*j] && (roots[*j].im * roots[i].im < 0.0))
+            .min_by(|a, b| {
+                (roots[*a] - roots[i].conj()).modulus().total_cmp(&(roots[*b] - roots[i].conj()).modulus())
+            });
         paired[i] = true;
-        let gap = partner.map_or(f64::INFINITY, |j| (roots[j] - roots[i].conj()).norm());
+        let gap = partner.map_or(f64::INFINITY, |j| (roots[j] - roots[i].conj()).modulus());
         if roots[i].im == 0.0 || (roots[i].im.abs() <= uncertainty && gap > roots[i].im.abs()) {
             roots[i].im = 0.0;
         } else if let Some(j) = partner {

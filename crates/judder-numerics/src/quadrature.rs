@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 #[must_use]
 pub fn gauss_legendre<const N: usize>() -> [(f64, f64); N] {
     std::array::from_fn(|index| {
-        let mut x = (PI * (index as f64 + 0.75) / (N as f64 + 0.5)).cos();
+        let mut x = libm::cos(PI * (index as f64 + 0.75) / (N as f64 + 0.5));
         let mut slope = 1.0;
         for _ in 0..8 {
             let (mut before, mut value) = (1.0, x);

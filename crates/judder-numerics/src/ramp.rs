@@ -22,7 +22,7 @@ pub fn straight(places: &[f64], values: &[f64], at: f64) -> (f64, f64) {
 /// (1 − cos π t/T)/2, from 0 to 1 over the time T, and 1 after it.
 #[must_use]
 pub fn half_cosine(time: f64, duration: f64) -> f64 {
-    if time >= duration { 1.0 } else { 0.5 - 0.5 * (PI * time / duration).cos() }
+    if time >= duration { 1.0 } else { 0.5 - 0.5 * libm::cos(PI * time / duration) }
 }
 
 #[cfg(test)]

@@ -148,7 +148,7 @@ fn passes(curve: &[[f64; 2]], point: [f64; 2], reach: f64) -> bool {
         let length = along[0] * along[0] + along[1] * along[1];
         let share =
             if length > 0.0 { ((to[0] * along[0] + to[1] * along[1]) / length).clamp(0.0, 1.0) } else { 0.0 };
-        (to[0] - share * along[0]).hypot(to[1] - share * along[1]) < reach
+        libm::hypot(to[0] - share * along[0], to[1] - share * along[1]) < reach
     })
 }
 

@@ -5,6 +5,7 @@
 use crate::FrictionLoad;
 use crate::groups::Coefficients;
 use judder_contact::ContactResponse;
+use judder_numerics::complex::ElementaryComplex;
 use num_complex::Complex64;
 
 /// 4 k12 k21 + (k11 − k22)², the radicand of (24), (25): negative where the two modes have merged into flutter.
@@ -31,13 +32,13 @@ pub fn discriminant_share(stiffness: &[[f64; 2]; 2]) -> f64 {
 pub fn conservative_eigenvalues(stiffness: &[[f64; 2]; 2]) -> [Complex64; 4] {
     let sum = stiffness[0][0] + stiffness[1][1];
     let product = stiffness[0][0] * stiffness[1][1] - stiffness[0][1] * stiffness[1][0];
-    let outer_square = 0.5 * (-sum - Complex64::new(discriminant(stiffness), 0.0).sqrt());
-    let outer = outer_square.sqrt();
+    let outer_square = 0.5 * (-sum - Complex64::new(discriminant(stiffness), 0.0).square_root());
+    let outer = outer_square.square_root();
     let inner = if outer_square.im != 0.0 {
         outer.conj()
     } else if outer_square.re != 0.0 {
         // λ² of the inner pair from the product of both: the sum in (25) would cancel
-        Complex64::new(product / outer_square.re, 0.0).sqrt()
+        Complex64::new(product / outer_square.re, 0.0).square_root()
     } else {
         Complex64::ZERO
     };

@@ -46,7 +46,9 @@ impl ParameterRange {
         }
         match self.scale {
             RangeScale::Linear => self.from + (self.to - self.from) * position,
-            RangeScale::Logarithmic => (self.from.ln() + (self.to.ln() - self.from.ln()) * position).exp(),
+            RangeScale::Logarithmic => {
+                libm::exp(libm::log(self.from) + (libm::log(self.to) - libm::log(self.from)) * position)
+            }
         }
     }
 }

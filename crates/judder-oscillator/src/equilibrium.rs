@@ -123,7 +123,7 @@ pub(crate) fn ln_indentation(contact: &Contact, c: &Coefficients) -> Result<f64,
 const SEARCH: (f64, f64) = (-230.0, 7.0);
 
 fn no_equilibrium() -> OscillatorError {
-    OscillatorError::NoEquilibrium { searched_from: SEARCH.0.exp(), searched_to: SEARCH.1.exp() }
+    OscillatorError::NoEquilibrium { searched_from: libm::exp(SEARCH.0), searched_to: libm::exp(SEARCH.1) }
 }
 
 /// A bracket for k12 ≥ 0: above, the springs alone carry the load; below, nothing does.
@@ -131,7 +131,7 @@ fn bracket(imbalance: &Imbalance<'_>) -> Result<(f64, f64), OscillatorError> {
     let c = imbalance.coefficients;
     let spring = c.spring * c.stiffness;
     // a hair above F̃_n/s, where rounding cannot turn the sign
-    let upper = if spring > 0.0 { (c.normal_load / spring).ln() + 1e-9 } else { SEARCH.1 };
+    let upper = if spring > 0.0 { libm::log(c.normal_load / spring) + 1e-9 } else { SEARCH.1 };
     let upper = upper.clamp(SEARCH.0, SEARCH.1);
     let is_bracketed = imbalance.at(upper).residual >= 0.0 && imbalance.at(SEARCH.0).residual < 0.0;
     if is_bracketed { Ok((SEARCH.0, upper)) } else { Err(no_equilibrium()) }
@@ -146,9 +146,9 @@ fn only_sign_change(imbalance: &Imbalance<'_>) -> Result<(f64, f64), OscillatorE
     match roots[..] {
         [] => Err(no_equilibrium()),
         [root] => Ok((root - 1e-6, root + 1e-6)),
-        _ => {
-            Err(OscillatorError::SeveralEquilibria { indentations: roots.iter().map(|u| u.exp()).collect() })
-        }
+        _ => Err(OscillatorError::SeveralEquilibria {
+            indentations: roots.iter().map(|u| libm::exp(*u)).collect(),
+        }),
     }
 }
 
@@ -173,7 +173,7 @@ fn root_in_bracket(imbalance: &Imbalance<'_>, lower: f64, upper: f64) -> Result<
         }
         u = next;
     }
-    Err(OscillatorError::EquilibriumNotConverged { iterations: LIMIT, indentation: u.exp(), residual })
+    Err(OscillatorError::EquilibriumNotConverged { iterations: LIMIT, indentation: libm::exp(u), residual })
 }
 
 #[cfg(test)]

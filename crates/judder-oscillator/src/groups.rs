@@ -84,7 +84,7 @@ impl Groups {
     /// The coefficients without the checks, for groups that were checked at the ends of a sweep.
     #[must_use]
     pub fn resolve(&self) -> Coefficients {
-        let (sine, cosine) = self.coupling_angle.sin_cos();
+        let (sine, cosine) = libm::sincos(self.coupling_angle);
         let coupling_squared = self.coupling * self.coupling;
         let (k11, k12) = (1.0 + coupling_squared * cosine * cosine, coupling_squared * sine * cosine);
         Coefficients {

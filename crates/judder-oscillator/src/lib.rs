@@ -25,6 +25,8 @@
 //! Equation numbers are those of Papangelo, Putignano and Hoffmann, *Critical thresholds for mode-coupling instability in
 //! viscoelastic sliding contacts*, Nonlinear Dynamics (2021), "the oscillator paper".
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 pub mod block;
 pub mod boundary;
 pub mod characteristic;

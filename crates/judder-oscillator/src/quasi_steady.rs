@@ -11,6 +11,7 @@
 //! one T = a/v, the time in which it has left its own length. So terms count that creep while the contact passes.
 
 use judder_contact::law::material::LawTerm;
+use judder_numerics::complex::ElementaryComplex;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -93,7 +94,7 @@ fn memory_time(passing: f64, terms: &[LawTerm]) -> f64 {
     let behind: Complex64 =
         terms.iter().map(|term| term.compliance * term.retardation_time * answer(term) * answer(term)).sum();
     let all: Complex64 = terms.iter().map(|term| term.compliance * answer(term)).sum();
-    behind.norm() / all.norm()
+    behind.modulus() / all.modulus()
 }
 
 #[cfg(test)]

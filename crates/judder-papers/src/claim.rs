@@ -78,7 +78,7 @@ pub(crate) fn short(value: f64) -> String {
         return "0".to_owned();
     }
     if (0.01..1000.0).contains(&value.abs()) {
-        let digits = 2 - value.abs().max(1e-2).log10().floor() as i32;
+        let digits = 2 - libm::log10(value.abs().max(1e-2)).floor() as i32;
         return format!("{value:.*}", digits.max(0) as usize).replace('-', "−");
     }
     let text = format!("{value:.2e}");

@@ -6,6 +6,8 @@
 //! - `oscillator`: a sphere on rubber with two degrees of freedom.
 //! - `beams`: two beams in sliding contact.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod beams;
 mod claim;
 mod oscillator;

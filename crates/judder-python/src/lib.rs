@@ -13,6 +13,8 @@
 //! - `sweep`: a sweep of a case, chunk by chunk, for whoever hands the chunks out himself.
 //! - `errors`: errors of the crates as exceptions, with their fields.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod analyses;
 mod arrays;
 mod cases;

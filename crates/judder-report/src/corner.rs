@@ -112,7 +112,7 @@ fn hidden_of_layer(layer: &Layer, room: Room<'_>, place: &LegendBox) -> f64 {
 /// Length of a segment inside a box, by samples two points apart.
 fn hidden_of_segment(from: (f64, f64), to: (f64, f64), place: &LegendBox) -> f64 {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
-    let length = dx.hypot(dy).min(1e4);
+    let length = libm::hypot(dx, dy).min(1e4);
     let samples = (length / 2.0).ceil().max(1.0);
     let inside = (0..samples as usize).filter(|index| {
         let share = (*index as f64 + 0.5) / samples;

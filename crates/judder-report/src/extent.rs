@@ -42,7 +42,7 @@ pub(crate) fn ordinates(layer: &Layer) -> Box<dyn Iterator<Item = f64> + '_> {
 /// The furthest that swinging points come to both sides of their rest.
 fn reach<'a>(drawn: &'a [f64], [real, imaginary]: &'a [Vec<f64>; 2]) -> impl Iterator<Item = f64> + 'a {
     drawn.iter().zip(real.iter().zip(imaginary)).flat_map(|(drawn, (a, b))| {
-        let (rest, amplitude) = (drawn - a, a.hypot(*b));
+        let (rest, amplitude) = (drawn - a, libm::hypot(*a, *b));
         [rest - amplitude, rest + amplitude]
     })
 }

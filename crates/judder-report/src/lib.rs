@@ -15,6 +15,8 @@
 //! - [`json`]: the figure for the one interactive chart, which is that of the page of `judder explore`.
 //! - [`page`]: sections of text, figures, tables, scoreboards and checks as one HTML file.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod axis;
 mod corner;
 mod error;

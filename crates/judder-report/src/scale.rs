@@ -72,9 +72,11 @@ impl PlacedAxis {
 pub(crate) fn stretch(scale: Scale, value: f64) -> f64 {
     match scale {
         Scale::Linear => value,
-        Scale::Log => value.log10(),
+        Scale::Log => libm::log10(value),
         Scale::SymmetricLog { linear } if value.abs() <= linear => value / linear,
-        Scale::SymmetricLog { linear } => value.signum() * (1.0 + value.abs().log10() - linear.log10()),
+        Scale::SymmetricLog { linear } => {
+            value.signum() * (1.0 + libm::log10(value.abs()) - libm::log10(linear))
+        }
     }
 }
 
@@ -82,10 +84,10 @@ pub(crate) fn stretch(scale: Scale, value: f64) -> f64 {
 fn shrink(scale: Scale, stretched: f64) -> f64 {
     match scale {
         Scale::Linear => stretched,
-        Scale::Log => 10_f64.powf(stretched),
+        Scale::Log => libm::pow(10_f64, stretched),
         Scale::SymmetricLog { linear } if stretched.abs() <= 1.0 => stretched * linear,
         Scale::SymmetricLog { linear } => {
-            stretched.signum() * 10_f64.powf(stretched.abs() - 1.0 + linear.log10())
+            stretched.signum() * libm::pow(10_f64, stretched.abs() - 1.0 + libm::log10(linear))
         }
     }
 }

@@ -54,7 +54,7 @@ fn linear(from: f64, to: f64, room: usize) -> Ticks {
     let (leading, power) = steps.find(marks_two).unwrap_or_else(|| nice_step((to - from) / room as f64));
     let step = leading * 10_f64.powi(power);
     let parts = if leading == 2.0 { 4.0 } else { 5.0 };
-    let largest = from.abs().max(to.abs()).log10().floor() as i32;
+    let largest = libm::log10(from.abs().max(to.abs())).floor() as i32;
     let exponent = (!(-2..=4).contains(&largest)).then_some(largest);
     let decimals = (exponent.unwrap_or(0) - power).max(0) as usize;
     let label = |value: f64| number(value / 10_f64.powi(exponent.unwrap_or(0)), decimals);
@@ -65,7 +65,7 @@ fn linear(from: f64, to: f64, room: usize) -> Ticks {
 
 /// The smallest of 1, 2, 5 times a power of ten that is not below `least`, as factor and power.
 fn nice_step(least: f64) -> (f64, i32) {
-    let power = least.log10().floor() as i32;
+    let power = libm::log10(least).floor() as i32;
     let mantissa = least / 10_f64.powi(power);
     match mantissa {
         _ if mantissa <= 1.0 => (1.0, power),
@@ -98,7 +98,7 @@ fn log(from: f64, to: f64, room: usize) -> Ticks {
 
 /// First and last power of ten in a range (the last may be below the first).
 fn decades(from: f64, to: f64) -> (i32, i32) {
-    ((from.log10() - 1e-9).ceil() as i32, (to.log10() + 1e-9).floor() as i32)
+    ((libm::log10(from) - 1e-9).ceil() as i32, (libm::log10(to) + 1e-9).floor() as i32)
 }
 
 /// Every how many decades there is room for a label: 1, 2, 3, 5, 10, 20, …
@@ -121,7 +121,7 @@ fn between_decades(power: i32) -> impl Iterator<Item = f64> {
 
 /// A log range with fewer than two decades: the multiples of its powers of ten, or linear ticks where it is short.
 fn within_a_decade(from: f64, to: f64, room: usize) -> Ticks {
-    let power = from.log10().floor() as i32;
+    let power = libm::log10(from).floor() as i32;
     let all: Vec<(i32, f64)> = (power..=power + 2)
         .flat_map(|power| (1..=9).map(move |factor| (factor, f64::from(factor) * 10_f64.powi(power))))
         .filter(|(_, value)| (from..=to).contains(value))
@@ -140,7 +140,7 @@ fn within_a_decade(from: f64, to: f64, room: usize) -> Ticks {
 
 /// Zero and the decades of both signs outside the linear part.
 fn symmetric_log(from: f64, to: f64, part: f64, room: usize) -> Ticks {
-    let lowest = (part.log10() - 1e-9).ceil() as i32;
+    let lowest = (libm::log10(part) - 1e-9).ceil() as i32;
     let side = |end: f64| if end > 0.0 { decades(part, end).1 } else { lowest - 1 };
     let (up, down) = (side(to), side(-from));
     let count = (up - lowest + 1).max(0) as usize + (down - lowest + 1).max(0) as usize;
@@ -173,7 +173,7 @@ fn number(value: f64, decimals: usize) -> String {
 
 /// A value on its own: plain where it is short, otherwise with a power of ten.
 fn scientific(value: f64) -> String {
-    let power = value.abs().log10().floor() as i32;
+    let power = libm::log10(value.abs()).floor() as i32;
     if (-3..=4).contains(&power) {
         return number(value, (-power).max(0) as usize);
     }

@@ -42,9 +42,9 @@ pub fn amplifications(
         let step = PI / POINTS as f64;
         let term = |k: usize| {
             let angle = (k as f64 + 0.5) * step;
-            let position = zone.from + 0.5 * width * (1.0 - angle.cos());
+            let position = zone.from + 0.5 * width * (1.0 - libm::cos(angle));
             // the width of its part of the zone: together they are the zone
-            let part = width * angle.sin() * (0.5 * step).sin();
+            let part = width * libm::sin(angle) * libm::sin(0.5 * step);
             zone.eigenvalue_at(&family, position).re.max(0.0) * part
         };
         let speed = conditions.velocity.abs();

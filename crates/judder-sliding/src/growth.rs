@@ -7,6 +7,7 @@ use crate::motion::{Motion, Noise, Ramps};
 use crate::pair::Pair;
 use crate::shape::mode_shape;
 use crate::statics::PairEquilibrium;
+use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::signal::window::Window;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -190,7 +191,7 @@ impl Windows {
 
     /// Takes in what swings, at the time of the next step.
     fn take(&mut self, time: f64, deviation: f64) {
-        let turned = deviation * (Complex64::new(0.0, -self.eigenvalue.im) * time).exp();
+        let turned = deviation * (Complex64::new(0.0, -self.eigenvalue.im) * time).exponential();
         let length = 2 * self.quarter;
         for (k, sum) in self.sums.iter_mut().enumerate() {
             let begin = k as u64 * self.quarter;
@@ -204,8 +205,9 @@ impl Windows {
     /// What the windows say once all steps are taken in.
     fn growth(&self, step: f64) -> Growth {
         let apart = self.quarter as f64 * step;
-        let rate =
-            |from: usize, to: usize| (self.sums[to] / self.sums[from]).ln() / ((to - from) as f64 * apart);
+        let rate = |from: usize, to: usize| {
+            (self.sums[to] / self.sums[from]).logarithm() / ((to - from) as f64 * apart)
+        };
         Growth {
             measured: rate(0, 2) + Complex64::new(0.0, self.eigenvalue.im),
             predicted: self.eigenvalue,
@@ -226,12 +228,13 @@ impl Held {
         let shape = mode_shape(&self.coupling, &pair.eigenvalues(), &pair.damping(), eigenvalue);
         let size = AMPLITUDE * self.normal_force;
         let at = |time: f64| -> Vec<f64> {
-            let swing = size * (eigenvalue * time).exp();
+            let swing = size * (eigenvalue * time).exponential();
             self.state.iter().zip(&shape).map(|(rest, mode)| rest + (swing * mode).re).collect()
         };
         let rest =
             self.force_at_rest(pair, settings, SteadyFriction::at(pair.friction(), settings.velocity))?;
-        let force = |time: f64| rest.map(|along| along * (1.0 + AMPLITUDE * (eigenvalue * time).exp().re));
+        let force =
+            |time: f64| rest.map(|along| along * (1.0 + AMPLITUDE * (eigenvalue * time).exponential().re));
         let before = -settings.step;
         Ok(MarchStart { now: at(0.0), before: at(before), forces: [force(0.0), force(before)] })
     }

@@ -20,6 +20,8 @@
 //! - [`shape`]: the shape of a coupled mode.
 //! - [`growth`]: growth with the contact held, measured against the eigenvalue.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 pub mod amplification;
 pub mod body;
 pub mod characteristic;

@@ -224,7 +224,7 @@ impl Motion {
         if time >= ramp {
             return time - 0.5 * ramp;
         }
-        0.5 * (time - ramp / PI * (PI * time / ramp).sin())
+        0.5 * (time - ramp / PI * libm::sin(PI * time / ramp))
     }
 
     /// What is prescribed at a time since the start, s.
@@ -234,7 +234,7 @@ impl Motion {
         let ramp = self.ramps.velocity;
         let rising = time < ramp;
         let acceleration =
-            if rising { self.velocity * 0.5 * PI / ramp * (PI * time / ramp).sin() } else { 0.0 };
+            if rising { self.velocity * 0.5 * PI / ramp * libm::sin(PI * time / ramp) } else { 0.0 };
         let initial_damping = self.initial_damping.map_or(0.0, |damping| {
             if time < damping.hold { 1.0 } else { 1.0 - half_cosine(time - damping.hold, damping.release) }
         });

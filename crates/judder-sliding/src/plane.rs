@@ -54,7 +54,7 @@ pub fn along_chord(places: &[PlaneVector]) -> Result<(Vec<f64>, PlaneVector), Sl
         let step = minus(pair[1], pair[0]);
         let along = dot(step, direction);
         if along <= 0.0 || along.is_nan() {
-            let angle_deg = dot(step, turned(direction)).atan2(along).to_degrees().abs();
+            let angle_deg = libm::atan2(dot(step, turned(direction)), along).to_degrees().abs();
             let [x, y] = pair[0];
             return Err(SlidingError::Unordered { node, angle_deg, x, y });
         }

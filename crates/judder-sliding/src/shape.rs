@@ -1,6 +1,7 @@
 //! The shape in which a coupled pair swings.
 
 use crate::coupling::{Coupling, product};
+use judder_numerics::complex::ElementaryComplex;
 use num_complex::Complex64;
 
 /// The shape of the mode of an eigenvalue s in modal coordinates, under a normal force of 1 N.
@@ -39,15 +40,16 @@ pub fn gap_residual(coupling: &Coupling, shape: &[Complex64]) -> f64 {
     let [re, im]: [Vec<f64>; 2] =
         [shape.iter().map(|q| q.re).collect(), shape.iter().map(|q| q.im).collect()];
     let gap = Complex64::new(product(&coupling.compatibility, &re), product(&coupling.compatibility, &im));
-    let size: f64 = coupling.compatibility.iter().zip(shape).map(|(c, q)| (c * q).norm()).sum();
-    gap.norm() / size
+    let size: f64 = coupling.compatibility.iter().zip(shape).map(|(c, q)| (c * q).modulus()).sum();
+    gap.modulus() / size
 }
 
 /// The solution of a small system whose last column is the right-hand side.
 fn solved(mut rows: Vec<Vec<Complex64>>) -> Vec<Complex64> {
     let size = rows.len();
     for k in 0..size {
-        let pivot = (k..size).max_by(|a, b| rows[*a][k].norm().total_cmp(&rows[*b][k].norm())).unwrap_or(k);
+        let pivot =
+            (k..size).max_by(|a, b| rows[*a][k].modulus().total_cmp(&rows[*b][k].modulus())).unwrap_or(k);
         rows.swap(k, pivot);
         let pivot = rows[k].clone();
         for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {

@@ -10,6 +10,7 @@ mod simultaneous;
 use crate::SlidingError;
 use crate::characteristic::{PRECISION, PairCharacteristic};
 use crate::tracking::reach;
+use judder_numerics::complex::ElementaryComplex;
 use num_complex::Complex64;
 use simultaneous::{EigenIterate, Regular};
 use std::f64::consts::TAU;
@@ -102,7 +103,7 @@ impl Spectrum {
             }
             WantedEigenvalues::Below(_) => Some(Self::of_coupled(coupled, position, wanted)?),
         };
-        let highest = known.iter().map(|s| s.norm()).fold(0.0, f64::max);
+        let highest = known.iter().map(|s| s.modulus()).fold(0.0, f64::max);
         let below = |limit: f64| known.iter().filter(|s| s.im <= limit && s.re.abs() <= limit).count();
         let whole = highest.max(of_coupled.as_ref().map_or(0.0, |own| own.limit));
         let limit = match (wanted, &of_coupled) {
@@ -115,7 +116,7 @@ impl Spectrum {
             // all that there are
             (WantedEigenvalues::Lowest(_), _) => 1.5 * whole,
         };
-        let mut errors: Vec<f64> = known.iter().map(|s| PRECISION * s.norm()).collect();
+        let mut errors: Vec<f64> = known.iter().map(|s| PRECISION * s.modulus()).collect();
         if let Some(own) = of_coupled {
             known.extend(own.eigenvalues);
             errors.extend(own.errors);
@@ -186,7 +187,7 @@ pub(crate) fn polished<const COUNT: usize>(
     function: &PairCharacteristic,
     guesses: [Complex64; COUNT],
 ) -> Option<[Complex64; COUNT]> {
-    let scale = guesses.iter().map(|guess| guess.norm()).fold(0.0, f64::max);
+    let scale = guesses.iter().map(|guess| guess.modulus()).fold(0.0, f64::max);
     let mut zeros = guesses.map(EigenIterate::new);
     simultaneous::iterate(&mut Regular::new(function, scale), &mut zeros);
     settle(function, &mut zeros, scale);
@@ -195,7 +196,7 @@ pub(crate) fn polished<const COUNT: usize>(
 
 /// How far an eigenvalue is from the nearest other one.
 fn nearest(values: &[Complex64], own: usize) -> f64 {
-    let away = |k: usize| (values[k] - values[own]).norm();
+    let away = |k: usize| (values[k] - values[own]).modulus();
     (0..values.len()).filter(|k| *k != own).map(away).fold(f64::INFINITY, f64::min)
 }
 
@@ -273,12 +274,13 @@ fn mirror(zeros: &mut [EigenIterate]) {
         }
         match nearest(zeros, -value.conj()) {
             Some(other)
-                if other != k && (zeros[other].value + value.conj()).norm() <= MIRROR * value.norm() =>
+                if other != k
+                    && (zeros[other].value + value.conj()).modulus() <= MIRROR * value.modulus() =>
             {
                 let mean = 0.5 * (value - zeros[other].value.conj());
                 (zeros[k].value, zeros[other].value) = (mean, -mean.conj());
             }
-            Some(same) if same == k && value.re.abs() <= MIRROR * value.norm() => zeros[k].value.re = 0.0,
+            Some(same) if same == k && value.re.abs() <= MIRROR * value.modulus() => zeros[k].value.re = 0.0,
             _ => {}
         }
     }
@@ -295,7 +297,7 @@ fn border(zeros: &[EigenIterate], wanted: WantedEigenvalues, scale: f64) -> f64 
         WantedEigenvalues::Below(limit) => (reaches.partition_point(|reach| *reach <= limit), limit),
     };
     if first >= reaches.len() {
-        return 1.5 * scale.max(zeros.iter().map(|zero| zero.value.norm()).fold(0.0, f64::max));
+        return 1.5 * scale.max(zeros.iter().map(|zero| zero.value.modulus()).fold(0.0, f64::max));
     }
     let below = |k: usize| if k == 0 { at_least } else { reaches[k - 1].max(at_least) };
     let gap = |k: &usize| reaches[*k] - below(*k);

@@ -1,5 +1,6 @@
 //! Which eigenvalue continues which, from one value of a parameter to the next.
 
+use judder_numerics::complex::ElementaryComplex;
 use num_complex::Complex64;
 
 /// For each of `foretold` the index of the eigenvalue of `found` that continues it: nearest first, each once; `None` where too few are
@@ -62,7 +63,7 @@ impl TrackedBranch {
     /// How far an eigenvalue is from where it may be, and what region holds both.
     fn apart(&self, ahead: f64, found: Complex64) -> (f64, f64) {
         let [straight, still] =
-            self.foretold(ahead).map(|value| ((value - found).norm(), reach(value).max(reach(found))));
+            self.foretold(ahead).map(|value| ((value - found).modulus(), reach(value).max(reach(found))));
         if straight.0 <= still.0 { straight } else { still }
     }
 }

@@ -18,6 +18,7 @@ use crate::characteristic::PairCharacteristic;
 use crate::tracking::continued;
 use branch::EigenvaluePath;
 use follow::{is_on, onward};
+use judder_numerics::complex::ElementaryComplex;
 use num_complex::Complex64;
 use piece::{PieceSearch, SearchedPiece};
 use rayon::prelude::*;
@@ -285,7 +286,7 @@ fn joined(parts: Vec<Vec<Strip>>) -> Vec<Vec<Strip>> {
             std::mem::take(&mut open).into_iter().zip(&ends).zip(continued(&ends, &starts))
         {
             match start {
-                Some(start) if (starts[start] - end).norm() <= CONTINUED * end.norm() => {
+                Some(start) if (starts[start] - end).modulus() <= CONTINUED * end.modulus() => {
                     by_start[start] = Some(chain);
                 }
                 _ => closed.push(chain),

@@ -23,6 +23,8 @@
 //! - [`content_hash`] (`hash.rs`) names a case or an analysis by its content.
 //! - [`StoreError`] (`error.rs`): what can go wrong, and what to do about it.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod array;
 mod dataset;
 mod declared;

@@ -2,6 +2,7 @@
 
 use crate::complex_modes::Eigenvalue;
 use crate::quadratic::Region;
+use judder_numerics::complex::ElementaryComplex;
 
 /// Two plain numbers.
 #[cfg(feature = "keys")]
@@ -96,7 +97,7 @@ impl AskedRegion {
             Self::Rectangle { .. } => true,
             Self::Ratios { damping_ratio: [low, high], .. } => {
                 let (value, error) = (eigenvalue.value, eigenvalue.error);
-                -high * value.norm() - error <= value.re && value.re <= error - low * value.norm()
+                -high * value.modulus() - error <= value.re && value.re <= error - low * value.modulus()
             }
         }
     }

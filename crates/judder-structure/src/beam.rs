@@ -92,7 +92,7 @@ impl Beam {
         let [along, across] = self.elements;
         let x = self.length * column as f64 / (2 * along) as f64;
         let y = self.thickness * (row as f64 / (2 * across) as f64 - 0.5);
-        let (sine, cosine) = self.angle.sin_cos();
+        let (sine, cosine) = libm::sincos(self.angle);
         [self.origin[0] + cosine * x - sine * y, self.origin[1] + sine * x + cosine * y, 0.0]
     }
 

@@ -26,6 +26,7 @@ pub use judder_numerics::verdict::Verdict;
 
 use disc::SAME;
 pub(crate) use disc::Triple;
+use judder_numerics::complex::ElementaryComplex;
 pub(crate) use refine::RefinedEigenvalue;
 pub(crate) use shift::ShiftedFactor;
 
@@ -117,7 +118,7 @@ impl Eigenvalue {
     /// ζ = −Re λ/|λ|.
     #[must_use]
     pub fn damping_ratio(&self) -> f64 {
-        -self.value.re / self.value.norm()
+        -self.value.re / self.value.modulus()
     }
 
     /// Im λ/2π in Hz; zero where Im λ is no more than its error, as of a mode that grows or decays without oscillating.
@@ -164,7 +165,7 @@ pub(crate) fn searched(problem: &Quadratic, region: &Region) -> Result<SearchedR
     let mut gaps = cover.gaps;
     for ((disc, place), refined) in cover.members.iter().zip(&refined) {
         let (from, to) = (cover.discs[*disc].triples[*place].value, refined.triple.value);
-        let moved = (to - from).norm();
+        let moved = (to - from).modulus();
         // of those beside the region that came along none is looked for
         let concerns = [from, to].iter().any(|value| region.contains(*value, moved));
         if concerns && moved > SAME * cover.discs[*disc].reach {
@@ -229,8 +230,8 @@ pub(crate) fn finished(
 /// A mode whose right vector's largest entry is real.
 fn mode(triple: &Triple, eigenvalue: Eigenvalue) -> ComplexMode {
     let largest =
-        triple.right.iter().fold(c64::new(0.0, 0.0), |a, b| if b.norm() > a.norm() { *b } else { a });
-    let turn = largest.conj() / largest.norm();
+        triple.right.iter().fold(c64::new(0.0, 0.0), |a, b| if b.modulus() > a.modulus() { *b } else { a });
+    let turn = largest.conj() / largest.modulus();
     ComplexMode {
         eigenvalue,
         right: triple.right.iter().map(|x| x * turn).collect(),

@@ -7,6 +7,7 @@ use crate::complex_modes::ComplexMode;
 use crate::modes::Mode;
 use crate::statics::{dot, product};
 use faer::c64;
+use judder_numerics::complex::ElementaryComplex;
 
 /// Which sum a matrix belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -172,7 +173,7 @@ pub fn diagnosis(
         factor: forms.factor,
         growth: (!is_none).then(|| -part.power(value, forms.within) / balance.energy),
         sensitivity: -forms.per_unit * part.weight(value) / slope,
-        rounding: ROUNDING * value.norm(),
+        rounding: ROUNDING * value.modulus(),
     });
     Ok(Diagnosis { influences: influences.collect(), energy, balance: balance.left() })
 }
@@ -195,7 +196,7 @@ struct Balance {
 impl Balance {
     fn of(measured: &[(MatrixSum, &Term, Forms)], mode: &ComplexMode) -> Self {
         let value = mode.eigenvalue.value;
-        let size = value.norm();
+        let size = value.modulus();
         let of_each = |pick: fn(MatrixSum, c64, c64) -> f64| {
             measured.iter().map(move |(part, _, forms)| pick(*part, value, forms.within))
         };
@@ -250,7 +251,7 @@ impl Forms {
             for (row, value) in matrix.row_idx_of_col(column).zip(matrix.val_of_col(column)) {
                 within += mode.right[row].conj() * x * *value;
                 across += mode.left[row].conj() * x * *value;
-                size += mode.right[row].norm() * x.norm() * value.abs();
+                size += mode.right[row].modulus() * x.modulus() * value.abs();
             }
         }
         let size = size * factor.abs();

@@ -107,7 +107,7 @@ impl Disc {
             Some(angle) => *angle,
             None => self.angles[0] + TAU,
         };
-        let (sine, cosine) = middle(self.angles[sector / 2], next, sector).sin_cos();
+        let (sine, cosine) = libm::sincos(middle(self.angles[sector / 2], next, sector));
         let height = 0.5 * self.thickness * layer as f64 / self.layers as f64;
         [radius * cosine, radius * sine, height]
     }

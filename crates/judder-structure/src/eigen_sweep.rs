@@ -17,6 +17,7 @@ use crate::complex_modes::{
 };
 use crate::onset::StabilityAt;
 use faer::c64;
+use judder_numerics::complex::ElementaryComplex;
 use projection::Projection;
 use rayon::prelude::*;
 use samples::FullSamples;
@@ -298,7 +299,7 @@ fn mark_torn(points: &mut [PointEigenvalues], region: &Region) {
                     continue;
                 }
                 let known = beyond.and_then(|beyond| points[beyond].value(tracked.branch));
-                let reach = known.map_or(0.0, |known| STEPS * (value - known).norm());
+                let reach = known.map_or(0.0, |known| STEPS * (value - known).modulus());
                 if region.distance_to_edge(value) > reach.max(tracked.eigenvalue.error) {
                     torn.push((place, Gap::Torn { value }));
                 }

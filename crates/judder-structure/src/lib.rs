@@ -26,6 +26,8 @@
 //! - [`receptance`]: the displacement of one degree of freedom under a harmonic force on another.
 //! - [`statics`]: displacements under loads that rest.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 pub mod affine;
 pub mod asked_region;
 pub mod assembly;

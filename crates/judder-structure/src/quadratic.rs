@@ -7,6 +7,7 @@ use crate::assembly::Sparse;
 use crate::factor::FactorPattern;
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 use faer::{ColRef, Mat, MatRef, c64};
+use judder_numerics::complex::ElementaryComplex;
 use products::{TOGETHER, add_product, add_products, in_groups, packed};
 use std::sync::OnceLock;
 
@@ -91,18 +92,18 @@ impl Quadratic {
     /// |λ|² ‖M‖ + |λ| ‖C‖ + ‖K‖, what normalised residuals are measured by (F. Tisseur, 2000).
     #[must_use]
     pub fn scale(&self, value: c64) -> f64 {
-        let size = value.norm();
+        let size = value.modulus();
         (self.norms[0] * size + self.norms[1]) * size + self.norms[2]
     }
 
     /// |z|ᵀ (|λ|² |M| + |λ| |C| + |K|) |x|.
     pub(crate) fn scale_by_entries(&self, value: c64, z: &[c64], x: &[c64]) -> f64 {
-        let size = value.norm();
-        let z: Vec<f64> = z.iter().map(|z| z.norm()).collect();
+        let size = value.modulus();
+        let z: Vec<f64> = z.iter().map(|z| z.modulus()).collect();
         let of = |matrix: &Sparse| -> f64 {
             let column = |k: usize| {
                 let entries = matrix.row_idx_of_col(k).zip(matrix.val_of_col(k));
-                x[k].norm() * entries.map(|(row, entry)| z[row] * entry.abs()).sum::<f64>()
+                x[k].modulus() * entries.map(|(row, entry)| z[row] * entry.abs()).sum::<f64>()
             };
             (0..matrix.ncols()).map(column).sum()
         };
@@ -211,7 +212,7 @@ impl Region {
 
     /// From the middle to a corner.
     pub(crate) fn radius(&self) -> f64 {
-        0.5 * (self.re[1] - self.re[0]).hypot(self.im[1] - self.im[0])
+        0.5 * libm::hypot(self.re[1] - self.re[0], self.im[1] - self.im[0])
     }
 
     /// Whether a value lies inside, or outside by no more than a margin.

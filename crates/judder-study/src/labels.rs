@@ -36,11 +36,11 @@ pub fn plain(label: &str) -> String {
 /// A number to four digits, for a legend: powers of ten as such, others short.
 pub fn short_number(value: f64) -> String {
     let value = four_digits(value);
-    let exponent = value.abs().log10().floor();
+    let exponent = libm::log10(value.abs()).floor();
     if value == 0.0 || (-2.0..4.0).contains(&exponent) {
         return format!("{value}").replace('-', "−");
     }
-    let mantissa = value / 10_f64.powf(exponent);
+    let mantissa = value / libm::pow(10_f64, exponent);
     let rounded = (mantissa * 1e6).round() / 1e6;
     let power = format!("10^{{{exponent}}}").replace('-', "−");
     if rounded == 1.0 { power } else { format!("{rounded}·{power}").replace('-', "−") }

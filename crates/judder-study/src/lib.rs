@@ -20,6 +20,8 @@
 //! - [`fn@version`]: which judder this is, as studies are stamped with it.
 //! - [`resolve`], [`text`]: what `judder check` shows. [`fault_told`]: what a panic says.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 pub mod analyses;
 pub mod axis;
 pub mod case;

@@ -223,7 +223,7 @@ impl Solver<'_> {
             return linear;
         }
         let step = (wanted / depth - 1.0).clamp(-LARGEST_STEP, LARGEST_STEP);
-        -(point.point.gap + depth * step.exp())
+        -(point.point.gap + depth * libm::exp(step))
     }
 
     /// z of all points: y − S_nn (N + s y) − S_nt T = y_f.

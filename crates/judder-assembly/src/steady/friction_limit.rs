@@ -4,6 +4,7 @@ use super::active_set::{AffinePoint, Guess, Solver};
 use crate::interface::{FramedPoint, InterfaceLaw};
 use faer::Mat;
 use judder_dense::general::{real_eigenvalues, solve};
+use judder_numerics::complex::ElementaryComplex;
 
 /// Where the equations of the points that are closed become singular as all friction forces grow alike: sprag-slip.
 ///
@@ -137,7 +138,7 @@ fn singular(without: &Mat<f64>, friction: &Mat<f64>) -> Option<Singular> {
     solve(without.clone(), &mut moved)?;
     let values = real_eigenvalues(&moved)?;
     let steepest = |share: f64| {
-        let real = values.iter().filter(|own| own.re < -ROUNDING && own.im.abs() <= share * own.norm());
+        let real = values.iter().filter(|own| own.re < -ROUNDING && own.im.abs() <= share * own.modulus());
         real.map(|own| own.re).reduce(f64::min)
     };
     let size = match (steepest(REAL), steepest(MAY_BE_REAL)) {
@@ -148,7 +149,7 @@ fn singular(without: &Mat<f64>, friction: &Mat<f64>) -> Option<Singular> {
     // one step of inverse iteration beside the singular matrix gives what moves
     let beside = size * (1.0 + 1e-6);
     let near = Mat::from_fn(count, count, |i, j| without[(i, j)] + beside * friction[(i, j)]);
-    let mut shape = Mat::from_fn(count, 1, |i, _| 1.0 + (i as f64).sin());
+    let mut shape = Mat::from_fn(count, 1, |i, _| 1.0 + libm::sin(i as f64));
     solve(near, &mut shape)?;
     let largest = |best: usize, k: usize| if shape[(k, 0)].abs() > shape[(best, 0)].abs() { k } else { best };
     Some(Singular::At { size, row: (0..count).fold(0, largest) })

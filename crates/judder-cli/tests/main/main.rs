@@ -15,6 +15,7 @@ mod interrupt;
 mod point;
 mod reproduce;
 mod run;
+mod same_bits;
 mod sliding;
 mod speaking;
 mod structure;

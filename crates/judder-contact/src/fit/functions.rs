@@ -15,7 +15,7 @@ pub(super) fn force(a: &[f64; 5], log10_velocity: f64, log10_indentation: f64) -
 /// exp(−(log₁₀ v̂ − (slope log₁₀ ŷ + centre))²/2 width²), and its gradient by slope, centre, width.
 fn bell(slope: f64, centre: f64, width: f64, log10_velocity: f64, log10_indentation: f64) -> (f64, [f64; 3]) {
     let distance = (log10_velocity - (slope * log10_indentation + centre)) / width;
-    let value = (-0.5 * distance * distance).exp();
+    let value = libm::exp(-0.5 * distance * distance);
     let by_centre = value * distance / width;
     (value, [by_centre * log10_indentation, by_centre, by_centre * distance])
 }

@@ -56,7 +56,7 @@ pub(super) fn force(function: &'static str, data: &[Observation]) -> Result<[f64
     let [by_velocity, by_indentation, constant] = regression(function, data, |o| {
         let share = 2.0 * (o.value - low) / height - 1.0;
         let weight = 1.0 - share * share;
-        ([o.log10_velocity, o.log10_indentation, 1.0], share.atanh() / 1.2, weight)
+        ([o.log10_velocity, o.log10_indentation, 1.0], libm::atanh(share) / 1.2, weight)
     })?;
     Ok([height, (high + low) / height, by_velocity, by_indentation, constant])
 }

@@ -53,14 +53,14 @@ impl FallingFriction {
     pub fn at(&self, speed: f64) -> FrictionAt {
         let Self { at_rest, at_speed, decay_speed, viscous, exponent } = *self;
         if exponent == 1.0 {
-            let falling = (at_rest - at_speed) * (-speed / decay_speed).exp();
+            let falling = (at_rest - at_speed) * libm::exp(-speed / decay_speed);
             let (coefficient, slope) = (at_speed + falling, -falling / decay_speed);
             return FrictionAt { coefficient: coefficient + viscous * speed, slope: slope + viscous };
         }
         let share = speed / decay_speed;
         // one power less than the exponent, so that the slope at rest is no 0/0
-        let power = share.powf(exponent - 1.0);
-        let falling = (at_rest - at_speed) * (-power * share).exp();
+        let power = libm::pow(share, exponent - 1.0);
+        let falling = (at_rest - at_speed) * libm::exp(-power * share);
         FrictionAt {
             coefficient: at_speed + falling + viscous * speed,
             slope: viscous - falling * exponent * power / decay_speed,

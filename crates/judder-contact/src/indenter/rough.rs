@@ -126,7 +126,7 @@ impl RoughSurface {
         if wave == 0.0 || wave > shortest * rounding {
             return 0.0;
         }
-        (wave / longest).max(1.0).powf(-1.0 - self.hurst)
+        libm::pow((wave / longest).max(1.0), -1.0 - self.hurst)
     }
 }
 

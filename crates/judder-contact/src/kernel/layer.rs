@@ -104,12 +104,12 @@ impl BondedLayer {
 /// f(α).
 fn transfer(wave: f64, poisson_ratio: f64) -> f64 {
     let (z, nu) = (2.0 * wave, poisson_ratio);
-    let decay = (-z).exp();
+    let decay = libm::exp(-z);
     // sinh z − z cancels for long waves
     let numerator = if z < 0.3 {
         let square = z * z;
         let beyond = z * square / 6.0 * (1.0 + square / 20.0 * (1.0 + square / 42.0 * (1.0 + square / 72.0)));
-        2.0 * decay * ((2.0 - 4.0 * nu) * z.sinh() + beyond)
+        2.0 * decay * ((2.0 - 4.0 * nu) * libm::sinh(z) + beyond)
     } else {
         (3.0 - 4.0 * nu) * (1.0 - decay * decay) - 2.0 * z * decay
     };
@@ -119,14 +119,14 @@ fn transfer(wave: f64, poisson_ratio: f64) -> f64 {
 /// 1 − f(α), which falls as α² e^{−2α}.
 fn lack(wave: f64, poisson_ratio: f64) -> f64 {
     let (z, nu) = (2.0 * wave, poisson_ratio);
-    let decay = (-z).exp();
+    let decay = libm::exp(-z);
     let held = z * z + 2.0 * z + 10.0 - 24.0 * nu + 16.0 * nu * nu;
     decay * (2.0 * (3.0 - 4.0 * nu) * decay + held) / denominator(z, nu)
 }
 
 /// 2 e^{−z} times the denominator of f, z = 2α.
 fn denominator(z: f64, nu: f64) -> f64 {
-    let decay = (-z).exp();
+    let decay = libm::exp(-z);
     (3.0 - 4.0 * nu) * (1.0 + decay * decay) + decay * (z * z + 10.0 - 24.0 * nu + 16.0 * nu * nu)
 }
 
@@ -163,11 +163,11 @@ impl LayerResponse {
         let waves: Vec<[f64; 3]> = (0..WAVE_PANELS)
             .flat_map(|panel| rule.map(|(node, weight)| ((panel as f64 + node) * width, weight * width)))
             .map(|(wave, weight)| {
-                [wave, weight * (-wave).exp() / wave, weight * lack(wave, poisson_ratio) / wave]
+                [wave, weight * libm::exp(-wave) / wave, weight * lack(wave, poisson_ratio) / wave]
             })
             .collect();
         let at = |distance: f64| -> f64 {
-            waves.iter().map(|[wave, free, lacks]| free - lacks * (wave * distance).cos()).sum::<f64>()
+            waves.iter().map(|[wave, free, lacks]| free - lacks * libm::cos(wave * distance)).sum::<f64>()
                 * FRAC_2_PI
         };
         let count = (REACH * PANELS_A_THICKNESS as f64) as usize;
@@ -179,7 +179,7 @@ impl LayerResponse {
         let panel = (distance * PANELS_A_THICKNESS as f64) as usize;
         let Some(coefficients) = self.panels.get(panel) else {
             // the displacement is zero
-            return FRAC_2_PI * distance.ln();
+            return FRAC_2_PI * libm::log(distance);
         };
         let t = 2.0 * (distance * PANELS_A_THICKNESS as f64 - panel as f64) - 1.0;
         let (mut last, mut before) = (0.0, 0.0);
@@ -198,10 +198,10 @@ fn place(panel: usize, t: f64) -> f64 {
 /// The coefficients of Chebyshev's polynomials through a function's values at their zeros.
 fn coefficients(function: impl Fn(f64) -> f64) -> [f64; COEFFICIENTS] {
     let angle = |k: usize| PI * (k as f64 + 0.5) / COEFFICIENTS as f64;
-    let values: [f64; COEFFICIENTS] = std::array::from_fn(|k| function(angle(k).cos()));
+    let values: [f64; COEFFICIENTS] = std::array::from_fn(|k| function(libm::cos(angle(k))));
     std::array::from_fn(|order| {
         let sum: f64 =
-            values.iter().enumerate().map(|(k, value)| value * (order as f64 * angle(k)).cos()).sum();
+            values.iter().enumerate().map(|(k, value)| value * libm::cos(order as f64 * angle(k))).sum();
         sum * if order == 0 { 1.0 } else { 2.0 } / COEFFICIENTS as f64
     })
 }

@@ -25,12 +25,12 @@ pub fn displacement(x: f64, reference: f64) -> f64 {
         let square = 1.0 / (4.0 * x * x);
         let corrections =
             square * (1.0 / 6.0 + square * (1.0 / 20.0 + square * (1.0 / 42.0 + square / 72.0)));
-        x.ln() - corrections
+        libm::log(x) - corrections
     } else {
-        let side = |distance: f64| if distance == 0.0 { 0.0 } else { distance * distance.abs().ln() };
+        let side = |distance: f64| if distance == 0.0 { 0.0 } else { distance * libm::log(distance.abs()) };
         side(x + 0.5) - side(x - 0.5) - 1.0
     };
-    -2.0 / PI * (mean_logarithm - reference.ln())
+    -2.0 / PI * (mean_logarithm - libm::log(reference))
 }
 
 /// The reference distance that makes displacements relative to a point deep below the load: d = D e^{−ν/(2(1−ν))}.
@@ -39,7 +39,7 @@ pub fn displacement(x: f64, reference: f64) -> f64 {
 /// the distance to what is held. D is the depth of what is held, much larger than the contact (Johnson, Contact Mechanics, 5.6).
 #[must_use]
 pub fn reference_at_depth(depth: f64, poisson_ratio: f64) -> f64 {
-    depth * (-poisson_ratio / (2.0 * (1.0 - poisson_ratio))).exp()
+    depth * libm::exp(-poisson_ratio / (2.0 * (1.0 - poisson_ratio)))
 }
 
 impl SlidingOperator {

@@ -41,13 +41,13 @@ fn near_displacement(x: f64, y: f64) -> f64 {
 
 /// asinh(b/|c|) − asinh(a/|c|), for b > |a|; 0 for c = 0, where only its product with c is wanted.
 fn log_ratio(c: f64, a: f64, b: f64) -> f64 {
-    let (square, top) = (c * c, b + b.hypot(c));
+    let (square, top) = (c * c, b + libm::hypot(b, c));
     if square == 0.0 {
         return 0.0;
     }
-    let bottom = a.hypot(c) + a.abs();
+    let bottom = libm::hypot(a, c) + a.abs();
     // a + √(a² + c²) of a negative a would cancel: it is c²/(√(a² + c²) − a).
-    (if a < 0.0 { top * bottom / square } else { top / bottom }).ln()
+    libm::log(if a < 0.0 { top * bottom / square } else { top / bottom })
 }
 
 /// The cell from afar: 1/r and its averages over the square to sixth order in 1/r, error about 1e-4/r⁸.

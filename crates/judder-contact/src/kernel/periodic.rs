@@ -6,7 +6,6 @@ use super::spectra::{Filter, KernelSpectra, inverse_symbol, symbol};
 use super::substrate::SlidingSubstrate;
 use crate::surface::convolution::PaddedTransform;
 use crate::surface::grid::SurfaceGrid;
-use num_complex::Complex64;
 use std::sync::Arc;
 
 /// The largest share of its deformation that the substrate may remember from one period to the next.
@@ -19,7 +18,8 @@ pub const PERIODIC_MEMORY: f64 = 1e-3;
 /// Σ C_k E0 e^{−L/ℓ_k} over the relaxed compliance: what is left of a deformation when the next period arrives.
 #[must_use]
 pub fn memory_of_a_period(period: f64, substrate: &SlidingSubstrate) -> f64 {
-    let kept: f64 = substrate.terms.iter().map(|term| term.compliance * (-period / term.length).exp()).sum();
+    let kept: f64 =
+        substrate.terms.iter().map(|term| term.compliance * libm::exp(-period / term.length)).sum();
     kept / substrate.relaxed()
 }
 
@@ -56,7 +56,7 @@ fn periodic_spectra(columns: usize, rows: usize, substrate: &SlidingSubstrate) -
     let transform = PaddedTransform::periodic(columns, rows);
     let factors = symbol(
         &transform,
-        |along| 2.0 * substrate.compliance(along) * Complex64::from_polar(1.0, -along * shift),
+        |along| 2.0 * substrate.compliance(along) * judder_numerics::complex::from_polar(1.0, -along * shift),
         |wave| if wave > 0.0 { 1.0 / wave } else { 0.0 },
     );
     let inverse = inverse_symbol(transform.clone(), shift, substrate);

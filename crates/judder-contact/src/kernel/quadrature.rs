@@ -19,7 +19,7 @@ pub(crate) fn panel(rate: f64, from: f64, to: f64, function: impl Fn(f64) -> f64
         .iter()
         .map(|(node, weight)| {
             let t = from + width * node;
-            weight * (-t * rate).exp() * function(t)
+            weight * libm::exp(-t * rate) * function(t)
         })
         .sum();
     sum * width * rate

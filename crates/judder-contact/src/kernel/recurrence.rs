@@ -135,7 +135,7 @@ impl WakeRecurrence {
         }
         let end = row.first + (row.count - 1) as f64;
         let mut beyond = tail(self.rate, end, |t| (row.displacement)(end + t));
-        let decay = (-self.rate).exp();
+        let decay = libm::exp(-self.rate);
         wake.push(beyond);
         for value in wake.iter_mut().rev().skip(1) {
             beyond = decay * beyond + *value;

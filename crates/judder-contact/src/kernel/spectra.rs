@@ -68,7 +68,7 @@ pub(crate) fn inverse_symbol(transform: PaddedTransform, shift: f64, substrate: 
     let lowest = PI / transform.wide().max(transform.high()) as f64;
     let factors = symbol(
         &transform,
-        |along| Complex64::from_polar(0.5, along * shift) / substrate.compliance(along),
+        |along| judder_numerics::complex::from_polar(0.5, along * shift) / substrate.compliance(along),
         |wave| {
             let wave = wave.max(lowest);
             wave / substrate.transfer(wave)

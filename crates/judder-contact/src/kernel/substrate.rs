@@ -1,6 +1,7 @@
 //! The substrate as an indenter sees it that slides at one speed.
 
 use super::layer::BondedLayer;
+use judder_numerics::complex::ElementaryComplex;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
@@ -122,6 +123,6 @@ impl SlidingSubstrate {
     /// smooth contacts, and for v τ ≪ h it is the lag of the elastic answer, so friction is exact there.
     #[must_use]
     pub fn collocation_shift(&self, cell: f64) -> f64 {
-        self.compliance(PI / cell).arg() / PI
+        self.compliance(PI / cell).argument() / PI
     }
 }

@@ -137,18 +137,22 @@ impl LawIndenter {
         material: &LawMaterial,
     ) -> Result<PerQuantity<SpeedLimits>, LawError> {
         let elastic = self.elastic(indentation)?;
-        let (force, area) = (elastic.force.ln(), elastic.area.ln());
+        let (force, area) = (libm::log(elastic.force), libm::log(elastic.area));
         Ok(PerQuantity {
-            force: SpeedLimits { rest: force, slope: 0.0, infinite: force + material.modulus_ratio.ln() },
+            force: SpeedLimits {
+                rest: force,
+                slope: 0.0,
+                infinite: force + libm::log(material.modulus_ratio),
+            },
             area: SpeedLimits {
                 rest: area,
                 slope: elastic.area_slope * material.slow_area_slope(),
                 infinite: area,
             },
             friction: SpeedLimits {
-                rest: elastic.slow_friction.ln(),
+                rest: libm::log(elastic.slow_friction),
                 slope: elastic.friction_slope * material.slow_friction_slope(),
-                infinite: elastic.fast_friction.ln(),
+                infinite: libm::log(elastic.fast_friction),
             },
         })
     }
@@ -168,8 +172,8 @@ fn cylinder(layer: &BondedLayer, indentation: f64) -> Result<ElasticContact, Cyl
 }
 
 fn sphere(indentation: f64) -> ElasticContact {
-    let depth = |a: f64| a * a.atanh();
-    let slope = |a: f64| a.atanh() + a / (1.0 - a * a);
+    let depth = |a: f64| a * libm::atanh(a);
+    let slope = |a: f64| libm::atanh(a) + a / (1.0 - a * a);
     let radius = contact_radius(indentation);
     // F/(E* R²): as an integral of positive terms, because the closed form cancels for shallow contacts
     let force = integral(radius, |a| 2.0 * a * slope(a));
@@ -195,8 +199,8 @@ fn contact_radius(indentation: f64) -> f64 {
     const LIMIT: usize = 60;
     let mut radius = indentation.sqrt();
     for _ in 0..LIMIT {
-        let excess = radius * radius.atanh() - indentation;
-        let next = radius - excess / (radius.atanh() + radius / (1.0 - radius * radius));
+        let excess = radius * libm::atanh(radius) - indentation;
+        let next = radius - excess / (libm::atanh(radius) + radius / (1.0 - radius * radius));
         if next >= radius {
             break;
         }

@@ -196,7 +196,7 @@ fn scaled(samples: &LawSamples) -> KnotValues {
     let columns = samples.velocities.len();
     let depth = |index: usize| samples.indentations[index / columns];
     let over = |list: &[f64], exponent: f64| -> Vec<f64> {
-        list.iter().enumerate().map(|(k, value)| value.ln() - exponent * depth(k).ln()).collect()
+        list.iter().enumerate().map(|(k, value)| libm::log(*value) - exponent * libm::log(depth(k))).collect()
     };
     PerQuantity {
         force: over(&samples.values.force, 1.5),

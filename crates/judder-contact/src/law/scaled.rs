@@ -63,16 +63,16 @@ impl LawReference {
 
     /// ln m0 at ln z, without overflow.
     fn logarithm(&self, ln_speed: f64) -> f64 {
-        let z = ln_speed.exp();
-        self.slow.ln() + ln_speed - (self.ratio * z * z).ln_1p()
+        let z = libm::exp(ln_speed);
+        libm::log(self.slow) + ln_speed - libm::log1p(self.ratio * z * z)
     }
 
     /// The scaled logarithms of f, g, m at ln z.
     pub(crate) fn scale(&self, ln_speed: f64, values: PerQuantity<f64>) -> PerQuantity<f64> {
         PerQuantity {
-            force: (values.force / self.units[0]).ln(),
-            area: (values.area / self.units[1]).ln(),
-            friction: values.friction.ln() - self.logarithm(ln_speed),
+            force: libm::log(values.force / self.units[0]),
+            area: libm::log(values.area / self.units[1]),
+            friction: libm::log(values.friction) - self.logarithm(ln_speed),
         }
     }
 
@@ -124,7 +124,7 @@ pub(crate) fn ln_speed(at: &LawPoint) -> f64 {
 
 /// v̂ = z √ŷ.
 pub(crate) fn velocity(ln_speed: f64, ln_indentation: f64) -> f64 {
-    (ln_speed + 0.5 * ln_indentation).exp()
+    libm::exp(ln_speed + 0.5 * ln_indentation)
 }
 
 /// The names of the axes in errors.

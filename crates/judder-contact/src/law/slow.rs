@@ -50,7 +50,7 @@ pub(crate) fn put_theory(
 
 fn put_into(row: &mut [f64], places: &[f64], limits: SpeedLimits, beyond: Beyond) -> Vec<f64> {
     let Some(scatter) = differences(places, row) else { return Vec::new() };
-    let z = |k: usize| f64::exp(places[k]);
+    let z = |k: usize| libm::exp(places[k]);
     let first_terms = |k: usize| limits.rest + limits.slope * z(k);
     let of_slowest = (row[0] - first_terms(0)).abs() - beyond.square * z(0) * z(0);
     let is_less = |k: &usize| beyond.cubic * z(*k).powi(3) <= of_slowest;

@@ -33,7 +33,7 @@ pub(crate) fn speed_tails(
     material: &LawMaterial,
 ) -> RowTails {
     let longest = material.time_span().map_or(1.0, |(_, longest)| longest);
-    let first = speeds.first().exp();
+    let first = libm::exp(speeds.first());
     let reach = first / (1.0 + (longest * first).powi(4));
     limits.map(|limits| {
         let low = Tail::ToLimit { rate: SPEED_RATES.0, limit: limits.rest, half: limits.slope * reach };
@@ -245,10 +245,16 @@ impl ContactLaw for TabulatedLaw {
         let at = LawPoint::new(velocity, indentation);
         let (speed, depth, patch) = self.places(&at);
         if depth.piece == self.indentations.count() && at.ln_indentation > self.indentations.last() {
-            return Some(ValidityConcern::TooDeep { indentation, limit: self.indentations.last().exp() });
+            return Some(ValidityConcern::TooDeep {
+                indentation,
+                limit: libm::exp(self.indentations.last()),
+            });
         }
         if self.is_too_shallow(&at) {
-            return Some(ValidityConcern::TooShallow { indentation, limit: self.indentations.first().exp() });
+            return Some(ValidityConcern::TooShallow {
+                indentation,
+                limit: libm::exp(self.indentations.first()),
+            });
         }
         let is_tail = speed.piece == 0 || speed.piece == self.data.speeds.count();
         // the term whose factor is known is no assumption
@@ -263,7 +269,7 @@ impl ContactLaw for TabulatedLaw {
 fn row_limits(origin: &LawOrigin, indentations: &Knots) -> Result<Vec<PerQuantity<SpeedLimits>>, LawError> {
     indentations
         .iter()
-        .map(|ln_indentation| origin.indenter.logarithms(ln_indentation.exp(), &origin.material))
+        .map(|ln_indentation| origin.indenter.logarithms(libm::exp(ln_indentation), &origin.material))
         .collect()
 }
 

@@ -34,10 +34,10 @@ impl MaterialChecks {
                 creep_advances: true,
             };
         };
-        let shortest = first.retardation_time.log10() - MARGIN;
+        let shortest = libm::log10(first.retardation_time) - MARGIN;
         // loss goes on up to the shortest relaxation time, E0/E∞ below the retardation time
-        let fastest = shortest - material.contrast().log10();
-        let times = decades(fastest, last.retardation_time.log10() + MARGIN);
+        let fastest = shortest - libm::log10(material.contrast());
+        let times = decades(fastest, libm::log10(last.retardation_time) + MARGIN);
         let moduli: Vec<_> = times.iter().rev().map(|time| material.complex_modulus(1.0 / time)).collect();
         let storage: Vec<f64> = moduli.iter().map(|modulus| modulus.re).collect();
         let creep: Vec<f64> = times.iter().map(|time| material.creep_compliance(*time)).collect();
@@ -59,7 +59,7 @@ impl MaterialChecks {
 /// Numbers from 10^`from` to 10^`to`, evenly spaced in the logarithm.
 pub(super) fn decades(from: f64, to: f64) -> Vec<f64> {
     let steps = ((to - from) * PER_DECADE).ceil().max(1.0);
-    (0..=steps as usize).map(|k| 10f64.powf(from + (to - from) * k as f64 / steps)).collect()
+    (0..=steps as usize).map(|k| libm::pow(10f64, from + (to - from) * k as f64 / steps)).collect()
 }
 
 fn never_falls(values: &[f64]) -> bool {

@@ -3,6 +3,7 @@
 use super::checks::decades;
 use super::creep::{CreepSpectrum, CreepTerm};
 use super::error::{MaterialError, positive};
+use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::quadrature::gauss_legendre;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use std::f64::consts::LN_10;
@@ -65,7 +66,7 @@ impl ContinuousSpectrum {
         let value = |time: f64| {
             let after = samples.partition_point(|sample| sample.0 < time).clamp(1, samples.len() - 1);
             let [(t0, c0), (t1, c1)] = [samples[after - 1], samples[after]];
-            let share = (time / t0).ln() / (t1 / t0).ln();
+            let share = libm::log(time / t0) / libm::log(t1 / t0);
             (1.0 - share) * t0 * c0 + share * t1 * c1
         };
         Self::refined(glassy_modulus, &times, None, value)
@@ -84,7 +85,7 @@ impl ContinuousSpectrum {
     ) -> Result<Self, MaterialError> {
         // over the geometric mean, so that the power stays a number
         let middle = from.sqrt() * to.sqrt();
-        Self::between(rubbery, glassy, &[from, to], |time| (time / middle).powf(exponent))
+        Self::between(rubbery, glassy, &[from, to], |time| libm::pow(time / middle, exponent))
     }
 
     /// Between E0 and E∞ \[Pa\], τ𝒞 a Gaussian in log10 τ about `median` \[s\] with a standard deviation of `width` decades.
@@ -93,8 +94,8 @@ impl ContinuousSpectrum {
     /// As [`ContinuousSpectrum::power_law`].
     pub fn log_normal(rubbery: f64, glassy: f64, median: f64, width: f64) -> Result<Self, MaterialError> {
         positive("the width of the spectrum in decades", width)?;
-        let reach = 10f64.powf(WIDTHS * width);
-        let gaussian = |time: f64| (-0.5 * ((time / median).log10() / width).powi(2)).exp();
+        let reach = libm::pow(10f64, WIDTHS * width);
+        let gaussian = |time: f64| libm::exp(-0.5 * (libm::log10(time / median) / width).powi(2));
         Self::between(rubbery, glassy, &[median / reach, median, median * reach], gaussian)
     }
 
@@ -198,23 +199,23 @@ impl ContinuousSpectrum {
 
     fn gauss_terms(&self, count: usize) -> Result<CreepSpectrum, MaterialError> {
         let terms = self.fine.terms();
-        let logarithms = terms.iter().map(|term| term.retardation_time.ln());
+        let logarithms = terms.iter().map(|term| libm::log(term.retardation_time));
         let positions = DVector::from_iterator(terms.len(), logarithms);
         let (first, last) = (positions[0], positions[positions.len() - 1]);
         let (middle, half) = (0.5 * (first + last), (0.5 * (last - first)).max(f64::MIN_POSITIVE));
         let unit = positions.map(|position| (position - middle) / half);
         // τ^−β is e^{−bias x}, one in the middle
-        let bias = 0.5 * self.fine.contrast().ln();
-        let masses = terms.iter().zip(unit.iter()).map(|(term, x)| term.compliance * (-bias * x).exp());
+        let bias = 0.5 * libm::log(self.fine.contrast());
+        let masses = terms.iter().zip(unit.iter()).map(|(term, x)| term.compliance * libm::exp(-bias * x));
         let (nodes, weights) = gauss_rule(&unit, &DVector::from_iterator(terms.len(), masses), count);
         let compliances: Vec<f64> =
-            nodes.iter().zip(&weights).map(|(x, weight)| weight * (bias * x).exp()).collect();
+            nodes.iter().zip(&weights).map(|(x, weight)| weight * libm::exp(bias * x)).collect();
         // the rule gives the sum to about its own error; E0 is kept exactly
         let sum = |values: &mut dyn Iterator<Item = f64>| values.sum::<f64>();
         let scale =
             sum(&mut terms.iter().map(|term| term.compliance)) / sum(&mut compliances.iter().copied());
         let term = |(x, compliance): (&f64, &f64)| CreepTerm {
-            retardation_time: (middle + half * x).exp(),
+            retardation_time: libm::exp(middle + half * x),
             compliance: compliance * scale,
         };
         let terms = nodes.iter().zip(&compliances).map(term).filter(|term| term.compliance.is_normal());
@@ -233,11 +234,11 @@ fn fine_rule(
     let rule = gauss_legendre::<PANEL_POINTS>();
     let mut terms = Vec::new();
     for pair in edges.windows(2) {
-        let (from, width) = (pair[0].ln(), pair[1].ln() - pair[0].ln());
+        let (from, width) = (libm::log(pair[0]), libm::log(pair[1]) - libm::log(pair[0]));
         let count = (width / LN_10 * PANELS).ceil().max(1.0) * parts as f64;
         for panel in 0..count as usize {
             for (node, weight) in rule {
-                let time = (from + width * (panel as f64 + node) / count).exp();
+                let time = libm::exp(from + width * (panel as f64 + node) / count);
                 let value = shape(time);
                 if !(value >= 0.0 && value.is_finite()) {
                     return Err(MaterialError::Density { time, value: value / time });
@@ -260,13 +261,13 @@ fn fine_rule(
 /// max |E_a − E_b|/|E_b| over the frequencies at which `b` is not elastic, and where.
 fn largest_difference(a: &CreepSpectrum, b: &CreepSpectrum) -> (f64, f64) {
     const MARGIN: f64 = 2.0;
-    let time = |term: Option<&CreepTerm>| term.map_or(1.0, |term| term.retardation_time.log10());
+    let time = |term: Option<&CreepTerm>| term.map_or(1.0, |term| libm::log10(term.retardation_time));
     let slowest = -time(b.terms().last()) - MARGIN;
-    let fastest = -time(b.terms().first()) + b.contrast().log10() + MARGIN;
+    let fastest = -time(b.terms().first()) + libm::log10(b.contrast()) + MARGIN;
     let difference = |frequency: f64| {
         // of compliances, relative to that of a: the same number, without the inverses
         let (a, b) = (a.complex_compliance(frequency), b.complex_compliance(frequency));
-        ((a - b).norm() / a.norm(), frequency)
+        ((a - b).modulus() / a.modulus(), frequency)
     };
     decades(slowest, fastest)
         .into_iter()

@@ -66,7 +66,7 @@ impl<'a> Interlacing<'a> {
             .map(|k| {
                 let lost = MaterialError::NoCounterpart { index: k + 1 };
                 let (pole, distance) = self.zero_below(k).ok_or(lost.clone())?;
-                let position = self.positions[pole] * distance.exp();
+                let position = self.positions[pole] * libm::exp(distance);
                 let weight = self.counterweight(pole, distance);
                 if position.is_normal() && weight.is_normal() { Ok((position, weight)) } else { Err(lost) }
             })
@@ -78,7 +78,7 @@ impl<'a> Interlacing<'a> {
         let (pole, furthest) = if k == 0 {
             // the zero is at least a0/A(∞) of the pole, and just that if there is one term
             let sum: f64 = self.weights.iter().sum();
-            (0, -2.0 * (sum / self.constant).ln_1p())
+            (0, -2.0 * libm::log1p(sum / self.constant))
         } else {
             let half = 0.5 * logarithmic_distance(self.positions[k], self.positions[k - 1]);
             if self.value(k, -half) > 0.0 { (k, -half) } else { (k - 1, half) }
@@ -100,7 +100,7 @@ impl<'a> Interlacing<'a> {
     fn value(&self, pole: usize, distance: f64) -> f64 {
         let terms = self.positions.iter().zip(self.weights);
         terms
-            .map(|(p, a)| -a / (logarithmic_distance(*p, self.positions[pole]) - distance).exp_m1())
+            .map(|(p, a)| -a / libm::expm1(logarithmic_distance(*p, self.positions[pole]) - distance))
             .sum::<f64>()
             + self.constant
     }
@@ -111,7 +111,7 @@ impl<'a> Interlacing<'a> {
         let sum: f64 = terms
             .map(|(p, a)| {
                 let half = 0.5 * (logarithmic_distance(*p, self.positions[pole]) - distance);
-                a / (2.0 * half.sinh()).powi(2)
+                a / (2.0 * libm::sinh(half)).powi(2)
             })
             .sum();
         1.0 / sum
@@ -121,7 +121,7 @@ impl<'a> Interlacing<'a> {
 /// ln(a/b), also where a and b nearly agree and where a/b overflows.
 fn logarithmic_distance(a: f64, b: f64) -> f64 {
     let relative = (a - b) / b;
-    if relative.abs() < 0.5 { relative.ln_1p() } else { a.ln() - b.ln() }
+    if relative.abs() < 0.5 { libm::log1p(relative) } else { libm::log(a) - libm::log(b) }
 }
 
 #[cfg(test)]

@@ -117,7 +117,7 @@ impl CreepSpectrum {
         if time < 0.0 {
             return 0.0;
         }
-        let delayed = |term: &CreepTerm| -term.compliance * (-time / term.retardation_time).exp_m1();
+        let delayed = |term: &CreepTerm| -term.compliance * libm::expm1(-time / term.retardation_time);
         self.terms.iter().map(delayed).sum::<f64>() + 1.0 / self.glassy_modulus
     }
 

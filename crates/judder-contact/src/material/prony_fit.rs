@@ -174,7 +174,8 @@ fn within_bounds(terms: usize) -> Result<usize, MaterialError> {
 
 /// 1 − Σ(ln a − ln b)²/Σ(ln a − mean)² over (measured, fitted); 1 where the measured do not vary and the fitted agree.
 fn r_squared(pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
-    let pairs: Vec<(f64, f64)> = pairs.map(|(measured, fitted)| (measured.ln(), fitted.ln())).collect();
+    let pairs: Vec<(f64, f64)> =
+        pairs.map(|(measured, fitted)| (libm::log(measured), libm::log(fitted))).collect();
     let mean = pairs.iter().map(|pair| pair.0).sum::<f64>() / pairs.len() as f64;
     let left: f64 = pairs.iter().map(|(measured, fitted)| (measured - fitted).powi(2)).sum();
     let all: f64 = pairs.iter().map(|(measured, _)| (measured - mean).powi(2)).sum();
@@ -223,7 +224,8 @@ impl RelaxationSystem<'_> {
 
     /// The ends of the row, as logarithms of times, that leave the least deviation.
     fn best_row(&self, count: usize) -> Result<FitAttempt, MaterialError> {
-        let (shortest, longest) = ((1.0 / self.band.1 / OVERHANG).ln(), (OVERHANG / self.band.0).ln());
+        let (shortest, longest) =
+            (libm::log(1.0 / self.band.1 / OVERHANG), libm::log(OVERHANG / self.band.0));
         let attempt = |ends: (f64, f64)| -> Result<FitAttempt, MaterialError> {
             let ends = (ends.0.clamp(shortest, longest), ends.1.clamp(shortest, longest));
             let ends = (ends.0, if count == 1 { ends.0 } else { ends.1.max(ends.0) });
@@ -287,5 +289,5 @@ impl FitAttempt {
 /// `count` times, evenly spaced in the logarithm.
 fn row(first: f64, last: f64, count: usize) -> Vec<f64> {
     let intervals = (count - 1).max(1) as f64;
-    (0..count).map(|k| (first + (last - first) * k as f64 / intervals).exp()).collect()
+    (0..count).map(|k| libm::exp(first + (last - first) * k as f64 / intervals)).collect()
 }

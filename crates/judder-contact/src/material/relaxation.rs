@@ -83,7 +83,7 @@ impl RelaxationSpectrum {
         if time < 0.0 {
             return 0.0;
         }
-        let left = |term: &RelaxationTerm| term.modulus * (-time / term.relaxation_time).exp();
+        let left = |term: &RelaxationTerm| term.modulus * libm::exp(-time / term.relaxation_time);
         self.terms.iter().map(left).sum::<f64>() + self.rubbery_modulus
     }
 

@@ -64,7 +64,7 @@ impl TemperatureShift {
                 energy / GAS_CONSTANT * (reference - temperature) / (temperature * reference)
             }
         };
-        let factor = exponent.exp();
+        let factor = libm::exp(exponent);
         if factor.is_normal() {
             Ok(factor)
         } else {

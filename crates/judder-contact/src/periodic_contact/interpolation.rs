@@ -2,7 +2,6 @@
 
 use crate::indenter::HeightMap;
 use crate::surface::convolution::PaddedTransform;
-use num_complex::Complex64;
 use std::f64::consts::PI;
 
 /// The trigonometric interpolation of a periodic map on a lattice `factor` times as fine, each value taken `shift` fine cells
@@ -28,7 +27,7 @@ pub(super) fn interpolated(map: &HeightMap, factor: usize, shift: f64) -> Vec<f6
     let mut factors = Vec::with_capacity(transform.spectrum_columns() * high);
     for column in 0..transform.spectrum_columns() {
         let phase = -2.0 * PI * column as f64 / wide as f64 * shift;
-        let along = Complex64::from_polar(kept_along(column), phase);
+        let along = judder_numerics::complex::from_polar(kept_along(column), phase);
         factors.extend(kept_across.iter().map(|across| along * across));
     }
     let scale = (factor * factor) as f64 / transform.places();

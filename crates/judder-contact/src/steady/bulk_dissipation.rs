@@ -63,7 +63,7 @@ pub fn friction_of_a_line(grid: &SurfaceGrid, pressure: &[f64], substrate: &Slid
     };
     let shortest = 0.5 * PI / patch.cell;
     let longest = substrate.terms.iter().map(|term| term.length).fold(0.0, f64::max);
-    let beyond = (longest / patch.width()).log2().clamp(0.0, 100.0).ceil() as i32;
+    let beyond = libm::log2(longest / patch.width()).clamp(0.0, 100.0).ceil() as i32;
     let (mut resolved, mut last_octave) = (0.0, 0.0);
     let mut rows = FoldedRows::new(1);
     for (wave, weight) in wave_numbers(patch.width(), patch.cell, HALVINGS + beyond) {
@@ -85,7 +85,7 @@ fn beyond_the_last_octave(substrate: &SlidingSubstrate, shortest: f64) -> f64 {
     let octave = |from: f64| -> f64 {
         let steps = 16;
         (0..steps)
-            .map(|step| from * 2.0_f64.powf((f64::from(step) + 0.5) / f64::from(steps)))
+            .map(|step| from * libm::pow(2.0_f64, (f64::from(step) + 0.5) / f64::from(steps)))
             .map(|wave| substrate.compliance(wave).im / (wave * wave))
             .sum()
     };
@@ -155,13 +155,13 @@ impl LoadedPatch {
     /// What the mean over a cell leaves of a wave; dividing by it gives the wave itself.
     fn sinc(&self, wave: f64) -> f64 {
         let phase = 0.5 * wave * self.cell;
-        if phase < 1e-6 { 1.0 } else { phase.sin() / phase }
+        if phase < 1e-6 { 1.0 } else { libm::sin(phase) / phase }
     }
 
     /// Σ over x of force · e^{−i q_x x} of every row, the sums and differences of opposite rows.
     fn transform_rows(&self, wave: f64, rows: &mut FoldedRows) {
         let (cosines, sines): (Vec<f64>, Vec<f64>) =
-            (0..self.columns).map(|c| (wave * self.cell * c as f64).sin_cos()).map(|(s, c)| (c, s)).unzip();
+            (0..self.columns).map(|c| libm::sincos(wave * self.cell * c as f64)).map(|(s, c)| (c, s)).unzip();
         let row = |index: usize| {
             let forces = &self.forces[index * self.columns..(index + 1) * self.columns];
             (dot(forces, &cosines), -dot(forces, &sines))
@@ -179,7 +179,7 @@ impl LoadedPatch {
     fn across(&self, wave: f64, weight: f64) -> Across {
         let middle = 0.5 * (self.rows as f64 - 1.0);
         let (sines, cosines) = (0..self.rows.div_ceil(2))
-            .map(|row| (wave * self.cell * (middle - row as f64)).sin_cos())
+            .map(|row| libm::sincos(wave * self.cell * (middle - row as f64)))
             .unzip();
         Across { wave, weight: weight / self.sinc(wave).powi(2), cosines, sines }
     }

@@ -73,14 +73,14 @@ fn elastic_pressure(
     for term in &substrate.terms {
         let (per_cell, columns) = (grid.cell / term.length, grid.columns);
         // what a cell forgets, and what of a memory is left in its mean
-        let forgotten = -(-per_cell).exp_m1();
+        let forgotten = -libm::expm1(-per_cell);
         let carried = if term.length > 0.0 { forgotten / per_cell } else { 0.0 };
         for (given, found) in pressure.chunks(columns).zip(elastic.chunks_mut(columns)) {
             let along =
                 |memory: f64| given.iter().rev().fold(memory, |w, p| forgotten * p + (1.0 - forgotten) * w);
             let mut memory = match ends {
                 ContactEnds::Free => 0.0,
-                ContactEnds::Periodic => along(0.0) / -(-per_cell * columns as f64).exp_m1(),
+                ContactEnds::Periodic => along(0.0) / -libm::expm1(-per_cell * columns as f64),
             };
             for (p, q) in given.iter().zip(found).rev() {
                 *q += term.compliance * ((1.0 - carried) * p + carried * memory);

@@ -42,7 +42,7 @@ pub(super) fn pose(
     let (depth, reference) = match start.half_width() {
         Some(half_width) => {
             let depth = question.profile.height(2.0 * half_width, 0.0);
-            (depth, ((depth - start.indentation) / gain).exp())
+            (depth, libm::exp((depth - start.indentation) / gain))
         }
         None => {
             // Nothing is known but that the depth is positive beyond the contact and its wakes.
@@ -53,5 +53,5 @@ pub(super) fn pose(
     let operator = SlidingOperator::line(*grid, question.substrate, reference, question.memory)?;
     // A strip's force per length is p h, and the solver knows squares with p h².
     let loading = Loading::Load(load * grid.cell);
-    Ok(Posed { operator, loading, indentation: depth, datum: gain * reference.ln() })
+    Ok(Posed { operator, loading, indentation: depth, datum: gain * libm::log(reference) })
 }

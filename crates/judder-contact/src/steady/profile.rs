@@ -39,7 +39,7 @@ impl Profile for Paraboloid {
     }
 
     fn elastic_depth(&self, force: f64) -> f64 {
-        (0.75 * force).powf(2.0 / 3.0)
+        libm::pow(0.75 * force, 2.0 / 3.0)
     }
 }
 

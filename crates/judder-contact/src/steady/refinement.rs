@@ -173,7 +173,7 @@ impl ErrorEstimate {
         }
         let correction = step / (ratio - 1.0);
         let error = relative(correction, last).max(plain.error);
-        Self { value: last + correction, error, order: Some(ratio.log2()) }
+        Self { value: last + correction, error, order: Some(libm::log2(ratio)) }
     }
 
     /// The last value of a sequence that jumps, with what `error` makes of the sizes of its last two steps, the earlier first.

@@ -59,7 +59,7 @@ impl<'a> Control<'a> {
 
     /// Whether a step with this error stands; the next is chosen from it.
     pub(super) fn accepts(&mut self, step: f64, error: f64) -> bool {
-        let ratio = (self.steps.tolerance / error).powf(1.0 / ORDER);
+        let ratio = libm::pow(self.steps.tolerance / error, 1.0 / ORDER);
         let factor = if error > 0.0 { (SAFETY * ratio).clamp(GROWTH[0], GROWTH[1]) } else { GROWTH[1] };
         self.wanted = step * factor;
         error <= self.steps.tolerance || step <= SHORTEST * self.duration

@@ -116,7 +116,7 @@ impl TransientHistory {
         angular_frequency: f64,
         quantity: impl Fn(&TransientSample) -> f64,
     ) -> Complex64 {
-        let wave = |sample: &TransientSample| (angular_frequency * sample.time).sin_cos();
+        let wave = |sample: &TransientSample| libm::sincos(angular_frequency * sample.time);
         let even = self.mean(from, to, |sample| quantity(sample) * wave(sample).1);
         let odd = self.mean(from, to, |sample| quantity(sample) * wave(sample).0);
         2.0 * Complex64::new(even, -odd)

@@ -69,7 +69,7 @@ impl PathCourse {
             Self::Start { speed, ramp } => speed * (time - 0.5 * ramp),
             Self::Ramp { from, to, duration } => from + (to - from) * (time / duration).clamp(0.0, 1.0),
             Self::Oscillation { mean, drift, amplitude, angular_frequency, phase } => {
-                mean + drift * time + amplitude * (angular_frequency * time + phase).sin()
+                mean + drift * time + amplitude * libm::sin(angular_frequency * time + phase)
             }
             Self::Sampled { times, values } => between(times, values, time),
         }

@@ -22,7 +22,7 @@ impl StepWeights {
     /// The weights of a step that is `ratio` = Δt/τ_k retardation times long.
     pub(super) fn new(ratio: f64) -> Self {
         let z = ratio;
-        let keep = (-z).exp();
+        let keep = libm::exp(-z);
         if z < NO_CANCELLATION {
             return Self {
                 keep,
@@ -31,7 +31,7 @@ impl StepWeights {
                 curvature: z * series(z, |m| 0.5 / ((m + 2.0) * (m + 3.0))),
             };
         }
-        let mean = -(-z).exp_m1() / z;
+        let mean = -libm::expm1(-z) / z;
         let first = (mean - keep) / z;
         let second = (2.0 * first - keep) / z;
         Self { keep, old: mean - keep, new: 1.0 - mean, curvature: 0.5 * z * (first - second) }

@@ -112,6 +112,6 @@ fn largest_depth(question: &TransientQuestion<'_>) -> Result<f64, TransientError
 /// The longest piece of the path that is remembered at a time.
 fn travelled(path: &IndenterPath, substrate: &CreepingSubstrate, duration: f64) -> f64 {
     let [left, right] = path.position.range(duration);
-    let memory = -FORGOTTEN.ln() * substrate.longest_time();
+    let memory = -libm::log(FORGOTTEN) * substrate.longest_time();
     (right - left).min(path.position.largest_rate() * memory)
 }

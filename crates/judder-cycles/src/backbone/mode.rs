@@ -6,6 +6,7 @@ use crate::point_law::{COMPONENTS, ProjectedForce, projected};
 use faer::{Mat, c64};
 use judder_assembly::steady::SteadySliding;
 use judder_dense::general::solve_complex;
+use judder_numerics::complex::ElementaryComplex;
 
 /// How far beside the eigenvalue its vector is sought.
 const BESIDE: f64 = 1e-7;
@@ -87,7 +88,7 @@ fn null_vector(
         c64::new(identity - by_force, 0.0) - by_motion
     };
     let matrix = Mat::from_fn(size, size, entry);
-    let mut vector = Mat::from_fn(size, 1, |k, _| c64::new(1.0, 0.3 * (k as f64).sin()));
+    let mut vector = Mat::from_fn(size, 1, |k, _| c64::new(1.0, 0.3 * libm::sin(k as f64)));
     for _ in 0..3 {
         solve_complex(matrix.clone(), &mut vector).ok_or(CyclesError::Singular)?;
         let length = vector.col(0).norm_l2();
@@ -106,8 +107,8 @@ fn first_change(
     let dimension = balance.contact().dimension;
     let mut most = f64::INFINITY;
     let mut limit = |room: f64, amplitude: c64| {
-        if amplitude.norm() > 0.0 {
-            most = most.min(room.abs() / amplitude.norm());
+        if amplitude.modulus() > 0.0 {
+            most = most.min(room.abs() / amplitude.modulus());
         }
     };
     for (point, state) in steady.points.iter().enumerate() {

@@ -18,6 +18,7 @@ use crate::shooting::course::{PhaseChange, PointPhase, ShotCourse};
 use crate::shooting::{ShootingSettings, ShotCycle, course_of, shoot};
 use faer::{Mat, c64};
 use judder_assembly::assembly::Assembly;
+use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::quadrature::gauss_legendre;
 use std::f64::consts::TAU;
 
@@ -52,7 +53,7 @@ pub fn shot_multipliers(
     with.extend(of(shot)?);
     let [few, more, most] = &with[..] else { return Ok(None) };
     let (coarse, mut found) = (without_steps(few, more), without_steps(more, most));
-    let off = |own: c64| found.phase.map_or(0.0, |phase| (phase - own).norm());
+    let off = |own: c64| found.phase.map_or(0.0, |phase| (phase - own).modulus());
     let of_phase = off(c64::ONE).max(coarse.phase.map_or(0.0, off));
     found.error = apart(&coarse.values, &found.values).max(of_phase);
     Ok(Some(found))
@@ -63,7 +64,7 @@ fn without_steps(few: &FloquetMultipliers, many: &FloquetMultipliers) -> Floquet
     let more = few.steps as f64 / (many.steps - few.steps) as f64;
     let beyond = |own: c64, coarse: c64| own + (own - coarse) * more;
     let nearest = |own: c64| {
-        let off = |other: &c64| (own - other).norm();
+        let off = |other: &c64| (own - other).modulus();
         few.values.iter().copied().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(own)
     };
     let mut values: Vec<c64> = many.values.iter().map(|own| beyond(*own, nearest(*own))).collect();

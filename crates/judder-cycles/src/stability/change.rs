@@ -2,6 +2,7 @@
 
 use super::{CycleStability, FloquetMultipliers};
 use faer::c64;
+use judder_numerics::complex::ElementaryComplex;
 
 /// Which multipliers cross the unit circle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,9 +31,9 @@ pub struct StabilityChange {
 impl FloquetMultipliers {
     /// How many lie outside the unit circle, where all are off it by more than their error.
     fn outside(&self) -> Option<usize> {
-        let is_clear = self.values.iter().all(|own| (own.norm() - 1.0).abs() > self.error);
+        let is_clear = self.values.iter().all(|own| (own.modulus() - 1.0).abs() > self.error);
         let decided = self.verdict() != CycleStability::Undecided;
-        (is_clear && decided).then(|| self.values.iter().filter(|own| own.norm() > 1.0).count())
+        (is_clear && decided).then(|| self.values.iter().filter(|own| own.modulus() > 1.0).count())
     }
 }
 
@@ -54,10 +55,10 @@ pub fn stability_changes(along: &[Option<&FloquetMultipliers>]) -> Vec<Stability
 
 /// How so many multipliers crossed: those next to the circle outside on the one side and inside on the other are of one kind, or it is not known; and what those outside say alone.
 fn crossing(more: &FloquetMultipliers, fewer: &FloquetMultipliers, count: usize) -> [CircleCrossing; 2] {
-    let off = |own: &c64| (own.norm() - 1.0).abs();
+    let off = |own: &c64| (own.modulus() - 1.0).abs();
     let next = |of: &FloquetMultipliers, outside: bool| {
         let mut own: Vec<c64> =
-            of.values.iter().copied().filter(|own| (own.norm() > 1.0) == outside).collect();
+            of.values.iter().copied().filter(|own| (own.modulus() > 1.0) == outside).collect();
         own.sort_by(|a, b| off(a).total_cmp(&off(b)));
         own.truncate(count);
         own

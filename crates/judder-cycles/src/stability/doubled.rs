@@ -8,6 +8,7 @@ use crate::balance::HarmonicBalance;
 use crate::path::GoOn;
 use faer::{Mat, c64};
 use judder_dense::general::{PickedEigenvalues, real_eigen};
+use judder_numerics::complex::ElementaryComplex;
 
 /// Multipliers of a motion, with by how much they changed as its steps were doubled last for an error.
 pub(super) struct DoubledSteps<'s, 'a> {
@@ -37,7 +38,7 @@ impl<'s, 'a> DoubledSteps<'s, 'a> {
         let mut found = multipliers_of(self.balance, self.cycle, &fine.beyond(&self.last), steps)?;
         let of_largest = (found.largest() - self.found.largest()).abs();
         found.error = match (found.phase, self.found.phase) {
-            (Some(fine), Some(coarse)) => of_largest.max((fine - coarse).norm()),
+            (Some(fine), Some(coarse)) => of_largest.max((fine - coarse).modulus()),
             _ => of_largest,
         };
         (self.found, self.last) = (found, fine);
@@ -69,7 +70,7 @@ pub(super) fn multipliers_of(
         false => {
             let (_, direction, _) = beginning(balance, cycle)?;
             let along = |k: usize| -> f64 {
-                direction.iter().enumerate().map(|(row, own)| right[(row, k)] * *own).sum::<c64>().norm()
+                direction.iter().enumerate().map(|(row, own)| right[(row, k)] * *own).sum::<c64>().modulus()
             };
             let most = (0..values.len()).max_by(|a, b| along(*a).total_cmp(&along(*b)));
             most.map(|k| values.remove(k))
@@ -81,5 +82,5 @@ pub(super) fn multipliers_of(
 
 /// The largest first.
 pub(super) fn sort(values: &mut [c64]) {
-    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(a.im.total_cmp(&b.im)));
+    values.sort_by(|a, b| b.modulus().total_cmp(&a.modulus()).then(a.im.total_cmp(&b.im)));
 }

@@ -20,6 +20,7 @@ use crate::point_law::ProjectedForce;
 use faer::{Mat, c64};
 use judder_dense::general::{PickedEigenvalues, real_eigen, solve};
 use judder_nonsmooth::contact_problem::PointMotion;
+use judder_numerics::complex::ElementaryComplex;
 use std::f64::consts::TAU;
 use thiserror::Error;
 
@@ -114,7 +115,7 @@ pub fn hill_multipliers(
     let (_, moving) = balance.coordinates(&cycle.unknown, cycle.turning)?;
     let told = |found: &Exponents| found.told(&problem, &moving, balance.is_driven());
     let (values, phase) = told(&found);
-    let error = apart(&values, &told(&fewer).0).max(phase.map_or(0.0, |phase| (phase - 1.0).norm()));
+    let error = apart(&values, &told(&fewer).0).max(phase.map_or(0.0, |phase| (phase - 1.0).modulus()));
     Ok(Ok(HillMultipliers { values, phase, error }))
 }
 
@@ -225,7 +226,7 @@ impl SmallMotions {
             let is_shifted = |other: &c64| {
                 let apart = (value - other) / self.omega;
                 let turns = apart.im.round();
-                turns != 0.0 && (apart - c64::new(0.0, turns)).norm() < SAME
+                turns != 0.0 && (apart - c64::new(0.0, turns)).modulus() < SAME
             };
             if found.values.len() < expected && !found.values.iter().any(is_shifted) {
                 found.values.push(value);
@@ -245,7 +246,7 @@ impl Exponents {
     /// Multipliers, that of the phase apart: its vector lies along the velocity of the cycle, of which harmonics of the coordinates are known.
     fn told(&self, problem: &SmallMotions, moving: &[Vec<c64>], is_driven: bool) -> (Vec<c64>, Option<c64>) {
         let period = TAU / problem.omega;
-        let mut values: Vec<c64> = self.values.iter().map(|own| (own * period).exp()).collect();
+        let mut values: Vec<c64> = self.values.iter().map(|own| (own * period).exponential()).collect();
         let along = |vector: &[c64]| -> f64 {
             let of = |k: usize, harmonic: usize| {
                 // cosine and sine of i h x_h
@@ -255,7 +256,7 @@ impl Exponents {
             let harmonics = self.coefficients / 2;
             let all = (0..problem.coordinates).flat_map(|k| (1..=harmonics).map(move |h| (k, h)));
             let size: f64 = vector.iter().map(c64::norm_sqr).sum();
-            all.map(|(k, harmonic)| of(k, harmonic)).sum::<c64>().norm() / size.sqrt()
+            all.map(|(k, harmonic)| of(k, harmonic)).sum::<c64>().modulus() / size.sqrt()
         };
         let sizes: Vec<f64> = self.vectors.iter().map(|own| along(own)).collect();
         let most = (0..sizes.len()).max_by(|a, b| sizes[*a].total_cmp(&sizes[*b]));

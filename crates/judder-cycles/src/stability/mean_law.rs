@@ -64,7 +64,7 @@ impl<'s, 'b, 'a> MeanLaws<'s, 'b, 'a> {
         let own = coefficients.col(component);
         let turn = TAU * at / self.steps as f64;
         let harmonic = |h: usize| {
-            let (sine, cosine) = (h as f64 * turn).sin_cos();
+            let (sine, cosine) = libm::sincos(h as f64 * turn);
             own[2 * h - 1] * cosine + own[2 * h] * sine
         };
         own[0] + (1..=own.nrows() / 2).map(harmonic).sum::<f64>()

@@ -5,6 +5,7 @@ use super::meant_mode::near_frequency;
 use super::swept::SweptAssembly;
 use crate::key_sweep::KeySweep;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey, CycleBranchEnd};
+use judder_numerics::complex::ElementaryComplex;
 use judder_study::outcome::CheckRecord;
 
 /// What the eigenvalue may grow, of its modulus, where a branch shrinks to steady sliding.
@@ -40,7 +41,7 @@ fn off_neutral(family: &SweptAssembly<'_>, cycle: &CycleAtKey) -> f64 {
         .and_then(|about| near_frequency(&about, omega));
     mode.map_or(f64::INFINITY, |mode| {
         let value = mode.eigenvalue.value;
-        value.re.abs().max((value.im - omega).abs()) / value.norm()
+        value.re.abs().max((value.im - omega).abs()) / value.modulus()
     })
 }
 

@@ -216,11 +216,11 @@ impl KeyMeasure {
     }
 
     fn of_value(self, value: f64) -> f64 {
-        self.sign.map_or(value, |sign| sign * (sign * value).ln())
+        self.sign.map_or(value, |sign| sign * libm::log(sign * value))
     }
 
     fn value(self, measured: f64) -> f64 {
-        self.sign.map_or(measured, |sign| sign * (sign * measured).exp())
+        self.sign.map_or(measured, |sign| sign * libm::exp(sign * measured))
     }
 
     /// A branch with the values of the key in place of their measures; those of cycles at an end of the range are that itself.

@@ -7,6 +7,7 @@ use crate::error::ModelError;
 use crate::structure::eigen::run::asked_of;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::SteadySliding;
+use judder_numerics::complex::ElementaryComplex;
 use judder_structure::asked_region::AskedRegion;
 use judder_structure::complex_modes::{ComplexModeSettings, complex_modes};
 use num_complex::Complex64;
@@ -60,10 +61,10 @@ impl WithInterfaceFreedoms {
         }
         let mut largest = 0.0_f64;
         for own in eigenvalues {
-            let distance = |k: &usize| (finer[*k] - own).norm();
+            let distance = |k: &usize| (finer[*k] - own).modulus();
             let nearest = (0..finer.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
             let Some(other) = nearest.map(|k| finer.swap_remove(k)) else { continue };
-            largest = largest.max((other - own).norm() / own.norm());
+            largest = largest.max((other - own).modulus() / own.modulus());
         }
         Ok(Ok(largest))
     }

@@ -14,6 +14,7 @@ use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::{SteadySliding, pieces, steady_sliding};
 use judder_keys::Settings;
 use judder_nonsmooth::course::{Course, TimeFactor};
+use judder_numerics::complex::ElementaryComplex;
 use judder_structure::asked_region::AskedRegion;
 use judder_structure::complex_modes::{ComplexMode, ComplexModeSettings, Eigenvalue, Region, complex_modes};
 use judder_structure::eigen_sweep::{ProblemFamily, ProjectedProblem, SolvedPoint};
@@ -102,7 +103,7 @@ impl SlidingState {
 
     /// Whether a mode is too fast for the law of a sphere.
     pub(super) fn is_beyond_laws(&self, eigenvalue: &Eigenvalue) -> bool {
-        let frequency = eigenvalue.value.norm();
+        let frequency = eigenvalue.value.modulus();
         let conditions = self.spheres.iter().filter_map(|(sphere, state)| sphere.condition(state, frequency));
         conditions.into_iter().any(|condition| condition.is_broken())
     }

@@ -36,7 +36,7 @@ impl ContactEstimate {
     /// Seconds: a contact's cost grows as its cells times their logarithm.
     fn seconds(&self) -> f64 {
         let [cells, rows] = self.lattice;
-        let size = |cells: f64, rows: f64| cells * rows * cells.ln();
+        let size = |cells: f64, rows: f64| cells * rows * libm::log(cells);
         let own = size(cells.max(2) as f64, rows.max(1) as f64);
         self.contacts as f64 * SECONDS_AT_256 * own / size(256.0, 256.0)
     }

@@ -1,6 +1,7 @@
 //! The spectrum of a motion.
 
 use judder_fourier::real_forward;
+use judder_numerics::complex::ElementaryComplex;
 use std::f64::consts::TAU;
 
 /// Angular frequencies and one-sided amplitudes of evenly spaced values about their mean, under Hann's window: a sine that
@@ -11,7 +12,7 @@ pub(super) fn amplitude_spectrum(values: &[f64], step: f64) -> (Vec<f64>, Vec<f6
         return (Vec::new(), Vec::new());
     }
     let mean = values.iter().sum::<f64>() / count as f64;
-    let window = |k: usize| 0.5 - 0.5 * (TAU * k as f64 / count as f64).cos();
+    let window = |k: usize| 0.5 - 0.5 * libm::cos(TAU * k as f64 / count as f64);
     let mut input: Vec<f64> = values.iter().enumerate().map(|(k, v)| window(k) * (v - mean)).collect();
     let transform = real_forward(count);
     let mut output = transform.make_output_vec();
@@ -20,7 +21,7 @@ pub(super) fn amplitude_spectrum(values: &[f64], step: f64) -> (Vec<f64>, Vec<f6
         return (Vec::new(), Vec::new());
     }
     // the window's sum is half the count, and half of a sine's amplitude lies at negative frequencies
-    let amplitude = output.iter().map(|c| 4.0 * c.norm() / count as f64).collect();
+    let amplitude = output.iter().map(|c| 4.0 * c.modulus() / count as f64).collect();
     let frequency = (0..output.len()).map(|k| TAU * k as f64 / (count as f64 * step)).collect();
     (frequency, amplitude)
 }

@@ -3,6 +3,7 @@
 use super::becomes::{BECOMES, CYCLE, IRREGULAR, UNCONFIRMED};
 use super::bifurcation::branch_layers as branches;
 use super::si;
+use judder_numerics::complex::ElementaryComplex;
 use judder_oscillator::motion::ContactState;
 use judder_report::figure::ShadedRegion;
 use judder_report::palette::Style;
@@ -72,8 +73,8 @@ pub(crate) fn multipliers(dataset: &Dataset) -> Option<Panel> {
     let layers = vec![
         Layer::line(
             "unit circle",
-            circle.iter().map(|a| a.cos()).collect(),
-            circle.iter().map(|a| a.sin()).collect(),
+            circle.iter().map(|a| libm::cos(*a)).collect(),
+            circle.iter().map(|a| libm::sin(*a)).collect(),
             Role::Reference.solid(),
         ),
         Layer::points(
@@ -83,7 +84,7 @@ pub(crate) fn multipliers(dataset: &Dataset) -> Option<Panel> {
             Role::Series(1),
         ),
     ];
-    let half = multipliers.iter().fold(1.1, |half: f64, m| half.max(1.1 * m.norm()));
+    let half = multipliers.iter().fold(1.1, |half: f64, m| half.max(1.1 * m.modulus()));
     Some(Panel::new(
         Axis::linear("Real part (−)").over(-half * FRAME, half * FRAME),
         Axis::linear("Imaginary part (−)").over(-half, half),
@@ -96,7 +97,7 @@ fn with_room(axis: Axis, from: f64, to: f64) -> Axis {
     const ROOM: f64 = 0.02;
     match axis.scale {
         Scale::Log => {
-            let room = (to / from).powf(ROOM);
+            let room = libm::pow(to / from, ROOM);
             axis.over(from / room, to * room)
         }
         _ => axis.over(from - ROOM * (to - from), to + ROOM * (to - from)),

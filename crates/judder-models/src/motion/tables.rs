@@ -59,7 +59,7 @@ fn multipliers(multipliers: &Value) -> PageTable {
     let rows = multipliers.as_array().into_iter().flatten().map(|own| {
         let parts = numbers(Some(own));
         let [re, im] = [0, 1].map(|k| parts.get(k).copied().unwrap_or(f64::NAN));
-        [re, im, re.hypot(im)].map(told).to_vec()
+        [re, im, libm::hypot(re, im)].map(told).to_vec()
     });
     table("Floquet multipliers".to_owned(), &["real part", "imaginary part", "magnitude"], rows.collect())
 }

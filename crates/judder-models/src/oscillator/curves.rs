@@ -2,6 +2,7 @@
 
 use crate::motion::si::SiUnits;
 use crate::oscillator::margins::NOT_KNOWN;
+use judder_numerics::complex::ElementaryComplex;
 use judder_report::runs::{Curve, alone, apart};
 use judder_report::{Axis, Layer, Panel, Role};
 use judder_store::Dataset;
@@ -101,7 +102,7 @@ fn followed(spectra: &[Complex64]) -> Vec<Complex64> {
     for row in spectra.chunks(4) {
         let before = &all[all.len().saturating_sub(4)..];
         let away = |order: &Vec<usize>| -> f64 {
-            order.iter().zip(before).map(|(k, last)| (row[*k] - last).norm()).sum()
+            order.iter().zip(before).map(|(k, last)| (row[*k] - last).modulus()).sum()
         };
         // beside a missing row nothing is nearest, and the first order is that of the frequencies
         let order = orders.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
@@ -242,7 +243,7 @@ pub fn curves_of(roots: &[f64], most: usize) -> Vec<Option<usize>> {
         let joined = pairs(&of(&before), &of(&here));
         for (place, k) in here.iter().enumerate() {
             let from = joined.iter().find(|(_, to)| *to == place).map(|(from, _)| before[*from]);
-            let is_near = |from: &usize| (roots[*from] / roots[*k]).ln().abs() <= FAR.ln();
+            let is_near = |from: &usize| libm::log(roots[*from] / roots[*k]).abs() <= libm::log(FAR);
             let last = from.filter(is_near).and_then(|from| on[from]);
             on[*k] = last.or_else(|| {
                 count += 1;
@@ -261,7 +262,7 @@ fn pairs(left: &[f64], right: &[f64]) -> Vec<(usize, usize)> {
         return pairs(right, left).into_iter().map(|(r, l)| (l, r)).collect();
     }
     let length = |joined: &[(usize, usize)]| {
-        joined.iter().map(|(a, b)| (left[*a] / right[*b]).ln().abs()).sum::<f64>()
+        joined.iter().map(|(a, b)| libm::log(left[*a] / right[*b]).abs()).sum::<f64>()
     };
     let surplus = right.len() - left.len();
     // roots are born and die in neighbouring pairs: what is left out stands together

@@ -93,7 +93,7 @@ impl MarginCrossing<'_> {
     /// difference over its length.
     pub(super) fn value(&self, threshold: f64, s: f64) -> f64 {
         match self.range.scale {
-            RangeScale::Logarithmic => threshold * s.exp(),
+            RangeScale::Logarithmic => threshold * libm::exp(s),
             RangeScale::Linear => threshold + s * (self.range.to - self.range.from).abs(),
         }
     }
@@ -101,7 +101,7 @@ impl MarginCrossing<'_> {
     /// The place of a value.
     pub(super) fn place(&self, threshold: f64, value: f64) -> f64 {
         match self.range.scale {
-            RangeScale::Logarithmic => (value / threshold).ln(),
+            RangeScale::Logarithmic => libm::log(value / threshold),
             RangeScale::Linear => (value - threshold) / (self.range.to - self.range.from).abs(),
         }
     }

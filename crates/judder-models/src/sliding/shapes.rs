@@ -6,6 +6,7 @@ use crate::sliding::locus::conditions::conditions as locus_conditions;
 use crate::sliding::locus::settings::{Along, LocusAnalysis};
 use crate::sliding::system::ReducedPair;
 use faer::Mat;
+use judder_numerics::complex::ElementaryComplex;
 use judder_sliding::locus::{Conditions, Configuration, contact, spectrum};
 use judder_sliding::shape::{gap_residual, mode_shape};
 use judder_sliding::spectrum::WantedEigenvalues;
@@ -140,8 +141,8 @@ impl ShapedPair {
                 shape.iter().enumerate().map(|(mode, q)| expansion[(row, mode)] * q).sum::<Complex64>()
             }));
         }
-        let largest = moved.iter().copied().reduce(|a, b| if b.norm() > a.norm() { b } else { a });
-        let scale = largest.filter(|value| value.norm() > 0.0).map_or(Complex64::ONE, |value| 1.0 / value);
+        let largest = moved.iter().copied().reduce(|a, b| if b.modulus() > a.modulus() { b } else { a });
+        let scale = largest.filter(|value| value.modulus() > 0.0).map_or(Complex64::ONE, |value| 1.0 / value);
         let (points, _) = moved.as_chunks::<3>();
         points.iter().map(|point| point.map(|u| u * scale)).collect()
     }
@@ -179,7 +180,7 @@ fn bodies(case: &SlidingCase) -> [usize; 2] {
 /// The shape of a mode that the contact does not touch: its eigenvalue is that of one of the structures.
 fn pole(eigenvalues: &[f64], damping: &[f64], s: Complex64) -> Vec<Complex64> {
     let departures: Vec<f64> =
-        eigenvalues.iter().zip(damping).map(|(value, d)| (s * s + d * s + value).norm()).collect();
+        eigenvalues.iter().zip(damping).map(|(value, d)| (s * s + d * s + value).modulus()).collect();
     let nearest = (0..departures.len()).min_by(|a, b| departures[*a].total_cmp(&departures[*b]));
     (0..departures.len())
         .map(|mode| if Some(mode) == nearest { Complex64::ONE } else { Complex64::ZERO })

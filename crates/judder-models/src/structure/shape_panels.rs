@@ -1,5 +1,6 @@
 //! Shapes of modes over the undeformed body; on the page they swing.
 
+use judder_numerics::complex::ElementaryComplex;
 use judder_report::figure::ValueMap;
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Layer, Panel, Role, Swing};
@@ -55,7 +56,7 @@ pub(crate) fn significant(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
-    let digits = (3 - value.abs().log10().floor().clamp(-20.0, 3.0) as i32).max(0) as usize;
+    let digits = (3 - libm::log10(value.abs()).floor().clamp(-20.0, 3.0) as i32).max(0) as usize;
     format!("{value:.digits$}").replace('-', "−")
 }
 
@@ -142,7 +143,7 @@ impl ShapePicture {
     /// Axes over which lengths along both look alike.
     fn axes(&self) -> [Axis; 2] {
         let ends = |axis: usize| {
-            let reach = self.rest.iter().zip(&self.moved).map(|(p, u)| (p[axis], u[axis].norm()));
+            let reach = self.rest.iter().zip(&self.moved).map(|(p, u)| (p[axis], u[axis].modulus()));
             reach.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (place, by)| {
                 (low.min(place - by), high.max(place + by))
             })
@@ -172,5 +173,5 @@ fn diagonal(points: &[[f64; 2]]) -> f64 {
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
         high - low
     };
-    width(0).hypot(width(1))
+    libm::hypot(width(0), width(1))
 }

@@ -3,6 +3,7 @@
 use super::build::StructureLayout;
 use super::shapes::kept;
 use crate::error::ModelError;
+use judder_numerics::complex::ElementaryComplex;
 use judder_store::{Dataset, Results, Variable};
 use judder_structure::freedom::Direction;
 use num_complex::Complex64;
@@ -120,14 +121,14 @@ impl ImportedFreedoms {
     fn told_of(&self, mode: &ModeVectors) -> ToldShape {
         let values: Vec<Complex64> = self.of(&mode.right).collect();
         let mut places: Vec<usize> = (0..values.len()).collect();
-        places.sort_by(|a, b| values[*b].norm().total_cmp(&values[*a].norm()));
+        places.sort_by(|a, b| values[*b].modulus().total_cmp(&values[*a].modulus()));
         places.truncate(TOLD_FREEDOMS);
         places.sort_unstable();
         ToldShape {
             mode: mode.mode,
             frequency_hz: mode.frequency_hz,
             freedoms: places.iter().map(|k| self.names[*k].clone()).collect(),
-            modulus: places.iter().map(|k| values[*k].norm()).collect(),
+            modulus: places.iter().map(|k| values[*k].modulus()).collect(),
             phase_deg: places.iter().map(|k| phase(values[*k])).collect(),
         }
     }
@@ -135,7 +136,7 @@ impl ImportedFreedoms {
 
 /// The phase in degrees, above −180; zero of what does not move.
 fn phase(value: Complex64) -> f64 {
-    if value.norm() == 0.0 { 0.0 } else { value.arg().to_degrees() }
+    if value.modulus() == 0.0 { 0.0 } else { value.argument().to_degrees() }
 }
 
 #[cfg(test)]

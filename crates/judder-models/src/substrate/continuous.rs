@@ -188,7 +188,7 @@ fn is_spectrum(samples: &[DensitySample]) -> Result<(), Cause> {
 fn integral(samples: &[DensitySample], weight: fn(f64) -> f64) -> f64 {
     let value = |sample: &DensitySample| weight(sample.time) * sample.time * sample.density;
     let part = |pair: &[DensitySample]| {
-        0.5 * (value(&pair[0]) + value(&pair[1])) * (pair[1].time / pair[0].time).ln()
+        0.5 * (value(&pair[0]) + value(&pair[1])) * libm::log(pair[1].time / pair[0].time)
     };
     samples.windows(2).map(part).sum()
 }

@@ -177,7 +177,7 @@ impl WholeBodies {
             return [0.0, 0.0];
         }
         let largest = |matrix: &Sparse| {
-            let mut x: Vec<f64> = (0..self.size()).map(|k| 1.0 + (0.7 * k as f64).sin()).collect();
+            let mut x: Vec<f64> = (0..self.size()).map(|k| 1.0 + libm::sin(0.7 * k as f64)).collect();
             let mut size = 0.0;
             for _ in 0..ROUNDS {
                 let mut next = product(matrix, &x);

@@ -58,7 +58,7 @@ impl FactorIntegral {
         let whole = match &self.factor {
             TimeFactor::Constant(value) => value * time,
             TimeFactor::Rise(duration) if time < *duration => {
-                0.5 * (time - duration / PI * (PI * time / duration).sin())
+                0.5 * (time - duration / PI * libm::sin(PI * time / duration))
             }
             TimeFactor::Rise(duration) => time - 0.5 * duration,
             TimeFactor::Table(table) => {

@@ -65,7 +65,7 @@ impl BandNoise {
             sums[0] += weight * self.drawn[k][0];
             sums[1] += weight * self.drawn[k][1];
         });
-        let (sine, cosine) = (0.5 * (from + to) * time).sin_cos();
+        let (sine, cosine) = libm::sincos(0.5 * (from + to) * time);
         self.rms * (sums[0] * cosine - sums[1] * sine) / self.norm
     }
 
@@ -88,8 +88,8 @@ impl BandNoise {
 /// A complex number whose parts have the variance 1, after G. E. P. Box and M. E. Muller, Ann. Math. Stat. 29 (1958).
 fn number(seed: u64, place: u64) -> [f64; 2] {
     let (size, angle) = (1.0 - uniform(seed, 2 * place), TAU * uniform(seed, 2 * place + 1));
-    let size = (-2.0 * size.ln()).sqrt();
-    let (sine, cosine) = angle.sin_cos();
+    let size = (-2.0 * libm::log(size)).sqrt();
+    let (sine, cosine) = libm::sincos(angle);
     [size * cosine, size * sine]
 }
 
@@ -101,9 +101,9 @@ fn each_weight(share: f64, mut take: impl FnMut(usize, f64)) {
     }
     let reach = REACH as f64;
     // sin π (s − j) and cos π (s − j)/R of the first number, j = 1 − R, and how these go on
-    let mut sine = (PI * share).sin() * if REACH.is_multiple_of(2) { -1.0 } else { 1.0 };
-    let (turn_sine, turn_cosine) = (PI / reach).sin_cos();
-    let (mut window_sine, mut window) = (PI * (share + reach - 1.0) / reach).sin_cos();
+    let mut sine = libm::sin(PI * share) * if REACH.is_multiple_of(2) { -1.0 } else { 1.0 };
+    let (turn_sine, turn_cosine) = libm::sincos(PI / reach);
+    let (mut window_sine, mut window) = libm::sincos(PI * (share + reach - 1.0) / reach);
     for k in 0..2 * REACH {
         // the share last: it may be less than the rounding of the others
         let distance = (reach - 1.0 - k as f64) + share;

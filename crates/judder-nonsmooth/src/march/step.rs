@@ -83,7 +83,7 @@ impl NonsmoothMarch<'_> {
 
     fn slip_speed(&self, point: usize) -> f64 {
         let [along, across] = self.slip(point);
-        along.hypot(across)
+        libm::hypot(along, across)
     }
 
     fn implicit_step(&self) -> ImplicitStep {
@@ -192,7 +192,7 @@ impl NonsmoothMarch<'_> {
             let coefficient =
                 self.contact.friction(point, -before.gap, speed, self.acting.friction()).at(speed);
             let turning = self.smooth.turning * coefficient * normal;
-            let size = if normal > 0.0 { coefficient * normal / speed.hypot(turning) } else { 0.0 };
+            let size = if normal > 0.0 { coefficient * normal / libm::hypot(speed, turning) } else { 0.0 };
             let slip = self.slip(point);
             for k in 1..dimension {
                 self.solution.impulse[first + k] = -size * slip[k - 1];

@@ -173,7 +173,7 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> PiecewiseMarch<'a, S, N> {
         let there = self.system.field(self.mode, &place);
         let curvature = self.weighted(&from_fn(|i| there[i] - self.field[i]), &zero) / euler;
         let largest = speed.max(curvature);
-        (0.01 / largest).powf(0.2).min(100.0 * euler).min(self.settings.longest_step)
+        libm::pow(0.01 / largest, 0.2).min(100.0 * euler).min(self.settings.longest_step)
     }
 
     /// A step whose error is allowed.
@@ -210,7 +210,7 @@ impl<'a, S: PiecewiseSmooth<N>, const N: usize> PiecewiseMarch<'a, S, N> {
     /// By what the next step may be longer.
     fn growth(&self, error: f64) -> f64 {
         let order = if self.stiffness.is_stiff() { 4.0 } else { 5.0 };
-        (0.9 * error.max(1e-10).powf(-1.0 / order)).clamp(0.2, 5.0)
+        (0.9 * libm::pow(error.max(1e-10), -1.0 / order)).clamp(0.2, 5.0)
     }
 
     /// A step of a given length by the method of the leg; `None` where it gives no number.

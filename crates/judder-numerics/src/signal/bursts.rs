@@ -140,7 +140,7 @@ pub fn bursts(signal: &[f64], settings: &BurstSettings) -> Result<Vec<Burst>, Si
 
 /// The ratio of amplitudes that a level difference in dB means.
 fn ratio(decibels: f64) -> f64 {
-    10_f64.powf(decibels / 20.0)
+    libm::pow(10_f64, decibels / 20.0)
 }
 
 /// The middle value, the upper one of two.

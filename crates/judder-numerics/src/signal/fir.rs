@@ -99,7 +99,7 @@ impl LowPass {
 
     /// Whether the response keeps both bands, at 32 frequencies a ripple over thirty ripples beside the edges.
     fn is_met(&self, taps: &[f64]) -> bool {
-        let ripple = 10_f64.powf(-self.attenuation / 20.0) * BETWEEN_FREQUENCIES;
+        let ripple = libm::pow(10_f64, -self.attenuation / 20.0) * BETWEEN_FREQUENCIES;
         // a ripple is f_s/taps wide
         let fine = self.sample_rate / (32.0 * taps.len() as f64);
         let nyquist = 0.5 * self.sample_rate;
@@ -113,7 +113,7 @@ impl LowPass {
 
 /// sin(πx)/(πx).
 pub(crate) fn sinc(x: f64) -> f64 {
-    if x == 0.0 { 1.0 } else { (PI * x).sin() / (PI * x) }
+    if x == 0.0 { 1.0 } else { libm::sin(PI * x) / (PI * x) }
 }
 
 /// The response of symmetric taps, an odd number of them, at a `frequency` in parts of the sample rate; real, once the delay of
@@ -122,7 +122,7 @@ pub(crate) fn sinc(x: f64) -> f64 {
 pub fn response(taps: &[f64], frequency: f64) -> f64 {
     let half = taps.len() / 2;
     let pairs = taps[..half].iter().rev().zip(1..);
-    let sum: f64 = pairs.map(|(tap, k)| 2.0 * tap * (TAU * frequency * f64::from(k)).cos()).sum();
+    let sum: f64 = pairs.map(|(tap, k)| 2.0 * tap * libm::cos(TAU * frequency * f64::from(k))).sum();
     sum + taps.get(half).copied().unwrap_or(0.0)
 }
 

@@ -12,7 +12,7 @@ pub fn shape(attenuation: f64) -> f64 {
     if attenuation > 50.0 {
         0.1102 * (attenuation - 8.7)
     } else if attenuation >= 21.0 {
-        0.5842 * (attenuation - 21.0).powf(0.4) + 0.07886 * (attenuation - 21.0)
+        0.5842 * libm::pow(attenuation - 21.0, 0.4) + 0.07886 * (attenuation - 21.0)
     } else {
         0.0
     }

@@ -67,7 +67,7 @@ fn factorisations(number: usize) -> Vec<Vec<usize>> {
 
 /// The filters of steps down by `before`, then the sharp one by `last` with its taps `spread`.
 fn row(asked: &Decimation, before: &[usize], last: usize, spread: usize) -> Vec<StagePlan> {
-    let needed = |share: f64| asked.attenuation.max(-20.0 * (share * asked.ripple).log10());
+    let needed = |share: f64| asked.attenuation.max(-20.0 * libm::log10(share * asked.ripple));
     let others = needed(OTHERS_SHARE / before.len().max(1) as f64);
     let mut rate = asked.sample_rate;
     let mut stages = Vec::with_capacity(before.len() + 1);

@@ -156,6 +156,6 @@ impl LevelScale {
         let scale = if k == 0 || Some(k) == self.half_rate { self.single } else { self.paired };
         let ratio = scale * line.norm_sqr();
         // the logarithm of nothing would be −∞
-        if ratio > 0.0 { (10.0 * ratio.log10()).max(self.floor) } else { self.floor }
+        if ratio > 0.0 { (10.0 * libm::log10(ratio)).max(self.floor) } else { self.floor }
     }
 }

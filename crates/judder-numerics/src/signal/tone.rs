@@ -2,6 +2,7 @@
 
 use super::spectrum::Transform;
 use super::window::Window;
+use crate::complex::ElementaryComplex;
 
 /// How many times finer than its own the spectrum of the piece is sampled.
 const FINENESS: usize = 4;
@@ -22,7 +23,7 @@ pub fn strongest_frequency(piece: &[f64], sample_rate: f64) -> Option<f64> {
     let length = (FINENESS * piece.len()).next_power_of_two();
     let mut transform = Transform::new(length);
     let spectrum = transform.of(piece.iter().zip(&weights).map(|(x, w)| w * (x - mean)));
-    let magnitude: Vec<f64> = spectrum.iter().map(|line| line.norm()).collect();
+    let magnitude: Vec<f64> = spectrum.iter().map(|line| line.modulus()).collect();
     let inner = 1..magnitude.len() - 1;
     let strongest = inner.max_by(|&i, &j| magnitude[i].total_cmp(&magnitude[j]))?;
     // what rounding leaves of a constant is no line
@@ -30,7 +31,7 @@ pub fn strongest_frequency(piece: &[f64], sample_rate: f64) -> Option<f64> {
     if magnitude[strongest] <= floor || !magnitude[strongest].is_finite() {
         return None;
     }
-    let [before, at, after] = [strongest - 1, strongest, strongest + 1].map(|k| magnitude[k].ln());
+    let [before, at, after] = [strongest - 1, strongest, strongest + 1].map(|k| libm::log(magnitude[k]));
     let curvature = before - 2.0 * at + after;
     let off = if curvature < 0.0 { 0.5 * (before - after) / curvature } else { 0.0 };
     Some((strongest as f64 + off.clamp(-0.5, 0.5)) * sample_rate / length as f64)

@@ -51,7 +51,11 @@ impl Window {
         let terms = self.cosines().iter().zip(0_u32..);
         terms
             .map(|(a, k)| {
-                if k % 2 == 0 { a * (f64::from(k) * angle).cos() } else { -a * (f64::from(k) * angle).cos() }
+                if k % 2 == 0 {
+                    a * libm::cos(f64::from(k) * angle)
+                } else {
+                    -a * libm::cos(f64::from(k) * angle)
+                }
             })
             .sum()
     }

@@ -31,7 +31,7 @@ pub(super) struct FollowedCurve {
 
 /// The point at a distance and an angle from another.
 fn at(from: [f64; 2], distance: f64, angle: f64) -> [f64; 2] {
-    [from[0] + distance * angle.cos(), from[1] + distance * angle.sin()]
+    [from[0] + distance * libm::cos(angle), from[1] + distance * libm::sin(angle)]
 }
 
 /// The angle at which the curve crosses the circle about `from`, near `direction`.
@@ -136,10 +136,10 @@ fn border(margin: &BoundaryMargin<'_>, here: [f64; 2], step: f64, heading: f64) 
 fn reaches(here: [f64; 2], next: [f64; 2], start: [f64; 2], direction: f64) -> bool {
     let along = [next[0] - here[0], next[1] - here[1]];
     let to = [start[0] - here[0], start[1] - here[1]];
-    let length = along[0].hypot(along[1]);
+    let length = libm::hypot(along[0], along[1]);
     let ahead = (to[0] * along[0] + to[1] * along[1]) / length;
     let aside = (to[0] * along[1] - to[1] * along[0]).abs() / length;
-    let same_way = turn(along[1].atan2(along[0]), direction).abs() < FRAC_PI_2;
+    let same_way = turn(libm::atan2(along[1], along[0]), direction).abs() < FRAC_PI_2;
     same_way && ahead >= 0.0 && ahead <= length && aside <= 0.2 * length
 }
 

@@ -212,7 +212,7 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, const N: u
         let ratio = LARGEST.max(system.belt_velocity()) / SMALLEST;
         let Ok(sequence) = SobolSequence::scrambled(N + 1, SEED) else { return warm.to_vec() };
         let disturbed = ((which * STARTS) as u64..).take(STARTS).map(|index| {
-            let size = SMALLEST * ratio.powf(sequence.coordinate(index, N));
+            let size = SMALLEST * libm::pow(ratio, sequence.coordinate(index, N));
             from_fn(|i| rest[i] + size * (2.0 * sequence.coordinate(index, i) - 1.0))
         });
         warm.iter().copied().chain(disturbed).collect()

@@ -6,6 +6,7 @@ use super::newton::{CycleGuess, converge, scaled};
 use super::return_map::Return;
 use crate::motion::attractor::{Patience, Settled, distance, settle};
 use crate::motion::{ContactState, Interrupted, SlidingSystem};
+use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::dense::eigenvalues;
 use judder_numerics::piecewise::tangent::SquareMatrix;
 use num_complex::Complex64;
@@ -44,7 +45,7 @@ impl<const N: usize> Cycle<N> {
     pub fn largest_multiplier(&self) -> f64 {
         let trivial = self.multipliers.iter().position(|m| *m == Complex64::ONE);
         let others = self.multipliers.iter().enumerate().filter(|(k, _)| Some(*k) != trivial);
-        others.fold(0.0, |largest, (_, m)| m.norm().max(largest))
+        others.fold(0.0, |largest, (_, m)| m.modulus().max(largest))
     }
 
     /// Whether small disturbances die out.
@@ -124,7 +125,7 @@ pub(super) fn finished<const N: usize>(
 /// the cycle's own direction, which is exact.
 fn multipliers<const N: usize>(derivative: &SquareMatrix<N>) -> Result<Vec<Complex64>, CycleError> {
     let by_magnitude =
-        |a: &Complex64, b: &Complex64| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im));
+        |a: &Complex64, b: &Complex64| b.modulus().total_cmp(&a.modulus()).then(b.im.total_cmp(&a.im));
     let mut values = eigenvalues(derivative)?;
     values.sort_by(by_magnitude);
     if let Some(smallest) = values.last_mut() {

@@ -25,7 +25,7 @@ pub(super) fn wanders<const N: usize>(
 ) -> bool {
     motion.returns.len() > SPANS
         && !is_on_its_way(&motion.returns, &system.scales())
-        && parting(system, motion.state, settings, longest) > PARTS.ln()
+        && parting(system, motion.state, settings, longest) > libm::log(PARTS)
 }
 
 /// Whether returns, so many oscillations apart, miss each other ever more or ever less from span to span, for any number of them.
@@ -54,7 +54,7 @@ fn parting<const N: usize>(
         let carried: [f64; N] =
             around.derivative.map(|row| row.iter().zip(&disturbance).map(|(d, u)| d * u).sum());
         let size = distance(&carried, &[0.0; N], &scales);
-        grown += size.ln();
+        grown += libm::log(size);
         // a return that forgets every disturbance
         if size == 0.0 {
             return f64::NEG_INFINITY;

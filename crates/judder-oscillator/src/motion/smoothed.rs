@@ -42,7 +42,7 @@ impl Smoothed {
     }
 
     fn smooth_sign(&self, state: &[f64; 4]) -> f64 {
-        (self.oscillator.relative_velocity(state).abs() / self.width).tanh()
+        libm::tanh(self.oscillator.relative_velocity(state).abs() / self.width)
     }
 }
 

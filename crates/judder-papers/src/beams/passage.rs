@@ -71,7 +71,7 @@ fn passage(march: &Dataset, signal: &str, zone: PassedZone, profiles: &[Vec<(f64
     Some(Passage {
         zone,
         amplitudes: (0..PLACES).map(|k| (place(k), amplitude(place(k)))).collect(),
-        measured: (after / before).ln(),
+        measured: libm::log(after / before),
         promised: own.map_or_else(Vec::new, |profile| promised(profile, zone.nepers, before)),
     })
 }
@@ -84,7 +84,7 @@ fn integral(curve: &[(f64, f64)]) -> f64 {
 /// Growth along a profile of growth rates that comes to so many nepers in all.
 fn promised(profile: &[(f64, f64)], nepers: f64, before: f64) -> Vec<(f64, f64)> {
     let whole = integral(profile);
-    let along = |k: usize| (profile[k].0, before * (nepers * integral(&profile[..=k]) / whole).exp());
+    let along = |k: usize| (profile[k].0, before * libm::exp(nepers * integral(&profile[..=k]) / whole));
     (0..profile.len()).map(along).collect()
 }
 

@@ -103,7 +103,7 @@ fn end(scales: &ContactScales, velocity: f64) -> Result<[f64; 2], ModelError> {
     let found =
         sample(&scales.material.of_law(), LawIndenter::Sphere, velocity, SHALLOW, END_ACCURACY, MEMORY)
             .map_err(|error| ModelError::Unsupported(error.to_string()))?;
-    Ok([found.force / SHALLOW.powf(1.5), found.area / SHALLOW])
+    Ok([found.force / libm::pow(SHALLOW, 1.5), found.area / SHALLOW])
 }
 
 /// r² = 1 − Σ (value − function)²/Σ (value − mean)².

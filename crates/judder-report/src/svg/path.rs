@@ -60,12 +60,12 @@ impl StraightRun {
     /// Goes on to a point, if a straight stroke there passes all points before.
     fn takes(&mut self, point: (f64, f64)) -> bool {
         let (dx, dy) = (point.0 - self.anchor.0, point.1 - self.anchor.1);
-        let length = dx.hypot(dy);
+        let length = libm::hypot(dx, dy);
         if length < self.reach - ASIDE {
             return false;
         }
         if length > ASIDE {
-            let (direction, half) = (dy.atan2(dx), (ASIDE / length).asin());
+            let (direction, half) = (libm::atan2(dy, dx), libm::asin(ASIDE / length));
             let (middle, low, high) = self.sector.unwrap_or((direction, -half, half));
             let turn = (direction - middle + PI).rem_euclid(TAU) - PI;
             if !(low..=high).contains(&turn) {

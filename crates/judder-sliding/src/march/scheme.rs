@@ -156,7 +156,7 @@ fn exact(step: f64, eigenvalue: f64, damping: f64) -> ModalRecurrence {
     let square = step * step;
     ModalRecurrence {
         ahead: e[0][0] + e[1][1],
-        behind: (-damping * step).exp(),
+        behind: libm::exp(-damping * step),
         at_once: square * now[0],
         later: [
             square * (before[0] + e[0][1] * now[1] - e[1][1] * now[0]),
@@ -174,7 +174,7 @@ fn product(a: &Four, b: &Four) -> Four {
 /// eᴬ by Taylor's series of a scaled matrix, squared back.
 fn exponential(matrix: &Four) -> Four {
     let largest = matrix.as_flattened().iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let halvings = if largest > 0.5 { (2.0 * largest).log2().ceil().max(0.0) as i32 } else { 0 };
+    let halvings = if largest > 0.5 { libm::log2(2.0 * largest).ceil().max(0.0) as i32 } else { 0 };
     let scaled = matrix.map(|row| row.map(|x| x * 0.5_f64.powi(halvings)));
     let identity: Four = std::array::from_fn(|i| std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }));
     let (mut sum, mut term) = (identity, identity);

@@ -1,6 +1,7 @@
 //! How many zeros are missing: the turns of what is left of D along the border of a region.
 
 use super::simultaneous::Regular;
+use judder_numerics::complex::ElementaryComplex;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
@@ -64,7 +65,7 @@ fn turn(
     (left, right): (CountPoint, CountPoint),
     depth: usize,
 ) -> Option<f64> {
-    let found = (right.value * left.value.conj()).arg();
+    let found = (right.value * left.value.conj()).argument();
     let step = right.s - left.s;
     let foretold = [(left.slope * step).im, (right.slope * step).im];
     let mean = 0.5 * (foretold[0] + foretold[1]);

@@ -1,6 +1,7 @@
 //! Zeros of D found together: Newton's method where every zero is pushed off by the others.
 
 use crate::characteristic::{CharacteristicEvaluator, PairCharacteristic, Valued};
+use judder_numerics::complex::ElementaryComplex;
 use num_complex::Complex64;
 
 /// D with the poles nearby multiplied out.
@@ -39,13 +40,13 @@ impl EigenIterate {
 
     /// Takes a step; it is done where the step was small, or as small as rounding lets it be.
     fn take(&mut self, step: Complex64, scale: f64) {
-        let length = step.norm();
+        let length = step.modulus();
         let step = if length > LONGEST * scale { step * (LONGEST * scale / length) } else { step };
         self.value -= step;
         if self.value.im < 0.0 {
             self.value = self.value.conj();
         }
-        let size = self.value.norm() + 1e-3 * scale;
+        let size = self.value.modulus() + 1e-3 * scale;
         if length <= ROUNDING * size && length >= 0.9 * self.last_step {
             self.stalls += 1;
         }
@@ -57,7 +58,7 @@ impl EigenIterate {
 impl<'a> Regular<'a> {
     /// Poles within one and a half of the scale are multiplied out.
     pub(super) fn new(function: &'a PairCharacteristic, scale: f64) -> Self {
-        let is_near = |mode: &usize| function.poles(*mode).iter().any(|pole| pole.norm() <= 1.5 * scale);
+        let is_near = |mode: &usize| function.poles(*mode).iter().any(|pole| pole.modulus() <= 1.5 * scale);
         let near = (0..function.modes()).filter(is_near).collect();
         Self { evaluator: function.evaluator(), near, scale }
     }
@@ -147,7 +148,7 @@ pub(super) fn iterate(regular: &mut Regular<'_>, zeros: &mut [EigenIterate]) {
 /// Iterates that stand on each other are set apart: they would never part.
 fn part(zeros: &mut [EigenIterate], scale: f64) {
     for k in 1..zeros.len() {
-        let stands = |other: &EigenIterate| (other.value - zeros[k].value).norm() <= 1e-9 * scale;
+        let stands = |other: &EigenIterate| (other.value - zeros[k].value).modulus() <= 1e-9 * scale;
         if !zeros[k].is_done && zeros[..k].iter().any(stands) {
             zeros[k].value += Complex64::new(1e-6, 1e-6) * (scale * k as f64);
         }

@@ -18,7 +18,11 @@ pub(super) fn about(loaded: &Loaded<'_>, segment: usize) -> Result<PairEquilibri
     if right.touch.at.fraction >= 0.0 {
         return Ok(right);
     }
-    on_node(loaded, segment, [left, right].map(|rest| rest.touch.tangent[1].atan2(rest.touch.tangent[0])))
+    on_node(
+        loaded,
+        segment,
+        [left, right].map(|rest| libm::atan2(rest.touch.tangent[1], rest.touch.tangent[0])),
+    )
 }
 
 /// The equilibrium on a segment that goes on straight beyond its ends.
@@ -80,7 +84,7 @@ fn turned_to(
     angle: f64,
 ) -> Result<(PairEquilibrium, f64), SlidingError> {
     let edge = loaded.pair.edge();
-    let tangent = [angle.cos(), angle.sin()];
+    let tangent = [libm::cos(angle), libm::sin(angle)];
     let normal = turned(tangent).map(|along| edge.side * along);
     let at = EdgePoint { segment, fraction: 1.0 };
     let (point, places) = displaced(loaded, segment, &vec![0.0; loaded.pair.modes()]);

@@ -5,6 +5,7 @@ use super::highest::highest;
 use super::meeting::alone;
 use super::{PairFamily, ZoneEnd};
 use crate::spectrum::polished;
+use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::root::bracketed_root;
 use num_complex::Complex64;
 
@@ -93,7 +94,7 @@ fn through(
             return None;
         }
         slope = (met - value) / (next - at);
-        if (met - foretold).norm() <= EASY * met.norm() {
+        if (met - foretold).modulus() <= EASY * met.modulus() {
             step = (2.0 * step).min(LONGEST * width);
         }
     }
@@ -127,7 +128,7 @@ fn root(
 fn found(family: &impl PairFamily, at: f64, foretold: Complex64) -> Option<(Complex64, f64)> {
     let function = family.at(at).ok()?;
     let [found] = polished(&function, [foretold])?;
-    let is_near = (found - foretold).norm() <= NEAR * foretold.norm();
+    let is_near = (found - foretold).modulus() <= NEAR * foretold.modulus();
     is_near.then(|| (found, alone(found, function.is_conservative()).value))
 }
 
@@ -144,16 +145,16 @@ fn ended(family: &impl PairFamily, next: f64, value: Complex64) -> ZoneEnd {
 
 /// Whether beyond a place a real eigenvalue goes on as a conjugate pair, or a pair as two real ones.
 fn is_meeting(family: &impl PairFamily, next: f64, value: Complex64) -> bool {
-    let aside = if value.im == 0.0 { ASIDE * value.norm() } else { 0.0 };
+    let aside = if value.im == 0.0 { ASIDE * value.modulus() } else { 0.0 };
     let Ok(function) = family.at(next) else { return false };
     polished(&function, [Complex64::new(value.re, aside)]).is_some_and(|[other]| {
-        (other.im == 0.0) != (value.im == 0.0) && (other - value).norm() <= 2.0 * ASIDE * value.norm()
+        (other.im == 0.0) != (value.im == 0.0) && (other - value).modulus() <= 2.0 * ASIDE * value.modulus()
     })
 }
 
 /// Whether an eigenvalue at a place is that of a branch there.
 pub(super) fn is_on(family: &impl PairFamily, path: &EigenvaluePath, at: f64, value: Complex64) -> bool {
-    on_path(family, path, at).is_some_and(|found| (found - value).norm() <= SAME * value.norm())
+    on_path(family, path, at).is_some_and(|found| (found - value).modulus() <= SAME * value.modulus())
 }
 
 /// The eigenvalue of a branch at a place on its path.

@@ -4,6 +4,7 @@
 
 use crate::characteristic::{PRECISION, PairCharacteristic};
 use crate::spectrum::polished;
+use judder_numerics::complex::ElementaryComplex;
 use num_complex::Complex64;
 
 /// Even places at which a piece is sampled.
@@ -58,7 +59,7 @@ impl Smooth {
             0.375 * first + 0.75 * middle - 0.125 * last - left,
             0.375 * last + 0.75 * middle - 0.125 * first - right,
         ];
-        Self { values, error: errors.iter().map(|error| error.norm()).fold(0.0, f64::max) }
+        Self { values, error: errors.iter().map(|error| error.modulus()).fold(0.0, f64::max) }
     }
 
     /// At a share of the piece, from 0 to 1 (Lagrange).
@@ -76,7 +77,7 @@ impl Smooth {
     }
 
     fn size(&self) -> f64 {
-        self.values.iter().map(|value| value.norm()).fold(0.0, f64::max)
+        self.values.iter().map(|value| value.modulus()).fold(0.0, f64::max)
     }
 
     fn doubt(&self) -> f64 {
@@ -133,7 +134,7 @@ impl EigenvalueGroup {
                 let doubt = if is_conservative {
                     off
                 } else {
-                    mean.doubt() + off.sqrt().min(off / d.norm().sqrt().max(f64::MIN_POSITIVE))
+                    mean.doubt() + off.sqrt().min(off / d.modulus().sqrt().max(f64::MIN_POSITIVE))
                 };
                 StabilityMargin { doubt, ..margin }
             }
@@ -157,8 +158,8 @@ impl EigenvalueGroup {
             Self::Two(mean, difference) => {
                 let (m, d) = (mean.at(share), difference.at(share));
                 // two that start nearer to each other than they are push each other to and fro; on an axis they stay on it
-                let is_apart = d.norm() > (APART * m.norm()).powi(2);
-                let half = if is_apart { d.sqrt() } else { Complex64::new(APART, APART) * m };
+                let is_apart = d.modulus() > (APART * m.modulus()).powi(2);
+                let half = if is_apart { d.square_root() } else { Complex64::new(APART, APART) * m };
                 let [a, b] = polished(function, [m + half, m - half])?;
                 let (found, square) = (0.5 * (a + b), 0.25 * (a - b) * (a - b));
                 is_near(found, m).then(|| two(found, square, sheet, is_conservative))
@@ -169,18 +170,18 @@ impl EigenvalueGroup {
 
 /// Whether an eigenvalue is the one foretold.
 fn is_near(found: Complex64, foretold: Complex64) -> bool {
-    (found - foretold).norm() <= 1e-3 * foretold.norm()
+    (found - foretold).modulus() <= 1e-3 * foretold.modulus()
 }
 
 /// What decides on the stability of one eigenvalue: a growth rate below the precision of its numbers is none.
 pub(super) fn alone(value: Complex64, is_conservative: bool) -> StabilityMargin {
     let floor = if is_conservative { ROUNDING } else { PRECISION };
-    StabilityMargin { value: value.re - floor * value.norm(), doubt: 0.0, eigenvalue: value }
+    StabilityMargin { value: value.re - floor * value.modulus(), doubt: 0.0, eigenvalue: value }
 }
 
 /// Where nothing damps, d itself decides: it passes through zero, while the growth rate √d starts there.
 fn two(mean: Complex64, difference: Complex64, sheet: Sheet, is_conservative: bool) -> StabilityMargin {
-    let half = difference.sqrt();
+    let half = difference.square_root();
     let more = if half.re < 0.0 { -half } else { half };
     let eigenvalue = match sheet {
         Sheet::More => mean + more,

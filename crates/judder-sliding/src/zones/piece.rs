@@ -7,6 +7,7 @@ use super::{PairFamily, SpectrumSample};
 use crate::SlidingError;
 use crate::spectrum::Spectrum;
 use crate::tracking::{continued, reach};
+use judder_numerics::complex::ElementaryComplex;
 use num_complex::Complex64;
 
 /// What a search over a piece leaves.
@@ -209,7 +210,7 @@ fn matched(samples: &[&SpectrumSample], count: usize) -> Result<Vec<Matched>, To
 /// Whether the difference may pass through zero between samples.
 fn may_meet(a: &[Complex64; SAMPLES], b: &[Complex64; SAMPLES]) -> bool {
     let apart = |k: usize| a[k] - b[k];
-    let nearest = (0..SAMPLES).map(|k| apart(k).norm()).fold(f64::INFINITY, f64::min);
-    let change = (1..SAMPLES).map(|k| (apart(k) - apart(k - 1)).norm()).fold(0.0, f64::max);
+    let nearest = (0..SAMPLES).map(|k| apart(k).modulus()).fold(f64::INFINITY, f64::min);
+    let change = (1..SAMPLES).map(|k| (apart(k) - apart(k - 1)).modulus()).fold(0.0, f64::max);
     nearest < MEETING * change
 }

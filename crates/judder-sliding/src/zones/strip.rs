@@ -4,6 +4,7 @@ use super::PairFamily;
 use super::branch::{Bound, EigenvaluePath, PartBranch, TooCoarse};
 use super::highest::highest;
 use super::meeting::StabilityMargin;
+use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::root::bracketed_root;
 use num_complex::Complex64;
 
@@ -84,7 +85,7 @@ fn with_extremes(
             continue;
         }
         let extreme = branch.foretold(at);
-        let decided = DECIDED * extreme.eigenvalue.norm();
+        let decided = DECIDED * extreme.eigenvalue.modulus();
         let decided = if branch.is_conservative { decided * decided } else { decided };
         if extreme.value.abs() <= extreme.doubt && extreme.doubt > decided {
             return Err(TooCoarse);

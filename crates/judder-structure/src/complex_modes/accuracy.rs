@@ -6,6 +6,7 @@ use super::vectors::assurances;
 use super::{ComplexModeSettings, Eigenvalue};
 use crate::quadratic::Quadratic;
 use faer::c64;
+use judder_numerics::complex::ElementaryComplex;
 
 /// What is known of an eigenvalue beside others.
 pub(crate) struct Accuracy<'a> {
@@ -26,7 +27,7 @@ impl<'a> Accuracy<'a> {
         let alike = assurances(&of_some, &of_all);
         let known = |(row, k): (usize, &usize)| {
             let others = (0..all.len()).filter(|other| other != k && alike[(row, *other)] > PARALLEL);
-            let apart = others.map(|other| (all[other].triple.value - all[*k].triple.value).norm());
+            let apart = others.map(|other| (all[other].triple.value - all[*k].triple.value).modulus());
             Self { problem, refined: &all[*k], partner: apart.min_by(f64::total_cmp) }
         };
         some.iter().enumerate().map(known).collect()
@@ -38,13 +39,13 @@ impl<'a> Accuracy<'a> {
     /// |λ| ‖C‖ + ‖K‖ and d = yᴴ Q′(λ) x of vectors of length one.
     pub(crate) fn eigenvalue(&self, left_open: f64, settings: &ComplexModeSettings) -> Eigenvalue {
         let value = self.refined.triple.value;
-        let (scale, slope) = (self.problem.scale(value), self.refined.slope.norm());
+        let (scale, slope) = (self.problem.scale(value), self.refined.slope.modulus());
         let error = self.moved_by(left_open + (f64::EPSILON + settings.data_precision) * scale);
         Eigenvalue {
             value,
             residual: self.refined.residual,
             left_residual: self.refined.left_residual,
-            condition: scale / (value.norm() * slope),
+            condition: scale / (value.modulus() * slope),
             error,
             defective: self.partner.is_some_and(|gap| error >= 0.5 * gap),
         }
@@ -64,7 +65,7 @@ impl<'a> Accuracy<'a> {
     /// Two eigenvalues with one vector, a distance g apart, move as ±√(g²/4 ± δ g) instead of by δ; |d| is then no more than g ‖M‖,
     /// which bounds δ g from below where g is lost in rounding.
     fn moved_by(&self, disturbance: f64) -> f64 {
-        let first_order = disturbance / self.refined.slope.norm();
+        let first_order = disturbance / self.refined.slope.modulus();
         self.partner
             .map_or(first_order, |gap| moved(first_order, gap, disturbance / self.problem.mass_norm()))
     }
@@ -72,7 +73,7 @@ impl<'a> Accuracy<'a> {
 
 /// |a|ᵀ |b|.
 fn along(a: &[c64], b: &[c64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a.norm() * b.norm()).sum()
+    a.iter().zip(b).map(|(a, b)| a.modulus() * b.modulus()).sum()
 }
 
 /// η N(λ): what normalised residuals η leave open of d times the eigenvalue.

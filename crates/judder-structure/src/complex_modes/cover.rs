@@ -5,6 +5,7 @@ use super::matching::one_to_one;
 use crate::StructureError;
 use crate::quadratic::{Quadratic, Region};
 use faer::c64;
+use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::words::{plain, plain_complex};
 use rayon::prelude::*;
 use std::fmt;
@@ -116,7 +117,7 @@ pub(super) fn cover(problem: &Quadratic, region: &Region) -> Result<Cover, Struc
         searches += parts.len();
         let mut smaller = Vec::new();
         for (part, disc) in parts.iter().zip(searched) {
-            let aside = (disc.factor.shift() - part.centre()).norm();
+            let aside = (disc.factor.shift() - part.centre()).modulus();
             if disc.radius >= part.radius() + aside && !disc.crowded {
                 discs.push(disc);
             } else if halving < HALVINGS && searches < SEARCHES {
@@ -151,7 +152,7 @@ impl KnownDisc {
     }
 
     fn holds(&self, value: c64) -> bool {
-        (value - self.shift).norm() <= WELL_INSIDE * self.radius
+        (value - self.shift).modulus() <= WELL_INSIDE * self.radius
     }
 }
 
@@ -159,7 +160,7 @@ impl KnownDisc {
 fn once_each(discs: &[KnownDisc]) -> (Vec<(usize, usize)>, Vec<Gap>) {
     let (mut members, mut values, mut gaps) = (Vec::new(), Vec::<c64>::new(), Vec::new());
     for (number, disc) in discs.iter().enumerate() {
-        let farthest = disc.values.iter().map(|value| (value - disc.shift).norm()).fold(0.0, f64::max);
+        let farthest = disc.values.iter().map(|value| (value - disc.shift).modulus()).fold(0.0, f64::max);
         let same = one_to_one(&values, &disc.values, SAME * disc.radius.min(farthest));
         let known: Vec<usize> = same.iter().map(|(i, _)| *i).collect();
         let seen: Vec<usize> = same.iter().map(|(_, j)| *j).collect();

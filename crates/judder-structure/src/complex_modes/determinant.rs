@@ -4,6 +4,7 @@ use crate::StructureError;
 use crate::quadratic::Quadratic;
 use faer::{Mat, c64};
 use judder_dense::general::pivots;
+use judder_numerics::complex::ElementaryComplex;
 
 /// ln det Q(z), its phase up to turns; −∞ where the matrix is singular.
 ///
@@ -15,7 +16,7 @@ pub(super) fn log_determinant(problem: &Quadratic, place: c64) -> Result<c64, St
     let out_of_memory = StructureError::OutOfMemory { rows: problem.size() };
     let (pivots, odd) = pivots(&mut matrix).ok_or(out_of_memory)?;
     let turned = if odd { std::f64::consts::PI } else { 0.0 };
-    Ok(pivots.iter().map(|pivot| pivot.ln()).sum::<c64>() + c64::new(scales, turned))
+    Ok(pivots.iter().map(|pivot| pivot.logarithm()).sum::<c64>() + c64::new(scales, turned))
 }
 
 /// Divides every row by its largest entry, then every column; gives the sum of the logarithms.
@@ -23,17 +24,17 @@ fn equilibrate(matrix: &mut Mat<c64>) -> f64 {
     let size = matrix.nrows();
     let mut scales = 0.0;
     for row in 0..size {
-        let largest = (0..size).map(|k| matrix[(row, k)].norm()).fold(0.0, f64::max);
+        let largest = (0..size).map(|k| matrix[(row, k)].modulus()).fold(0.0, f64::max);
         if largest > 0.0 {
             (0..size).for_each(|k| matrix[(row, k)] /= largest);
-            scales += largest.ln();
+            scales += libm::log(largest);
         }
     }
     for column in 0..size {
-        let largest = (0..size).map(|k| matrix[(k, column)].norm()).fold(0.0, f64::max);
+        let largest = (0..size).map(|k| matrix[(k, column)].modulus()).fold(0.0, f64::max);
         if largest > 0.0 {
             (0..size).for_each(|k| matrix[(k, column)] /= largest);
-            scales += largest.ln();
+            scales += libm::log(largest);
         }
     }
     scales

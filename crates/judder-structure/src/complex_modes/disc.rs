@@ -9,6 +9,7 @@ use crate::StructureError;
 use crate::quadratic::{MatrixSide, Quadratic};
 use faer::{Mat, c64};
 use judder_dense::general::solve_complex;
+use judder_numerics::complex::ElementaryComplex;
 
 /// An eigenvalue with its vectors, each of length one.
 #[derive(Debug, Clone)]
@@ -81,7 +82,7 @@ fn pair(
     });
     let alone = |values: &[c64], paired: Vec<usize>| -> Vec<c64> {
         let unpaired = (0..values.len()).filter(|k| !paired.contains(k)).map(|k| values[k]);
-        unpaired.filter(|value| (value - centre).norm() <= WELL_INSIDE * radius).collect()
+        unpaired.filter(|value| (value - centre).modulus() <= WELL_INSIDE * radius).collect()
     };
     let mut lonely = alone(&of_right, pairs.iter().map(|(i, _)| *i).collect());
     lonely.extend(alone(&of_left, pairs.iter().map(|(_, j)| *j).collect()));
@@ -96,7 +97,8 @@ pub(super) fn biorthogonalise(problem: &Quadratic, triples: &mut [Triple], dista
     const DEFECTIVE: f64 = 1e-6;
     let mut taken = vec![false; triples.len()];
     for first in 0..triples.len() {
-        let close = |k: &usize| !taken[*k] && (triples[*k].value - triples[first].value).norm() <= distance;
+        let close =
+            |k: &usize| !taken[*k] && (triples[*k].value - triples[first].value).modulus() <= distance;
         let cluster: Vec<usize> = (first..triples.len()).filter(close).collect();
         cluster.iter().for_each(|k| taken[*k] = true);
         if cluster.len() < 2 {

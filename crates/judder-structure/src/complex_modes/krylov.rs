@@ -8,6 +8,7 @@ use crate::StructureError;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatRef, Par, c64};
 use judder_dense::general::complex_eigen;
+use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::counter::uniform;
 
 /// Vectors that are taken through the operator together: solving for four costs little more than for one.
@@ -207,14 +208,14 @@ impl<'a> Basis<'a> {
         let (values, vectors) = complex_eigen(self.projected.submatrix(0, 0, done, done))
             .ok_or(StructureError::NoDenseEigenvalues { rows: done })?;
         let mut order: Vec<usize> = (0..done).collect();
-        order.sort_by(|a, b| values[*b].norm().total_cmp(&values[*a].norm()));
+        order.sort_by(|a, b| values[*b].modulus().total_cmp(&values[*a].modulus()));
         let open = self.projected.submatrix(done, 0, self.filled - done, done);
         let mut rests = Mat::zeros(open.nrows(), done);
         matmul(rests.as_mut(), Accum::Replace, open, vectors.as_ref(), c64::new(1.0, 0.0), Par::Seq);
         let residual = |k: usize| rests.col(k).norm_l2() / vectors.col(k).norm_l2();
-        let has_converged = |k: &&usize| residual(**k) <= TOLERANCE * values[**k].norm();
+        let has_converged = |k: &&usize| residual(**k) <= TOLERANCE * values[**k].modulus();
         let converged = order.iter().take_while(has_converged).count();
-        let distance = |k: usize| reach / values[k].norm();
+        let distance = |k: usize| reach / values[k].modulus();
         let radius = match (order.get(converged), converged) {
             // what has not converged may lie as much nearer as it is far
             (Some(k), _) => 0.9 * distance(*k),
@@ -244,7 +245,7 @@ impl RitzPair {
     /// The converged eigenvalues that are not infinite.
     fn finite(&self) -> impl Iterator<Item = usize> + '_ {
         const INFINITE: f64 = 1e-8;
-        self.order[..self.converged].iter().copied().filter(|k| self.values[*k].norm() > INFINITE)
+        self.order[..self.converged].iter().copied().filter(|k| self.values[*k].modulus() > INFINITE)
     }
 
     /// How many lie within a distance of the shift.
@@ -255,7 +256,7 @@ impl RitzPair {
     /// λ − σ of those within a distance of the shift.
     fn within(&self, distance: f64) -> Vec<c64> {
         let apart = self.finite().map(|k| self.reach / self.values[k]);
-        apart.filter(|apart| apart.norm() <= distance).collect()
+        apart.filter(|apart| apart.modulus() <= distance).collect()
     }
 
     /// The most eigenvalues within a distance of the shift of which each has a next that is near.
@@ -265,7 +266,7 @@ impl RitzPair {
         while let Some(first) = left.pop() {
             let (mut crowd, mut seen) = (vec![first], 0);
             while let Some(member) = crowd.get(seen).copied() {
-                let near = |other: &mut c64| (*other - member).norm() <= CROWD * self.reach;
+                let near = |other: &mut c64| (*other - member).modulus() <= CROWD * self.reach;
                 crowd.extend(left.extract_if(.., near));
                 seen += 1;
             }

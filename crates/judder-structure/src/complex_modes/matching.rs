@@ -1,12 +1,13 @@
 //! Which eigenvalues of two lists are the same.
 
 use faer::c64;
+use judder_numerics::complex::ElementaryComplex;
 
 /// Pairs of places in two lists, nearest first, each place at most once and none further apart than the tolerance.
 pub(crate) fn one_to_one(a: &[c64], b: &[c64], tolerance: f64) -> Vec<(usize, usize)> {
     let mut near: Vec<(f64, usize, usize)> = Vec::new();
     for (i, left) in a.iter().enumerate() {
-        let within = b.iter().enumerate().map(|(j, right)| ((left - right).norm(), i, j));
+        let within = b.iter().enumerate().map(|(j, right)| ((left - right).modulus(), i, j));
         near.extend(within.filter(|(distance, ..)| *distance <= tolerance));
     }
     near.sort_by(|x, y| x.0.total_cmp(&y.0).then((x.1, x.2).cmp(&(y.1, y.2))));

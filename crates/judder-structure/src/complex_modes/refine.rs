@@ -10,6 +10,7 @@ use super::vectors::{bilinear, column, length, normalise};
 use crate::StructureError;
 use crate::quadratic::{MatrixSide, Quadratic, entries};
 use faer::{Mat, c64};
+use judder_numerics::complex::ElementaryComplex;
 
 /// Eigenvalues that are known beside each other, with the factor at a shift among them.
 pub(crate) struct Neighbourhood<'a> {
@@ -133,7 +134,7 @@ impl<'a> Neighbourhood<'a> {
         for (j, (known, slope)) in self.triples.iter().zip(&self.slopes).enumerate() {
             let mut weight = -(self.factor.shift() - known.value).inv();
             let apart = value - known.value;
-            if j != place && apart.norm() > CLOSE * value.norm() {
+            if j != place && apart.modulus() > CLOSE * value.modulus() {
                 weight += apart.inv();
             }
             let along = |vector: &[c64], rest: &[c64]| bilinear(vector, column(rest).col(0)) * weight / slope;

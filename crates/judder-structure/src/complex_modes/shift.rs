@@ -9,6 +9,7 @@ use faer::sparse::SparseColMat;
 use faer::sparse::linalg::LuError;
 use faer::sparse::linalg::lu::{LuRef, LuSymbolicParams, NumericLu, SymbolicLu, factorize_symbolic_lu};
 use faer::{Conj, Mat, Par, Spec, c64};
+use judder_numerics::complex::ElementaryComplex;
 
 /// Q(σ) = L U up to the orders of rows and columns.
 #[derive(Debug)]
@@ -77,12 +78,12 @@ impl ShiftedFactor {
             for (row, value) in matrix.row_idx_of_col(column).zip(matrix.val_of_col(column)) {
                 let product = value * x[(column, 0)];
                 left[row] += product;
-                sizes[row] += product.norm();
+                sizes[row] += product.modulus();
             }
         }
         let norm =
             |values: &mut dyn Iterator<Item = f64>| values.map(|value| value * value).sum::<f64>().sqrt();
-        Ok(norm(&mut left.iter().map(|value| value.norm())) / norm(&mut sizes.iter().copied()))
+        Ok(norm(&mut left.iter().map(|value| value.modulus())) / norm(&mut sizes.iter().copied()))
     }
 
     /// σ.

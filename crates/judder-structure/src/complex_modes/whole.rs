@@ -17,6 +17,7 @@ use crate::StructureError;
 use crate::quadratic::{MatrixSide, Quadratic, Region};
 use faer::{Mat, c64};
 use judder_dense::general::complex_eigen;
+use judder_numerics::complex::ElementaryComplex;
 use rayon::prelude::*;
 
 /// Problems of at most so many freedoms are solved whole.
@@ -37,7 +38,7 @@ pub(super) fn whole(problem: &Quadratic, region: &Region) -> Result<SearchedRegi
     );
     let (right, left) = (right?, left?);
     let near: Vec<usize> =
-        (0..right.thetas.len()).filter(|k| right.thetas[*k].norm() * SURROUNDINGS >= 1.0).collect();
+        (0..right.thetas.len()).filter(|k| right.thetas[*k].modulus() * SURROUNDINGS >= 1.0).collect();
     let mut partner = vec![0; right.thetas.len()];
     for (i, j) in one_to_one(&right.thetas, &left.thetas, f64::INFINITY) {
         partner[i] = j;
@@ -97,12 +98,12 @@ fn refined(
     let own = |k: usize| {
         let others = triples.iter().enumerate().filter(|(j, _)| *j != k);
         let nearest =
-            others.map(|(_, other)| (other.value - triples[k].value).norm()).fold(f64::INFINITY, f64::min);
+            others.map(|(_, other)| (other.value - triples[k].value).modulus()).fold(f64::INFINITY, f64::min);
         (0.5 * nearest).max(ONE * reach)
     };
     let one = |k: usize| -> Result<RefinedEigenvalue, StructureError> {
         let refined = neighbourhood.refined_to_rounding(k)?;
-        let stayed = (refined.triple.value - triples[k].value).norm() <= own(k);
+        let stayed = (refined.triple.value - triples[k].value).modulus() <= own(k);
         Ok(if stayed { refined } else { RefinedEigenvalue::measured(problem, triples[k].clone()) })
     };
     (0..triples.len()).into_par_iter().map(one).collect()
@@ -119,13 +120,14 @@ fn unproved(
     const TOLERANCE: f64 = 0.1;
     let (shift, reach) = (operator.factor.shift(), operator.reach);
     let values: Vec<c64> =
-        thetas.iter().filter(|theta| theta.norm() > 0.0).map(|theta| shift + reach / theta).collect();
+        thetas.iter().filter(|theta| theta.modulus() > 0.0).map(|theta| shift + reach / theta).collect();
     let (contour, places) = contour(region, &values);
     let found = values.iter().filter(|value| contour.contains(**value, 0.0)).count();
     let of_shift = log_determinant(problem, shift)?;
     let differs = |place: &c64| -> Result<bool, StructureError> {
         let turned = (place - shift) / reach;
-        let expected: c64 = thetas.iter().map(|theta| (c64::new(1.0, 0.0) - turned * theta).ln()).sum();
+        let expected: c64 =
+            thetas.iter().map(|theta| (c64::new(1.0, 0.0) - turned * theta).logarithm()).sum();
         let rest = log_determinant(problem, *place)? - of_shift - expected;
         let phase = (rest.im / std::f64::consts::TAU).round().mul_add(-std::f64::consts::TAU, rest.im);
         // so too where the rest is not a number

@@ -12,6 +12,7 @@ use crate::quadratic::{MatrixSide, Quadratic, Region};
 use faer::{Mat, c64};
 use judder_dense::general::{real_eigen, solve};
 use judder_dense::product::product;
+use judder_numerics::complex::ElementaryComplex;
 
 /// A family on a basis V.
 pub(super) struct Projection<'a, F: ProblemFamily> {
@@ -30,7 +31,9 @@ impl Projected {
     /// Whether nothing is open beyond a share of |λ|.
     pub(super) fn within(&self, tolerance: f64) -> bool {
         let pairs = self.refined.iter().zip(&self.left_open);
-        pairs.into_iter().all(|(of, open)| *open <= tolerance * of.triple.value.norm() * of.slope.norm())
+        pairs
+            .into_iter()
+            .all(|(of, open)| *open <= tolerance * of.triple.value.modulus() * of.slope.modulus())
     }
 }
 
@@ -130,7 +133,7 @@ fn left_open(refined: &[RefinedEigenvalue], sample: &[ShiftedFactor]) -> Result<
     let mut left_open = vec![f64::INFINITY; refined.len()];
     for (number, factor) in sample.iter().enumerate() {
         let nearest = |value: c64| {
-            let distance = |k: &usize| (sample[*k].shift() - value).norm();
+            let distance = |k: &usize| (sample[*k].shift() - value).modulus();
             (0..sample.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))
         };
         let mine: Vec<usize> =

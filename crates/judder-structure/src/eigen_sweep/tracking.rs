@@ -2,6 +2,7 @@
 
 use crate::complex_modes::{ComplexMode, vectors::assurances};
 use faer::{Mat, c64};
+use judder_numerics::complex::ElementaryComplex;
 
 /// Follows branches from point to point.
 #[derive(Default)]
@@ -106,7 +107,8 @@ impl SeenBranch {
     /// 0 for a mode that goes on as expected; its vectors are so much alike.
     fn distance(&self, mode: &ComplexMode, alike: f64) -> f64 {
         let value = mode.eigenvalue.value;
-        let jump = (value - self.value - self.step).norm() / (JUMP * value.norm().max(self.value.norm()));
+        let jump =
+            (value - self.value - self.step).modulus() / (JUMP * value.modulus().max(self.value.modulus()));
         1.0 - alike.sqrt() + 0.5 * jump.min(1.0)
     }
 }

@@ -130,7 +130,7 @@ impl<'a> Lanczos<'a> {
     fn take_in(&mut self, mut image: Vec<f64>, from: usize) {
         let shares = self.orthogonalise(&mut image, 0);
         let length = length(self.mass, &image);
-        let before = shares.iter().map(|share| share * share).sum::<f64>().sqrt().hypot(length);
+        let before = libm::hypot(shares.iter().map(|share| share * share).sum::<f64>().sqrt(), length);
         self.projected.push(shares);
         if length > INVARIANT * before {
             let orthogonal_to = self.basis.len();

@@ -2,6 +2,7 @@
 
 use super::StabilityAt;
 use crate::complex_modes::{Eigenvalue, Region, Verdict};
+use judder_numerics::complex::ElementaryComplex;
 use std::f64::consts::TAU;
 
 /// A function of the eigenvalues that vanishes at an onset.
@@ -85,10 +86,10 @@ impl Vanishing {
         match (self, &nearest(stability, frequency, 2)[..]) {
             (Self::Growth(growing), _) => ranked(stability, growing).map_or(f64::NAN, |own| own.error),
             (Self::Difference, [one, other]) => {
-                let (apart, error) = ((one.value - other.value).norm(), one.error + other.error);
+                let (apart, error) = ((one.value - other.value).modulus(), one.error + other.error);
                 (2.0 * apart + error) * error
             }
-            (Self::Square, [one, ..]) => (2.0 * one.value.norm() + one.error) * one.error,
+            (Self::Square, [one, ..]) => (2.0 * one.value.modulus() + one.error) * one.error,
             _ => f64::NAN,
         }
     }

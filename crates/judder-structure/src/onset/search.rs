@@ -4,6 +4,7 @@ mod smooth;
 
 use super::{Onset, OnsetDoubt, OnsetKind, OnsetsBetween, StabilityAt};
 use crate::complex_modes::{Eigenvalue, Region, Verdict};
+use judder_numerics::complex::ElementaryComplex;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -137,11 +138,11 @@ impl StabilitySample {
         for (_, i, j) in pairs {
             if !paired[0][i] && !paired[1][j] {
                 (paired[0][i], paired[1][j]) = (true, true);
-                let moved = (there[j].value - here[i].value).norm();
+                let moved = (there[j].value - here[i].value).modulus();
                 let is_apart = |sample: &Self, own: &Eigenvalue| {
                     sample
                         .those_that_grow(false)
-                        .all(|other| moved < APART * (other.value - own.value).norm())
+                        .all(|other| moved < APART * (other.value - own.value).modulus())
                 };
                 if !is_apart(self, here[i]) && !is_apart(high, there[j]) {
                     alike.push(f_here[i]);

@@ -56,7 +56,7 @@ fn area_and_middle(mesh: &Mesh, corners: &[usize]) -> ([f64; 3], [f64; 3]) {
 }
 
 fn length(vector: [f64; 3]) -> f64 {
-    vector[0].hypot(vector[1]).hypot(vector[2])
+    libm::hypot(libm::hypot(vector[0], vector[1]), vector[2])
 }
 
 #[cfg(test)]

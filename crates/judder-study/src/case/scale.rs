@@ -16,8 +16,8 @@ pub enum Spacing {
 pub fn spaced(ends: [f64; 2], points: u64, scale: Spacing, index: u64) -> f64 {
     match scale {
         Spacing::Log if index > 0 && index + 1 < points => {
-            let exponents = ends.map(|end| end.abs().log10());
-            10_f64.powf(evenly(exponents, points, index)).copysign(ends[0])
+            let exponents = ends.map(|end| libm::log10(end.abs()));
+            libm::pow(10_f64, evenly(exponents, points, index)).copysign(ends[0])
         }
         _ => evenly(ends, points, index),
     }

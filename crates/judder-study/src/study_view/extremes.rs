@@ -1,5 +1,6 @@
 //! The smallest and the largest values of bins of rows.
 
+use judder_numerics::complex::ElementaryComplex;
 use judder_store::VariableValues;
 use num_complex::Complex64;
 use std::cmp::Ordering;
@@ -49,7 +50,7 @@ impl BinnedExtremes {
                 widen(found, values, place, of_numbers);
             }
             (FoundExtremes::Complex(found), VariableValues::Complex(values)) => {
-                widen(found, values, place, |a, b| of_numbers(&a.norm(), &b.norm()));
+                widen(found, values, place, |a, b| of_numbers(&a.modulus(), &b.modulus()));
             }
             (FoundExtremes::I64(found), VariableValues::I64(values)) => widen(found, values, place, Ord::cmp),
             (FoundExtremes::U8(found), VariableValues::U8(values)) => widen(found, values, place, Ord::cmp),

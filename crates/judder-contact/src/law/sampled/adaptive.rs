@@ -73,12 +73,12 @@ pub fn sampled<E: From<LawError>>(
 
 /// Values at evenly spaced logarithms; the same bits whenever the same place is one of a grid twice as fine.
 fn spaced(from: f64, to: f64, count: usize) -> Vec<f64> {
-    let (low, high) = (from.ln(), to.ln());
+    let (low, high) = (libm::log(from), libm::log(to));
     (0..count)
         .map(|k| match k {
             0 => from,
             _ if k + 1 == count => to,
-            _ => (low + (high - low) * (k as f64 / (count - 1) as f64)).exp(),
+            _ => libm::exp(low + (high - low) * (k as f64 / (count - 1) as f64)),
         })
         .collect()
 }

@@ -18,13 +18,13 @@ impl KnotAxis {
         }
         let mut before = 0.0;
         for (index, &value) in knots.iter().enumerate() {
-            let is_next = value > before && value.is_finite() && value.ln() > f64::ln(before);
+            let is_next = value > before && value.is_finite() && libm::log(value) > libm::log(before);
             if !is_next {
                 return Err(LawError::KnotOrder { axis, index, value, before });
             }
             before = value;
         }
-        Ok(Self { logarithms: knots.iter().map(|knot| knot.ln()).collect() })
+        Ok(Self { logarithms: knots.iter().map(|knot| libm::log(*knot)).collect() })
     }
 
     /// Of the knots, ascending.

@@ -63,7 +63,7 @@ where
     let mut before = PerQuantity::uniform(f64::INFINITY);
     loop {
         let points: Vec<(f64, f64)> =
-            speeds.iter().map(|ln_speed| (velocity(ln_speed, indentation.ln()), indentation)).collect();
+            speeds.iter().map(|ln_speed| (velocity(ln_speed, libm::log(indentation)), indentation)).collect();
         solving.solve(&points)?;
         let (values, solver) = solving.values(LawIndenter::Paraboloid);
         let law =

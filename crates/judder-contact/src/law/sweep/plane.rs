@@ -59,8 +59,8 @@ impl SweepRange {
         let highest = (velocities.1 / indentations.0.sqrt()).clamp(10.0 * lowest, fast.max(10.0 * lowest));
         let shallowest = indentations.0.max(SHALLOW.min(0.1 * indentations.1));
         Ok(Self {
-            ln_speeds: (lowest.ln(), highest.ln()),
-            ln_indentations: (shallowest.ln(), indentations.1.ln()),
+            ln_speeds: (libm::log(lowest), libm::log(highest)),
+            ln_indentations: (libm::log(shallowest), libm::log(indentations.1)),
         })
     }
 
@@ -84,8 +84,8 @@ impl SweepRange {
         let lowest = (velocities.0 / indentations.1.sqrt()).clamp(slow, 0.1 * fast);
         let highest = (velocities.1 / indentations.0.sqrt()).clamp(10.0 * lowest, fast.max(10.0 * lowest));
         Ok(Self {
-            ln_speeds: (lowest.ln(), highest.ln()),
-            ln_indentations: (indentations.0.ln(), indentations.1.ln()),
+            ln_speeds: (libm::log(lowest), libm::log(highest)),
+            ln_indentations: (libm::log(indentations.0), libm::log(indentations.1)),
         })
     }
 
@@ -93,7 +93,7 @@ impl SweepRange {
     #[must_use]
     pub fn all_speeds(material: &LawMaterial) -> (f64, f64) {
         let (slow, fast) = informative_speeds(material);
-        (slow.ln(), fast.ln())
+        (libm::log(slow), libm::log(fast))
     }
 }
 
@@ -134,7 +134,7 @@ where
     let SweepRange { ln_speeds, ln_indentations } = request.range;
     let mut speeds = Knots::new(SPEED_AXIS, ln_speeds.0, ln_speeds.1, FIRST_COLUMNS)?;
     let mut depths = Knots::new(INDENTATION_AXIS, ln_indentations.0, ln_indentations.1, FIRST_ROWS)?;
-    request.origin.indenter.elastic(depths.last().exp())?;
+    request.origin.indenter.elastic(libm::exp(depths.last()))?;
     let mut solving = Solving::new(sampler, observer, known);
     let mut levels: Vec<SweepLevel> = Vec::new();
     let mut before = [PerQuantity::uniform(f64::INFINITY); 2];
@@ -185,7 +185,7 @@ fn points(speeds: &Knots, depths: &Knots) -> Vec<(f64, f64)> {
     depths
         .iter()
         .flat_map(|ln_indentation| {
-            speeds.iter().map(move |ln_speed| (velocity(ln_speed, ln_indentation), ln_indentation.exp()))
+            speeds.iter().map(move |ln_speed| (velocity(ln_speed, ln_indentation), libm::exp(ln_indentation)))
         })
         .collect()
 }

@@ -125,7 +125,7 @@ pub(super) fn sliding_warning(
     let velocity = |rotation: Option<&BodyRotation>, place| {
         rotation.map_or([0.0; 3], |own| own.motion().velocity(place))
     };
-    let size = |vector: [f64; 3]| vector[0].hypot(vector[1]).hypot(vector[2]);
+    let size = |vector: [f64; 3]| libm::hypot(libm::hypot(vector[0], vector[1]), vector[2]);
     let off = points.iter().map(|point| {
         let (of_track, of_slider) = (velocity(track, point.place), velocity(slider, point.place));
         let off = std::array::from_fn(|k| point.velocity[k] - of_track[k] + of_slider[k]);

@@ -2,6 +2,7 @@
 
 use crate::assembly::AssemblySubject;
 use judder_assembly::steady::SteadySliding;
+use judder_numerics::complex::ElementaryComplex;
 use judder_oscillator::quasi_steady::QuasiSteady;
 use judder_store::Results;
 use judder_structure::complex_modes::ComplexMode;
@@ -43,7 +44,7 @@ impl BeyondLaws {
         for (index, sphere, state) in of.built.sliding_spheres(steady) {
             let contact = &of.built.assembly.interfaces[index].name;
             let broken = (1..).zip(modes).filter_map(|(mode, own)| {
-                let condition = sphere.condition(&state, own.eigenvalue.value.norm())?;
+                let condition = sphere.condition(&state, own.eigenvalue.value.modulus())?;
                 condition.is_broken().then(|| BeyondLaw::new(mode, contact, condition.figures))
             });
             let broken: Vec<BeyondLaw> = broken.collect();

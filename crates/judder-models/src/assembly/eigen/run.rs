@@ -10,6 +10,7 @@ use crate::structure::eigen::run::{ShownModes, asked_of, found};
 use crate::structure::vectors::ImportedFreedoms;
 use judder_assembly::linearised::{ContactTerm, Linearised, LinearisedTerms};
 use judder_assembly::work::{GrowthShares, Worker, growth_shares};
+use judder_numerics::complex::ElementaryComplex;
 use judder_store::{ByName, Results};
 use judder_structure::asked_region::AskedRegion;
 use judder_structure::complex_modes::{ComplexMode, ComplexModes, Verdict};
@@ -96,7 +97,7 @@ pub(super) fn run(of: &AssemblySubject<'_>, asked: &AssemblyEigen) -> Result<Out
     for mode in found.modes.iter().filter(is_unstable) {
         let shape = about.expanded(&mode.right);
         let Some(shares) = growth_shares(&about, mode.eigenvalue.value, &shape)? else { continue };
-        balances.push(shares.balance.abs() / mode.eigenvalue.value.norm());
+        balances.push(shares.balance.abs() / mode.eigenvalue.value.modulus());
         growing.push(GrowingMode {
             mode: 1 + found.modes.iter().position(|other| std::ptr::eq(other, mode)).unwrap_or_default(),
             growth: named(of, shares),

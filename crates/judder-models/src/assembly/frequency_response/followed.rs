@@ -62,7 +62,7 @@ fn measures(coefficients: &[f64], series: &Series) -> [f64; MEASURES.len()] {
     let column = Mat::from_fn(coefficients.len(), 1, |k, _| coefficients[k]);
     let values = series.values(column.as_ref());
     let largest = values.col_as_slice(0).iter().fold(0.0_f64, |most, own| most.max(own.abs()));
-    [coefficients[1].hypot(coefficients[2]), (mean * mean + swing).sqrt(), swing.sqrt(), largest]
+    [libm::hypot(coefficients[1], coefficients[2]), (mean * mean + swing).sqrt(), swing.sqrt(), largest]
 }
 
 #[cfg(test)]

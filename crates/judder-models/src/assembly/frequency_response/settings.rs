@@ -151,7 +151,7 @@ impl FrequencyResponse {
     pub(super) fn force(&self, of: &AssemblySubject<'_>) -> Result<HarmonicForce, Unassembled> {
         let mut amplitude = vec![Complex64::ZERO; of.built.assembly.size()];
         let mut add = |unit: Vec<f64>, size: f64, phase: f64| {
-            let own = Complex64::from_polar(size, phase);
+            let own = judder_numerics::complex::from_polar(size, phase);
             amplitude.iter_mut().zip(unit).for_each(|(sum, unit)| *sum += own * unit);
         };
         for (k, own) in self.forces.iter().flatten().enumerate() {

@@ -225,7 +225,9 @@ fn sounds(of: &AssemblySubject<'_>, cycle: &AssemblyCycle<'_>) -> Result<Vec<Sou
             let tau = cycle.frequency() * sample as f64 / rate;
             let harmonics = acceleration.chunks_exact(2).take(audible).zip(1..);
             harmonics
-                .map(|(own, h)| own[0] * (f64::from(h) * tau).cos() + own[1] * (f64::from(h) * tau).sin())
+                .map(|(own, h)| {
+                    own[0] * libm::cos(f64::from(h) * tau) + own[1] * libm::sin(f64::from(h) * tau)
+                })
                 .sum()
         };
         let values: Vec<f64> = (0..(HEARD.0 * rate) as usize).map(at).collect();

@@ -8,6 +8,7 @@ use judder_cycles::stability::{
     CircleCrossing, CycleStability, FLOQUET_STEPS, FLOQUET_WIDER, FloquetMultipliers, HillMultipliers,
     HillRefusal, floquet_multipliers, hill_multipliers,
 };
+use judder_numerics::complex::ElementaryComplex;
 use judder_store::{Dataset, Variable};
 use judder_study::Progress;
 use num_complex::Complex64;
@@ -209,7 +210,7 @@ fn said(stability: CycleStability) -> &'static str {
 pub(super) fn with_phase(values: &[Complex64], phase: Option<Complex64>) -> Vec<Complex64> {
     let mut all = values.to_vec();
     if let Some(phase) = phase {
-        let place = all.partition_point(|own| own.norm() > phase.norm());
+        let place = all.partition_point(|own| own.modulus() > phase.modulus());
         all.insert(place, phase);
     }
     all

@@ -7,6 +7,7 @@ use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::SteadySliding;
 use judder_nonsmooth::march::NonsmoothMarch;
 use judder_nonsmooth::mode_share::{ModalContent, ModalSums, ModeShare};
+use judder_numerics::complex::ElementaryComplex;
 use judder_store::Results;
 use judder_structure::complex_modes::{ComplexMode, Verdict};
 use std::f64::consts::TAU;
@@ -63,7 +64,7 @@ impl SoughtContent {
             let value = mode.eigenvalue.value;
             shares.push(ModeShare::new(march, &about, value, [&right, &left], &steady.displacement));
             let moved = of.built.expanded(&right);
-            largest.push(moved.iter().map(|own| own.norm()).fold(0.0, f64::max));
+            largest.push(moved.iter().map(|own| own.modulus()).fold(0.0, f64::max));
         }
         let fastest = found.modes.iter().map(|mode| mode.eigenvalue.value.im).fold(0.0, f64::max);
         let every = (TAU / fastest / SAMPLES / march.settings().step).floor().max(1.0);
@@ -93,14 +94,14 @@ impl SoughtContent {
         let velocity = |k: usize| {
             let [rms, turning] = self.content.of(k)?;
             // of a real motion the mode has one half, its conjugate the other
-            Some([2.0 * rms * self.largest[k] * self.modes[k].eigenvalue.value.norm(), turning])
+            Some([2.0 * rms * self.largest[k] * self.modes[k].eigenvalue.value.modulus(), turning])
         };
         let all: Vec<(usize, [f64; 2])> =
             (0..self.modes.len()).filter_map(|k| Some((k, velocity(k)?))).collect();
         let loudest = all.iter().map(|(_, [velocity, _])| *velocity).fold(f64::MIN_POSITIVE, f64::max);
         let told = |(k, [velocity, turning]): (usize, [f64; 2])| {
             let eigenvalue = &self.modes[k].eigenvalue;
-            let level_db = 20.0 * (velocity / loudest).log10();
+            let level_db = 20.0 * libm::log10(velocity / loudest);
             let unstable = eigenvalue.verdict() == Verdict::Unstable;
             let is_near = (turning / eigenvalue.value.im - 1.0).abs() <= HEARD.1;
             ModeInMotion {

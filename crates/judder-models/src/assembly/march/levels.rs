@@ -10,7 +10,7 @@ use judder_store::{Results, Variable};
 
 /// The level of an acceleration by its mean square in m²/s⁴, in dB re 1 µm/s².
 pub(in crate::assembly) fn level(mean_square: f64) -> f64 {
-    10.0 * (mean_square / decibel_reference(Dimension::ACCELERATION).powi(2)).log10()
+    10.0 * libm::log10(mean_square / decibel_reference(Dimension::ACCELERATION).powi(2))
 }
 
 /// The levels of an observed point along a direction after the transient, in octave bands.

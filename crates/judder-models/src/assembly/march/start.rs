@@ -7,6 +7,7 @@ use crate::assembly::eigen::lowest;
 use crate::error::ModelError;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::SteadySliding;
+use judder_numerics::complex::ElementaryComplex;
 use num_complex::Complex64;
 
 /// Displacements and velocities on the freedoms of an assembly.
@@ -57,12 +58,12 @@ impl MotionState {
         };
         let shape = about.expanded(&mode.right);
         let moved = of.built.expanded(&shape);
-        let largest = moved.iter().map(|own| own.norm()).fold(0.0, f64::max);
+        let largest = moved.iter().map(|own| own.modulus()).fold(0.0, f64::max);
         let factor = Complex64::from(amplitude / largest);
         for (k, own) in shape.iter().enumerate() {
             self.displacement[k] += (factor * own).re;
             let value = mode.eigenvalue.value;
-            self.velocity[k] += (factor * value * (-value * back).exp() * own).re;
+            self.velocity[k] += (factor * value * (-value * back).exponential() * own).re;
         }
         Ok(())
     }

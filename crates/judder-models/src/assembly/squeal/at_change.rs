@@ -5,6 +5,7 @@ use crate::assembly::eigen::band;
 use crate::assembly::swept::SweptAssembly;
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
+use judder_numerics::complex::ElementaryComplex;
 use judder_structure::complex_modes::{Eigenvalue, Verdict};
 use judder_structure::eigen_sweep::{SolvedPoint, SweptEigenvalues, followed};
 use judder_study::Progress;
@@ -85,11 +86,11 @@ impl ModeInBand {
     }
 
     fn told(&self, swept: &SweptEigenvalues, last: usize) -> ModesAtChange {
-        let off = |own: &Eigenvalue| (own.value - self.value).norm();
+        let off = |own: &Eigenvalue| (own.value - self.value).modulus();
         let first = swept.points[0].eigenvalues.iter();
         let branch = first
             .min_by(|a, b| off(&a.eigenvalue).total_cmp(&off(&b.eigenvalue)))
-            .filter(|own| off(&own.eigenvalue) < SAME * self.value.norm())
+            .filter(|own| off(&own.eigenvalue) < SAME * self.value.modulus())
             .map(|own| own.branch);
         let at_change = &swept.points[last];
         let found = at_change.eigenvalues.iter().find(|own| Some(own.branch) == branch);

@@ -10,6 +10,7 @@ use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
 use judder_keys::dimension::Dimension;
 use judder_keys::quantity::WrittenUnit;
+use judder_numerics::complex::ElementaryComplex;
 use judder_store::Results;
 use judder_study::Progress;
 use judder_study::case::scale::Spacing;
@@ -195,7 +196,7 @@ fn beside(
         .and_then(|state| family.solved_alone(&state, &band(AROUND[0] * mode.im, AROUND[1] * mode.im)));
     let modes = found.map_err(|error| error.to_string())?.modes;
     let values = modes.iter().map(|own| own.eigenvalue.value);
-    let nearest = values.min_by(|a, b| (a - mode).norm().total_cmp(&(b - mode).norm()));
+    let nearest = values.min_by(|a, b| (a - mode).modulus().total_cmp(&(b - mode).modulus()));
     nearest.ok_or_else(|| "the mode was not found beside it".to_owned())
 }
 
@@ -206,7 +207,7 @@ fn cure(of: &AssemblySubject<'_>, sweep: &KeySweep, value: f64, mode: Complex64)
         [Ok(low), Ok(high)] => [low, high],
         [Err(reason), _] | [_, Err(reason)] => return ToldCure { reason, ..none },
     };
-    let is_moved = [low, high].iter().any(|end| (end.re - mode.re).abs() > ROUNDING * mode.norm());
+    let is_moved = [low, high].iter().any(|end| (end.re - mode.re).abs() > ROUNDING * mode.modulus());
     if !is_moved {
         let reason = "the growth rate does not follow it".to_owned();
         return ToldCure { growth_by_change: Some(0.0), smooth: Some(true), reason, ..none };

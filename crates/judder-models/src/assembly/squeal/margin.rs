@@ -17,6 +17,7 @@ use judder_cycles::CyclesError;
 use judder_cycles::backbone::BackboneSettings;
 use judder_cycles::balance::HarmonicBalance;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey, CycleBranchEnd};
+use judder_numerics::complex::ElementaryComplex;
 use judder_structure::complex_modes::Verdict;
 use judder_structure::eigen_sweep::{SweepMethod, SweptEigenvalues};
 use judder_structure::onset::{Onset, OnsetKind};
@@ -123,9 +124,9 @@ impl FollowedModes<'_> {
             return None;
         }
         let value = value_at(last)?;
-        let beside = |mode: usize| (self.modes[mode] - value).norm();
+        let beside = |mode: usize| (self.modes[mode] - value).modulus();
         let nearest = (0..self.modes.len()).min_by(|a, b| beside(*a).total_cmp(&beside(*b)))?;
-        (beside(nearest) < 1e-3 * value.norm()).then_some(nearest)
+        (beside(nearest) < 1e-3 * value.modulus()).then_some(nearest)
     }
 }
 

@@ -29,7 +29,7 @@ pub(super) fn run(
     let computed = compute(&plane.task(case, &scales, settings)?, points, progress)?;
     let values = plane.values(&computed.law);
     let unfit = |error: FitError| ModelError::Unsupported(error.to_string());
-    let fit = plane.fit(&computed.law, velocity_scale.log10()).map_err(unfit)?;
+    let fit = plane.fit(&computed.law, libm::log10(velocity_scale)).map_err(unfit)?;
     let beside = fit.beside(&FittedLaw::oscillator_paper());
     let shape = [plane.indentations.len(), plane.velocities.len()];
     let over_plane = |name: &str, values: Vec<f64>, long_name: &str| {

@@ -41,8 +41,8 @@ pub(crate) fn contact_law(dataset: &Dataset) -> Option<Vec<Panel>> {
     let line = reals(dataset, "rest_force").zip(reals(dataset, "rest_area"));
     let elastic = |quantity: &str, row: usize| {
         let depth = plane.indentations[row];
-        let (force, area) =
-            line.map_or((4.0 / 3.0 * depth.powf(1.5), PI * depth), |(force, area)| (force[row], area[row]));
+        let (force, area) = line
+            .map_or((4.0 / 3.0 * libm::pow(depth, 1.5), PI * depth), |(force, area)| (force[row], area[row]));
         match quantity {
             "force" => vec![force, contrast * force],
             "area" => vec![area],

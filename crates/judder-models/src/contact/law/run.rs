@@ -285,7 +285,7 @@ fn checks(
 ) -> Result<Vec<CheckRecord>, ModelError> {
     let between = |values: &[f64], share: f64| {
         let (first, last) = LawPlane::ends(values);
-        (first.ln() + share * (last.ln() - first.ln())).exp()
+        libm::exp(libm::log(first) + share * (libm::log(last) - libm::log(first)))
     };
     let stated = errors.total();
     let (mut off, mut difference) = (Disagreement::default(), Disagreement::default());

@@ -7,6 +7,7 @@ use crate::material::{ContactScales, Material};
 use judder_contact::material::{DmaData, PronyFit};
 use judder_keys::numeric_key::Form;
 use judder_keys::span::Span;
+use judder_numerics::complex::ElementaryComplex;
 use judder_store::{Dataset, Results, Table, Variable};
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
 
@@ -71,9 +72,9 @@ fn frequencies(span: Option<&Span>, scales: &ContactScales) -> Result<Vec<f64>, 
     let slowest = spectrum.terms().last().map_or(scales.time, |term| term.retardation_time);
     let relaxation = spectrum.relaxation_form()?;
     let fastest = relaxation.terms().first().map_or(scales.time, |term| term.relaxation_time);
-    let (first, last) = (-slowest.log10() - BEYOND, -fastest.log10() + BEYOND);
+    let (first, last) = (-libm::log10(slowest) - BEYOND, -libm::log10(fastest) + BEYOND);
     let values = (0..FREQUENCIES)
-        .map(|k| 10_f64.powf(first + (last - first) * k as f64 / (FREQUENCIES - 1) as f64))
+        .map(|k| libm::pow(10_f64, first + (last - first) * k as f64 / (FREQUENCIES - 1) as f64))
         .collect();
     Ok(values)
 }
@@ -212,7 +213,7 @@ fn checks(material: &Material, frequencies: &[f64]) -> Result<Vec<CheckRecord>, 
     let relaxation = spectrum.relaxation_form()?;
     let difference = |omega: &f64| {
         let (creep, other) = (spectrum.complex_modulus(*omega), relaxation.complex_modulus(*omega));
-        (creep - other).norm() / creep.norm()
+        (creep - other).modulus() / creep.modulus()
     };
     let moduli: Vec<_> = frequencies.iter().map(|omega| spectrum.complex_modulus(*omega)).collect();
     // rounding may let a plateau fall by its last digit

@@ -169,7 +169,7 @@ fn limits(
     let r = &contact.refinement;
     let (rubbery, name, compared) = match (&case.shape, &question.substrate.layer) {
         (ShapeSettings::Paraboloid, _) => (
-            4.0 / 3.0 * r.indentation.value.powf(1.5),
+            4.0 / 3.0 * libm::pow(r.indentation.value, 1.5),
             "the force lies between Hertz with E0 and with E∞",
             "how far beyond the nearer of 4/3 δ^{3/2} and 4/3 (E∞/E0) δ^{3/2}, relative",
         ),

@@ -110,7 +110,7 @@ impl AskedTransient {
     pub(crate) fn steps(&self, cells: usize) -> usize {
         let depth = match self.loading {
             Loading::Indentation(depth) => depth,
-            Loading::Load(force) => (0.75 * force).powf(2.0 / 3.0),
+            Loading::Load(force) => libm::pow(0.75 * force, 2.0 / 3.0),
         };
         let cell = 2.0 * (2.0 * depth).sqrt() / cells as f64;
         let rate = (self.path.position.largest_rate() / cell).max(self.period.map_or(0.0, |p| 24.0 / p));

@@ -130,14 +130,14 @@ impl<M: Moving<N>, const N: usize> SweepLine<'_, M, N> {
     fn place(&self, value: f64) -> f64 {
         match self.sweep.scale {
             Spacing::Linear => value,
-            Spacing::Log => value.abs().ln(),
+            Spacing::Log => libm::log(value.abs()),
         }
     }
 
     fn value(&self, place: f64) -> f64 {
         match self.sweep.scale {
             Spacing::Linear => place,
-            Spacing::Log => place.exp().copysign(self.sweep.from),
+            Spacing::Log => libm::exp(place).copysign(self.sweep.from),
         }
     }
 

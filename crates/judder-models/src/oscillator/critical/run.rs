@@ -107,7 +107,7 @@ fn at_point(
     progress: &dyn Progress,
 ) -> FoundThresholds {
     let crossing = crossing(contact, settings, inputs);
-    let decades = (settings.within.to / settings.within.from).log10();
+    let decades = libm::log10(settings.within.to / settings.within.from);
     let samples = (decades * SAMPLES_PER_DECADE).ceil() as usize + 1;
     let at = |value: f64| bridge::coefficients(&crossing.inputs_at(value));
     let thresholds = thresholds(contact, &crossing.range, samples, at);

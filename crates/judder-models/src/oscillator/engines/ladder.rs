@@ -103,7 +103,9 @@ impl EngineLadder {
         if points < FINEST {
             return None;
         }
-        let logs = || self.values.iter().zip(&errors).take(FINEST).map(|(v, e)| (v.ln(), e[0].abs().ln()));
+        let logs = || {
+            self.values.iter().zip(&errors).take(FINEST).map(|(v, e)| (libm::log(*v), libm::log(e[0].abs())))
+        };
         let mean = |pick: fn((f64, f64)) -> f64| logs().map(pick).sum::<f64>() / FINEST as f64;
         let (x_mean, y_mean) = (mean(|p| p.0), mean(|p| p.1));
         let covariance: f64 = logs().map(|(x, y)| (x - x_mean) * (y - y_mean)).sum();

@@ -153,7 +153,7 @@ impl<'a> Lines<'a> {
         let crossing = self.crossing(index);
         let samples = match self.range.scale {
             RangeScale::Logarithmic => {
-                ((self.range.to / self.range.from).log10() * SAMPLES_PER_DECADE).ceil() as usize + 1
+                (libm::log10(self.range.to / self.range.from) * SAMPLES_PER_DECADE).ceil() as usize + 1
             }
             RangeScale::Linear => SAMPLES,
         };

@@ -70,8 +70,8 @@ fn pair(case: &SlidingCase, system: &ReducedPair, warnings: &mut Vec<String>) ->
         let place = format!("at {} m", number(position));
         match PairEquilibrium::new(pair, position, motion.load, sliding) {
             Ok(rest) => {
-                let slope = rest.touch.tangent[1].atan2(rest.touch.tangent[0])
-                    - pair.direction()[1].atan2(pair.direction()[0]);
+                let slope = libm::atan2(rest.touch.tangent[1], rest.touch.tangent[0])
+                    - libm::atan2(pair.direction()[1], pair.direction()[0]);
                 rows.push(vec![
                     format!("at rest {place}"),
                     format!(

@@ -29,7 +29,7 @@ pub(crate) fn growth_of(dataset: &Dataset, label: &str, start: f64, title: Strin
     let number = |name: &str| dataset.attributes().get(name).and_then(Value::as_f64);
     let until = number("measured_until_s")?;
     let milliseconds: Vec<f64> = time.iter().map(|time| 1e3 * time).collect();
-    let promised = time.iter().map(|time| start * (predicted.re * time).exp()).collect();
+    let promised = time.iter().map(|time| start * libm::exp(predicted.re * time)).collect();
     let interval = ShadedRegion {
         label: "measured interval".to_owned(),
         x: Some((0.0, 1e3 * until)),

@@ -2,6 +2,7 @@
 
 use super::traced::Traced;
 use crate::sliding::locus::settings::LocusAnalysis;
+use judder_numerics::complex::ElementaryComplex;
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::coupling::Coupling;
@@ -92,12 +93,12 @@ impl ComparedValue {
 /// How far eigenvalues are from the nearest of others that no other one has taken, relative to their size.
 fn distances(found: &[Complex64], mut others: Vec<Complex64>) -> Vec<f64> {
     let distance = |value: &Complex64| {
-        let nearest = |k: &usize| (others[*k] - value).norm();
+        let nearest = |k: &usize| (others[*k] - value).modulus();
         let nearest = (0..others.len()).min_by(|a, b| nearest(a).total_cmp(&nearest(b)));
-        nearest.map_or(f64::INFINITY, |k| match (others.swap_remove(k) - value).norm() {
+        nearest.map_or(f64::INFINITY, |k| match (others.swap_remove(k) - value).modulus() {
             // a rigid motion has no size of its own
             0.0 => 0.0,
-            distance => distance / value.norm(),
+            distance => distance / value.modulus(),
         })
     };
     found.iter().map(distance).collect()

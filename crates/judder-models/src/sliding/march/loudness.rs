@@ -63,7 +63,7 @@ impl SignalHistory {
     fn growth(&self, Amplification { zone, nepers, .. }: &Amplification) -> ZoneGrowth {
         let sampled = Sampled { time: &self.times, position: &self.positions, values: &self.values };
         let passage = sampled.passage(zone.frequency_hz, [zone.from, zone.to]);
-        let measured = passage.map(|[before, after]| (after / before).ln());
+        let measured = passage.map(|[before, after]| libm::log(after / before));
         ZoneGrowth { expected: *nepers, measured: measured.filter(|own| own.is_finite()) }
     }
 

@@ -53,7 +53,7 @@ impl TrackEdge {
 }
 
 fn direction(chord: PlaneVector) -> PlaneVector {
-    let length = chord[0].hypot(chord[1]);
+    let length = libm::hypot(chord[0], chord[1]);
     if length > 0.0 { [chord[0] / length, chord[1] / length] } else { [1.0, 0.0] }
 }
 
@@ -73,8 +73,8 @@ fn sort_along(points: &mut [usize], track: &Structure) {
     let moment = |i: usize, j: usize| -> f64 {
         places.iter().map(|place| (place[i] - middle[i]) * (place[j] - middle[j])).sum()
     };
-    let angle = 0.5 * (2.0 * moment(0, 1)).atan2(moment(0, 0) - moment(1, 1));
-    let (sin, cos) = angle.sin_cos();
+    let angle = 0.5 * libm::atan2(2.0 * moment(0, 1), moment(0, 0) - moment(1, 1));
+    let (sin, cos) = libm::sincos(angle);
     let sign = if cos < -1e-9 || (cos.abs() <= 1e-9 && sin < 0.0) { -1.0 } else { 1.0 };
     let along = |at: &usize| {
         let [x, y] = part::place(track, *at);
@@ -99,7 +99,7 @@ fn is_left(
     warnings: &mut Vec<String>,
 ) -> Result<bool, Uncoupled> {
     let length = match places {
-        [first, .., last] => (last[0] - first[0]).hypot(last[1] - first[1]),
+        [first, .., last] => libm::hypot(last[0] - first[0], last[1] - first[1]),
         _ => 0.0,
     };
     let across = |to: PlaneVector, from: PlaneVector| {

@@ -92,7 +92,7 @@ fn one(points: Vec<usize>, path: &str) -> Result<usize, Uncoupled> {
 /// The node nearest to a place in the plane; it may be as far away as a twentieth of the structure's size, which no slip of a unit is.
 fn nearest(structure: &Structure, place: [f64; 2], path: &str) -> Result<usize, Uncoupled> {
     let points = structure.layout.as_ref().map_or(&[][..], |layout| &layout.points);
-    let apart = |a: &[f64; 3], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let apart = |a: &[f64; 3], b: [f64; 2]| libm::hypot(a[0] - b[0], a[1] - b[1]);
     let nearest = points.iter().enumerate().min_by(|a, b| apart(a.1, place).total_cmp(&apart(b.1, place)));
     let Some((number, at)) = nearest else {
         let (reason, advice) = ("has no places of nodes", "name the node by nodes = [17]");

@@ -44,7 +44,7 @@ impl Orientation {
         let about = self.about();
         let length = about.iter().map(|part| part * part).sum::<f64>().sqrt();
         let axis = about.map(|part| part / length);
-        let (sine, cosine) = self.angle.sin_cos();
+        let (sine, cosine) = libm::sincos(self.angle);
         let along: f64 = axis.iter().zip(place).map(|(own, x)| own * x).sum();
         std::array::from_fn(|k| {
             let (next, last) = ((k + 1) % 3, (k + 2) % 3);

@@ -1,6 +1,7 @@
 //! Complex modes: where they lie, how damped they are, their shapes.
 
 use super::super::shape_panels::{mac, panels as shape_panels, significant};
+use judder_numerics::complex::ElementaryComplex;
 use judder_report::{Axis, Layer, Panel, Role};
 use judder_store::Dataset;
 use judder_study::pictures::{codes, complexes};
@@ -26,7 +27,7 @@ pub(crate) fn eigen(dataset: &Dataset) -> Option<Vec<Panel>> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|a, b| values[*b].re.total_cmp(&values[*a].re));
     let title = |k: usize| {
-        let ratio = -values[k].re / values[k].norm();
+        let ratio = -values[k].re / values[k].modulus();
         format!("{} Hz, $ζ$ = {} %", significant(values[k].im / TAU), significant(100.0 * ratio))
     };
     panels.extend(shape_panels(dataset, order.into_iter().take(SHOWN), &title));
@@ -81,7 +82,7 @@ fn plane(values: &[Complex64], verdicts: &[u8]) -> Panel {
 
 /// Damping ratios over frequency; a bubble's area is the magnitude of its ratio.
 fn bubbles(values: &[Complex64], verdicts: &[u8]) -> Panel {
-    let ratio = |k: usize| -values[k].re / values[k].norm();
+    let ratio = |k: usize| -values[k].re / values[k].modulus();
     let largest = (0..values.len()).map(|k| ratio(k).abs()).fold(f64::MIN_POSITIVE, f64::max);
     let mut layers = vec![Layer::horizontal_rule(0.0, "")];
     let size = |k: usize| LARGEST * bubble(ratio(k), largest);

@@ -7,6 +7,7 @@ use super::diagnosis::{self, Diagnosed};
 use crate::error::ModelError;
 use crate::structure::build::{Structure, StructureLayout};
 use crate::structure::case::StructureCase;
+use judder_numerics::complex::ElementaryComplex;
 use judder_store::{Results, Variable};
 use judder_structure::asked_region::AskedRegion;
 use judder_structure::assembly::Sparse;
@@ -161,7 +162,7 @@ impl ShownModes<'_> {
     /// The shape of a mode on the freedoms of the layout, its largest entry of magnitude 1, its phase as it is.
     fn shape(&self, mode: &ComplexMode) -> SwingingShape {
         let all = (self.expanded)(&mode.right);
-        let largest = all.iter().map(|entry| entry.norm()).fold(0.0, f64::max);
+        let largest = all.iter().map(|entry| entry.modulus()).fold(0.0, f64::max);
         let size = if largest == 0.0 { 1.0 } else { largest };
         let scaled = |shape: &[Complex64]| shape.iter().map(|entry| entry / size).collect::<Vec<_>>();
         let right = scaled(&mode.right);
@@ -309,9 +310,9 @@ fn bilinear(problem: &Quadratic, mode: &ComplexMode, shape: &[Complex64]) -> Com
 fn modal_a(mode: &ComplexMode, shape: &[Complex64], a: Complex64) -> Complex64 {
     /// Of length one: below this an entry is rounding.
     const ROUNDING: f64 = 1e-12;
-    let largest = shape.iter().zip(&mode.left).max_by(|a, b| a.0.norm().total_cmp(&b.0.norm()));
+    let largest = shape.iter().zip(&mode.left).max_by(|a, b| a.0.modulus().total_cmp(&b.0.modulus()));
     match largest {
-        Some((right, left)) if left.norm() > ROUNDING => a * right / left.conj(),
+        Some((right, left)) if left.modulus() > ROUNDING => a * right / left.conj(),
         _ => a,
     }
 }

@@ -1,6 +1,7 @@
 //! Complex modes along a parameter: frequencies with lock-in, growth rates, the root locus, damping ratios.
 
 use super::super::eigen::figure::{LARGEST, VERDICTS, bubble, by_verdict, frequency_axis, growth_axis};
+use judder_numerics::complex::ElementaryComplex;
 use judder_report::{Layer, Panel, Role};
 use judder_store::Dataset;
 use judder_study::pictures::{SweptCoordinates, axis, codes, complexes};
@@ -105,7 +106,7 @@ impl CurveBranches<'_> {
             .filter(|(_, (value, _))| value.re.is_finite())
             .map(|(value, (eigenvalue, verdict))| (value, eigenvalue, verdict))
             .collect();
-        let ratio = |k: usize| -present[k].1.re / present[k].1.norm();
+        let ratio = |k: usize| -present[k].1.re / present[k].1.modulus();
         let largest = (0..present.len()).map(|k| ratio(k).abs()).fold(f64::MIN_POSITIVE, f64::max);
         // bubbles of neighbouring values shall stand side by side
         let diameter = (ACROSS / self.values.len() as f64).clamp(1.0, LARGEST);

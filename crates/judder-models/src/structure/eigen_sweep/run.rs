@@ -8,6 +8,7 @@ use crate::error::ModelError;
 use crate::labels::parameter;
 use crate::structure::build::{Structure, factors};
 use crate::structure::case::StructureCase;
+use judder_numerics::complex::ElementaryComplex;
 use judder_store::Results;
 use judder_structure::affine::Factors;
 use judder_structure::complex_modes::{ComplexModeSettings, Eigenvalue, Region, complex_modes};
@@ -135,10 +136,10 @@ fn compare(ours: Vec<Eigenvalue>, mut theirs: Vec<Eigenvalue>, found: &mut Disag
         return;
     }
     for one in ours {
-        let distance = |k: &usize| (theirs[*k].value - one.value).norm();
+        let distance = |k: &usize| (theirs[*k].value - one.value).modulus();
         let nearest = (0..theirs.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
         let Some(other) = nearest.map(|k| theirs.swap_remove(k)) else { continue };
-        found.add((other.value - one.value).norm() / (other.error + one.error));
+        found.add((other.value - one.value).modulus() / (other.error + one.error));
     }
 }
 

@@ -13,6 +13,7 @@ use judder_exchange::universal::{
     write_units,
 };
 use judder_keys::cause::Cause;
+use judder_numerics::complex::ElementaryComplex;
 use judder_store::Results;
 use judder_structure::freedom::Direction;
 use judder_structure::receptance::{Receptance as Found, receptances};
@@ -131,16 +132,16 @@ pub(super) struct ToldReceptance {
 impl ToldReceptance {
     fn new(frequency: Vec<f64>, receptance: Vec<Complex64>, found: &[Found]) -> Self {
         let finite = frequency.iter().zip(&receptance).filter(|(_, value)| value.is_finite());
-        let largest = finite.max_by(|a, b| a.1.norm().total_cmp(&b.1.norm()));
+        let largest = finite.max_by(|a, b| a.1.modulus().total_cmp(&b.1.modulus()));
         let (peak_frequency_hz, peak_m_per_n) =
-            largest.map_or((f64::NAN, f64::NAN), |(at, value)| (*at, value.norm()));
+            largest.map_or((f64::NAN, f64::NAN), |(at, value)| (*at, value.modulus()));
         let residual = found.iter().map(|own| own.residual).collect();
         Self { points: found.len(), peak_frequency_hz, peak_m_per_n, frequency, receptance, residual }
     }
 }
 
 fn checks(found: &[Found]) -> Vec<CheckRecord> {
-    let difference = |own: &Found| (own.value - own.transposed).norm() / own.largest;
+    let difference = |own: &Found| (own.value - own.transposed).modulus() / own.largest;
     let known = || found.iter().filter(|own| own.value.is_finite());
     vec![
         CheckRecord::new(

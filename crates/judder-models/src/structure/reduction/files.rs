@@ -111,7 +111,7 @@ fn receptances(form: &ModalForm, limit: f64) -> Option<(f64, Vec<Vec<f64>>)> {
 
 /// The next of 1, 2, 5, 10 … times a power of ten: the file holds six digits of it.
 fn round_step(least: f64) -> f64 {
-    let power = 10_f64.powf(least.log10().floor());
+    let power = libm::pow(10_f64, libm::log10(least).floor());
     [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power).into_iter().find(|step| *step >= least).unwrap_or(0.0)
 }
 

@@ -53,7 +53,7 @@ pub(super) const NEGATIVE_NEAR: MeasuredClaim<Contact> = statement(
             })
             .collect();
         let found: Vec<f64> = crossings.iter().flatten().copied().collect();
-        let typical = (found.iter().map(|v| v.ln()).sum::<f64>() / found.len() as f64).exp();
+        let typical = libm::exp(found.iter().map(|v| libm::log(*v)).sum::<f64>() / found.len() as f64);
         let shown: Vec<String> = crossings.iter().map(|v| v.map_or("never".to_owned(), short)).collect();
         // a mean of nothing is NaN, which is in no range
         measured(shown.join(", "), (0.5e-2..2e-2).contains(&typical))

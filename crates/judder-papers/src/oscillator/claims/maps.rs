@@ -41,7 +41,7 @@ fn disagreement(contact: &Contact, normal_load: f64) -> Vec<f64> {
         .filter(|velocity| {
             let found = strengths(contact, *velocity, normal_load);
             match (visible(&found.full), visible(&found.conservative)) {
-                (Some(full), Some(conservative)) => (full / conservative).ln().abs() > 0.1,
+                (Some(full), Some(conservative)) => libm::log(full / conservative).abs() > 0.1,
                 (None, None) => false,
                 _ => true,
             }

@@ -224,7 +224,7 @@ fn beside(cycle: &Map<String, Value>) -> String {
         .get("floquet_multipliers")
         .and_then(|m| serde_json::from_value(m.clone()).ok())
         .unwrap_or_default();
-    let sizes = multipliers.iter().filter(|m| **m != [1.0, 0.0]).map(|[re, im]| re.hypot(*im));
+    let sizes = multipliers.iter().filter(|m| **m != [1.0, 0.0]).map(|[re, im]| libm::hypot(*re, *im));
     format!(
         "; cycle: rms {}, period {}, |multiplier| {}",
         short(of("rms")),

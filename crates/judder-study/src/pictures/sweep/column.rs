@@ -139,7 +139,7 @@ impl PointColumn {
             return Axis::linear(&self.label);
         };
         let decades = DECADES[usize::from(!self.has_both_signs())];
-        let even = 10_f64.powf(small.max(EVEN * large).log10().floor());
+        let even = libm::pow(10_f64, libm::log10(small.max(EVEN * large)).floor());
         match large / small {
             ratio if !(ratio.is_finite() && ratio > decades && even > 1e-280) => Axis::linear(&self.label),
             _ if self.values.iter().all(|value| value.is_nan() || *value > 0.0) => Axis::log(&self.label),

@@ -14,8 +14,8 @@ use judder_models::template::template;
 use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::file::CaseFile;
+use judder_study::maker;
 use judder_study::run::{self, Computed, RunOptions};
-use judder_study::version;
 
 use serde_json::json;
 use std::path::Path;
@@ -42,7 +42,7 @@ pub fn beams_paper(folder: &Path, quick: bool, progress: &dyn Progress) -> Resul
     summary.extra.insert(KEY.to_owned(), json!({ "paper": PAPER, "quick": quick, "scoreboard": scoreboard }));
     store.write_summary(&summary, None)?;
     let page = page::write(&store, &summary)?;
-    store.seal(version())?;
+    store.seal(maker())?;
     let columns = vec!["ours".to_owned()];
     let lacking = [lacking, page.lacking()].concat();
     Ok(Reproduction { folder: folder.to_owned(), report: page.path, columns, scoreboard, lacking })

@@ -17,7 +17,7 @@ mod reproduction;
 mod summary;
 
 use judder_study::report::{self, WrittenPage};
-use judder_study::{StudyError, version};
+use judder_study::{StudyError, maker};
 use std::path::Path;
 use summary::KEY;
 
@@ -43,6 +43,6 @@ pub fn rebuild(folder: &Path, output: Option<&Path>) -> Result<WrittenPage, Stud
         Some(Some(beams::PAPER)) => beams::page::write(&store, &summary),
         Some(_) => oscillator::page::write(&store, &summary),
     }?;
-    store.seal_as_before(version())?;
+    store.seal_as_before(maker())?;
     Ok(page)
 }

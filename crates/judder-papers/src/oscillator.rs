@@ -28,10 +28,10 @@ use judder_study::analyses;
 use judder_study::case::file::CaseFile;
 use judder_study::kept::KeptLines;
 use judder_study::ledger::Study;
+use judder_study::maker;
 use judder_study::model::{Case, Prepared, Task};
 use judder_study::outcome::Outcome;
 use judder_study::run::analysis_hash;
-use judder_study::version;
 use motion_exhibits::{MotionRun, WAYS};
 use rayon::prelude::*;
 use readings::{READINGS, ReadLaw, Reading};
@@ -81,7 +81,7 @@ pub fn oscillator_paper(
     study.summary.wall_time_s = start.elapsed().as_secs_f64();
     store.write_summary(&study.summary, None)?;
     let page = page::write(&store, &study.summary)?;
-    store.seal(version())?;
+    store.seal(maker())?;
     let lacking = [study.lacking(&names), page.lacking()].concat();
     let columns = READINGS.iter().map(|reading| reading.plain.to_owned()).collect();
     Ok(Reproduction { folder: folder.to_owned(), report: page.path, columns, scoreboard, lacking })

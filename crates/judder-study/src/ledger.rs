@@ -3,7 +3,7 @@
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
-use crate::version::version;
+use crate::version::{maker, version};
 use crate::way::way;
 use judder_store::{AnalysisRecord, FileDamage, Status, StoreError, StudyFolder, Summary, content_hash};
 use serde::{Deserialize, Serialize};
@@ -200,7 +200,7 @@ impl<'a> Study<'a> {
             Err(error) => self.kept.record(&mut self.summary, name, Err(error), took)?,
         };
         self.store.write_summary(&self.summary, Some(name))?;
-        self.store.keep_manifest(version())?;
+        self.store.keep_manifest(maker())?;
         Ok(refused)
     }
 }

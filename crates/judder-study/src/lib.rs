@@ -18,6 +18,7 @@
 //! - [`report`], [`report_tables`]: figures and page of a study folder, rebuilt from what is stored.
 //! - [`study_view`]: a study folder for a page, not held: what it holds, parts of its arrays.
 //! - [`fn@version`]: which judder this is, as studies are stamped with it.
+//! - [`maker`]: that and the processor, as files are.
 //! - [`resolve`], [`text`]: what `judder check` shows. [`fault_told`]: what a panic says.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
@@ -53,4 +54,4 @@ pub use error::{ModelFault, StudyError};
 pub use fault::fault_told;
 pub use progress::{Progress, Silent, Untold};
 pub use registry::Registry;
-pub use version::{name_version, version};
+pub use version::{maker, name_version, version};

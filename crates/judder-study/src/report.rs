@@ -7,7 +7,7 @@ use crate::outcome::CheckRecord;
 use crate::pictures;
 use crate::registry::{Registry, ToldAnalysis};
 use crate::report_tables;
-use crate::version::version;
+use crate::version::maker;
 use judder_report::page::{Check, Code, Details, PageTable};
 use judder_report::{Figure, Page, PageBlock, PageSection, UndrawnFigure, html, png, svg};
 use judder_store::{Status, StudyFolder, Summary};
@@ -102,7 +102,7 @@ pub fn write_copied(registry: Registry, folder: &Path) -> Result<WrittenPage, St
     Keepsakes { file: None, ..Keepsakes::of(&summary) }.put(&mut summary);
     store.write_summary(&summary, None)?;
     let page = write(registry, &store, &summary)?;
-    store.seal_as_before(version())?;
+    store.seal_as_before(maker())?;
     Ok(page)
 }
 

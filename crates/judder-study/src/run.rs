@@ -23,7 +23,7 @@ use crate::registry::Registry;
 use crate::report::{self, WrittenPage};
 use crate::sweep::{Shard, SweepEstimate, SweepPlan};
 use crate::terminal_tables;
-use crate::version::version;
+use crate::version::maker;
 use analyses::{AnalysisRunner, shared};
 use asked::AskedCase;
 use judder_store::{Status, StudyFolder, Summary};
@@ -216,7 +216,7 @@ impl Computed {
         let drawn = || announced(progress, "drawing figures and report", draw);
         let report = if options.without_report { None } else { Some(drawn()?) };
         let undrawn = report.as_ref().map(WrittenPage::lacking).unwrap_or_default();
-        store.seal(version())?;
+        store.seal(maker())?;
         let folder = store.path().to_owned();
         Ok(RunReport {
             folder,
@@ -304,7 +304,7 @@ fn compute_in(
     }
     study.summary.wall_time_s = start.elapsed().as_secs_f64();
     store.write_summary(&study.summary, None)?;
-    store.keep_manifest(version())?;
+    store.keep_manifest(maker())?;
     let wanted = asked.wanted();
     let lacking = study.kept.lacking(&study.summary, &wanted);
     let messages = messages(&study.summary, &study.kept, &refused);

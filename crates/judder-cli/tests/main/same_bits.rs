@@ -15,7 +15,9 @@ fn stored(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
         .into_iter()
         .filter(|path| path.is_file())
         .map(|path| (path.strip_prefix(folder).unwrap().to_owned(), fs::read(&path).unwrap()))
-        .filter(|(path, _)| !["summary.json", "manifest.json", "report.html"].iter().any(|own| path == Path::new(own)))
+        .filter(|(path, _)| {
+            !["summary.json", "manifest.json", "report.html"].iter().any(|own| path == Path::new(own))
+        })
         .collect()
 }
 
@@ -54,7 +56,11 @@ fn an_old_c_library_tells_the_same_of_an_oscillator() {
 
 #[test]
 fn an_old_c_library_tells_the_same_of_small_cases() {
-    are_the_same(&["benchmarks/belt-in-si.toml", "benchmarks/damped-hopf.toml", "contact/sliding-sphere.toml"]);
+    are_the_same(&[
+        "benchmarks/belt-in-si.toml",
+        "benchmarks/damped-hopf.toml",
+        "contact/sliding-sphere.toml",
+    ]);
 }
 
 #[test]

@@ -11,7 +11,7 @@ use crate::model::{Task, placed};
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use crate::report;
-use crate::version::version;
+use crate::version::{maker, version};
 use judder_report::svg;
 use judder_store::{StudyFolder, Summary, VariableValues};
 use serde_json::Value;
@@ -183,6 +183,6 @@ impl HeldStudy {
         if with_report {
             report::write(self.file.registry(), &store, &study.summary)?;
         }
-        Ok(store.seal(version())?)
+        Ok(store.seal(maker())?)
     }
 }

@@ -45,5 +45,6 @@ def test_every_crate_forbids_functions_whose_bits_are_the_machines():
     """Derive macros compute nothing that is stored."""
     line = "#![cfg_attr(not(test), warn(clippy::disallowed_methods))]"
     roots = [path for path in SOURCES if path.name in ("lib.rs", "main.rs") and path.parent.name == "src" and "-derive" not in str(path)]
-    assert len(roots) > 20
-    assert not [str(path.relative_to(ROOT)) for path in roots if line not in path.read_text("utf-8").splitlines()]
+    assert len(roots) >= 20, len(roots)
+    without = [str(path.relative_to(ROOT)) for path in roots if line not in path.read_text("utf-8").splitlines()]
+    assert without == []

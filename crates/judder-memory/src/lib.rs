@@ -3,6 +3,8 @@
 //! - [`MemoryBudget`]: what may be taken, and the refusal [`BeyondMemory`].
 //! - `free`: what the system says is free.
 
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+
 mod free;
 
 use std::fmt;

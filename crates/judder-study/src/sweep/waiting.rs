@@ -108,7 +108,8 @@ mod tests {
     #[test]
     fn who_shows_no_sign_of_life_is_not_waited_for() {
         let (heard, folder) = (Heard::default(), Path::new("nobody-has-it"));
-        let mut waiting = Waiting { patience: Duration::from_millis(700), ..Waiting::new(&heard) };
+        let mut waiting = Waiting::new(&heard);
+        waiting.patience = Duration::from_millis(700);
         let began = Instant::now();
         let error = loop {
             if let Err(error) = waiting.pause(lock_sign(folder)) {

@@ -63,7 +63,7 @@ class GuardedStore(WrapperStore["Store"]):
             # looked at after the values: what is replaced in between is found out
             self._check(await self._store.get(own, prototype))
             if content is None:
-                message = f"{self._folder}/results.zarr/{key}: this part of `{self._name}` is not there; `judder run --fresh` computes it again"
+                message = f"{self._folder}/results.zarr/{key}: this part of `{self._name}` is not there; `judder run` computes it again"
                 raise StoreError(message, "MissingChunk", {"path": f"{self._folder}/results.zarr/{key}"})
         if content is not None and byte_range is None:
             self._compare(f"results.zarr/{key}", content)
@@ -73,12 +73,7 @@ class GuardedStore(WrapperStore["Store"]):
         """Refuses a file that is not as it was written."""
         if path in self._files:
             size, expected = self._files[path]
-            if len(content) != size or _judder.content_hash_of(content.to_bytes()) != expected:
-                place = f"{self._folder}/{path}"
-                if "/values/c." in path:
-                    raise StoreError(f"{place}: this chunk is damaged; `judder run` computes it again", "DamagedChunk", {"path": place})
-                message = f"{place}: its content is not what was written; `judder run` computes `{self._name}` again and keeps the others"
-                raise StoreError(message, "Damaged", {"path": place})
+            _judder.vouch_for_content(f"{self._folder}/{path}", size, expected, content.to_bytes())
 
     def _check(self, metadata: Buffer | None) -> None:
         """Refuses the metadata of another group than the reader's."""

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from judder._keys import FrictionLoad, Keys, LawName
 from judder.contact import LawResponse
-from judder.errors import JudderError
+from judder.errors import JudderError, StoreError
 from judder.sliding import Observed, Slider, Track
 
 __all__ = [
@@ -25,12 +25,13 @@ __all__ = [
     "command",
     "computed_analysis",
     "contact_solution",
-    "content_hash_of",
     "copied_study",
     "declared_models",
     "embedded_examples",
+    "foreign_chunk",
     "held_analysis",
     "held_case",
+    "listed_files",
     "oscillator_map",
     "oscillator_points",
     "point",
@@ -44,7 +45,9 @@ __all__ = [
     "sliding_march",
     "template_text",
     "text_of_case",
+    "unusable_chunk",
     "verified_study",
+    "vouch_for_content",
     "vouch_for_summary",
     "written_example",
 ]
@@ -337,7 +340,10 @@ def schema_text() -> str: ...
 def rebuilt_report(folder: str) -> tuple[str, list[str]]: ...
 def verified_study(folder: str) -> str: ...
 def vouch_for_summary(folder: str, manifest: bytes, summary: bytes) -> None: ...
-def content_hash_of(content: bytes) -> str: ...
+def vouch_for_content(path: str, bytes: int, hash: str, content: bytes) -> None: ...
+def unusable_chunk(path: str, part: str | None = None) -> StoreError: ...
+def foreign_chunk(path: str, expected: str, found: str) -> StoreError: ...
+def listed_files(folder: str, below: str) -> None: ...
 def reproduced_paper(paper: str, *, quick: bool, output: str | None, threads: int | None, progress: _Progress | None) -> str: ...
 def embedded_examples(name: str | None = None) -> list[tuple[str, str, str, str, str, list[tuple[str, bytes]]]]: ...
 def written_example(name: str, folder: str) -> str: ...

@@ -16,7 +16,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from judder import _columns, _toml, _written
+from judder import _columns, _judder, _toml, _written
 from judder._columns import wrong
 from judder._judder import Law
 from judder._keys import FILES, ROWS
@@ -87,6 +87,7 @@ class CaseSource:
         """Copies the files into a study folder, which then has all that its case needs."""
         if self._files.folder is not None:
             shutil.copytree(os.path.join(self._files.folder, INPUTS), os.path.join(folder, INPUTS), dirs_exist_ok=True)
+            _judder.listed_files(os.fspath(folder), INPUTS)
 
     def plain(self, text: str) -> str:
         """A text without the folder of the files: the names of these are those of keys."""

@@ -12,7 +12,7 @@ from itertools import islice, product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from judder import _places
+from judder import _judder, _places
 from judder._numpy import np
 from judder.errors import StoreError
 
@@ -175,7 +175,7 @@ def damaged(folder: Path | RemotePath, name: str, block: tuple[slice, ...]) -> S
             return error
         # what codecs raise for a checksum, a length, a stream that is none
         except (ValueError, RuntimeError):
-            return _unreadable(str(values / own_name), "DamagedChunk", "is damaged")
+            return _judder.unusable_chunk(str(values / own_name), "values")
     return None
 
 
@@ -198,9 +198,9 @@ def _record(folder: Path | RemotePath, name: str, tail: bytes | None, expected: 
     """The record of a chunk of the sweep of this hash: JSON before the last 48 bytes, which hold its checksum, its length and a mark."""
     path = str(folder / name)
     if tail is None:
-        raise _unreadable(path, "MissingChunk", "is not there")
+        raise _judder.unusable_chunk(path)
     if not tail.endswith(_MAGIC) or len(tail) < _TRAILER:
-        raise _unreadable(path, "DamagedChunk", "is damaged")
+        raise _judder.unusable_chunk(path, "end")
     length = int.from_bytes(tail[-16:-8], "little")
     if length + _TRAILER > len(tail):
         (longer,) = _places.tails(folder, [name], length + _TRAILER)
@@ -208,16 +208,12 @@ def _record(folder: Path | RemotePath, name: str, tail: bytes | None, expected: 
     try:
         record: dict[str, Any] = json.loads(tail[-length - _TRAILER : -_TRAILER])
     except ValueError:
-        raise _unreadable(path, "DamagedChunk", "is damaged") from None
+        raise _judder.unusable_chunk(path, "record") from None
     if record.get("hash") != expected:
-        raise _unreadable(path, "ForeignChunk", "is of another sweep")
+        raise _judder.foreign_chunk(path, expected, str(record.get("hash")))
     return record
 
 
 def _named(place: tuple[int, ...]) -> str:
     """The file of a chunk."""
     return ".".join(["c", *map(str, place), "0"])
-
-
-def _unreadable(path: str, cause: str, what: str) -> StoreError:
-    return StoreError(f"{path}: this chunk {what}; `judder run` computes it again", cause, {"path": path})

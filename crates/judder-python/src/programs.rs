@@ -7,8 +7,9 @@ use judder_examples::{Example, example, examples};
 use judder_explorer::{Explorer, ViewedCase};
 use judder_models::template::template;
 use judder_papers::{Paper, rebuild};
-use judder_store::{content_hash, verify, vouch_for};
-use judder_study::{Progress, StudyError};
+use judder_store::{ChunkDamage, StoreError, StudyFolder, verify, vouch_for, vouch_for_file};
+use judder_study::{Progress, StudyError, version};
+use pyo3::exceptions::PyBaseException;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::path::PathBuf;
@@ -53,10 +54,47 @@ pub(crate) fn vouch_for_summary(folder: PathBuf, manifest: &[u8], summary: &[u8]
     vouch_for(&folder, manifest, summary).map_err(|error| errors::study(&error.into()))
 }
 
-/// The hash of some bytes, as manifests have it.
+/// Lists the files below a folder of a study; where others are at work on it, whoever completes it may do so.
 #[pyfunction]
-pub(crate) fn content_hash_of(content: &[u8]) -> String {
-    content_hash(content)
+pub(crate) fn listed_files(folder: PathBuf, below: &str) -> PyResult<()> {
+    let listed = StudyFolder::open(folder).and_then(|study| {
+        study.list_files(below)?;
+        study.seal_as_before(version())
+    });
+    match listed {
+        Err(StoreError::Locked { .. } | StoreError::NoStudy { .. }) => Ok(()),
+        listed => listed.map_err(|error| errors::store(&error)),
+    }
+}
+
+/// Refuses the content of a file of a study that is not of this size with this hash.
+#[pyfunction]
+pub(crate) fn vouch_for_content(path: PathBuf, bytes: u64, hash: &str, content: &[u8]) -> PyResult<()> {
+    vouch_for_file(&path, bytes, hash, content).map_err(|error| errors::store(&error))
+}
+
+/// The error of a chunk that is not there; with `part` of one of which that part is damaged, its end, its `record` or its `values`.
+#[pyfunction]
+#[pyo3(signature = (path, part=None))]
+pub(crate) fn unusable_chunk(py: Python<'_>, path: PathBuf, part: Option<&str>) -> Py<PyBaseException> {
+    let error = match part {
+        None => StoreError::MissingChunk { path },
+        Some("record") => StoreError::DamagedChunk { path, damage: ChunkDamage::Record },
+        Some("values") => StoreError::DamagedChunk { path, damage: ChunkDamage::Values },
+        Some(_) => StoreError::DamagedChunk { path, damage: ChunkDamage::NoRecord },
+    };
+    errors::store(&error).into_value(py)
+}
+
+/// The error of a chunk of another case.
+#[pyfunction]
+pub(crate) fn foreign_chunk(
+    py: Python<'_>,
+    path: PathBuf,
+    expected: String,
+    found: String,
+) -> Py<PyBaseException> {
+    errors::store(&StoreError::ForeignChunk { path, expected, found }).into_value(py)
 }
 
 /// Recomputes a paper; its scoreboard as JSON.

@@ -77,7 +77,7 @@ pub enum StoreError {
         source: io::Error,
     },
     /// `summary.json` is damaged or was made by something else.
-    #[error("{}: not a summary of judder ({source}); `judder run --fresh` recomputes everything and replaces it, -o names another folder", path.display())]
+    #[error("{}: not a summary of judder ({source}); of a study with a `manifest.json` `judder run` computes it anew, else `judder run --fresh` replaces it, and -o names another folder", path.display())]
     SummaryUnreadable {
         /// The summary.
         path: PathBuf,
@@ -127,7 +127,7 @@ pub enum StoreError {
         path: PathBuf,
     },
     /// Stored arrays are damaged, or of a form that judder does not write.
-    #[error("{}: stored results cannot be read ({source}); `judder run --fresh` recomputes them", path.display())]
+    #[error("{}: stored results cannot be read ({source}); `judder run` computes them again where `judder verify` calls them damaged, `judder run --fresh` computes all anew", path.display())]
     DatasetUnreadable {
         /// The group, array or metadata file concerned.
         path: PathBuf,
@@ -339,7 +339,7 @@ pub enum StoreError {
         found: String,
     },
     /// A chunk is not as it was written.
-    #[error("{}: this chunk cannot be used: {damage}; the next run computes it again", path.display())]
+    #[error("{}: this chunk is damaged: {damage}; `judder run` computes it again", path.display())]
     DamagedChunk {
         /// The file of the chunk.
         path: PathBuf,

@@ -1,6 +1,9 @@
 //! The folder of one study.
+//!
+//! - `listed.rs`: what of it is on the list of what it holds, and how it comes there.
 
-use std::collections::BTreeMap;
+mod listed;
+
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
@@ -9,15 +12,13 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use serde_json::{Map, Value};
 
 use crate::lock::{self, Lock, LockMode};
-use crate::manifest::{self, FileRecord, ManifestKeeper};
+use crate::manifest::{self, ManifestKeeper};
 use crate::metadata;
 use crate::name::check_name;
 use crate::staging::{self, Stage};
 use crate::sweep::{self, SweepLayout, SweepStore};
 use crate::zarr::Elsewhere;
-use crate::{
-    Dataset, FileDamage, Scratch, Status, StoreError, Summary, Table, results, scratch, summary, zarr,
-};
+use crate::{Dataset, Scratch, Status, StoreError, Summary, Table, results, scratch, summary, zarr};
 
 /// The folder of one study, held by this process alone until dropped.
 ///
@@ -164,7 +165,7 @@ impl StudyFolder {
         let below = format!("{}/{analysis}/", results::FOLDER);
         self.manifest().take_off(|path, _| path.starts_with(&below))?;
         results::write(&self.path, &self.publishing, analysis, hash, dataset, elsewhere)?;
-        self.manifest().list_folder(analysis, &self.path.join(below))
+        self.manifest().list_folder(Some(analysis), &self.path.join(below))
     }
 
     /// Reads the arrays of an analysis back.
@@ -229,109 +230,6 @@ impl StudyFolder {
         Ok(recorded && is_listed && zarr::stored_hash(&group).is_some_and(|stored| stored == hash))
     }
 
-    /// Writes anew what frames the chunks of a sweep, coordinates and metadata, where that is known to be damaged; whether it was. The sweep then has
-    /// to be finished again.
-    ///
-    /// # Errors
-    /// Failures of the file system.
-    pub fn mend_sweep(&self, layout: &SweepLayout) -> Result<bool, StoreError> {
-        let below = format!("{}/{}/", results::FOLDER, layout.name());
-        let chunks = format!("{below}{}", sweep::CHUNKS);
-        let is_frame = |path: &str| path.starts_with(&below) && !path.starts_with(&chunks);
-        if self.refuse_damaged(&below, is_frame).is_ok() {
-            return Ok(false);
-        }
-        self.manifest().begin(&[layout.name()])?;
-        sweep::mend(&self.path, layout)?;
-        self.consolidate()?;
-        Ok(true)
-    }
-
-    /// Lists all files of a sweep whose chunks are all there.
-    ///
-    /// # Errors
-    /// Failures of the file system.
-    pub fn list_sweep(&self, name: &str) -> Result<(), StoreError> {
-        let group = self.group(name)?;
-        self.manifest().list_folder(name, &group)
-    }
-
-    /// Takes these results off the list of what the study holds, before they are computed anew: a run that is killed then leaves no list that names
-    /// what it was about to replace.
-    ///
-    /// # Errors
-    /// Failures of the file system.
-    pub fn begin_results(&self, names: &[&str]) -> Result<(), StoreError> {
-        self.manifest().begin(names)
-    }
-
-    /// What of the results that the summary calls done is not as it was written, by the names of the results: their files, all of which are read, and
-    /// what the summary tells of them. A result that is not on the list of what the study holds was being written when a run ended.
-    #[must_use]
-    pub fn damages(&self, summary: &Summary) -> BTreeMap<String, Vec<(String, FileDamage)>> {
-        let keeper = self.manifest();
-        let done = summary.analyses.iter().filter(|(_, record)| record.status == Status::Done);
-        let found = done.map(|(name, _)| (name.clone(), keeper.damages(name, summary)));
-        found.filter(|(_, damages)| !damages.is_empty()).collect()
-    }
-
-    /// Whether the study has a list of what it holds.
-    #[must_use]
-    pub fn has_manifest(&self) -> bool {
-        self.manifest().is_on_disk()
-    }
-
-    /// Writes `manifest.json`, the list of what the study holds, while more is being computed. `build` names the program.
-    ///
-    /// # Errors
-    /// Failures of the file system.
-    pub fn keep_manifest(&self, build: &str) -> Result<(), StoreError> {
-        self.manifest().keep(build, false)
-    }
-
-    /// Writes `manifest.json` for a study to which nothing is to be added: the last that a run does. The metadata of all arrays together, which follow
-    /// from those of each, are written anew where they are not what follows.
-    ///
-    /// # Errors
-    /// Failures of the file system.
-    pub fn seal(&self, build: &str) -> Result<(), StoreError> {
-        let publishing = self.publishing.lock().unwrap_or_else(PoisonError::into_inner);
-        results::consolidate(&self.path)?;
-        drop(publishing);
-        self.manifest().keep(build, true)
-    }
-
-    /// Writes `manifest.json` after something was drawn anew; a study that was not complete is no more so than before.
-    ///
-    /// # Errors
-    /// Failures of the file system.
-    pub fn seal_as_before(&self, build: &str) -> Result<(), StoreError> {
-        if self.output.is_some() {
-            return Ok(());
-        }
-        let mut keeper = self.manifest();
-        let was_complete = keeper.was_complete();
-        keeper.keep(build, was_complete)
-    }
-
-    /// Refuses a summary of which nothing says that it is what was written.
-    ///
-    /// # Errors
-    /// [`StoreError::NoManifest`], [`StoreError::NotListed`], [`StoreError::Damaged`].
-    pub fn vouch(&self, summary: &Summary) -> Result<(), StoreError> {
-        let damaged = |damage| Err(StoreError::Damaged { path: self.path.join(summary::FILE), damage });
-        let keeper = self.manifest();
-        if !keeper.is_on_disk() {
-            return Err(StoreError::NoManifest { path: self.path.clone() });
-        }
-        if let Some(name) =
-            summary.analyses.keys().find(|name| !keeper.manifest().results.contains_key(*name))
-        {
-            return Err(StoreError::NotListed { path: self.path.clone(), name: name.clone() });
-        }
-        if let Some(damage) = keeper.damage_of_summary(summary) { damaged(damage) } else { Ok(()) }
-    }
-
     /// What an analysis has kept under this hash before it was interrupted, and where it keeps more.
     ///
     /// # Errors
@@ -393,6 +291,16 @@ impl StudyFolder {
         relative: &Path,
         content: &[u8],
     ) -> Result<PathBuf, StoreError> {
+        let path = self.inner_place(relative)?;
+        let folder = path.parent().unwrap_or(&self.path);
+        fs::create_dir_all(folder)
+            .map_err(|source| StoreError::write(&path, content.len() as u64, source))?;
+        self.put(analysis, &path, content)?;
+        Ok(path)
+    }
+
+    /// Where a relative path leads, which is inside the study folder and none of the store's own files.
+    fn inner_place(&self, relative: &Path) -> Result<PathBuf, StoreError> {
         let outside = || StoreError::OutsideFolder { path: relative.to_owned() };
         if !is_plain_place(relative) {
             return Err(outside());
@@ -400,52 +308,15 @@ impl StudyFolder {
         let root = self.output.as_ref().unwrap_or(&self.path);
         let path = root.join(relative);
         let folder = path.parent().unwrap_or(root);
-        let failed = |source| StoreError::write(&path, content.len() as u64, source);
+        let failed = |source| StoreError::read(&path, source);
         // Asked before any folder is made: a link may lead elsewhere.
         let existing = folder.ancestors().find(|ancestor| ancestor.exists()).unwrap_or(folder);
         let real = existing.canonicalize().map_err(failed)?;
-        if !real.starts_with(root.canonicalize().map_err(failed)?) {
-            return Err(outside());
-        }
-        fs::create_dir_all(folder).map_err(failed)?;
-        self.put(analysis, &path, content)?;
-        Ok(path)
-    }
-
-    /// Puts a file in its place, and on the list of what the study holds.
-    fn put(&self, of: Option<&str>, path: &Path, content: &[u8]) -> Result<(), StoreError> {
-        if let Some(output) = &self.output {
-            return staging::write_file(output, path, content);
-        }
-        let relative = manifest::relative(&self.path, path);
-        let relative = relative.ok_or_else(|| StoreError::OutsideFolder { path: path.to_owned() })?;
-        self.manifest().take_off(|listed, _| listed == relative)?;
-        staging::write_file(&self.path, path, content)?;
-        self.manifest().list(relative, FileRecord::new(of, content));
-        Ok(())
+        if real.starts_with(root.canonicalize().map_err(failed)?) { Ok(path) } else { Err(outside()) }
     }
 
     fn manifest(&self) -> MutexGuard<'_, ManifestKeeper> {
         self.manifest.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// Refuses files on the list below this path, or at it, that are not as they were written.
-    fn refuse_damaged(&self, below: &str, is_read: impl Fn(&str) -> bool) -> Result<(), StoreError> {
-        let keeper = self.manifest();
-        let listed =
-            keeper.manifest().files.iter().filter(|(path, _)| path.starts_with(below) && is_read(path));
-        for (path, record) in listed {
-            let path = self.path.join(path);
-            manifest::check(&path, record, true).map_err(|damage| StoreError::Damaged { path, damage })?;
-        }
-        Ok(())
-    }
-
-    /// What is wrong with a file that is on the list.
-    fn damage_of(&self, file: &Path) -> Option<FileDamage> {
-        let keeper = self.manifest();
-        let record = keeper.manifest().files.get(&manifest::relative(&self.path, file)?)?;
-        manifest::check(file, record, true).err()
     }
 
     /// The folder of an analysis in the store.

@@ -19,10 +19,10 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use crate::{StoreError, Summary, content_hash, plain, results, staging, summary};
+use crate::{ChunkDamage, StoreError, Summary, content_hash, plain, results, staging, summary, sweep};
 
 pub(crate) use keeper::{ManifestKeeper, files_below, relative};
-pub use look::FileDamage;
+pub use look::{FileDamage, SoundFiles};
 pub(crate) use look::{check, hash_of};
 pub(crate) use reader::ManifestReader;
 
@@ -68,6 +68,11 @@ impl FileRecord {
     pub(crate) fn new(of: Option<&str>, content: &[u8]) -> Self {
         let (bytes, hash) = (content.len() as u64, content_hash(content));
         Self { bytes, hash, of: of.map(str::to_owned), build: String::new() }
+    }
+
+    /// Whether this is the content that was written.
+    fn is_of(&self, content: &[u8]) -> bool {
+        self.bytes == content.len() as u64 && self.hash == content_hash(content)
     }
 }
 
@@ -126,6 +131,18 @@ impl Manifest {
         self.results.iter().any(|(name, hash)| *hash != told(summary, name))
     }
 
+    /// Refuses a summary that is not what was written: its file, or what it tells of results that are listed.
+    ///
+    /// # Errors
+    /// [`StoreError::Damaged`].
+    pub(crate) fn vouch(&self, study: &Path, content: &[u8], summary: &Summary) -> Result<(), StoreError> {
+        let is_listed = |record: &FileRecord| record.is_of(content);
+        if self.files.get(summary::FILE).is_none_or(is_listed) && !self.is_other(summary) {
+            return Ok(());
+        }
+        Err(StoreError::Damaged { path: study.join(summary::FILE), damage: FileDamage::Content })
+    }
+
     /// The files of an analysis or a sweep.
     pub(crate) fn files_of(&self, name: &str) -> impl Iterator<Item = (&String, &FileRecord)> {
         self.files.iter().filter(move |(_, record)| record.of.as_deref() == Some(name))
@@ -139,18 +156,25 @@ impl Manifest {
 pub fn vouch_for(study: &Path, manifest: &[u8], content: &[u8]) -> Result<(), StoreError> {
     let path = study.join(summary::FILE);
     let manifest = Manifest::from_content(&study.join(FILE), manifest)?;
-    let record = manifest.files.get(summary::FILE);
-    if record
-        .is_some_and(|record| record.bytes != content.len() as u64 || record.hash != content_hash(content))
-    {
-        return Err(StoreError::Damaged { path, damage: FileDamage::Content });
-    }
     match serde_json::from_slice::<Summary>(content) {
         Err(source) => Err(StoreError::SummaryUnreadable { path, source }),
-        Ok(summary) if manifest.is_other(&summary) => {
-            Err(StoreError::Damaged { path, damage: FileDamage::Content })
+        Ok(summary) => manifest.vouch(study, content, &summary),
+    }
+}
+
+/// Refuses the content of a file of a study that is not of this size with this hash, as its manifest has them; for studies that lie elsewhere.
+///
+/// # Errors
+/// [`StoreError::DamagedChunk`] for a chunk of a sweep, else [`StoreError::Damaged`].
+pub fn vouch_for_file(path: &Path, bytes: u64, hash: &str, content: &[u8]) -> Result<(), StoreError> {
+    let record = FileRecord { bytes, hash: hash.to_owned(), of: None, build: String::new() };
+    let path = path.to_owned();
+    match record.is_of(content) {
+        true => Ok(()),
+        false if sweep::is_chunk(&path) => {
+            Err(StoreError::DamagedChunk { path, damage: ChunkDamage::Values })
         }
-        Ok(_) => Ok(()),
+        false => Err(StoreError::Damaged { path, damage: FileDamage::Content }),
     }
 }
 

@@ -47,6 +47,12 @@ pub(crate) fn write_file(study: &Path, target: &Path, content: &[u8]) -> Result<
     write().map_err(|source| StoreError::write(target, content.len() as u64, source))
 }
 
+/// Puts a staged file or folder in the place of whatever stands there, a folder among it.
+pub(crate) fn put(staged: &Path, target: &Path) -> io::Result<()> {
+    remove(target)?;
+    rename(staged, target)
+}
+
 /// Renames a staged file or folder to a place where there is nothing, or a file to replace.
 pub(crate) fn rename(staged: &Path, target: &Path) -> io::Result<()> {
     fs::rename(staged, target)?;

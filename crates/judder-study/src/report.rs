@@ -18,6 +18,11 @@ use std::path::{Path, PathBuf};
 /// Pixels per typographic point in the PNG figures: 216 dots per inch.
 const PIXELS_PER_POINT: f64 = 3.0;
 
+/// The page of a study.
+const PAGE: &str = "report.html";
+/// How the paths of figures begin.
+const FIGURES: &str = "figures/";
+
 /// A study folder that has results, and what it says of them.
 ///
 /// # Errors
@@ -71,6 +76,8 @@ impl WrittenPage {
 /// A folder that cannot be written.
 pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Result<WrittenPage, StudyError> {
     let kept = Keepsakes::of(summary);
+    // all at once: one write of the list for all files
+    store.begin_files(|path| path == PAGE || path.starts_with(FIGURES))?;
     let mut sections = Vec::new();
     for (name, record) in in_order(summary) {
         let mut blocks = Vec::new();
@@ -285,8 +292,8 @@ pub fn write_figure(store: &StudyFolder, figure: Figure) -> Result<PageBlock, St
             return Ok(PageBlock::Undrawn(UndrawnFigure { name: figure.name, reason: reason.to_string() }));
         }
     };
-    store.write_file(format!("figures/{}.svg", figure.name), svg.as_bytes())?;
-    store.write_file(format!("figures/{}.png", figure.name), &png)?;
+    store.write_file(format!("{FIGURES}{}.svg", figure.name), svg.as_bytes())?;
+    store.write_file(format!("{FIGURES}{}.png", figure.name), &png)?;
     Ok(PageBlock::figure(figure))
 }
 

@@ -141,6 +141,13 @@ describe("exports", () => {
     );
   });
 
+  it("are no formulas", () => {
+    const named = { ...curves, layers: curves.layers.map((layer) => ({ ...layer, name: "=1+1" })) };
+    expect(chartCsv(named).split("\n")[0]).toContain("'=1+1");
+    const row = chartCsv({ ...curves, layers: [map, { kind: "rule", label: "@now", across: "x", at: -0.5, role: "reference" }] });
+    expect(row.trimEnd().split("\n").at(-1)).toBe("'@now,-0.5,,");
+  });
+
   it("of anything else are one row a point", () => {
     const spec: ChartSpec = { ...curves, layers: [map, { kind: "rule", label: "now", across: "x", at: 0.5, role: "reference" }] };
     const lines = chartCsv(spec).trimEnd().split("\n");

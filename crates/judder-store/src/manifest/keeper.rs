@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::{FileRecord, Manifest, check, hash_of, told};
+use super::{FileRecord, Manifest, SoundFiles, hash_of, told};
 use crate::{FileDamage, StoreError, Summary, results, summary};
 
 /// The manifest of a study that is held alone.
@@ -20,6 +20,8 @@ pub(crate) struct ManifestKeeper {
     now: Manifest,
     /// What the disk says; none where it says nothing.
     on_disk: Option<Manifest>,
+    /// What has been read and is as it was written.
+    sound: SoundFiles,
 }
 
 impl ManifestKeeper {
@@ -33,7 +35,8 @@ impl ManifestKeeper {
             read => read?,
         };
         let now = on_disk.clone().unwrap_or_default();
-        Ok(Self { study: study.to_owned(), was_complete: now.complete, now, on_disk })
+        let (was_complete, sound) = (now.complete, SoundFiles::default());
+        Ok(Self { study: study.to_owned(), was_complete, now, on_disk, sound })
     }
 
     /// Whether the study was complete when it was taken.
@@ -49,6 +52,16 @@ impl ManifestKeeper {
     /// What holds now.
     pub(crate) fn manifest(&self) -> &Manifest {
         &self.now
+    }
+
+    /// What has been read and is as it was written.
+    pub(crate) fn sound(&self) -> &SoundFiles {
+        &self.sound
+    }
+
+    /// Takes for sound what was so before.
+    pub(crate) fn trust(&mut self, sound: SoundFiles) {
+        self.sound = sound;
     }
 
     /// Takes off the list what these results are and have, before they are computed anew.
@@ -71,7 +84,7 @@ impl ManifestKeeper {
         let is_true = !disk.complete
             && disk.files.iter().all(|(path, _)| self.now.files.contains_key(path))
             && disk.results.keys().all(|name| self.now.results.contains_key(name));
-        if is_true { Ok(()) } else { self.write() }
+        if is_true { Ok(()) } else { self.write(self.now.clone()) }
     }
 
     /// Takes off the list all that a run from nothing forgets: the summary and all arrays, and that any result is there.
@@ -93,11 +106,11 @@ impl ManifestKeeper {
     ///
     /// # Errors
     /// A failure of the file system.
-    pub(crate) fn list_folder(&mut self, of: &str, folder: &Path) -> Result<(), StoreError> {
+    pub(crate) fn list_folder(&mut self, of: Option<&str>, folder: &Path) -> Result<(), StoreError> {
         for path in files_below(folder).map_err(|source| StoreError::read(folder, source))? {
             let (bytes, hash) = hash_of(&path).map_err(|source| StoreError::read(&path, source))?;
             if let Some(relative) = relative(&self.study, &path) {
-                let record = FileRecord { bytes, hash, of: Some(of.to_owned()), build: String::new() };
+                let record = FileRecord { bytes, hash, of: of.map(str::to_owned), build: String::new() };
                 self.list(relative, record);
             }
         }
@@ -122,7 +135,7 @@ impl ManifestKeeper {
         }
     }
 
-    /// Writes the list, of this build where that was not known.
+    /// Writes the list, of this build where that was not known. Until it is complete the summary is not on it, which changes with every result.
     ///
     /// # Errors
     /// A failure of the file system.
@@ -131,34 +144,29 @@ impl ManifestKeeper {
             build.clone_into(&mut record.build);
         });
         self.now.complete = complete;
-        if self.on_disk.as_ref() == Some(&self.now) { Ok(()) } else { self.write() }
+        let mut listed = self.now.clone();
+        if !complete {
+            listed.files.remove(summary::FILE);
+        }
+        if self.on_disk.as_ref() == Some(&listed) { Ok(()) } else { self.write(listed) }
     }
 
     /// What is wrong with a result: its files, and what the summary tells of it. Nothing is known of one that is not on the list.
-    pub(crate) fn damages(&self, name: &str, summary: &Summary) -> Vec<(String, FileDamage)> {
-        let mut damages: Vec<_> = self
-            .now
+    pub(crate) fn damages(&mut self, name: &str, summary: &Summary) -> Vec<(String, FileDamage)> {
+        let Self { study, now, sound, .. } = self;
+        let mut damages: Vec<_> = now
             .files_of(name)
-            .filter_map(|(path, record)| {
-                Some((path.clone(), check(&self.study.join(path), record, true).err()?))
-            })
+            .filter_map(|(path, record)| Some((path.clone(), sound.check(study, path, record).err()?)))
             .collect();
-        if self.now.results.get(name).is_some_and(|listed| *listed != told(summary, name)) {
+        if now.results.get(name).is_some_and(|listed| *listed != told(summary, name)) {
             damages.push((summary::FILE.to_owned(), FileDamage::Content));
         }
         damages
     }
 
-    /// What is wrong with the summary: with its file, and with what it tells of results that are listed.
-    pub(crate) fn damage_of_summary(&self, summary: &Summary) -> Option<FileDamage> {
-        let file = self.now.files.get(summary::FILE);
-        let of_file = file.and_then(|record| check(&self.study.join(summary::FILE), record, true).err());
-        of_file.or_else(|| self.now.is_other(summary).then_some(FileDamage::Content))
-    }
-
-    fn write(&mut self) -> Result<(), StoreError> {
-        self.now.write(&self.study)?;
-        self.on_disk = Some(self.now.clone());
+    fn write(&mut self, listed: Manifest) -> Result<(), StoreError> {
+        listed.write(&self.study)?;
+        self.on_disk = Some(listed);
         Ok(())
     }
 }

@@ -1,8 +1,10 @@
 //! Files beside what is listed of them.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
+use std::time::SystemTime;
 
 use super::FileRecord;
 use crate::plain;
@@ -43,6 +45,33 @@ impl FileDamage {
     }
 }
 
+/// Files of a study that were read and are as they were written, by their paths in it.
+#[derive(Debug, Clone, Default)]
+pub struct SoundFiles(BTreeMap<String, (FileStamp, String)>);
+
+/// By what a file is known to have been written since: when it was, its size.
+pub(crate) type FileStamp = (Option<SystemTime>, u64);
+
+/// The stamp of a file.
+pub(crate) fn stamp(metadata: &fs::Metadata) -> FileStamp {
+    (metadata.modified().ok(), metadata.len())
+}
+
+impl SoundFiles {
+    /// Compares a file of a study with what is listed of it, by its content; one that was sound and was not written since is not read.
+    pub(crate) fn check(&mut self, study: &Path, path: &str, record: &FileRecord) -> Result<(), FileDamage> {
+        let file = study.join(path);
+        let Ok(metadata) = fs::symlink_metadata(&file) else { return check(&file, record, true) };
+        let known = (stamp(&metadata), record.hash.clone());
+        if metadata.is_file() && self.0.get(path) == Some(&known) {
+            return Ok(());
+        }
+        check(&file, record, true)?;
+        self.0.insert(path.to_owned(), known);
+        Ok(())
+    }
+}
+
 /// Compares a file with what is listed of it: by its size, and by its content where that is to be read.
 pub(crate) fn check(path: &Path, record: &FileRecord, by_content: bool) -> Result<(), FileDamage> {
     let unreadable = |source: std::io::Error| FileDamage::Unreadable(source.to_string());
@@ -76,7 +105,7 @@ pub(crate) fn hash_of(path: &Path) -> std::io::Result<(u64, String)> {
             Ok(0) => return Ok((bytes, hasher.finalize().to_hex().to_string())),
             Ok(count) => {
                 bytes += count as u64;
-                hasher.update(&block[..count]);
+                hasher.update(block.get(..count).unwrap_or_default());
             }
             Err(source) if source.kind() == ErrorKind::Interrupted => {}
             Err(source) => return Err(source),

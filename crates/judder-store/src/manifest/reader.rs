@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::SystemTime;
 
+use super::look::{FileStamp, stamp};
 use super::{FILE, Manifest, check, relative};
 use crate::StoreError;
 
@@ -18,12 +18,9 @@ pub(crate) struct ManifestReader {
 /// A manifest and the state of its file.
 #[derive(Debug, Clone)]
 struct Known {
-    stamp: ManifestStamp,
+    stamp: FileStamp,
     manifest: Arc<Manifest>,
 }
-
-/// By what a file is known to have been replaced: when it was written, its size.
-type ManifestStamp = (Option<SystemTime>, u64);
 
 impl ManifestReader {
     pub(crate) fn new(study: &Path) -> Self {
@@ -55,7 +52,7 @@ impl ManifestReader {
     fn now(&self) -> Result<Option<Known>, StoreError> {
         let path = self.study.join(FILE);
         let Ok(metadata) = fs::metadata(&path) else { return Ok(None) };
-        let stamp = (metadata.modified().ok(), metadata.len());
+        let stamp = stamp(&metadata);
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         if known.as_ref().is_none_or(|known| known.stamp != stamp) {
             *known = Manifest::read(&self.study)?.map(|read| Known { stamp, manifest: Arc::new(read) });

@@ -1,7 +1,7 @@
 //! The group of a sweep in `results.zarr`, the same bytes whoever begins it.
 
 use std::fs;
-use std::io;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Map, Value};
@@ -52,6 +52,21 @@ fn compared(group: &Path, layout: &SweepLayout) -> Result<PathBuf, StoreError> {
     Ok(group.join(VALUES))
 }
 
+/// Whether nothing says that a group lacks what frames its chunks: its metadata, which are the first to go and the last to come where it is mended.
+pub(crate) fn has_frame(study: &Path, layout: &SweepLayout) -> Result<bool, StoreError> {
+    let group = place(study, layout);
+    match metadata::read(&group) {
+        Ok(_) => Ok(true),
+        Err(StoreError::DatasetUnreadable { .. }) => Ok(false),
+        Err(StoreError::FileSystem { source, .. })
+            if matches!(source.kind(), ErrorKind::NotFound | ErrorKind::InvalidInput) =>
+        {
+            Ok(!group.exists())
+        }
+        Err(error) => Err(error),
+    }
+}
+
 /// Writes anew all of a group but for its chunks, which say themselves whose they are.
 pub(crate) fn mend(study: &Path, layout: &SweepLayout) -> Result<(), StoreError> {
     let group = place(study, layout);
@@ -61,25 +76,21 @@ pub(crate) fn mend(study: &Path, layout: &SweepLayout) -> Result<(), StoreError>
         write(&staged, layout)?;
         staging::sync_tree(&staged)?;
         fs::create_dir_all(&group)?;
+        let own = group.join(metadata::FILE);
+        staging::remove(&own)?;
         for entry in fs::read_dir(&staged)? {
             let name = entry?.file_name();
             let (from, to) = (staged.join(&name), group.join(&name));
             if name == VALUES {
                 fs::create_dir_all(&to)?;
-                put(&from.join(metadata::FILE), &to.join(metadata::FILE))?;
-            } else {
-                put(&from, &to)?;
+                staging::put(&from.join(metadata::FILE), &to.join(metadata::FILE))?;
+            } else if name != metadata::FILE {
+                staging::put(&from, &to)?;
             }
         }
-        Ok(())
+        Ok(staging::put(&staged.join(metadata::FILE), &own)?)
     };
     write().map_err(|failure| failed(&group, failure))
-}
-
-/// Puts a file or a folder in the place of whatever stands there.
-fn put(from: &Path, to: &Path) -> io::Result<()> {
-    staging::remove(to)?;
-    staging::rename(from, to)
 }
 
 /// Makes the group; whether no other process was faster.

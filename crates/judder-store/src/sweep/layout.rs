@@ -1,5 +1,7 @@
 //! The points of a sweep and how they are cut into chunks.
 
+use std::path::Path;
+
 use serde_json::Value;
 
 use super::points::{ChunkPoints, unravelled};
@@ -11,6 +13,13 @@ pub(crate) const VALUES: &str = "values";
 pub(crate) const QUANTITY: &str = "quantity";
 /// How the paths of the files of chunks begin in the group of a sweep.
 pub(crate) const CHUNKS: &str = "values/c.";
+
+/// Whether a path of a study is that of a chunk.
+pub(crate) fn is_chunk(path: &Path) -> bool {
+    let (folder, name) = (path.parent().and_then(Path::file_name), path.file_name());
+    folder.is_some_and(|folder| folder == VALUES)
+        && name.is_some_and(|name| name.to_string_lossy().starts_with("c."))
+}
 
 /// No chunk is larger; a chunk is in memory as a whole.
 const LARGEST_CHUNK_BYTES: usize = 1 << 30;

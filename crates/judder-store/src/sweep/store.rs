@@ -125,6 +125,10 @@ impl SweepStore {
                 .make_in(&self.claims, |place| File::create_new(place))?;
             staged.as_file_mut().write_all(content)?;
             staged.as_file().sync_all()?;
+            // a folder is no chunk, and no file takes the place of one
+            if fs::symlink_metadata(&path).is_ok_and(|there| there.is_dir()) {
+                staging::remove(&path)?;
+            }
             staged.persist(&path)?;
             staging::sync_folder(&self.folder)
         };

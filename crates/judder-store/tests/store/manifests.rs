@@ -233,3 +233,60 @@ fn links_pipes_and_devices_are_refused_as_what_they_are() {
     let refused = StudyFolder::open(folder.path()).unwrap().read_summary().unwrap_err().to_string();
     assert!(refused.contains("this is a device, where a file should be"), "{refused}");
 }
+
+#[test]
+fn files_that_are_drawn_anew_cost_one_write_of_the_list() {
+    let folder = tempfile::tempdir().unwrap();
+    finished(folder.path());
+    let list = || fs::read_to_string(folder.path().join("manifest.json")).unwrap();
+    let study = StudyFolder::open(folder.path()).unwrap();
+    study.write_file("figures/other.svg", b"<svg/>").unwrap();
+    study.seal_as_before(BUILD).unwrap();
+    assert!(list().contains("figures/one.svg") && list().contains("figures/other.svg"));
+    study.begin_files(|path| path.starts_with("figures/")).unwrap();
+    let begun = list();
+    assert!(!begun.contains("figures/"), "{begun}");
+    study.write_file("figures/one.svg", b"<svg />").unwrap();
+    study.write_file("figures/other.svg", b"<svg />").unwrap();
+    assert_eq!(list(), begun);
+    study.seal_as_before(BUILD).unwrap();
+    assert!(verify(folder.path(), all).unwrap().is_sound());
+}
+
+#[test]
+fn files_that_came_by_other_ways_are_listed() {
+    let folder = tempfile::tempdir().unwrap();
+    finished(folder.path());
+    fs::create_dir(folder.path().join("inputs")).unwrap();
+    fs::write(folder.path().join("inputs/mass.npz"), "m").unwrap();
+    let study = StudyFolder::open(folder.path()).unwrap();
+    study.list_files("inputs").unwrap();
+    assert!(matches!(study.list_files("results.zarr"), Err(StoreError::OutsideFolder { .. })));
+    study.seal_as_before(BUILD).unwrap();
+    let found = verify(folder.path(), all).unwrap();
+    assert!(found.is_sound() && found.findings.is_empty(), "{found:?}");
+    fs::write(folder.path().join("inputs/mass.npz"), "n").unwrap();
+    assert!(!verify(folder.path(), all).unwrap().is_sound());
+}
+
+#[test]
+fn what_was_sound_and_is_as_it_was_is_not_read_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let summary = finished(folder.path());
+    let table = folder.path().join("one.csv");
+    let (content, time) = (fs::read(&table).unwrap(), fs::metadata(&table).unwrap().modified().unwrap());
+    let study = StudyFolder::open(folder.path()).unwrap();
+    assert!(study.damages(&summary).is_empty());
+    let sound = study.sound_files();
+    drop(study);
+    let other: Vec<u8> = content.iter().map(|byte| byte ^ 1).collect();
+    let damages = |time| {
+        fs::write(&table, &other).unwrap();
+        fs::File::options().write(true).open(&table).unwrap().set_modified(time).unwrap();
+        let study = StudyFolder::open(folder.path()).unwrap();
+        study.trust(sound.clone());
+        study.damages(&summary).len()
+    };
+    assert_eq!(damages(time), 0, "by its stamp it is not read");
+    assert_eq!(damages(time + std::time::Duration::from_secs(1)), 1);
+}

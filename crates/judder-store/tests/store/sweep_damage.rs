@@ -183,3 +183,33 @@ fn a_folder_that_became_read_only_is_named() {
     mode(0o755);
     compute(&store, 1);
 }
+
+#[test]
+fn a_folder_in_the_place_of_a_chunk_is_replaced() {
+    let folder = tempfile::tempdir().unwrap();
+    let (store, place) = whole(folder.path());
+    let before = fs::read(&place).unwrap();
+    fs::remove_file(&place).unwrap();
+    fs::create_dir_all(place.join("inside")).unwrap();
+    check_found(&store, |damage| *damage == ChunkDamage::NoRecord, "a folder");
+    compute(&store, 1);
+    assert_eq!(fs::read(&place).unwrap(), before);
+}
+
+#[test]
+fn a_frame_that_was_being_mended_when_a_run_was_killed_is_mended() {
+    let folder = tempfile::tempdir().unwrap();
+    drop(whole(folder.path()));
+    let before = contents(&folder.path().join("results.zarr/sweep"));
+    let mended = || {
+        let study = StudyFolder::open(folder.path()).unwrap();
+        study.mend_sweep(&layout()).unwrap()
+    };
+    assert!(!mended(), "nothing is wrong with it");
+    for name in ["zarr.json", "values/zarr.json"] {
+        fs::remove_file(folder.path().join("results.zarr/sweep").join(name)).unwrap();
+    }
+    assert!(mended());
+    let after = contents(&folder.path().join("results.zarr/sweep"));
+    assert_eq!(before, after);
+}

@@ -7,7 +7,7 @@ use crate::ledger::Study;
 use crate::model::Prepared;
 use crate::progress::{Progress, announced};
 use crate::sweep::{Shard, SweepPlan, damaged, finish, joined, mend, when_free, work};
-use judder_store::{SharedStudy, StoreError, StudyFolder, Summary, SweepChunks, SweepStore};
+use judder_store::{SharedStudy, SoundFiles, StoreError, StudyFolder, Summary, SweepChunks, SweepStore};
 use std::path::Path;
 use std::time::Instant;
 
@@ -16,6 +16,8 @@ struct Earlier {
     done: Vec<String>,
     forgotten: Vec<String>,
     damages: Vec<String>,
+    /// What was read of them and is sound.
+    sound: SoundFiles,
 }
 
 /// Runs analyses and sweeps. Analyses are run by whoever holds the study alone: at first where nobody else is there, else at the end.
@@ -56,10 +58,13 @@ pub(super) fn run(
         let summary = store.read_summary()?.unwrap_or_default();
         return Ok(unfinished(folder, summary, is_part, notes));
     }
+    if let Some(earlier) = &earlier {
+        store.trust(earlier.sound.clone());
+    }
     let analyses = options.sweeps == SweepWork::All;
     let mut computed = compute_in(store, asked, prepared, plans, analyses, progress, start)?;
     // what this run did before it shared the study was not done before it, and what it forgot is gone
-    if let Some(Earlier { done: mut names, forgotten, damages }) = earlier {
+    if let Some(Earlier { done: mut names, forgotten, damages, .. }) = earlier {
         let of_sweeps = |name: &String| plans.iter().any(|plan| plan.layout().name() == name);
         names.extend(computed.skipped.into_iter().filter(of_sweeps));
         computed.skipped = names;
@@ -117,8 +122,8 @@ fn begun(
     match taken(folder, options.fresh) {
         Ok(store) if options.sweeps == SweepWork::All => {
             let computed = compute_in(store, asked, prepared, &[], true, progress, Instant::now())?;
-            let Computed { skipped: done, forgotten, damages, .. } = computed;
-            Ok(Some(Earlier { done, forgotten, damages }))
+            let Computed { store, skipped: done, forgotten, damages, .. } = computed;
+            Ok(Some(Earlier { done, forgotten, damages, sound: store.sound_files() }))
         }
         Ok(_) => Ok(None),
         Err(StudyError::Store(StoreError::Locked { .. })) if !options.fresh => Ok(None),

@@ -105,10 +105,15 @@ function sameNumbers(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
   return a === b || (a.length === b.length && Array.from(a).every((value, i) => Object.is(value, b[i])));
 }
 
-/** RFC 4180 with line feeds; a number is the shortest text that reads back to it, NaN an empty cell. */
+/** A text that a spreadsheet would take for a formula after an apostrophe, by which it takes it for a text, as in the tables of studies. */
+function guarded(text: string): string {
+  return /^[=+\-@\t\r]/.test(text) && Number.isNaN(Number(text)) ? `'${text}` : text;
+}
+
+/** RFC 4180 with line feeds; a number is the shortest text that reads back to it, NaN an empty cell; no text is a formula. */
 export function table(headings: readonly string[], rows: readonly (readonly Cell[])[]): string {
   const cell = (value: Cell) => {
-    const text = typeof value === "number" ? (Number.isNaN(value) ? "" : String(value)) : value;
+    const text = typeof value === "number" ? (Number.isNaN(value) ? "" : String(value)) : guarded(value);
     return /[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
   };
   return [headings, ...rows].map((row) => `${row.map(cell).join(",")}\n`).join("");

@@ -1,0 +1,182 @@
+//! What of a study is on the list of what it holds, and how it comes there.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::PoisonError;
+
+use crate::manifest::{self, FileRecord, SoundFiles};
+use crate::sweep::{self, SweepLayout};
+use crate::{FileDamage, Status, StoreError, StudyFolder, Summary, plain, results, staging, summary};
+
+impl StudyFolder {
+    /// Writes anew what frames the chunks of a sweep, coordinates and metadata, where that is known to be damaged, or a run was killed that wrote it
+    /// anew; whether it was. The sweep then has to be finished again.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn mend_sweep(&self, layout: &SweepLayout) -> Result<bool, StoreError> {
+        let below = format!("{}/{}/", results::FOLDER, layout.name());
+        let chunks = format!("{below}{}", sweep::CHUNKS);
+        let is_frame = |path: &str| path.starts_with(&below) && !path.starts_with(&chunks);
+        match self.refuse_damaged(&below, is_frame) {
+            Err(StoreError::Damaged { damage, .. }) if damage.is_damage() => {}
+            Ok(()) if sweep::has_frame(&self.path, layout)? => return Ok(false),
+            Ok(()) => {}
+            Err(error) => return Err(error),
+        }
+        self.manifest().begin(&[layout.name()])?;
+        sweep::mend(&self.path, layout)?;
+        self.consolidate()?;
+        Ok(true)
+    }
+
+    /// Lists all files of a sweep whose chunks are all there.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn list_sweep(&self, name: &str) -> Result<(), StoreError> {
+        let group = self.group(name)?;
+        self.manifest().list_folder(Some(name), &group)
+    }
+
+    /// Lists all files below a folder of the study that came there by other ways than this crate's, as a part of the study as a whole.
+    ///
+    /// # Errors
+    /// [`StoreError::OutsideFolder`] for a path that leaves the folder, or is one of the store's own; failures of the file system.
+    pub fn list_files(&self, below: &str) -> Result<(), StoreError> {
+        let path = self.inner_place(Path::new(below))?;
+        self.manifest().take_off(|listed, _| Path::new(listed).starts_with(below))?;
+        if path.is_dir() { self.manifest().list_folder(None, &path) } else { Ok(()) }
+    }
+
+    /// Takes files that belong to no result off the list at once, before they are written anew one after the other.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn begin_files(&self, changes: impl Fn(&str) -> bool) -> Result<(), StoreError> {
+        if self.output.is_some() {
+            return Ok(());
+        }
+        self.manifest().take_off(|path, record| record.of.is_none() && changes(path))
+    }
+
+    /// Takes these results off the list of what the study holds, before they are computed anew: a run that is killed then leaves no list that names
+    /// what it was about to replace.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn begin_results(&self, names: &[&str]) -> Result<(), StoreError> {
+        self.manifest().begin(names)
+    }
+
+    /// What of the results that the summary calls done is not as it was written, by the names of the results: their files, all of which are read, and
+    /// what the summary tells of them. A result that is not on the list of what the study holds was being written when a run ended.
+    #[must_use]
+    pub fn damages(&self, summary: &Summary) -> BTreeMap<String, Vec<(String, FileDamage)>> {
+        let mut keeper = self.manifest();
+        let done = summary.analyses.iter().filter(|(_, record)| record.status == Status::Done);
+        let found = done.map(|(name, _)| (name.clone(), keeper.damages(name, summary)));
+        found.filter(|(_, damages)| !damages.is_empty()).collect()
+    }
+
+    /// The files that were read since the study was taken, and are as they were written.
+    #[must_use]
+    pub fn sound_files(&self) -> SoundFiles {
+        self.manifest().sound().clone()
+    }
+
+    /// Takes files for sound that were so when this process held the study before, and have not been written since: they are not read again.
+    pub fn trust(&self, sound: SoundFiles) {
+        self.manifest().trust(sound);
+    }
+
+    /// Whether the study has a list of what it holds.
+    #[must_use]
+    pub fn has_manifest(&self) -> bool {
+        self.manifest().is_on_disk()
+    }
+
+    /// Writes `manifest.json`, the list of what the study holds, while more is being computed. `build` names the program.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn keep_manifest(&self, build: &str) -> Result<(), StoreError> {
+        self.manifest().keep(build, false)
+    }
+
+    /// Writes `manifest.json` for a study to which nothing is to be added: the last that a run does. The metadata of all arrays together, which follow
+    /// from those of each, are written anew where they are not what follows.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn seal(&self, build: &str) -> Result<(), StoreError> {
+        let publishing = self.publishing.lock().unwrap_or_else(PoisonError::into_inner);
+        results::consolidate(&self.path)?;
+        drop(publishing);
+        self.manifest().keep(build, true)
+    }
+
+    /// Writes `manifest.json` after something was drawn anew; a study that was not complete is no more so than before.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn seal_as_before(&self, build: &str) -> Result<(), StoreError> {
+        if self.output.is_some() {
+            return Ok(());
+        }
+        let mut keeper = self.manifest();
+        let was_complete = keeper.was_complete();
+        keeper.keep(build, was_complete)
+    }
+
+    /// Refuses a summary of which nothing says that it is what was written.
+    ///
+    /// # Errors
+    /// [`StoreError::NoManifest`], [`StoreError::NotListed`], [`StoreError::Damaged`].
+    pub fn vouch(&self, summary: &Summary) -> Result<(), StoreError> {
+        let keeper = self.manifest();
+        if !keeper.is_on_disk() {
+            return Err(StoreError::NoManifest { path: self.path.clone() });
+        }
+        if let Some(name) =
+            summary.analyses.keys().find(|name| !keeper.manifest().results.contains_key(*name))
+        {
+            return Err(StoreError::NotListed { path: self.path.clone(), name: name.clone() });
+        }
+        let path = self.path.join(summary::FILE);
+        let content = plain::read(&path).map_err(|source| StoreError::read(&path, source))?;
+        keeper.manifest().vouch(&self.path, &content, summary)
+    }
+
+    /// Puts a file in its place, and on the list of what the study holds.
+    pub(super) fn put(&self, of: Option<&str>, path: &Path, content: &[u8]) -> Result<(), StoreError> {
+        if let Some(output) = &self.output {
+            return staging::write_file(output, path, content);
+        }
+        let relative = manifest::relative(&self.path, path);
+        let relative = relative.ok_or_else(|| StoreError::OutsideFolder { path: path.to_owned() })?;
+        self.manifest().take_off(|listed, _| listed == relative)?;
+        staging::write_file(&self.path, path, content)?;
+        self.manifest().list(relative, FileRecord::new(of, content));
+        Ok(())
+    }
+
+    /// Refuses files on the list below this path, or at it, that are not as they were written.
+    pub(super) fn refuse_damaged(&self, below: &str, is_read: impl Fn(&str) -> bool) -> Result<(), StoreError> {
+        let keeper = self.manifest();
+        let listed =
+            keeper.manifest().files.iter().filter(|(path, _)| path.starts_with(below) && is_read(path));
+        for (path, record) in listed {
+            let path = self.path.join(path);
+            manifest::check(&path, record, true).map_err(|damage| StoreError::Damaged { path, damage })?;
+        }
+        Ok(())
+    }
+
+    /// What is wrong with a file that is on the list.
+    pub(super) fn damage_of(&self, file: &Path) -> Option<FileDamage> {
+        let keeper = self.manifest();
+        let record = keeper.manifest().files.get(&manifest::relative(&self.path, file)?)?;
+        manifest::check(file, record, true).err()
+    }
+}

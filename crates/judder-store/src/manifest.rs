@@ -112,8 +112,10 @@ impl Manifest {
         }
     }
 
-    pub(crate) fn write(&self, study: &Path) -> Result<(), StoreError> {
-        staging::write_file(study, &study.join(FILE), &self.content()?)
+    /// Writes it, forced to the disk or not.
+    pub(crate) fn write(&self, study: &Path, is_forced: bool) -> Result<(), StoreError> {
+        let write = if is_forced { staging::write_file } else { staging::write_unforced };
+        write(study, &study.join(FILE), &self.content()?)
     }
 
     /// The content of its file.

@@ -47,6 +47,17 @@ pub(crate) fn write_file(study: &Path, target: &Path, content: &[u8]) -> Result<
     write().map_err(|source| StoreError::write(target, content.len() as u64, source))
 }
 
+/// The same for a file that a disk without power may lose: it is not forced there, which takes longer than all else.
+pub(crate) fn write_unforced(study: &Path, target: &Path, content: &[u8]) -> Result<(), StoreError> {
+    let write = || {
+        let stage = Stage::new(study)?;
+        let staged = stage.place("content");
+        fs::write(&staged, content)?;
+        fs::rename(&staged, target)
+    };
+    write().map_err(|source| StoreError::write(target, content.len() as u64, source))
+}
+
 /// Puts a staged file or folder in the place of whatever stands there, a folder among it.
 pub(crate) fn put(staged: &Path, target: &Path) -> io::Result<()> {
     remove(target)?;

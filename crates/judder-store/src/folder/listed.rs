@@ -162,7 +162,11 @@ impl StudyFolder {
     }
 
     /// Refuses files on the list below this path, or at it, that are not as they were written.
-    pub(super) fn refuse_damaged(&self, below: &str, is_read: impl Fn(&str) -> bool) -> Result<(), StoreError> {
+    pub(super) fn refuse_damaged(
+        &self,
+        below: &str,
+        is_read: impl Fn(&str) -> bool,
+    ) -> Result<(), StoreError> {
         let keeper = self.manifest();
         let listed =
             keeper.manifest().files.iter().filter(|(path, _)| path.starts_with(below) && is_read(path));

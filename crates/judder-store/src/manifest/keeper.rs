@@ -3,9 +3,13 @@
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use super::{FileRecord, Manifest, SoundFiles, hash_of, told};
 use crate::{FileDamage, StoreError, Summary, results, summary};
+
+/// How long the list of a new study is not forced to the disk before it is complete: what a disk without power loses of it is not worth the time.
+const YOUNG: Duration = Duration::from_secs(1);
 
 /// The manifest of a study that is held alone.
 ///
@@ -22,6 +26,8 @@ pub(crate) struct ManifestKeeper {
     on_disk: Option<Manifest>,
     /// What has been read and is as it was written.
     sound: SoundFiles,
+    /// When a study was taken that had no list.
+    taken: Option<Instant>,
 }
 
 impl ManifestKeeper {
@@ -36,7 +42,8 @@ impl ManifestKeeper {
         };
         let now = on_disk.clone().unwrap_or_default();
         let (was_complete, sound) = (now.complete, SoundFiles::default());
-        Ok(Self { study: study.to_owned(), was_complete, now, on_disk, sound })
+        let taken = on_disk.is_none().then(Instant::now);
+        Ok(Self { study: study.to_owned(), was_complete, now, on_disk, sound, taken })
     }
 
     /// Whether the study was complete when it was taken.
@@ -165,7 +172,8 @@ impl ManifestKeeper {
     }
 
     fn write(&mut self, listed: Manifest) -> Result<(), StoreError> {
-        listed.write(&self.study)?;
+        let is_young = self.taken.is_some_and(|taken| taken.elapsed() < YOUNG);
+        listed.write(&self.study, listed.complete || !is_young)?;
         self.on_disk = Some(listed);
         Ok(())
     }

@@ -24,6 +24,7 @@ pub(crate) enum LockMode {
 #[derive(Debug)]
 pub(crate) struct Lock {
     file: Arc<File>,
+    mode: LockMode,
     is_real: bool,
 }
 
@@ -36,6 +37,10 @@ impl Lock {
 
 impl Drop for Lock {
     fn drop(&mut self) {
+        // Who holds it alone takes the name off that `sign` has written: what a study holds does not depend on who wrote it.
+        if self.is_real && self.mode == LockMode::Alone {
+            let _ = self.file.set_len(0);
+        }
         // To close the file is not enough while a child process that is being started still has it. What fails here ends with the process.
         let _ = self.file.unlock();
     }
@@ -52,10 +57,10 @@ pub(crate) fn try_lock(path: &Path, mode: LockMode) -> Result<Option<Lock>, Stor
         Ok(()) => {
             let file = Arc::new(file);
             sign(&file, &file);
-            Ok(Some(Lock { file, is_real: true }))
+            Ok(Some(Lock { file, mode, is_real: true }))
         }
         Err(TryLockError::WouldBlock) => Ok(None),
-        Err(TryLockError::Error(source)) => unlocked(path, file, source).map(Some),
+        Err(TryLockError::Error(source)) => unlocked(path, file, mode, source).map(Some),
     }
 }
 
@@ -65,9 +70,9 @@ fn open(path: &Path) -> Result<File, StoreError> {
     opened.map_err(|source| StoreError::write(path, 0, source))
 }
 
-fn unlocked(path: &Path, file: File, source: io::Error) -> Result<Lock, StoreError> {
+fn unlocked(path: &Path, file: File, mode: LockMode, source: io::Error) -> Result<Lock, StoreError> {
     if has_no_locks(&source) {
-        return Ok(Lock { file: Arc::new(file), is_real: false });
+        return Ok(Lock { file: Arc::new(file), mode, is_real: false });
     }
     Err(StoreError::FileSystem { action: "lock", path: path.to_owned(), source })
 }
@@ -84,6 +89,7 @@ fn has_no_locks(failure: &io::Error) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lock_sign::LockSign;
 
     #[test]
     fn a_lock_is_held_alone_or_shared() {
@@ -98,6 +104,19 @@ mod tests {
         assert!(shared.0.is_some() && shared.1.is_some() && lock(LockMode::Alone).is_none());
         drop(shared);
         assert!(lock(LockMode::Alone).is_some());
+    }
+
+    #[test]
+    fn who_holds_it_is_written_there_as_long_as_it_is_held() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("lock");
+        let lock = try_lock(&path, LockMode::Alone).unwrap();
+        let sign = LockSign::of(path.clone());
+        assert!(sign.holder.unwrap().starts_with(&format!("process {}", std::process::id())));
+        assert!(sign.touched.is_some());
+        drop(lock);
+        assert_eq!(LockSign::of(path.clone()).holder, None);
+        assert!(std::fs::read(path).unwrap().is_empty());
     }
 
     #[test]

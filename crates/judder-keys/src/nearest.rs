@@ -24,6 +24,7 @@ pub fn did_you_mean(word: &str, known: &[String], what: &str) -> String {
     let list = known.join(", ");
     match nearest(word, known) {
         Some(near) => format!("did you mean `{near}`? {what}: {list}"),
+        None if known.is_empty() => "there are none".to_owned(),
         None => format!("{what}: {list}"),
     }
 }

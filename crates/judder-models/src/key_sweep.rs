@@ -4,7 +4,7 @@ use crate::structure::case::problem::StructureProblem;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Number, Setting, both, read_settings};
 use judder_keys::dimension::Dimension;
-use judder_keys::document::{Data, Node, STEPS_LIMIT};
+use judder_keys::document::{Data, Node, PARAMETER, STEPS_LIMIT};
 use judder_keys::error::Fault;
 use judder_keys::problem::{Placed, Problem};
 use judder_keys::quantity::{Quantity, WrittenUnit};
@@ -224,7 +224,7 @@ impl Origin {
         let mut root = self.root.clone();
         let place = root.place;
         let set = swept.iter().try_for_each(|(sweep, value)| {
-            root.set(&sweep.path, place, Node { place, data: sweep.data(*value) })
+            root.vary(&sweep.path, place, Node { place, data: sweep.data(*value) })
         });
         set.and_then(|()| read(&root, &self.folder)).map_err(|fault| {
             let cause = fault.into_cause();
@@ -234,7 +234,9 @@ impl Origin {
             let advice = cause.help().unwrap_or_else(|| "sweep values that the key can take".to_owned());
             let reason = cause.to_string();
             match cause {
-                Cause::UnknownKey { .. } => KeySweepProblem::SweptKey { key, reason, advice },
+                Cause::UnknownKey { .. } | Cause::UnknownName { what: PARAMETER, .. } => {
+                    KeySweepProblem::SweptKey { key, reason, advice }
+                }
                 _ => KeySweepProblem::SweptValue { key, value, reason, advice },
             }
         })

@@ -2,7 +2,7 @@
 
 use super::bad_study_sweep::{OVER, QUANTITIES, over, sweep};
 use super::study_sweep::oscillator;
-use super::with_file;
+use super::{help_of, with_file};
 
 #[test]
 fn ranges_that_cannot_be() {
@@ -25,9 +25,9 @@ fn ranges_that_cannot_be() {
     over(
         "sobol",
         "key = \"operation.velocity\", from = \"1 mm/s\", to = 3",
-        "`over.to` must be a speed, but this is a plain number",
+        "`over.from` is a speed, but `over.to` is a plain number",
         "3",
-        "write a speed, such as \"30 mm/s\"",
+        "give both in units of the key that varies",
     );
     over(
         "sobol",
@@ -150,4 +150,39 @@ fn a_point_that_cannot_be() {
         error.to_string(),
         "with `operation.velocity` = NaN: `operation.velocity` is not a finite number"
     );
+}
+
+/// A parameter that the case does not have stands in no expression: whatever varies it gets the same case over and over.
+#[test]
+fn parameters_that_the_case_does_not_have() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/assembly/lumped-brake.toml");
+    let text = std::fs::read_to_string(path).unwrap();
+    let nope = "key = \"parameters.nope\", from = 0.0, to = 1.0, points = 3";
+    let region = "region = { re = [-500.0, 500.0], im = [1.0, 1000.0] }";
+    let friction = "key = \"contact.linear.friction_coefficient\", from = 0.1, to = 0.4, points = 3";
+    for added in [
+        format!("[[analysis]]\nname = \"own\"\nkind = \"bifurcation\"\nsweep = {{ {nope} }}"),
+        format!("[[analysis]]\nname = \"own\"\nkind = \"eigen-sweep\"\nsweep = {{ {nope} }}\n{region}"),
+        format!(
+            "[[analysis]]\nname = \"own\"\nkind = \"stability-map\"\nx = {{ {nope} }}\ny = {{ {friction} }}\n{region}"
+        ),
+        format!(
+            "[[analysis]]\nname = \"own\"\nkind = \"squeal\"\nband = [\"40 Hz\", \"120 Hz\"]\nmargin = {{ {nope} }}"
+        ),
+        format!("[[sweep]]\nname = \"own\"\nover = [{{ {nope} }}]\nquantities = [\"modes.unstable\"]"),
+    ] {
+        let error = judder_models::parse("case.toml", &format!("{text}\n{added}\n"), &[]).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "`parameters.nope` cannot be swept: unknown parameter `parameters.nope`",
+            "{added}"
+        );
+        assert!(help_of(&error).contains("known: parameters.eta"), "{added}: {}", help_of(&error));
+    }
+    let near = text.replace("key = \"parameters.eta\"", "key = \"parameters.etta\"");
+    let error = judder_models::parse("case.toml", &near, &[]).unwrap_err();
+    assert!(help_of(&error).starts_with("did you mean `parameters.eta`?"), "{}", help_of(&error));
+    // keys that the case leaves out for their defaults can be varied as before
+    let own = text.replace("key = \"parameters.eta\"", "key = \"contact.stiffening.friction_coefficient\"");
+    judder_models::parse("case.toml", &own, &[]).unwrap();
 }

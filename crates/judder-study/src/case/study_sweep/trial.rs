@@ -32,7 +32,7 @@ pub(crate) fn at(
     let mut tree = tree.clone();
     let read = axes.iter().zip(values).enumerate().try_for_each(|(k, (axis, value))| {
         let leaf = Node { place: marker(k, VALUE), data: written(*value, axis.dimension) };
-        tree.root.set(&axis.path, marker(k, KEY), leaf)
+        tree.root.vary(&axis.path, marker(k, KEY), leaf)
     });
     match read.and_then(|()| tree.read()) {
         Ok(case) => Ok((tree, case)),
@@ -55,7 +55,8 @@ fn refusal(axes: &[SweptKey], values: &[f64], fault: Fault) -> RefusedPoint {
     let axis = usize::MAX - place.source;
     let axis = (axis < axes.len()).then_some(axis);
     let (reason, help) = (cause.to_string(), cause.help());
-    let is_of_key = place.start == KEY && matches!(cause, Cause::UnknownKey { .. } | Cause::WrongType { .. });
+    let is_of_key = place.start == KEY
+        && matches!(cause, Cause::UnknownKey { .. } | Cause::UnknownName { .. } | Cause::WrongType { .. });
     let problem = match axis {
         Some(k) if is_of_key => SweepProblem::Key {
             key: axes[k].path.clone(),

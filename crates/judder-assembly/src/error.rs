@@ -225,11 +225,14 @@ pub enum AssemblyError {
     },
     /// The equations of steady sliding are singular.
     #[error(
-        "steady sliding is not determined: {closed} closed contact points move without a change of force"
+        "steady sliding is not determined: the bodies move without a change of the forces of the {closed} contact points that are closed{}",
+        of_open(*.open)
     )]
     Undetermined {
         /// How many points are closed.
         closed: usize,
+        /// How many the loads have lifted off.
+        open: usize,
     },
     /// The dense eigenvalues of the contact's compliance were not found.
     #[error("the eigenvalues of the compliance of {points} contact points were not found")]
@@ -255,6 +258,15 @@ fn triple(vector: &[f64; 3]) -> String {
 
 fn back(vector: &[f64; 3]) -> [f64; 3] {
     vector.map(|part| -part)
+}
+
+/// What of points that are open is told.
+fn of_open(open: usize) -> String {
+    match open {
+        0 => String::new(),
+        1 => "; the loads lift the other one off".to_owned(),
+        _ => format!("; the loads lift the other {open} off"),
+    }
 }
 
 fn of_coefficient(coefficient: Option<f64>) -> String {

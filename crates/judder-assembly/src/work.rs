@@ -118,7 +118,7 @@ fn reactions(about: &Linearised, value: c64, shape: &[c64]) -> Result<Vec<c64>, 
     let projected: Vec<c64> = held.iter().map(|point| point.equilibrium.of_complex(&unbalanced)).collect();
     let mut right =
         Mat::from_fn(held.len(), 2, |i, k| if k == 0 { projected[i].re } else { projected[i].im });
-    solve(gram, &mut right).ok_or(AssemblyError::Undetermined { closed: held.len() })?;
+    solve(gram, &mut right).ok_or(AssemblyError::Undetermined { closed: held.len(), open: 0 })?;
     Ok((0..held.len()).map(|i| c64::new(right[(i, 0)], right[(i, 1)])).collect())
 }
 

@@ -77,6 +77,29 @@ pub(super) struct Solver<'a> {
     pub(super) friction: f64,
 }
 
+/// The openings with which the equations had a solution last.
+///
+/// From a piece on which a law is soft a step of Newton's method may lead beyond where points lift off, and nothing holds the bodies there.
+#[derive(Default)]
+struct HeldBefore {
+    opening: Option<Vec<f64>>,
+    halvings: usize,
+}
+
+impl HeldBefore {
+    /// Takes back half of the step from there, and whether it does: where loads lift bodies off it would do so for ever.
+    fn halve(&mut self, guess: &mut Guess) -> bool {
+        const MOST: usize = 60;
+        let Some(before) = &self.opening else { return false };
+        self.halvings += 1;
+        let is_worth_it = self.halvings <= MOST;
+        if is_worth_it {
+            guess.opening.iter_mut().zip(before).for_each(|(own, before)| *own = 0.5 * (*own + before));
+        }
+        is_worth_it
+    }
+}
+
 impl Solver<'_> {
     /// The closed points with their openings, the forces, and how many systems it took.
     pub(super) fn solved(&self) -> Result<FoundContacts, AssemblyError> {
@@ -99,10 +122,15 @@ impl Solver<'_> {
         let mut last = 0;
         let (mut was_brought_together, mut has_settled) = (false, false);
         let is_curved = self.points.iter().any(|point| point.law.is_curved());
+        let mut held = HeldBefore::default();
         for iteration in 1..=limit {
             let mut affine: Vec<AffinePoint> =
                 (0..self.points.len()).map(|k| self.affine(k, &guess)).collect();
-            if !self.is_held(&affine)? {
+            let is_held = self.is_held(&affine)?;
+            if !is_held && held.halve(&mut guess) {
+                continue;
+            }
+            if !is_held {
                 // springs say whether loads bring any point nearer, and which comes first; where that does not press, none does
                 let comes_nearer = of_load.iter().any(|opening| *opening < 0.0);
                 if std::mem::replace(&mut was_brought_together, true) || !comes_nearer {
@@ -111,7 +139,11 @@ impl Solver<'_> {
                 let first = self.bring_together(&mut guess);
                 affine[first] = self.affine(first, &guess);
             }
-            let unknowns = self.unknowns(&affine, &guess)?;
+            let unknowns = match self.unknowns(&affine, &guess) {
+                Err(AssemblyError::Undetermined { .. }) if held.halve(&mut guess) => continue,
+                unknowns => unknowns?,
+            };
+            held.opening = Some(guess.opening.clone());
             let opening: Vec<f64> = (0..self.points.len())
                 .map(|k| self.opened(k, &guess, affine[k].opening.at(unknowns[k])))
                 .collect();
@@ -245,8 +277,8 @@ impl Solver<'_> {
             normal.iter().zip(affine).map(|(normal, a)| (normal.offset, a.friction.offset)).unzip();
         let moved = self.moved(&offsets.0, &offsets.1);
         let mut right = Mat::from_fn(count, 1, |i, _| of_load[i] - affine[i].opening.offset + moved[i]);
-        let closed = guess.closed.iter().filter(|closed| **closed).count();
-        solve(matrix, &mut right).ok_or(AssemblyError::Undetermined { closed })?;
+        let closed = (0..count).filter(|k| self.is_closed(*k, guess)).count();
+        solve(matrix, &mut right).ok_or(AssemblyError::Undetermined { closed, open: count - closed })?;
         Ok((0..count).map(|k| right[(k, 0)]).collect())
     }
 

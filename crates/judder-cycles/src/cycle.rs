@@ -253,6 +253,8 @@ pub struct CycleQuality {
 
 /// How many times more instants a cycle is looked at than it was solved with.
 const FINER: usize = 4;
+/// The root mean square of a swing that forces have for no more than what the equations are solved to, of the force scale.
+const LEAST_SWING: f64 = 1e-6;
 
 /// What points do over a periodic motion, from instants between those it was solved with.
 ///
@@ -296,6 +298,7 @@ pub fn points(
         let own = signals.motions.col_as_slice(point * dimension + 1);
         told.tangential_velocity_rms = (own[1..].iter().map(|a| a * a).sum::<f64>() / 2.0).sqrt();
     }
-    let left_out = if swing > 0.0 { (missing / swing).sqrt() } else { 0.0 };
+    let least = (LEAST_SWING * balance.force_scale()).powi(2) * instants;
+    let left_out = (missing / f64::max(swing, least)).sqrt();
     Ok((points, CycleQuality { between_samples: between, left_out }))
 }

@@ -26,8 +26,6 @@ const INSTANTS: usize = 4000;
 const BALANCE: f64 = 1e-3;
 /// Rows of the eigenvalue problem of Hill's method up to which every motion has its opinion: hundredths of a second each.
 pub(super) const ROWS: usize = 200;
-/// What harmonics may leave out of the swing of the contact forces before it is told.
-const TOLD: f64 = 0.1;
 
 pub(super) fn run(
     of: &AssemblySubject<'_>,
@@ -98,7 +96,7 @@ fn words(found: &ForcedResponse, peaks: &[(String, ToldPeak)]) -> Vec<String> {
         words.push(format!("the response ends before it leaves the range of frequencies: {}", end(found)));
     }
     for (name, own) in peaks {
-        if own.left_out > TOLD {
+        if !own.converged {
             words.push(format!(
                 "at the peak of {name} the harmonics leave {:.1} % of the swing of the contact forces out: give more `harmonics`",
                 100.0 * own.left_out

@@ -1,6 +1,7 @@
 //! What is told of a response.
 
 use super::followed::FollowedCoordinate;
+use crate::assembly::limit_cycle::search::is_converged;
 use crate::assembly::limit_cycle::stability::{KnownStability, SecondOpinion, crossing_words};
 use judder_cycles::cycle::CycleQuality;
 use judder_cycles::forced::{ForcedResponse, ResponseEnd};
@@ -68,6 +69,8 @@ pub(super) struct ToldPeak {
     at_end: bool,
     /// where the amplitude is largest, the share of the swing of the contact forces beyond the harmonics
     pub(super) left_out: f64,
+    /// whether that is no more than a tenth
+    pub(super) converged: bool,
     /// there, how far forces are off their laws between the instants of the balance, in N
     between_samples: f64,
 }
@@ -109,6 +112,7 @@ impl ToldPeak {
             largest_frequency_hz,
             at_end: place == 0 || place + 1 == found.motions.len(),
             left_out: quality.left_out,
+            converged: is_converged(quality.left_out),
             between_samples: force_scale * quality.between_samples,
         }
     }

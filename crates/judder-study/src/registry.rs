@@ -3,6 +3,7 @@
 use crate::case::analysis::KindEntry;
 use crate::model::{Case, OperatingQuantity};
 use crate::report_tables::on_terminal;
+use crate::text::columns;
 use judder_keys::cause::Cause;
 use judder_keys::declared::Declaration;
 use judder_keys::document::{Data, Node};
@@ -62,6 +63,8 @@ pub struct KindTables {
 pub enum TerminalTable {
     /// The first rows of the first table of its report.
     FirstOfReport,
+    /// The same, and a line for each of the others.
+    FirstAndLines(fn(ToldAnalysis<'_>) -> Vec<String>),
     /// Rows of its own; none where there are none.
     Own(fn(ToldAnalysis<'_>) -> Option<TableRows>),
 }
@@ -73,12 +76,16 @@ impl KindTables {
         Self { kind, report, terminal: TerminalTable::FirstOfReport }
     }
 
-    /// The rows on the terminal; none where there are none.
-    pub(crate) fn on_terminal(&self, told: ToldAnalysis<'_>) -> Option<TableRows> {
-        match self.terminal {
-            TerminalTable::FirstOfReport => on_terminal((self.report)(told)),
-            TerminalTable::Own(rows) => rows(told),
-        }
+    /// What the terminal shows; none where there is nothing.
+    pub(crate) fn on_terminal(&self, told: ToldAnalysis<'_>) -> Option<String> {
+        let first = || on_terminal((self.report)(told));
+        let (rows, lines) = match self.terminal {
+            TerminalTable::FirstOfReport => (first(), Vec::new()),
+            TerminalTable::FirstAndLines(lines) => (first(), lines(told)),
+            TerminalTable::Own(rows) => (rows(told), Vec::new()),
+        };
+        let lines = lines.iter().map(|line| format!("  {line}\n"));
+        Some(columns(&rows?)).map(|text| std::iter::once(text).chain(lines).collect())
     }
 }
 

@@ -15,14 +15,15 @@ const ROWS: usize = 40;
 /// Rows that the terminal shows of a table.
 const TERMINAL_ROWS: usize = 12;
 
-/// The first rows of the first table for the terminal, below its head; none where there is no table.
+/// The first rows of the first table for the terminal, below its head where it has one; none where there is no table.
 pub(crate) fn on_terminal(tables: Vec<PageTable>) -> Option<TableRows> {
     let PageTable { head, mut rows, .. } = tables.into_iter().next()?;
     let more = rows.len().saturating_sub(TERMINAL_ROWS);
     rows.truncate(TERMINAL_ROWS);
     let rest = (more > 0).then(|| vec![format!("… {more} more")]);
     Some(
-        [head]
+        Some(head)
+            .filter(|head| head.iter().any(|cell| !cell.is_empty()))
             .into_iter()
             .chain(rows)
             .chain(rest)
@@ -61,5 +62,20 @@ pub fn short(value: &Value) -> String {
             let plain = value == 0.0 || (1e-3..1e7).contains(&value.abs());
             if plain { format!("{rounded}") } else { format!("{rounded:e}") }.replace('-', "−")
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_without_a_head_begins_with_its_rows() {
+        let table = |head: &str| {
+            let (head, rows) = (vec![head.to_owned()], vec![vec!["row".to_owned()]]);
+            on_terminal(vec![PageTable { caption: String::new(), head, rows }]).unwrap()
+        };
+        assert_eq!(table("head"), [["head"], ["row"]]);
+        assert_eq!(table(""), [["row"]]);
     }
 }

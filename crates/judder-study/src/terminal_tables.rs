@@ -13,8 +13,8 @@ pub(crate) fn tables(registry: Registry, summary: &Summary, names: &[String]) ->
         let of_kind = registry
             .tables(&summary.case, name)
             .and_then(|(tables, asked)| tables.on_terminal(ToldAnalysis { asked, results: result }));
-        let rows = of_kind.map(|rows| format!("{name}:\n{}", columns(&rows).trim_end()));
-        rows.or_else(|| sweep(name, result))
+        let text = of_kind.map(|text| format!("{name}:\n{}", text.trim_end()));
+        text.or_else(|| sweep(name, result))
     };
     names.iter().filter_map(table).collect()
 }

@@ -49,7 +49,7 @@ use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::text::CaseText;
 use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Refusal, Task, wanted};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{KindTables, ModelKind, Template};
+use judder_study::registry::{KindTables, ModelKind, Template, TerminalTable};
 use judder_study::resolve::Resolved;
 use judder_study::{Silent, StudyError};
 use std::sync::Arc;
@@ -227,7 +227,11 @@ pub(crate) const MODEL: ModelKind = ModelKind {
         KindTables::new(eigen::KIND.name, |told| eigen::tables::report(told.results)),
         KindTables::new(march::KIND.name, |told| march::tables::report(told.results)),
         KindTables::new(bifurcation::KIND.name, |told| bifurcation::tables::report(told.results)),
-        KindTables::new(squeal::KIND.name, |told| squeal::tables::report(told.results)),
+        KindTables {
+            kind: squeal::KIND.name,
+            report: |told| squeal::tables::report(told.results),
+            terminal: TerminalTable::FirstAndLines(|told| squeal::tables::lines(told.results)),
+        },
         KindTables::new(frequency_response::KIND.name, |told| {
             frequency_response::tables::report(told.results)
         }),

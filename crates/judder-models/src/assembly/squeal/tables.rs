@@ -22,7 +22,8 @@ fn modes(results: &Map<String, Value>) -> Vec<PageTable> {
     let [from, to] = [0, 1].map(|end| short(&band[end]));
     if modes.is_empty() {
         let caption = "Modes that grow".to_owned();
-        let rows = vec![vec![format!("none from {from} to {to} Hz; others are not sought")]];
+        let none = format!("none from {from} to {to} Hz; others are not sought");
+        let rows = std::iter::once(none).chain(quiet(results)).map(|row| vec![row]).collect();
         return vec![PageTable { caption, head: vec![String::new()], rows }];
     }
     let place = |mode: &Value, key: &str| mode[key].as_u64().unwrap_or(u64::MAX);
@@ -107,6 +108,79 @@ fn margins(results: &Map<String, Value>) -> Option<PageTable> {
     (!rows.is_empty()).then_some(PageTable { caption, head, rows })
 }
 
+/// That a knock makes it loud although nothing grows.
+fn quiet(results: &Map<String, Value>) -> Option<String> {
+    let vibrate = results.get("knocks").and_then(|own| own["vibrate"].as_u64()).unwrap_or(0);
+    let reaches = results.get("margin").is_some_and(|own| own["knock"] == true);
+    match vibrate {
+        0 if reaches => Some("but cycles exist there, to which a knock may lead".to_owned()),
+        0 => None,
+        _ => Some("but knocks suffice: after some of them it keeps vibrating".to_owned()),
+    }
+}
+
+/// A line each of margins, knocks and cures.
+pub(crate) fn lines(results: &Map<String, Value>) -> Vec<String> {
+    [margin_line(results), knocks_line(results), cures_line(results)].into_iter().flatten().collect()
+}
+
+fn margin_line(results: &Map<String, Value>) -> Option<String> {
+    let margin = results.get("margin").filter(|own| own.is_object())?;
+    let shown = ShownValues::of(margin);
+    let key = words(&margin["key"]);
+    let largest = match margin["largest"].is_null() {
+        true => "unknown".to_owned(),
+        false => words(&margin["largest"]),
+    };
+    let onsets = margin["onsets"].as_array()?;
+    let first = onsets.iter().find(|own| own["margin"] == margin["largest"] && !own["fold"].is_null());
+    let from = first.map_or_else(String::new, |own| {
+        let unit = shown.unit().map_or_else(String::new, |unit| format!(" {unit}"));
+        format!(", from the onset at {} to {}{unit}", shown.value(&own["onset"]), shown.value(&own["fold"]))
+    });
+    let knock = match margin["knock_reason"].as_str().filter(|own| !own.is_empty()) {
+        None => "a knock may suffice".to_owned(),
+        Some(reason) => format!("whether a knock suffices is not known: {reason}"),
+    };
+    Some(format!("margin along {key}: {largest}{from}; {knock}"))
+}
+
+fn knocks_line(results: &Map<String, Value>) -> Option<String> {
+    let knocks = results.get("knocks").filter(|own| own.is_object())?;
+    let told = |key: &str| words(&knocks[key]);
+    let [low, high] = [0, 1].map(|end| words(&knocks["interval"][end]));
+    let smallest = match knocks["smallest_that_vibrates"].is_null() {
+        true => String::new(),
+        false => format!(" from {} N s on", told("smallest_that_vibrates")),
+    };
+    Some(format!(
+        "knocks at {}: of {} {} keep vibrating{smallest}, {} settle, {} undecided; share {low} … {high}; small motions {}",
+        told("at"),
+        told("samples"),
+        told("vibrate"),
+        told("settle"),
+        told("undecided"),
+        told("small_motions")
+    ))
+}
+
+fn cures_line(results: &Map<String, Value>) -> Option<String> {
+    let cures = results.get("cures").filter(|own| own.is_object())?;
+    if let Some(reason) = cures["reason"].as_str().filter(|own| !own.is_empty()) {
+        return Some(format!("cures: none is listed: {reason}"));
+    }
+    let keys = cures["keys"].as_array()?;
+    let first = keys.first()?;
+    let change = first["change"].as_f64().map_or_else(|| "no change".to_owned(), per_cent);
+    let more = match keys.len() {
+        1 => String::new(),
+        count => format!("; {} more in the report", count - 1),
+    };
+    let mode = mode_at(cures["frequency_hz"].as_f64().unwrap_or(f64::NAN));
+    let then = [words(&first["at_change"]), words(&first["reason"])].concat();
+    Some(format!("cures of the {mode}: {} by {change}: {then}{more}", words(&first["key"])))
+}
+
 /// A value as a table shows it.
 fn words(own: &Value) -> String {
     match own {
@@ -123,6 +197,7 @@ fn knocks(results: &Map<String, Value>) -> Option<PageTable> {
     let rows = [
         ("impulses (N s)", format!("{} … {}", words(&knocks["impulse"][0]), words(&knocks["impulse"][1]))),
         ("knocks", words(&knocks["samples"])),
+        ("small motions", words(&knocks["small_motions"])),
         ("settle to steady sliding", words(&knocks["settle"])),
         ("keep vibrating", words(&knocks["vibrate"])),
         ("undecided", words(&knocks["undecided"])),
@@ -166,4 +241,41 @@ fn cures(results: &Map<String, Value>) -> Option<PageTable> {
     let caption = format!("What would keep the {mode} from growing");
     let rows = cures["keys"].as_array()?.iter().map(row).collect();
     Some(PageTable { caption, head: heads.map(String::from).to_vec(), rows })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    /// A case in which nothing grows, but cycles exist and knocks lead to them.
+    #[test]
+    fn margins_knocks_and_cures_have_a_line_each() {
+        let onset = json!({ "onset": 1.04, "fold": 1.557, "margin": 0.4975 });
+        let told = json!({
+            "band_hz": [0.1, 0.4],
+            "modes": [],
+            "margin": {
+                "key": "contact.belt.sliding.velocity", "shown_unit": "m/s", "largest": 0.4975, "knock": true, "knock_reason": "",
+                "onsets": [onset]
+            },
+            "knocks": {
+                "at": "mass.x", "samples": 40, "vibrate": 11, "settle": 29, "undecided": 0, "interval": [0.16, 0.43],
+                "smallest_that_vibrates": 0.864, "small_motions": "decay at all frequencies"
+            },
+            "cures": { "reason": "no mode grows" }
+        });
+        let told = told.as_object().unwrap();
+        assert_eq!(
+            lines(told),
+            [
+                "margin along contact.belt.sliding.velocity: 0.4975, from the onset at 1.04 to 1.557 m/s; a knock may suffice",
+                "knocks at mass.x: of 40 11 keep vibrating from 0.864 N s on, 29 settle, 0 undecided; share 0.16 … 0.43; small motions decay at all frequencies",
+                "cures: none is listed: no mode grows"
+            ]
+        );
+        let rows = modes(told)[0].rows.concat();
+        assert!(rows.len() == 2 && rows[1].starts_with("but knocks suffice"), "{rows:?}");
+        assert!(lines(json!({ "modes": [] }).as_object().unwrap()).is_empty());
+    }
 }

@@ -137,6 +137,20 @@ impl FramedPoint<'_> {
         self.law.forces(*area, -(gap + opening), self.frame.speed, self.stays_closed)
     }
 
+    /// Whether its forces are linear in closure and velocities as long as it presses and slides one way: friction that follows the speed, or turns with the slip direction, is not, nor
+    /// is a spring that bends.
+    #[must_use]
+    pub fn is_linear_in_slip(&self) -> bool {
+        let (springs, friction) = match self.law {
+            InterfaceLaw::Rigid(friction) => (true, friction),
+            InterfaceLaw::Compliant(pressure, friction) => (!pressure.bends(), friction),
+            InterfaceLaw::Asperity(_) => return false,
+        };
+        let turns = !self.frame.across.is_empty() && !friction.is_none();
+        // a point that pulls has no friction, and its state does not show it
+        springs && matches!(friction, Friction::Constant(_)) && !turns && !self.stays_closed
+    }
+
     /// e = n + μ t of a rigid point: what its unit normal force with its friction does, the equilibrium column.
     #[must_use]
     pub fn equilibrium(&self, friction: f64) -> Row {

@@ -12,6 +12,7 @@ mod accuracy;
 mod cover;
 mod determinant;
 mod disc;
+mod everywhere;
 mod krylov;
 mod linearised;
 mod matching;
@@ -22,6 +23,7 @@ mod whole;
 
 pub use crate::quadratic::Region;
 pub use cover::Gap;
+pub use everywhere::all_complex_modes;
 pub use judder_numerics::verdict::Verdict;
 
 use disc::SAME;

@@ -7,6 +7,7 @@ mod deformed;
 mod driven;
 mod interface_modes;
 mod joined;
+mod knocks;
 mod marches;
 mod meshes;
 mod minimal;

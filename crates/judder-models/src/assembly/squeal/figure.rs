@@ -1,6 +1,6 @@
 //! Modes that grow: how loud their cycles are, beside how fast they grow.
 
-use super::knocks::FATES;
+use super::small_motions::FATES;
 use super::told::STABILITIES;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
 use judder_store::Dataset;

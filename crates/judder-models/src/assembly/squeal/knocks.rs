@@ -1,17 +1,18 @@
 //! The basin of steady sliding by knocks: impulses at an observed point, marched until it is clear what becomes of them.
 
 use super::settings::Knocks;
+use super::small_motions::{FATES, KnownSmallMotions, LateMotion, OPEN, SETTLES, VIBRATES};
 use crate::assembly::AssemblySubject;
 use crate::assembly::march::settings::SchemeWord;
 use crate::error::ModelError;
 use judder_assembly::row::Row;
 use judder_assembly::steady::SteadySliding;
+use judder_nonsmooth::contact_problem::PointMotion;
 use judder_nonsmooth::energy::{EnergyAboutSliding, EnergyWindows};
 use judder_nonsmooth::march::NonsmoothMarch;
 use judder_numerics::counter::uniform;
 use judder_numerics::share::wilson;
 use judder_store::{Dataset, Results, Variable};
-use judder_structure::complex_modes::{ComplexMode, Verdict};
 use judder_structure::factor::SymmetricFactor;
 use judder_study::Progress;
 use judder_study::kept::KeptLines;
@@ -19,22 +20,8 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// What becomes of a knock, by its code, in the order in which they are drawn.
-pub(super) const FATES: [(u8, &str); 3] =
-    [(SETTLES, "settles to steady sliding"), (VIBRATES, "keeps vibrating"), (OPEN, "undecided")];
-const SETTLES: u8 = 0;
-const VIBRATES: u8 = 1;
-const OPEN: u8 = 2;
-
 /// The share of the duration from which on energies are compared.
 const FROM: f64 = 0.6;
-/// What of the energy of the first half of them is left in the second at most where a motion settles, and of its energy at first at most where it has settled.
-const KEEPS: f64 = 0.95;
-const GONE: f64 = 1e-6;
-/// The share of the rate of small motions at which the energy of one that keeps vibrating may fall.
-const SLOWER: f64 = 0.1;
-/// By what power of e the energy of small motions falls over all windows at least, where a motion is told from them.
-const LONG: f64 = 1.0;
 /// Steps between two questions whether to go on.
 const PATIENCE: u64 = 100;
 
@@ -67,6 +54,8 @@ pub(super) struct ToldKnocks {
     seed: u64,
     /// how long each motion is
     duration_s: f64,
+    /// what small motions about steady sliding do, and over which frequencies that is known
+    small_motions: String,
     /// knocks that settle to steady sliding
     settle: usize,
     /// knocks that keep vibrating
@@ -81,27 +70,6 @@ pub(super) struct ToldKnocks {
     smallest_that_vibrates: Option<f64>,
     /// the largest that settles, in N s
     largest_that_settles: Option<f64>,
-}
-
-/// What is known of small motions about steady sliding.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct KnownSmallMotions {
-    /// Whether some of the band grow.
-    pub(super) grows: bool,
-    /// Whether it is proven that the band has no other modes.
-    pub(super) complete: bool,
-    /// The least rate at which the energy of one that decays falls, in 1/s; none where none decays.
-    pub(super) slowest: Option<f64>,
-}
-
-impl KnownSmallMotions {
-    /// What the modes of a band say, all of them where that is proven.
-    pub(super) fn new(modes: &[ComplexMode], complete: bool) -> Self {
-        // what creeps away without swinging grows as well
-        let grows = modes.iter().any(|mode| mode.eigenvalue.verdict() == Verdict::Unstable);
-        let rates = modes.iter().map(|mode| -2.0 * mode.eigenvalue.value.re).filter(|rate| *rate > 0.0);
-        Self { grows, complete, slowest: rates.reduce(f64::min) }
-    }
 }
 
 /// Marches from every knock; those of an interrupted run are known.
@@ -121,7 +89,12 @@ pub(super) fn knocked(
     march.set_force_scale(if largest > 0.0 { largest } else { 1.0 });
     march.start(&steady.displacement, &vec![0.0; steady.displacement.len()]);
     let energy = EnergyAboutSliding::new(&of.built.assembly, steady, &march)?;
-    let follower = KnockFollower { asked, steady, unit, energy, small, progress };
+    let sliding = steady.points.iter().map(|point| match point.is_closed {
+        true => (PointMotion::Slip, true),
+        false => (PointMotion::Open, false),
+    });
+    let sliding = sliding.collect();
+    let follower = KnockFollower { asked, steady, sliding, unit, energy, small, progress };
     let known: BTreeMap<usize, KnockedMotion> =
         kept.known::<KnockedMotion>().into_iter().map(|motion| (motion.sample, motion)).collect();
     // all of them, so that of several errors the first is told
@@ -139,6 +112,24 @@ pub(super) fn knocked(
     Ok(SampledKnocks { motions: motions.into_iter().collect::<Result<_, _>>()? })
 }
 
+/// Whether the forces of a contact point that is closed in steady sliding bend about it.
+pub(super) fn bends(of: &AssemblySubject<'_>, steady: &SteadySliding) -> Result<bool, ModelError> {
+    let framed = of.built.assembly.framed()?;
+    let closed = framed.iter().zip(&steady.points).filter(|(_, state)| state.is_closed);
+    Ok(closed.into_iter().any(|(point, _)| !point.is_linear_in_slip()))
+}
+
+/// What every point does, and whether it slides the way it does in steady sliding.
+fn done_by_points(march: &NonsmoothMarch<'_>) -> Vec<(PointMotion, bool)> {
+    let contact = march.contact();
+    let one = |point: usize| {
+        let motion = march.motion(point);
+        let is_forward = motion == PointMotion::Slip && march.velocity(point)[1] < contact.speed(point);
+        (motion, is_forward)
+    };
+    (0..contact.points.len()).map(one).collect()
+}
+
 /// The velocities of the freedoms by an impulse of 1 N s along a form, M⁻¹ rᵀ.
 fn knock(of: &AssemblySubject<'_>, row: &Row) -> Result<Vec<f64>, ModelError> {
     let mut velocity = vec![0.0; of.built.assembly.size()];
@@ -154,6 +145,8 @@ fn knock(of: &AssemblySubject<'_>, row: &Row) -> Result<Vec<f64>, ModelError> {
 struct KnockFollower<'a> {
     asked: &'a Knocks,
     steady: &'a SteadySliding,
+    /// What the points do in steady sliding.
+    sliding: Vec<(PointMotion, bool)>,
     /// Velocities by 1 N s.
     unit: Vec<f64>,
     energy: EnergyAboutSliding,
@@ -180,7 +173,7 @@ impl KnockFollower<'_> {
         let steps = (self.asked.duration / self.asked.step).ceil().max(1.0) as u64;
         let from = (FROM * steps as f64) as u64;
         let mut windows = EnergyWindows::new(steps - from);
-        let (mut motion, mut has_changed) = (Vec::new(), false);
+        let (mut motion, mut changes) = (Vec::new(), false);
         for step in 0..steps {
             if step % PATIENCE == 0 {
                 self.progress.go_on()?;
@@ -190,45 +183,19 @@ impl KnockFollower<'_> {
                 continue;
             }
             windows.add(step - from, self.energy.of(march));
-            let now = (0..points.len()).map(|point| march.motion(point));
+            let now = done_by_points(march);
             if step == from {
-                motion = now.collect();
+                motion = now;
             } else {
-                has_changed |= now.zip(&motion).any(|(now, before)| now != *before);
+                changes |= now != motion;
             }
         }
         let is_solved = march.record().unsolved == 0;
-        let fate =
-            if is_solved { self.small.fate(first, &windows, self.asked.step, has_changed) } else { OPEN };
+        let differs = changes || motion != self.sliding;
+        let late = LateMotion { first, windows: &windows, step: self.asked.step, changes, differs };
+        let fate = if is_solved { self.small.fate(&late) } else { OPEN };
         let [_, last] = windows.halves();
         Ok(KnockedMotion { sample, impulse, fate, energy: last, is_solved })
-    }
-}
-
-impl KnownSmallMotions {
-    /// What becomes of a motion by its energy at first and at the end, and whether points change what they do there.
-    fn fate(self, first: f64, windows: &EnergyWindows, step: f64, has_changed: bool) -> u8 {
-        let [earlier, last] = windows.halves();
-        if !(earlier.is_finite() && last.is_finite()) {
-            return OPEN;
-        }
-        let decays = self.complete && !self.grows;
-        let keeps = || match (self.slowest, windows.fastest_fall()) {
-            _ if self.grows => last >= KEEPS * earlier,
-            (Some(rate), Some(fall)) => {
-                let is_long = rate * step * windows.steps() as f64 >= LONG;
-                is_long && has_changed && fall / step <= SLOWER * rate
-            }
-            _ => false,
-        };
-        match decays {
-            // nothing of the kind comes back
-            true if last <= GONE * first => SETTLES,
-            // small motions decay as their modes do
-            true if !has_changed && last < KEEPS * earlier => SETTLES,
-            _ if keeps() => VIBRATES,
-            _ => OPEN,
-        }
     }
 }
 
@@ -242,7 +209,7 @@ impl SampledKnocks {
         self.motions.iter().filter(|own| !own.is_solved).count()
     }
 
-    pub(super) fn told(&self, asked: &Knocks) -> ToldKnocks {
+    pub(super) fn told(&self, asked: &Knocks, small: &KnownSmallMotions) -> ToldKnocks {
         let [settle, vibrate, undecided] = [SETTLES, VIBRATES, OPEN].map(|fate| self.count(fate));
         let sizes =
             |fate: u8| self.motions.iter().filter(move |own| own.fate == fate).map(|own| own.impulse.abs());
@@ -253,6 +220,7 @@ impl SampledKnocks {
             samples: asked.samples,
             seed: asked.seed as u64,
             duration_s: asked.duration,
+            small_motions: small.words(),
             settle,
             vibrate,
             undecided,
@@ -269,11 +237,15 @@ impl SampledKnocks {
     }
 
     /// What is to be said of them.
-    pub(super) fn warning(&self) -> Option<String> {
-        let (undecided, all) = (self.count(OPEN), self.motions.len());
-        (undecided > 0).then(|| {
-            format!("what becomes of {undecided} of {all} knocks is not clear: they need a longer duration, steps that are all solved, and a band that is proven to have no other modes")
-        })
+    pub(super) fn warnings(&self, small: &KnownSmallMotions) -> Vec<String> {
+        let (undecided, all, unsolved) = (self.count(OPEN), self.motions.len(), self.unsolved());
+        let of_unsolved = (unsolved > 0).then(|| format!("{unsolved} have steps that were not solved"));
+        let of_others = (undecided > unsolved).then(|| small.remedy());
+        let reasons: Vec<String> = of_unsolved.into_iter().chain(of_others).collect();
+        let open = (undecided > 0).then(|| {
+            format!("what becomes of {undecided} of {all} knocks is not clear: {}", reasons.join("; "))
+        });
+        open.into_iter().chain(small.doubt()).collect()
     }
 
     /// Impulses, fates, energies.

@@ -4,6 +4,7 @@ use super::known_margin::{KnownMargin, MarginOfOnset, MarginPlace};
 use super::margin::SoughtMargins;
 use super::margin_stability::StabilityOnBranch;
 use super::settings::AssemblySqueal;
+use super::small_motions::KnownSmallMotions;
 use crate::assembly::branch_checks::{ShrunkAt, equations, shrinks};
 use crate::key_sweep::KeySweep;
 use judder_store::Results;
@@ -99,7 +100,7 @@ pub(super) struct ToldMargins {
     largest: Option<f64>,
     /// onsets whose margin is not known, or not what it may be off
     unknown: usize,
-    /// whether a knock may suffice with the case as it is: a mode that does not grow has cycles there, or knocks keep vibrating where nothing grows; none where neither is known
+    /// whether a knock may suffice with the case as it is: a mode that does not grow has cycles there, or knocks keep vibrating where it is proven that nothing grows, at whatever frequency; none where neither is known
     knock: Option<bool>,
     /// why it is not known
     knock_reason: &'static str,
@@ -220,9 +221,13 @@ impl ToldMargins {
         }
     }
 
-    /// That knocks keep vibrating although nothing grows.
-    pub(super) fn set_knocked(&mut self) {
-        (self.knock, self.knock_reason) = (Some(true), "");
+    /// That knocks keep vibrating, which is for their sake where nothing grows by itself.
+    pub(super) fn set_knocked(&mut self, small: &KnownSmallMotions) {
+        if small.is_quiet() {
+            (self.knock, self.knock_reason) = (Some(true), "");
+        } else if self.knock.is_none() && !small.grows() {
+            self.knock_reason = "knocks keep vibrating, but modes beyond the band, which are not all known, may grow by themselves";
+        }
     }
 
     /// What is to be said of margins that are not known.

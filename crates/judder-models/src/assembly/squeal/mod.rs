@@ -1,6 +1,6 @@
 //! `squeal`: the cycles of all modes of a band that grow, ranked by how loud they are.
 //!
-//! - [`settings`]: the keys. `cycle`: the cycle of a mode. `margin`, `known_margin`, `margin_told`: how far beyond its onset cycles reach, `margin_stability`: whether motions are drawn to them. `knocks`: what becomes of impulses.
+//! - [`settings`]: the keys. `cycle`: the cycle of a mode. `margin`, `known_margin`, `margin_told`: how far beyond its onset cycles reach, `margin_stability`: whether motions are drawn to them. `knocks`: what becomes of impulses, `small_motions`: by what that is told.
 //!   `cures`: what the growth rate follows, `at_change`: the modes with a number changed as far as a cure asks. `run`, `told`: what is computed and told of all of them. `figure`, `tables`: how it is shown.
 
 mod at_change;
@@ -14,6 +14,7 @@ mod margin_stability;
 mod margin_told;
 mod run;
 pub mod settings;
+mod small_motions;
 pub(super) mod tables;
 mod told;
 

@@ -3,10 +3,11 @@
 use super::at_change::ModeInBand;
 use super::cures::cures;
 use super::cycle::{CycleInBand, SoughtMode};
-use super::knocks::{KnownSmallMotions, knocked};
+use super::knocks::{bends, knocked};
 use super::margin::margins;
 use super::margin_told::ToldMargins;
 use super::settings::AssemblySqueal;
+use super::small_motions::KnownSmallMotions;
 use super::told::{ToldSqueal, ranked, stabilities};
 use crate::assembly::AssemblySubject;
 use crate::assembly::eigen::band;
@@ -65,17 +66,19 @@ pub(super) fn run(
         checks.extend(found.checks(sweep));
         told = told.with_margins(asked, sweep, &found);
     }
-    let small = KnownSmallMotions::new(&all.modes, told.complete);
     let knocks = match &asked.knocks {
-        Some(asked) => Some((asked, knocked(of, asked, &steady, small, (kept, progress))?)),
+        Some(knocks) => {
+            let small = KnownSmallMotions::of(&about.problem, (asked.band, &all), bends(of, &steady)?)?;
+            Some((knocks, small, knocked(of, knocks, &steady, small, (kept, progress))?))
+        }
         None => None,
     };
-    if let Some((asked, found)) = &knocks {
-        warnings.extend(found.warning());
+    if let Some((asked, small, found)) = &knocks {
+        warnings.extend(found.warnings(small));
         missing += found.unsolved();
-        told.knocks = Some(found.told(asked));
-        if let Some(margin) = told.margin.as_mut().filter(|_| !small.grows && found.vibrates()) {
-            margin.set_knocked();
+        told.knocks = Some(found.told(asked, small));
+        if let Some(margin) = told.margin.as_mut().filter(|_| found.vibrates()) {
+            margin.set_knocked(small);
         }
     }
     if let Some(cured) = asked.cures.as_ref().filter(|own| own.asks()) {
@@ -85,7 +88,7 @@ pub(super) fn run(
     }
     let outcome = Outcome::of(&told)?;
     let mut dataset = outcome.dataset.clone().with(stabilities(&told.modes))?;
-    if let Some((_, found)) = &knocks {
+    if let Some((.., found)) = &knocks {
         dataset = found.variables(dataset)?;
     }
     Ok(Outcome { dataset, checks, warnings, missing, ..outcome })

@@ -8,6 +8,7 @@ use crate::dimension::Dimension;
 use crate::expression::ExpressionError;
 use crate::problem::words::Problem;
 use crate::quantity::QuantityError;
+use crate::quantity::WrittenNumber;
 use crate::range::Range;
 
 /// What is wrong with a case. The fields are what a caller needs in order to act.
@@ -145,6 +146,18 @@ pub enum Cause {
         /// The symbol of the group that a plain number would be, where there is one.
         group: Option<&'static str>,
     },
+    /// Ends of a range in different dimensions: which of them is wrong the range does not say.
+    #[error("`{first}` is {of_first}, but `{second}` is {of_second}")]
+    MixedDimensions {
+        /// The key of the first end.
+        first: String,
+        /// Its dimension.
+        of_first: Dimension,
+        /// The key of the second end.
+        second: String,
+        /// Its dimension.
+        of_second: Dimension,
+    },
     /// A plain number where only a quantity with a unit has a meaning.
     #[error("`{key}` needs a unit: it has no dimensionless form")]
     NeedsUnit {
@@ -160,12 +173,12 @@ pub enum Cause {
         key: String,
     },
     /// A number outside the range of its key.
-    #[error("`{key}` must be {range}, but is {number:?}")]
+    #[error("`{key}` must be {range}, but is {number}")]
     OutOfRange {
         /// The key.
         key: String,
-        /// The number, in SI units where it came with a unit.
-        number: f64,
+        /// The number as written.
+        number: WrittenNumber,
         /// What is allowed.
         range: Range,
     },
@@ -186,18 +199,18 @@ pub enum Cause {
         known: Vec<String>,
     },
     /// A sweep that begins where it ends.
-    #[error("the range is empty: from and to are both {from:?}")]
+    #[error("the range is empty: from and to are both {from}")]
     EmptyRange {
         /// Both ends.
-        from: f64,
+        from: WrittenNumber,
     },
     /// A range in which roots are sought that runs backwards.
-    #[error("the range runs backwards: from {from:?} to {to:?}")]
+    #[error("the range runs backwards: from {from} to {to}")]
     Backwards {
         /// The first end.
-        from: f64,
+        from: WrittenNumber,
         /// The second end.
-        to: f64,
+        to: WrittenNumber,
     },
     /// A transient that leaves no time to average over.
     #[error("the transient of {transient:?} leaves nothing of the duration of {duration:?}")]
@@ -214,12 +227,12 @@ pub enum Cause {
         points: i64,
     },
     /// A logarithmic range that touches or passes zero.
-    #[error("a logarithmic range cannot touch or pass zero: {from:?} to {to:?}")]
+    #[error("a logarithmic range cannot touch or pass zero: {from} to {to}")]
     LogThroughZero {
         /// The first end.
-        from: f64,
+        from: WrittenNumber,
         /// The second end.
-        to: f64,
+        to: WrittenNumber,
     },
     /// A plain number beside a quantity with a unit.
     #[error("{keys} mix plain numbers with units")]

@@ -54,6 +54,7 @@ impl Cause {
             Self::UnknownName { .. } | Self::UnknownTemplate { .. } => "unknown name",
             Self::OtherModel { .. } => "not available here",
             Self::WrongDimension { .. } => "wrong unit",
+            Self::MixedDimensions { .. } => "another dimension",
             Self::NeedsUnit { .. } => "no unit",
             Self::NotFinite { .. } | Self::NotFiniteEntry { .. } => "not finite",
             Self::OutOfRange { .. } => "out of range",
@@ -128,6 +129,7 @@ impl Cause {
             Self::LogThroughZero { .. } => {
                 "let both ends have one sign, or use scale = \"linear\"".to_owned()
             }
+            Self::MixedDimensions { .. } => "give both in units of the key that varies".to_owned(),
             Self::MixedForms { .. } => "use plain numbers throughout, or units throughout".to_owned(),
             Self::TooLarge { limit, most, .. } => {
                 format!("the limit is {}: at most {most} points in all", gibibytes(*limit))

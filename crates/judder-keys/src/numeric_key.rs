@@ -4,7 +4,7 @@ use crate::cause::Cause;
 use crate::dimension::Dimension;
 use crate::document::{Data, Node};
 use crate::error::Fault;
-use crate::quantity::Quantity;
+use crate::quantity::{Quantity, WrittenNumber};
 use crate::section::{finite_number, text, wrong_type};
 use serde_json::{Value as Json, json};
 
@@ -100,7 +100,7 @@ impl Scaled {
         if self.range.contains(value.number) {
             return Ok(value);
         }
-        let (key, number, range) = (name.to_owned(), value.number, self.range);
+        let (key, number, range) = (name.to_owned(), WrittenNumber::of(node, value.number), self.range);
         Err(Cause::OutOfRange { key, number, range }.at(node.place))
     }
 

@@ -4,11 +4,13 @@
 //! `²`. What follows a quotient must be a quotient again (`N/m/s`), so that no reading has to be guessed.
 
 use std::f64::consts::PI;
+use std::fmt;
 use std::ops::Range;
 
 use thiserror::Error;
 
 use crate::dimension::Dimension;
+use crate::document::{Data, Node};
 
 /// A number in SI units with its dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -172,6 +174,33 @@ impl WrittenUnit {
     pub fn text(&self, si: f64) -> String {
         let value = self.value(si);
         if self.name.is_empty() { value.to_string() } else { format!("{value} {}", self.name) }
+    }
+}
+
+/// A number as a case file has it, for messages.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct WrittenNumber(String);
+
+impl WrittenNumber {
+    /// That of a node, read as this number.
+    pub fn of(node: &Node, number: f64) -> Self {
+        match &node.data {
+            Data::Text(text) => Self(text.trim().to_owned()),
+            _ => number.into(),
+        }
+    }
+}
+
+/// As a plain number.
+impl From<f64> for WrittenNumber {
+    fn from(number: f64) -> Self {
+        Self(format!("{number:?}"))
+    }
+}
+
+impl fmt::Display for WrittenNumber {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.0)
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::cause::Cause;
 use crate::document::{Data, DocumentTable, Node};
 use crate::error::{Fault, Place};
+use crate::quantity::WrittenNumber;
 
 /// A table of the case with the words that errors need.
 pub struct Section<'a> {
@@ -91,6 +92,11 @@ impl<'a> Section<'a> {
     /// The place of the first of these keys that there is, or of the section.
     pub fn place_of(&self, keys: &[&str]) -> Place {
         keys.iter().find_map(|key| self.get(key)).map_or(self.place, |node| node.place)
+    }
+
+    /// The number of a key as it is written.
+    pub fn written(&self, key: &str, number: f64) -> WrittenNumber {
+        self.get(key).map_or_else(|| number.into(), |node| WrittenNumber::of(node, number))
     }
 
     /// The dotted path of a key of this section.

@@ -2,9 +2,10 @@
 
 use crate::cause::Cause;
 use crate::declared::both;
-use crate::document::Node;
+use crate::document::{Data, Node};
 use crate::error::{Fault, Place};
 use crate::numeric_key::{Form, Scaled};
+use crate::quantity::WrittenNumber;
 use crate::section::Section;
 
 /// A range with equal ratios between its points.
@@ -49,15 +50,34 @@ pub fn read_ends(of: &Scaled, path: &str, node: &Node, usual: usize, most: usize
         let keys = format!("`{}` and `{}`", table.path("from"), table.path("to"));
         return Err(Cause::MixedForms { keys }.at(to_place));
     }
-    ascending(from.number, to.number, node.place)?;
+    let ends = [("from", from), ("to", to)];
+    ascending(
+        [from.number, to.number],
+        || ends.map(|(key, own)| table.written(key, own.number)),
+        node.place,
+    )?;
     Ok(Span { from: from.number, to: to.number, points: points.unwrap_or(usual), form: from.form })
 }
 
-/// Refuses a range that is empty or runs backwards.
-pub fn ascending(from: f64, to: f64, place: Place) -> Result<(), Fault> {
-    match from.total_cmp(&to) {
-        std::cmp::Ordering::Less => Ok(()),
-        std::cmp::Ordering::Equal => Err(Cause::EmptyRange { from }.at(place)),
-        std::cmp::Ordering::Greater => Err(Cause::Backwards { from, to }.at(place)),
+/// Refuses a range that is empty or runs backwards; `written` is how its ends are.
+pub fn ascending(
+    [from, to]: [f64; 2],
+    written: impl Fn() -> [WrittenNumber; 2],
+    place: Place,
+) -> Result<(), Fault> {
+    let order = from.total_cmp(&to);
+    if order.is_lt() {
+        return Ok(());
     }
+    let [from, to] = written();
+    Err(if order.is_eq() { Cause::EmptyRange { from } } else { Cause::Backwards { from, to } }.at(place))
+}
+
+/// Both items of a list of two as they are written.
+pub(crate) fn written_items(node: &Node, numbers: [f64; 2]) -> [WrittenNumber; 2] {
+    let of = |k: usize| match &node.data {
+        Data::List(items) => items.get(k).map(|item| WrittenNumber::of(item, numbers[k])),
+        _ => None,
+    };
+    [0, 1].map(|k| of(k).unwrap_or_else(|| numbers[k].into()))
 }

@@ -9,6 +9,7 @@ use judder_keys::error::{Fault, Place};
 use judder_keys::keys::Key;
 use judder_keys::numeric_key::{Form, Range, Value};
 use judder_keys::section::{Section, text, wrong_type};
+use judder_keys::span::ascending;
 use judder_study::case::scale::Spacing;
 use serde_json::{Map, Value as Json, json};
 
@@ -133,9 +134,10 @@ impl AxisKey {
         same_form(ends_of(&section), from.form, to.form, section.place_of(&["to"]))?;
         let (from, to, form) = (from.number, to.number, from.form);
         if from == to {
-            return Err(Cause::EmptyRange { from }.at(section.place));
+            return Err(Cause::EmptyRange { from: section.written("from", from) }.at(section.place));
         }
         if scale == Spacing::Log && (from == 0.0 || to == 0.0 || (from < 0.0) != (to < 0.0)) {
+            let (from, to) = (section.written("from", from), section.written("to", to));
             return Err(Cause::LogThroughZero { from, to }.at(section.place));
         }
         let (key, key_place) = varied;
@@ -200,11 +202,9 @@ pub(crate) fn read_within<K: Copy>(
     let ((), ((from, _), (to, to_place))) = both(strangers, both(end("from"), end("to")))?;
     same_form(ends_of(&section), from.form, to.form, to_place)?;
     let (from, to, form) = (from.number, to.number, from.form);
-    match from.total_cmp(&to) {
-        std::cmp::Ordering::Less => Ok(Within { from, to, form }),
-        std::cmp::Ordering::Equal => Err(Cause::EmptyRange { from }.at(section.place)),
-        std::cmp::Ordering::Greater => Err(Cause::Backwards { from, to }.at(section.place)),
-    }
+    let written = || [section.written("from", from), section.written("to", to)];
+    ascending([from, to], written, section.place)?;
+    Ok(Within { from, to, form })
 }
 
 /// What is said of a stability map.

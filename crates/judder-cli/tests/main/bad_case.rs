@@ -65,7 +65,7 @@ fn a_wrong_unit() {
 
 #[test]
 fn a_negative_stiffness() {
-    let message = "`oscillator.stiffness_x` must be positive, but is -50.0";
+    let message = "`oscillator.stiffness_x` must be positive, but is -50 N/m";
     refused("[oscillator]\nstiffness_x = \"-50 N/m\"", message, "out of range");
 }
 

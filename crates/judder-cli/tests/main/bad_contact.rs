@@ -287,7 +287,7 @@ fn substrates_that_cannot_be() {
     );
     refused(
         "substrate = { prony = [{ time = \"1 ms\", compliance = \"-1e-7 1/Pa\" }] }",
-        "`substrate.prony.compliance` must be positive, but is -1e-7",
+        "`substrate.prony.compliance` must be positive, but is -1e-7 1/Pa",
         "[case.toml:2:",
     );
     refused(
@@ -314,7 +314,7 @@ fn continuous_spectra_that_cannot_be() {
     refused(two, "cannot both be given", "keep `substrate.continuous.terms`");
     let message = "the times of `substrate.continuous.samples` must ascend, but 0.001 s follows 0.002 s";
     refused(&sample("1 ms", "1e-5"), message, "list the terms from the shortest time to the longest");
-    let message = "`substrate.continuous.samples.density` must be zero or positive, but is -1e-5";
+    let message = "`substrate.continuous.samples.density` must be zero or positive, but is -1e-5 1/Pa/s";
     refused(&sample("3 ms", "-1e-5"), message, "out of range");
     let message = "`substrate.continuous.samples.density` must be a compliance per time";
     refused(&sample("3 ms", "1e-5").replace("1/Pa/s", "1/Pa"), message, "1e-5 1/Pa/s");

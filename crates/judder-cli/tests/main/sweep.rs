@@ -75,7 +75,7 @@ fn what_a_run_would_refuse_is_refused_by_check() {
         "`operation.speed` cannot be swept",
         "keys here: velocity",
     );
-    refused("from = \"0.1 mm/s\"", "from = \"0.1 kg\"", "must be a mass, but this is a speed", "wrong unit");
+    refused("from = \"0.1 mm/s\"", "from = \"0.1 kg\"", "from` is a mass, but", "another dimension");
     refused(
         "points = 6",
         "points = 0",

@@ -7,7 +7,7 @@ use crate::document::Node;
 use crate::error::Fault;
 use crate::numeric_key::{Scaled, Value};
 use crate::section::Section;
-use crate::span::{Span, ascending, read_ends};
+use crate::span::{Span, ascending, read_ends, written_items};
 use serde_json::{Value as Json, json};
 
 /// A range of such numbers: the points of one that does not say, and the most.
@@ -43,7 +43,8 @@ impl Setting for [Value; 2] {
             let keys = format!("the ends of `{}`", section.path(key));
             return Err(Cause::MixedForms { keys }.at(node.place));
         }
-        ascending(from.number, to.number, node.place)?;
+        let numbers = [from.number, to.number];
+        ascending(numbers, || written_items(node, numbers), node.place)?;
         Ok([from, to])
     }
 

@@ -6,7 +6,7 @@ use crate::cause::Cause;
 use crate::document::{Data, Node};
 use crate::error::Fault;
 use crate::section::{Section, list, text, whole, word, wrong_type};
-use crate::span::ascending;
+use crate::span::{ascending, written_items};
 use serde_json::{Map, Value as Json, json};
 
 impl Setting for f64 {
@@ -105,7 +105,7 @@ impl Setting for [f64; 2] {
     fn read(section: &Section<'_>, key: &str, node: &Node, rule: &NumberPair) -> Result<Self, Fault> {
         let [from, to] = exactly(section, key, rule.what, node, items(section, key, node, &rule.of)?)?;
         if rule.is_ascending {
-            ascending(from, to, node.place)?;
+            ascending([from, to], || written_items(node, [from, to]), node.place)?;
         }
         Ok([from, to])
     }

@@ -6,7 +6,7 @@ use judder_keys::dimension::Dimension;
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
 use judder_keys::numeric_key::{Range, read_si};
-use judder_keys::quantity::Quantity;
+use judder_keys::quantity::{Quantity, WrittenNumber};
 use judder_keys::section::{Section, text};
 use judder_keys::{Choice, Settings};
 use judder_numerics::signal::window::Window;
@@ -111,6 +111,7 @@ impl Amplitude {
         if let Some(node) = section.get("reference") {
             let (key, number) = ("reference".to_owned(), read_si("reference", dimension, node)?);
             if number <= 0.0 {
+                let number = WrittenNumber::of(node, number);
                 return Err(Cause::OutOfRange { key, number, range: Range::Positive }.at(node.place));
             }
             self.0.number = number;

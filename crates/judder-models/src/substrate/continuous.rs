@@ -10,6 +10,7 @@ use judder_keys::dimension::Dimension;
 use judder_keys::error::Fault;
 use judder_keys::numeric_key::Range;
 use judder_keys::section::Section;
+use judder_keys::span::ascending;
 
 /// A continuous spectrum, and into how many terms it is taken apart.
 #[derive(Debug, Clone, PartialEq, Settings)]
@@ -107,7 +108,8 @@ impl PowerLaw {
     /// Refuses times that do not ascend.
     fn ascends(&mut self, section: &Section<'_>) -> Result<(), Fault> {
         let (from, to) = (self.from, self.to);
-        if from < to { Ok(()) } else { Err(Cause::Backwards { from, to }.at(section.place)) }
+        let written = || [section.written("from", from), section.written("to", to)];
+        ascending([from, to], written, section.place)
     }
 }
 

@@ -275,7 +275,7 @@ fn springs_that_join_nothing() {
     );
     refused(
         &spoilt(MASS, "stiffness = \"315 N/m\"", "stiffness = \"-315 N/m\""),
-        "`spring.across.stiffness` must be zero or positive, but is -315.0",
+        "`spring.across.stiffness` must be zero or positive, but is -315 N/m",
         "\"-315 N/m\"",
         "",
     );

@@ -76,7 +76,7 @@ fn chamfers_that_would_fold_elements() {
     );
     refused(
         &at_both(&cut("\"0 mm\"", "\"2 mm\"", "2"), &usual),
-        "`structure.block.chamfer.x-min.length` must be positive, but is 0.0",
+        "`structure.block.chamfer.x-min.length` must be positive, but is 0 mm",
         "\"0 mm\"",
         "",
     );

@@ -15,7 +15,7 @@ fn analysis(settings: &str) -> String {
 fn a_negative_compliance() {
     refused(
         &contact(r#"substrate = { prony = [{ time = "10 ms", compliance = "-1e-7 1/Pa" }] }"#),
-        "`substrate.prony.compliance` must be positive, but is -1e-7",
+        "`substrate.prony.compliance` must be positive, but is -1e-7 1/Pa",
         r#""-1e-7 1/Pa""#,
         "",
     );
@@ -97,7 +97,7 @@ fn a_temperature_without_a_shift() {
 fn a_temperature_below_absolute_zero() {
     refused(
         &contact("[substrate]\ntemperature = \"-300 degC\""),
-        "`substrate.temperature` must be positive, but is -26.850000000000023",
+        "`substrate.temperature` must be positive, but is -300 degC",
         r#""-300 degC""#,
         "",
     );
@@ -381,7 +381,7 @@ fn a_law_of_an_elastic_substrate() {
 fn frequencies_that_run_backwards() {
     refused(
         &contact("[[analysis]]\nkind = \"modulus\"\nfrequency = { from = \"1 kHz\", to = \"1 Hz\" }"),
-        "the range runs backwards: from 6283.185307179586 to 6.283185307179586",
+        "the range runs backwards: from 1 kHz to 1 Hz",
         "{ from = \"1 kHz\", to = \"1 Hz\" }",
         "exchange its two ends",
     );

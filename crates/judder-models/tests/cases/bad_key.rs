@@ -137,7 +137,7 @@ fn a_negative_stiffness() {
     refused(
         &key(r#"[oscillator]
 stiffness_x = "-50 N/m""#),
-        "`oscillator.stiffness_x` must be positive, but is -50.0",
+        "`oscillator.stiffness_x` must be positive, but is -50 N/m",
         r#""-50 N/m""#,
         "",
     );

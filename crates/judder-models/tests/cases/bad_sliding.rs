@@ -64,7 +64,7 @@ fn keys_of_a_structure_are_named_with_it() {
     changed(
         "alpha = \"40 1/s\", beta = \"4e-8 s\" } }",
         "alpha = \"-40 1/s\" } }",
-        "`structure.horizontal.damping.rayleigh.alpha` must be zero or positive, but is -40.0",
+        "`structure.horizontal.damping.rayleigh.alpha` must be zero or positive, but is -40 1/s",
         "\"-40 1/s\"",
         "",
     );
@@ -168,7 +168,7 @@ fn a_velocity_that_leads_elsewhere() {
     changed(
         "start = \"10 mm\" ",
         "start = \"-1 mm\" ",
-        "`motion.start` must be zero or positive, but is -0.001",
+        "`motion.start` must be zero or positive, but is -1 mm",
         "\"-1 mm\"",
         "",
     );

@@ -17,7 +17,7 @@ fn a_locus_that_cannot_be() {
     );
     analysis(
         "kind = \"locus\"\npositions = { from = \"50 mm\", to = \"20 mm\" }",
-        "the range runs backwards: from 0.05 to 0.02",
+        "the range runs backwards: from 50 mm to 20 mm",
         "{ from = \"50 mm\", to = \"20 mm\" }",
         "exchange its two ends",
     );
@@ -96,9 +96,9 @@ fn swept_values_that_cannot_be() {
     );
     sweep(
         "key = \"motion.load.force\", from = \"-1 N\", to = \"2 mm\", points = 3",
-        "`sweep.to` must be a force, but this is a length",
+        "`sweep.from` is a force, but `sweep.to` is a length",
         "\"2 mm\"",
-        "write a force, such as \"0.2 N\"",
+        "give both in units of the key that varies",
     );
     sweep(
         "key = \"motion.load.force\", values = [\"-1 N\", \"-3 N\", \"-2 N\"]",
@@ -174,7 +174,7 @@ fn a_march_that_cannot_be() {
         "as-printed",
         "did you mean `printed`? known: printed, with-force",
     );
-    analysis(&march("film", "step = \"0 s\""), "`step` must be positive, but is 0.0", "\"0 s\"", "");
+    analysis(&march("film", "step = \"0 s\""), "`step` must be positive, but is 0 s", "\"0 s\"", "");
     analysis(
         &march("film", "from = \"5 mm\""),
         "`from` is 0.005 m, but the motion goes from 0.01 m to 0.0985 m",

@@ -107,7 +107,7 @@ fn a_log_range_through_zero() {
         &sweep(
             r#"key = "oscillator.coupling_angle", from = "-45 deg", to = "45 deg", points = 5, scale = "log""#,
         ),
-        "a logarithmic range cannot touch or pass zero: -0.7853981633974483 to 0.7853981633974483",
+        "a logarithmic range cannot touch or pass zero: -45 deg to 45 deg",
         r#"{ key = "oscillator.coupling_angle", from = "-45 deg", to = "45 deg", points = 5, scale = "log" }"#,
         r#"let both ends have one sign, or use scale = "linear""#,
     );

@@ -11,13 +11,13 @@ fn discs_that_are_none() {
     let radii = "radii = [\"87.12 mm\", \"88 mm\"]";
     refused(
         &spoilt(RING, radii, "radii = [\"88 mm\", \"87.12 mm\"]"),
-        "the range runs backwards: from 0.088 to 0.08712",
+        "the range runs backwards: from 88 mm to 87.12 mm",
         "[\"88 mm\", \"87.12 mm\"]",
         "exchange its two ends",
     );
     refused(
         &spoilt(RING, radii, "radii = [\"0 mm\", \"88 mm\"]"),
-        "`structure.ring.disc.radii` must be positive, but is 0.0",
+        "`structure.ring.disc.radii` must be positive, but is 0 mm",
         "\"0 mm\"",
         "",
     );

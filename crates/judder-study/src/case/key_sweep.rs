@@ -105,13 +105,20 @@ impl<const MOST: usize> VariedKey<MOST> {
             given.ok_or_else(|| table.missing(key, &format!("{key} = …, the value at this end")))
         };
         let (from, to) = both(end("from", self.from), end("to", self.to))?;
-        same_dimension(&table.path("to"), from, to, table.place_of(&["to"]))?;
+        if from.dimension != to.dimension {
+            let [first, second] = ["from", "to"].map(|key| table.path(key));
+            let (of_first, of_second) = (from.dimension, to.dimension);
+            return Err(
+                Cause::MixedDimensions { first, of_first, second, of_second }.at(table.place_of(&["to"]))
+            );
+        }
         let (scale, [from, to], dimension) =
             (self.scale.unwrap_or(Spacing::Linear), [from.value, to.value], from.dimension);
         if from == to {
-            return Err(Cause::EmptyRange { from }.at(table.place));
+            return Err(Cause::EmptyRange { from: table.written("from", from) }.at(table.place));
         }
         if scale == Spacing::Log && (from == 0.0 || to == 0.0 || (from < 0.0) != (to < 0.0)) {
+            let (from, to) = (table.written("from", from), table.written("to", to));
             return Err(Cause::LogThroughZero { from, to }.at(table.place));
         }
         Ok(Ends { values: [from, to], dimension, scale })

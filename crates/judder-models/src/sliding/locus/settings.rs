@@ -118,6 +118,9 @@ impl Positions {
         if !is_given("to") {
             self.to = start.max(end);
         }
-        given.map_or(Ok(()), |given| ascending(self.from, self.to, given.place))
+        let Some(given) = given else { return Ok(()) };
+        let ends = [("from", self.from), ("to", self.to)];
+        let written = || ends.map(|(key, end)| given.written(key, end));
+        ascending([self.from, self.to], written, given.place)
     }
 }

@@ -109,7 +109,7 @@ impl Rayleigh {
             std::mem::swap(&mut first, &mut second);
         }
         if first.frequency == second.frequency {
-            return Err(Cause::EmptyRange { from: first.frequency }.at(node.place));
+            return Err(Cause::EmptyRange { from: first.frequency.into() }.at(node.place));
         }
         let spread = (second.frequency - first.frequency) * (second.frequency + first.frequency);
         let crossed = first.ratio * second.frequency - second.ratio * first.frequency;

@@ -7,6 +7,7 @@ use serde_json::json;
 use crate::commands::Command;
 use crate::console::{Console, ProgressForm};
 use crate::failure::{Exit, Failure};
+use crate::memory::MemoryLimit;
 
 const HELP: &str = "\
 Examples:
@@ -34,6 +35,8 @@ pub(crate) struct Arguments {
     pub(crate) command: Option<Command>,
     #[command(flatten)]
     manner: ConsoleManner,
+    #[command(flatten)]
+    pub(crate) memory: MemoryLimit,
 }
 
 /// How every command speaks.

@@ -6,7 +6,7 @@
 //!
 //! - `arguments`: the command line as types, with the help texts.
 //! - `commands`: one module a command; each makes one call into `judder-study` and prints what came of it.
-//! - `threads`, `interrupt`, `progress`: the pool of `--threads`, what ends a command from outside, how far it is.
+//! - `threads`, `memory`, `interrupt`, `progress`: the pool of `--threads`, the budget of `--memory`, what ends a command from outside, how far it is.
 //! - `failure`: every error with its message, place, help and exit code.
 //! - `console`: results to standard output, all else to standard error.
 //! - `scoreboard`: the table of `judder reproduce`.
@@ -18,6 +18,7 @@ mod commands;
 mod console;
 mod failure;
 mod interrupt;
+mod memory;
 mod progress;
 mod scoreboard;
 mod threads;
@@ -56,12 +57,14 @@ pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     console.begin();
     let outcome = caught(|| {
         Interrupt::watch(console)?;
-        match parsed {
-            Ok(arguments) => match arguments.command {
-                Some(command) => commands::execute(command, console),
-                None => arguments::without_command(console),
-            },
-            Err(error) => arguments::answer(&error, console),
+        let arguments = match parsed {
+            Ok(arguments) => arguments,
+            Err(error) => return arguments::answer(&error, console),
+        };
+        arguments.memory.tell();
+        match arguments.command {
+            Some(command) => commands::execute(command, console),
+            None => arguments::without_command(console),
         }
     });
     interrupt::end_by_itself();

@@ -110,7 +110,7 @@ struct Amount(u128);
 
 impl fmt::Display for Amount {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        const UNITS: [(&str, f64); 4] = [("PB", 1e15), ("TB", 1e12), ("GB", 1e9), ("MB", 1e6)];
+        const UNITS: [(&str, f64); 5] = [("EB", 1e18), ("PB", 1e15), ("TB", 1e12), ("GB", 1e9), ("MB", 1e6)];
         let bytes = self.0 as f64;
         match UNITS.iter().find(|(_, size)| bytes >= *size) {
             Some((unit, size)) => write!(f, "{:.1} {unit}", bytes / size),
@@ -130,6 +130,6 @@ mod tests {
         let beyond = budget.ask(15_600_000_000).unwrap_err();
         assert_eq!(beyond.to_string(), "15.6 GB of memory are needed, and 3.9 GB are to be had, as was said");
         assert!(beyond.remedy().contains("--memory \"15 GiB\""), "{}", beyond.remedy());
-        assert!(budget.ask(u128::MAX).unwrap_err().to_string().contains("PB"));
+        assert!(budget.ask(u128::MAX).unwrap_err().to_string().contains("EB"));
     }
 }

@@ -1,4 +1,5 @@
 use judder_keys::error::CaseError;
+use judder_memory::BeyondMemory;
 use judder_report::ReportError;
 use judder_store::StoreError;
 use std::any::Any;
@@ -70,6 +71,14 @@ pub enum StudyError {
         bytes: u64,
         /// Bytes that may be held.
         limit: u64,
+    },
+    /// Something would take more memory than there is for it.
+    #[error("{what}: {source}; {}", source.remedy())]
+    Memory {
+        /// What would take it.
+        what: String,
+        /// How much, and how much there is.
+        source: BeyondMemory,
     },
     /// A file that the case names could not be used.
     #[error("{}: {reason}", path.display())]
@@ -146,6 +155,7 @@ impl StudyError {
             | Self::FileChanged { .. }
             | Self::TooManyValues { .. }
             | Self::HeldTooMuch { .. }
+            | Self::Memory { .. }
             | Self::NoResults { .. } => true,
             Self::Model(fault) => fault.is_wrong_input(),
             Self::Store(error) => is_wrong_folder(error),

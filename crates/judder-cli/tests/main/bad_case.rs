@@ -186,3 +186,41 @@ fn the_place_is_in_the_document() {
     assert_eq!(error["place"], place);
     assert!(error["help"].as_str().unwrap().starts_with("write a speed"));
 }
+
+/// What the process may take is asked before anything is made: these would have ended it without a word.
+#[test]
+fn sizes_that_no_memory_has() {
+    let axis =
+        "{ key = \"operation.velocity\", from = 1e-6, to = 1.0, points = 1000000000000, scale = \"log\" }";
+    let sweep = format!("[[sweep]]\nname = \"all\"\nover = [{axis}]\nquantities = [\"growth_rate\"]");
+    let message = "the 1000000000000 values of the keys of the sweep `all`: 24.0 TB of memory are needed";
+    let desk = Desk::with_case(&format!("model = \"oscillator\"\n{sweep}\n"));
+    for command in ["run", "check"] {
+        desk.refused(&[command, "case.toml"], message, "--memory \"22352 GiB\"");
+    }
+    let block = |cells: &str| {
+        Desk::with_case(&format!(
+            "model = \"structure\"\n[structure]\nblock = {{ element = \"hexahedron8\", size = [\"1 m\", \"1 m\", \"1 m\"], cells = {cells} }}\n\
+             material = {{ youngs_modulus = \"1 GPa\", poisson_ratio = 0.3, density = \"1000 kg/m^3\" }}\n\
+             [[analysis]]\nkind = \"modes\"\n"
+        ))
+    };
+    let desk = block("[100000, 100000, 100000]");
+    let message = "this structure: 28.7 EB of memory are needed";
+    desk.refused(&["check", "case.toml"], message, "--memory");
+    desk.refused(&["run", "case.toml"], message, "--memory");
+}
+
+#[test]
+fn memory_beyond_what_was_told() {
+    let desk = Desk::with_case(CASE);
+    desk.refused(&["check", "case.toml", "--memory", "lots"], "give an amount of 1 MiB or more", "");
+    let motion = "model = \"oscillator\"\n[[analysis]]\nkind = \"motion\"\npoints = 4194304\n";
+    let desk = Desk::with_case(motion);
+    let check = ["check", "case.toml", "--memory", "1 GiB"];
+    desk.refused(
+        &check,
+        "1.5 GB of memory are needed, and 1.1 GB are to be had, as was said",
+        "--memory \"2 GiB\"",
+    );
+}

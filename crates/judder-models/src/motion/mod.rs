@@ -18,10 +18,11 @@ pub(crate) mod si;
 pub(crate) mod tables;
 
 use crate::error::ModelError;
-use crate::estimate::{Estimate, cost};
+use crate::estimate::{Estimate, PROCESS_BYTES, cost};
 use crate::sweep::Sweep;
 use crate::swept_keys::SweptKeys;
 use judder_keys::numeric_key::{Form, Value};
+use judder_memory::MemoryBudget;
 use judder_store::Declared;
 use judder_study::model::{Analysed, Analysis, Task};
 use judder_study::outcome::Outcome;
@@ -90,10 +91,12 @@ impl<C: MotionCase, A: MotionOf<C::Keys>> Analysis<C> for MotionAnalysis<A> {
     }
 
     fn run(&self, of: &C::Subject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        MemoryBudget::of_process().ask(self.0.size().bytes())?;
         C::follow(&self.0, of, task)
     }
 
     fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
+        MemoryBudget::of_process().ask(self.0.size().bytes())?;
         Ok(self.0.size().estimate(name, C::RADIAN))
     }
 
@@ -127,17 +130,21 @@ impl MotionSize {
         Self { points: motions, motions, time, branches: false }
     }
 
+    /// Bytes that it takes: 352 were measured of each kept point of motions from 64 to 4 194 304 points, arrays, figure and sound together.
+    fn bytes(&self) -> u128 {
+        const POINT: u128 = 352;
+        PROCESS_BYTES + self.points as u128 * POINT
+    }
+
     /// What it would take, with so many seconds a radian.
     fn estimate(&self, name: &str, radian: f64) -> Estimate {
-        /// Numbers that are kept of a point.
-        const NUMBERS: u128 = 16;
         // what a branch costs is its flights, which take their radians
         let branches = if self.branches { cost::BRANCHES * radian / cost::RADIAN } else { 0.0 };
         Estimate {
             name: name.to_owned(),
             points: self.points,
             seconds: self.motions as f64 * self.time * radian + branches + cost::FIGURE,
-            bytes: self.points as u128 * 8 * NUMBERS,
+            bytes: self.bytes(),
         }
     }
 }

@@ -4,6 +4,7 @@
 //! - `assembled`: elements with materials and supports, assembled.
 //! - `sums`: matrices of other programs, read. `arrays`: matrices that stand in the case.
 //! - `layout`: where freedoms lie, and the lines that show a shape.
+//! - `memory`: what matrices of elements take.
 //! - `kept`: the freedoms that a reduction keeps.
 
 mod arrays;
@@ -11,6 +12,7 @@ mod assembled;
 mod body;
 mod kept;
 mod layout;
+mod memory;
 mod mesh_file;
 mod sums;
 

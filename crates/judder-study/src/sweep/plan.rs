@@ -4,12 +4,13 @@ use crate::axis::SweptAxis;
 use crate::case::file::CaseFile;
 use crate::case::scale::Spacing;
 use crate::case::study_sweep::quantity_path::{QuantityPath, QuantitySource, QuantityStep};
-use crate::case::study_sweep::{Design, StudySweep, SweptValues};
+use crate::case::study_sweep::{Design, StudySweep, SweptKey, SweptValues};
 use crate::error::StudyError;
 use crate::input_file::KnownFile;
 use crate::labels;
 use crate::model::{OperatingQuantity, OperatingWork};
 use crate::version::version;
+use judder_memory::MemoryBudget;
 use judder_store::{SweepDimension, SweepLayout, SweepQuantity, Variable};
 
 /// The most points of a chunk where the case does not say, when only the operating point is asked for: a fraction of a second.
@@ -23,6 +24,9 @@ const PARTS: u64 = 16;
 /// Fewer operating points than this are not worth a file, fewer searches than a part of it.
 const FEWEST: u64 = 1 << 12;
 const FEWEST_SEARCHES: u64 = 1 << 8;
+
+/// Bytes that a value of a key of a grid takes: as it is computed, as a coordinate, and as that is written.
+const VALUE_BYTES: u128 = 24;
 
 /// What one column of the stored values is.
 #[derive(Debug, Clone)]
@@ -57,6 +61,7 @@ impl SweepPlan {
         hash: &str,
         files: &[KnownFile],
     ) -> Result<Self, StudyError> {
+        check_memory(sweep, MemoryBudget::of_process())?;
         // a grid has its keys as dimensions
         let keys = if sweep.method == Design::Grid { 0 } else { sweep.axes.len() };
         let mut columns: Vec<StoredColumn> = (0..keys).map(StoredColumn::Key).collect();
@@ -111,6 +116,18 @@ impl SweepPlan {
     pub(super) fn key(&self, k: usize) -> labels::SweptQuantity {
         label(&self.file, &self.sweep, k)
     }
+}
+
+/// Whether the values of the keys of a grid, which its results are told by, fit into memory.
+fn check_memory(sweep: &StudySweep, budget: MemoryBudget) -> Result<(), StudyError> {
+    if sweep.method != Design::Grid {
+        return Ok(());
+    }
+    let values: u128 = sweep.axes.iter().filter_map(SweptKey::count).map(u128::from).sum();
+    budget.ask(values * VALUE_BYTES).map_err(|source| {
+        let what = format!("the {values} values of the keys of the sweep `{}`", sweep.name);
+        StudyError::Memory { what, source }
+    })
 }
 
 fn column(quantity: &QuantityPath) -> StoredColumn {

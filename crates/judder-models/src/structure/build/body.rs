@@ -1,11 +1,13 @@
 //! The bodies that a case describes: their meshes, and what holds them.
 
 use super::assembled::{add_supports, assembled, dimension_of, hold, section};
+use super::memory::admit_cells;
 use super::{Structure, Unbuilt};
 use crate::structure::case::body::{BeamSettings, Block, BodyGeometry, BodySettings, EndCondition};
 use crate::structure::case::damping::Damping;
 use crate::structure::case::disc::DiscSettings;
 use judder_structure::beam;
+use judder_structure::element::ElementKind;
 use judder_structure::freedom::Supports;
 use judder_structure::grid::Grid;
 use judder_structure::mesh::Mesh;
@@ -31,6 +33,7 @@ pub(super) fn structure(body: &BodySettings, damping: &Damping) -> Result<Struct
 /// The mesh of a beam and what holds its ends.
 fn beam_mesh(beam: &BeamSettings) -> Result<(Mesh, Supports), Unbuilt> {
     let BeamSettings { length, thickness, elements, origin, angle, start, end } = *beam;
+    admit_cells("structure.beam.elements", ElementKind::Quad8, &elements)?;
     let mesh = beam::Beam { length, thickness, elements, origin, angle }
         .mesh(OWN)
         .map_err(|error| Unbuilt::because("structure.beam", &error))?;
@@ -54,6 +57,7 @@ fn block_mesh(block: &Block) -> Result<Mesh, Unbuilt> {
     let moved = |axis: usize, along: f64| origin.get(axis).map_or(along, |from| from + along);
     let turned = |place| block.orientation.as_ref().map_or(place, |own| own.turned(place));
     let grid = Grid { kind: block.element(), size, cells };
+    admit_cells("structure.block.cells", grid.kind, &cells)?;
     let place = |place| {
         let turned = turned(place);
         std::array::from_fn(|axis| moved(axis, turned[axis]))
@@ -68,7 +72,9 @@ fn block_mesh(block: &Block) -> Result<Mesh, Unbuilt> {
 fn disc_mesh(disc: &DiscSettings) -> Result<Mesh, Unbuilt> {
     let origin = disc.origin.as_deref().unwrap_or_default();
     let moved = |axis: usize, along: f64| origin.get(axis).map_or(along, |from| from + along);
-    disc.ring()
-        .mesh(OWN, |place| std::array::from_fn(|axis| moved(axis, place[axis])))
+    let ring = disc.ring();
+    let cells = [ring.radii.len().saturating_sub(1), ring.angles.len(), ring.layers];
+    admit_cells("structure.disc.cells", ring.kind, &cells)?;
+    ring.mesh(OWN, |place| std::array::from_fn(|axis| moved(axis, place[axis])))
         .map_err(|error| Unbuilt::because("structure.disc", &error))
 }

@@ -1,6 +1,7 @@
 //! Mesh files of other programs, with the materials and supports of the case.
 
 use super::assembled::{add_supports, assembled, section};
+use super::memory::admit_elements;
 use super::{Structure, Unbuilt};
 use crate::structure::case::body::BodySettings;
 use crate::structure::case::damping::Damping;
@@ -27,6 +28,9 @@ pub(super) fn structure(
     }
     name_nodes(&mut read);
     refuse_strangers(body, &read)?;
+    for block in &read.mesh.blocks {
+        admit_elements("structure.mesh", block.kind, block.connectivity.len() / block.kind.nodes())?;
+    }
     let materials = materials(body, &read)?;
     let mut supports = Supports::default();
     add_supports(body, &read.mesh, &mut supports)?;

@@ -6,11 +6,18 @@ use thiserror::Error;
 
 use judder_keys::nearest::did_you_mean;
 use judder_keys::problem::Problem;
+use judder_memory::BeyondMemory;
 use judder_structure::element::ElementKind;
 
 /// What is wrong, with what a caller needs in order to act.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum StructureProblem {
+    /// Matrices of elements, or what is made of them, that would take more memory than there is.
+    #[error("this structure: {source}")]
+    Memory {
+        /// How much, and how much there is.
+        source: BeyondMemory,
+    },
     /// A case without a structure.
     #[error("a structure case needs `[structure]` or `[matrices]`")]
     NoStructure,
@@ -223,6 +230,7 @@ impl Problem for StructureProblem {
 
     fn label(&self) -> &'static str {
         match self {
+            Self::Memory { .. } => "too many",
             Self::NoStructure | Self::Needs { .. } => "in this section",
             Self::OneGeometry { .. } => "one of four",
             Self::DiscElement { .. } => "no bricks",
@@ -257,6 +265,7 @@ impl StructureProblem {
     /// What would be right.
     fn advice(&self) -> String {
         match self {
+            Self::Memory { source } => source.remedy(),
             Self::NoStructure => {
                 "give [structure] with beam = { … }, block = { … }, disc = { … } or mesh = \"file.msh\", or [matrices] with mass = [{ file = \"…\" }]"
                     .to_owned()

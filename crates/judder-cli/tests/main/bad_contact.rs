@@ -237,12 +237,12 @@ fn a_contact_beyond_the_heights_of_its_file() {
 fn more_memory_than_the_limit() {
     let contact = "kind = \"contact\"\nvelocity = 1e-2\nindentation = 1e-2";
     let large = case("memory_limit = \"1 GiB\"", &format!("{contact}\ncells = 4096"));
-    let message = "4096 × 4096 cells take 1.4 GiB of memory, and the limit is 1.0 GiB";
-    refused_case(&large, "[case.toml:7:9]", message, "take fewer cells, or set memory_limit = \"2 GiB\"");
+    let message = "4096 × 4096 cells take 3.2 GiB of memory, and the limit is 1.0 GiB";
+    refused_case(&large, "[case.toml:7:9]", message, "take fewer cells, or set memory_limit = \"4 GiB\"");
     // an analysis has the last word
     let own = case("memory_limit = \"8 GiB\"", &format!("{contact}\ncells = 512\nmemory_limit = \"9 MiB\""));
-    let message = "512 × 512 cells take 23.0 MiB of memory, and the limit is 9.0 MiB";
-    refused_case(&own, "[case.toml:7:9]", message, "take fewer cells, or set memory_limit = \"24 MiB\"");
+    let message = "512 × 512 cells take 53.0 MiB of memory, and the limit is 9.0 MiB";
+    refused_case(&own, "[case.toml:7:9]", message, "take fewer cells, or set memory_limit = \"53 MiB\"");
     let long = "kind = \"transient\"\nmotion = \"start\"\nvelocity = 10\nindentation = 1e-2\nduration = 5\n\
                 cells = 256\nmemory_limit = \"20 MiB\"";
     refused_case(
@@ -254,10 +254,10 @@ fn more_memory_than_the_limit() {
     let wrong = case("memory_limit = \"lots\"", contact);
     refused_case(&wrong, "[case.toml:2:16]", "`memory_limit` is not an amount of memory", "write \"4 GiB\"");
     // a grid that is chosen in the course of a run
-    let desk = Desk::with_case(&case("memory_limit = \"2 MiB\"", contact));
+    let desk = Desk::with_case(&case("memory_limit = \"4 MiB\"", contact));
     let said = desk.judder(&["run", "case.toml"]);
     assert_eq!(said.code, 2, "{}", said.stderr);
-    said.says("128 × 128 cells take 2.4 MiB of memory, and the limit is 2.0 MiB");
+    said.says("128 × 128 cells take 5.5 MiB of memory, and the limit is 4.0 MiB");
 }
 
 #[test]

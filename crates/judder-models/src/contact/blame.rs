@@ -1,5 +1,6 @@
 //! Which key of a contact case is to blame, and what would be right.
 
+use crate::contact::memory::bytes_with_operator;
 use crate::contact::problem::ContactProblem;
 use crate::error::ModelError;
 use judder_contact::LawError;
@@ -63,8 +64,11 @@ pub(super) fn blame(error: &ModelError) -> Option<Refusal> {
             rows,
             needed,
             allowed,
-        }))
-        | ModelError::Transient(TransientError::Memory { columns, rows, needed, allowed }) => {
+        })) => {
+            let [needed, allowed] = [*needed, *allowed].map(bytes_with_operator);
+            Some(beyond(*columns, *rows, needed, allowed))
+        }
+        ModelError::Transient(TransientError::Memory { columns, rows, needed, allowed }) => {
             Some(beyond(*columns, *rows, *needed, *allowed))
         }
         _ => None,

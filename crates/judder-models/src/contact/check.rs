@@ -3,12 +3,11 @@
 use super::ContactSubject;
 use crate::contact::case::ContactCase;
 use crate::error::ModelError;
-use crate::estimate::title;
+use crate::estimate::{PROCESS_BYTES, title};
 use crate::material::ContactScales;
 use crate::oscillator::check::line_rows;
 use crate::oscillator::keys::OscillatorKey;
 use crate::spectrum_source::temperature_warning;
-use judder_contact::kernel::sliding::SlidingOperator;
 use judder_keys::keys::Keys;
 use judder_keys::memory::Memory;
 use judder_keys::numeric_key::Form;
@@ -30,6 +29,8 @@ pub struct ContactEstimate {
     pub contacts: usize,
     /// Columns and rows of the likely grid; none where nothing touches.
     pub lattice: [usize; 2],
+    /// Bytes of the contact, without the program.
+    pub bytes: u64,
 }
 
 impl ContactEstimate {
@@ -41,9 +42,9 @@ impl ContactEstimate {
         self.contacts as f64 * SECONDS_AT_256 * own / size(256.0, 256.0)
     }
 
+    /// Bytes of the process.
     fn bytes(&self) -> u64 {
-        let [cells, rows] = self.lattice;
-        if cells == 0 { 0 } else { SlidingOperator::memory_bytes(cells, rows) }
+        self.bytes.saturating_add(PROCESS_BYTES as u64)
     }
 }
 

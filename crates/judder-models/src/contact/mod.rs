@@ -11,6 +11,7 @@ mod check;
 mod fields;
 pub mod fit;
 pub mod law;
+mod memory;
 pub mod modulus;
 pub mod problem;
 pub mod settings;

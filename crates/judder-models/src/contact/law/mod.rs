@@ -6,13 +6,13 @@ mod run;
 pub use run::LawPlane;
 
 use super::check::ContactEstimate;
+use super::memory::contact_bytes;
 use super::size::lattice_of_law;
 use super::{ContactSubject, Exciting, blame, usual_contacts};
 use crate::computed_law::KnownPoints;
 use crate::contact::case::ContactCase;
 use crate::contact::settings::{ContactScope, LawSettings};
 use crate::error::ModelError;
-use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::law::sweep::SolvedLawPoint;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
@@ -47,7 +47,7 @@ impl Analysis<ContactCase> for LawSettings {
             return Ok(Err(refusal));
         }
         let lattice = lattice_of_law(&of.case.shape, self);
-        Ok(blame::large(lattice, SlidingOperator::memory_bytes(lattice[0], lattice[1]), self.memory))
+        Ok(blame::large(lattice, contact_bytes(lattice), self.memory))
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
@@ -65,7 +65,13 @@ impl Analysis<ContactCase> for LawSettings {
         let points = [self.velocity.points, self.indentation.points];
         let asked = format!("{method}, {} × {} points, accuracy {accuracy:e}", points[0], points[1]);
         let (contacts, lattice) = (usual_contacts(self.method), lattice_of_law(&of.case.shape, self));
-        Ok(ContactEstimate { name: of.name.to_owned(), asked, contacts, lattice })
+        Ok(ContactEstimate {
+            name: of.name.to_owned(),
+            asked,
+            contacts,
+            lattice,
+            bytes: contact_bytes(lattice),
+        })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -2,6 +2,7 @@
 
 use crate::computed_law::{ComputedLaw, KnownPoints, LawTask, compute, ending, meets};
 use crate::contact::case::ContactCase;
+use crate::contact::memory::operator_limit;
 use crate::contact::settings::{LawMethod, LawSettings};
 use crate::error::ModelError;
 use crate::indenter;
@@ -61,7 +62,7 @@ impl LawPlane {
             velocity: Self::ends(&self.velocities),
             indentation: Self::ends(&self.indentations),
             accuracy: settings.accuracy,
-            memory: settings.memory.bytes,
+            memory: operator_limit(settings.memory),
         })
     }
 

@@ -6,6 +6,7 @@ mod refined;
 pub(crate) mod run;
 
 use super::check::ContactEstimate;
+use super::memory::contact_bytes;
 use super::size::lattice;
 use super::{ContactSubject, Exciting, blame};
 use crate::contact::case::ContactCase;
@@ -14,7 +15,6 @@ use crate::contact::settings::{ContactScope, ContactSettings};
 use crate::contact::shape::ShapeSettings;
 use crate::error::ModelError;
 use crate::indenter::height_map;
-use judder_contact::kernel::sliding::SlidingOperator;
 use judder_contact::steady::{GridChoice, SteadyError};
 use judder_contact::unilateral::Loading;
 use judder_keys::declared::Settings;
@@ -71,7 +71,7 @@ impl Analysis<ContactCase> for ContactSettings {
             return Ok(Ok(()));
         }
         let lattice = lattice(of.case, self, of.scales)?;
-        Ok(blame::large(lattice, SlidingOperator::memory_bytes(lattice[0], lattice[1]), self.memory))
+        Ok(blame::large(lattice, contact_bytes(lattice), self.memory))
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
@@ -115,7 +115,13 @@ impl Analysis<ContactCase> for ContactSettings {
             }
         };
         let lattice = lattice(of.case, self, of.scales)?;
-        Ok(ContactEstimate { name: of.name.to_owned(), asked, contacts: 1, lattice })
+        Ok(ContactEstimate {
+            name: of.name.to_owned(),
+            asked,
+            contacts: 1,
+            lattice,
+            bytes: contact_bytes(lattice),
+        })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

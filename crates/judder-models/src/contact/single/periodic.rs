@@ -4,6 +4,7 @@ use super::refined::Refined;
 use super::run::{DISSIPATION_LIMIT, RESIDUAL_LIMIT, loading};
 use crate::contact::case::ContactCase;
 use crate::contact::fields::ContactFields;
+use crate::contact::memory::operator_limit;
 use crate::contact::settings::ContactSettings;
 use crate::error::ModelError;
 use crate::indenter::height_map;
@@ -37,7 +38,7 @@ pub(super) fn run(
         },
         accuracy: Some(settings.accuracy),
         limits: UnilateralLimits::default(),
-        memory: settings.memory.bytes,
+        memory: operator_limit(settings.memory),
     };
     let contact = solve_until(&question, &|| progress.interrupted()).map_err(|error| match error {
         PeriodicContactError::Interrupted => ModelError::Interrupted,

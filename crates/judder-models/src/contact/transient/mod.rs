@@ -64,7 +64,8 @@ impl Analysis<ContactCase> for TransientSettings {
         let asked = AskedTransient::new(&of.case.shape, self, of.scales);
         let contacts = asked.steps(self.cells);
         let (name, lattice) = (of.name.to_owned(), [self.cells; 2]);
-        Ok(ContactEstimate { name, asked: asked.words(self), contacts, lattice })
+        let (_, bytes) = asked.question(&of.scales.creeping(), of.profile()?, self).needs()?;
+        Ok(ContactEstimate { name, asked: asked.words(self), contacts, lattice, bytes })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -147,7 +147,7 @@ fn swinging_lines_carry_their_amplitudes() {
 fn the_golden_figure_with_which_the_chart_is_tested_is_this_one() {
     let mut figure = every_layer("$τ̃_{0}$ (N)");
     let x: Vec<f64> = (0..40).map(|k| 0.1 * f64::from(k)).collect();
-    let part = |factor: f64| x.iter().map(|x| factor * x.sin()).collect::<Vec<f64>>();
+    let part = |factor: f64| x.iter().map(|x| factor * libm::sin(*x)).collect::<Vec<f64>>();
     let swing = Swing { x: [part(0.0), part(0.0)], y: [part(1.0), part(0.5)] };
     let mode = Layer::swinging("mode", x.clone(), part(1.0), swing, Role::Mode(1));
     let bubbles = Layer::bubbles(

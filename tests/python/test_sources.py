@@ -48,3 +48,16 @@ def test_every_crate_forbids_functions_whose_bits_are_the_machines():
     assert len(roots) >= 20, len(roots)
     without = [str(path.relative_to(ROOT)) for path in roots if line not in path.read_text("utf-8").splitlines()]
     assert without == []
+
+
+READS_ARRAYS = re.compile(r"use judder_study::pictures::\{?[^;]*\b(?:reals|complexes|wholes|codes|words)\b|\bread_rows\(")
+INDEXES_NOTHING = "#![deny(clippy::indexing_slicing"
+
+
+def test_what_reads_stored_arrays_indexes_nothing():
+    """Stored arrays may be of any length: clippy refuses what would panic."""
+    models = [path for path in SOURCES if path.relative_to(ROOT).parts[1] == "judder-models"]
+    readers = [path for path in models if READS_ARRAYS.search(path.read_text("utf-8"))]
+    whole = [ROOT / "crates" / name for name in ("judder-store/src/lib.rs", "judder-study/src/pictures.rs", "judder-report/src/runs.rs")]
+    assert len(readers) > 20
+    assert [str(path.relative_to(ROOT)) for path in readers + whole if INDEXES_NOTHING not in path.read_text("utf-8")] == []

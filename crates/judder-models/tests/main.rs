@@ -26,6 +26,7 @@ mod substrates;
 mod sweep;
 mod validation;
 mod within_law;
+mod wrong_arrays;
 mod zones;
 
 use judder_store::StudyFolder;
@@ -104,7 +105,7 @@ fn no_report_speaks_of_another_model() {
         let mut figures = 0;
         for name in file.case.analysis_names() {
             let dataset = store.read_dataset(name).unwrap();
-            let figure = model.figure(name, name, &dataset);
+            let figure = model.figure(name, name, &dataset).unwrap();
             figures += usize::from(figure.is_some());
             let long_names = dataset.variables().iter().map(|own| own.long_name.clone());
             let said = format!("{figure:?} {}", long_names.collect::<Vec<_>>().join("; "));

@@ -1,5 +1,7 @@
 //! Lines through rows of tables: only neighbours that belong together are joined, whatever a table holds one after the other.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 /// A line through points: abscissae and ordinates, of which a NaN is a gap.
 pub type Curve = (Vec<f64>, Vec<f64>);
 
@@ -8,14 +10,15 @@ pub type Curve = (Vec<f64>, Vec<f64>);
 pub fn through(x: &[f64], y: &[f64], joins: impl Fn(usize) -> bool) -> Curve {
     let mut runs: Vec<Curve> = Vec::new();
     let mut is_open = false;
-    for row in 0..x.len().min(y.len()).saturating_sub(1) {
+    let rows = x.iter().zip(y);
+    for (row, ((x, y), (next_x, next_y))) in rows.clone().zip(rows.skip(1)).enumerate() {
         let goes_on = joins(row);
         if goes_on && !is_open {
-            runs.push((vec![x[row]], vec![y[row]]));
+            runs.push((vec![*x], vec![*y]));
         }
         if let Some((across, up)) = runs.last_mut().filter(|_| goes_on) {
-            across.push(x[row + 1]);
-            up.push(y[row + 1]);
+            across.push(*next_x);
+            up.push(*next_y);
         }
         is_open = goes_on;
     }
@@ -24,17 +27,21 @@ pub fn through(x: &[f64], y: &[f64], joins: impl Fn(usize) -> bool) -> Curve {
 
 /// A line through some of the rows, in their order: a gap stays one where the rows that have no place are among those left out.
 pub fn thinned(x: &[f64], y: &[f64], shown: &[usize]) -> Curve {
-    let is_whole = |from: usize, to: usize| (from..=to).all(|row| x[row].is_finite() && y[row].is_finite());
+    let place = |row: usize| x.get(row).copied().zip(y.get(row).copied());
+    let is_whole = |row: usize| place(row).is_some_and(|(x, y)| x.is_finite() && y.is_finite());
     let mut runs: Vec<Curve> = Vec::new();
-    for (k, row) in shown.iter().enumerate() {
-        let goes_on = k > 0 && is_whole(shown[k - 1], *row);
+    let mut last = None;
+    for row in shown {
+        let Some((x, y)) = place(*row) else { continue };
+        let goes_on = last.is_some_and(|last| (last..=*row).all(is_whole));
         match runs.last_mut().filter(|_| goes_on) {
             Some((across, up)) => {
-                across.push(x[*row]);
-                up.push(y[*row]);
+                across.push(x);
+                up.push(y);
             }
-            None => runs.push((vec![x[*row]], vec![y[*row]])),
+            None => runs.push((vec![x], vec![y])),
         }
+        last = Some(*row);
     }
     apart(runs)
 }
@@ -54,7 +61,7 @@ pub fn alone(x: &[f64], y: &[f64]) -> Curve {
     let is_point =
         |k: usize| x.get(k).is_some_and(|x| x.is_finite()) && y.get(k).is_some_and(|y| y.is_finite());
     let is_alone = |k: &usize| is_point(*k) && (*k == 0 || !is_point(k - 1)) && !is_point(k + 1);
-    (0..x.len()).filter(is_alone).map(|k| (x[k], y[k])).unzip()
+    x.iter().zip(y).enumerate().filter(|(k, _)| is_alone(k)).map(|(_, (x, y))| (*x, *y)).unzip()
 }
 
 #[cfg(test)]

@@ -66,10 +66,17 @@ impl Dataset {
             return Err(StoreError::Duplicate { what: "variable", name: variable.name });
         }
         for (dimension, &found) in variable.dimensions.iter().zip(&variable.shape) {
-            match self.dimension_length(dimension) {
-                Some(expected) if expected != found => {
-                    let (variable, dimension) = (variable.name, dimension.clone());
-                    return Err(StoreError::DimensionConflict { variable, dimension, expected, found });
+            match self.along(dimension) {
+                Some((before, expected)) if expected != found => {
+                    let (before, dimension) = (before.to_owned(), dimension.clone());
+                    let variable = variable.name;
+                    return Err(StoreError::DimensionConflict {
+                        variable,
+                        dimension,
+                        before,
+                        expected,
+                        found,
+                    });
                 }
                 _ => {}
             }
@@ -122,9 +129,14 @@ impl Dataset {
     /// The length of a dimension, where a variable has it.
     #[must_use]
     pub fn dimension_length(&self, dimension: &str) -> Option<usize> {
+        self.along(dimension).map(|(_, length)| length)
+    }
+
+    /// The first variable that has a dimension, and its length there.
+    fn along(&self, dimension: &str) -> Option<(&str, usize)> {
         self.variables.iter().find_map(|variable| {
             let axis = variable.dimensions.iter().position(|name| name == dimension)?;
-            variable.shape.get(axis).copied()
+            Some((variable.name.as_str(), variable.shape.get(axis).copied()?))
         })
     }
 
@@ -158,7 +170,7 @@ fn check_variable(variable: &Variable) -> Result<(), StoreError> {
     check_name("a variable", &variable.name)?;
     for (axis, dimension) in variable.dimensions.iter().enumerate() {
         check_name("a dimension", dimension)?;
-        if variable.dimensions[..axis].contains(dimension) {
+        if variable.dimensions.iter().take(axis).any(|before| before == dimension) {
             return Err(StoreError::Duplicate { what: "dimension", name: dimension.clone() });
         }
     }

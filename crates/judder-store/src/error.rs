@@ -176,14 +176,16 @@ pub enum StoreError {
     },
     /// Two variables that disagree about the length of a dimension.
     #[error(
-        "variable `{variable}`: dimension `{dimension}` has length {found} here and {expected} in the variables before"
+        "variable `{variable}`: dimension `{dimension}` has length {found} here and {expected} in `{before}`"
     )]
     DimensionConflict {
         /// The variable that was added last.
         variable: String,
         /// The dimension.
         dimension: String,
-        /// Its length so far.
+        /// A variable that was added before.
+        before: String,
+        /// Its length there.
         expected: usize,
         /// Its length in this variable.
         found: usize,

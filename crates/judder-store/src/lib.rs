@@ -24,6 +24,7 @@
 //! - [`StoreError`] (`error.rs`): what can go wrong, and what to do about it.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
 
 mod array;
 mod dataset;

@@ -127,10 +127,10 @@ impl<'a> StreamWriter<'a> {
     /// # Errors
     /// [`StoreError::NotGrowing`], failures of the file system.
     pub fn values(&self, variable: &str) -> Result<Vec<f64>, StoreError> {
-        let k = self.index_of(variable)?;
-        let path = place(&self.folder, &self.variables[k]);
+        let (variable, rows) = self.growing(variable)?;
+        let path = place(&self.folder, variable);
         let mut bytes = plain::read(&path).map_err(|source| StoreError::read(&path, source))?;
-        bytes.truncate((self.rows[k] * row_bytes(&self.variables[k])) as usize);
+        bytes.truncate((rows * row_bytes(variable)) as usize);
         let (values, _) = bytes.as_chunks();
         Ok(values.iter().map(|value| f64::from_le_bytes(*value)).collect())
     }
@@ -140,13 +140,13 @@ impl<'a> StreamWriter<'a> {
     /// # Errors
     /// As of [`values`](Self::values).
     pub fn column(&self, variable: &str, column: usize) -> Result<Vec<f64>, StoreError> {
-        let k = self.index_of(variable)?;
-        let path = place(&self.folder, &self.variables[k]);
+        let (variable, rows) = self.growing(variable)?;
+        let path = place(&self.folder, variable);
         let read = || -> io::Result<Vec<f64>> {
             let mut file = BufReader::with_capacity(READ_BYTES, plain::open(&path)?);
-            let mut row = vec![0; row_bytes(&self.variables[k]) as usize];
-            let mut values = Vec::with_capacity(self.rows[k] as usize);
-            for _ in 0..self.rows[k] {
+            let mut row = vec![0; row_bytes(variable) as usize];
+            let mut values = Vec::new();
+            for _ in 0..rows {
                 file.read_exact(&mut row)?;
                 values.extend(row.as_chunks().0.get(column).map(|value| f64::from_le_bytes(*value)));
             }
@@ -155,16 +155,15 @@ impl<'a> StreamWriter<'a> {
         read().map_err(|source| StoreError::read(&path, source))
     }
 
-    /// The place of a growing variable of real numbers among all.
-    fn index_of(&self, variable: &str) -> Result<usize, StoreError> {
-        let reals = || self.variables.iter().filter(|known| matches!(known.data, VariableValues::F64(_)));
-        let found = reals().find(|known| known.name == variable);
-        found.and_then(|found| self.variables.iter().position(|known| known.name == found.name)).ok_or_else(
-            || StoreError::NotGrowing {
-                variable: variable.to_owned(),
-                known: reals().map(|known| known.name.clone()).collect(),
-            },
-        )
+    /// A growing variable of real numbers, and how many rows it has.
+    fn growing(&self, variable: &str) -> Result<(&Variable, u64), StoreError> {
+        let all = || self.variables.iter().zip(&self.rows);
+        let reals = || all().filter(|(known, _)| matches!(known.data, VariableValues::F64(_)));
+        let found = reals().find(|(known, _)| known.name == variable);
+        found.map(|(known, rows)| (known, *rows)).ok_or_else(|| StoreError::NotGrowing {
+            variable: variable.to_owned(),
+            known: reals().map(|(known, _)| known.name.clone()).collect(),
+        })
     }
 
     /// Appends new rows to each variable, in their order and as many to all of one dimension (none keep the checkpoint alone), and replaces the
@@ -175,10 +174,10 @@ impl<'a> StreamWriter<'a> {
     /// counts, and the same append may be tried again.
     pub fn append(&mut self, checkpoint: &[u8], slices: &[StreamSlice<'_>]) -> Result<(), StoreError> {
         let added = self.check_slices(slices)?;
-        for (k, slice) in slices.iter().enumerate() {
-            let variable = &self.variables[k];
+        let files = self.files.iter_mut().zip(&self.rows);
+        for ((slice, variable), (file, rows)) in slices.iter().zip(&self.variables).zip(files) {
             let bytes = slice.bytes();
-            write_at(&mut self.files[k], self.rows[k] * row_bytes(variable), &bytes).map_err(|source| {
+            write_at(file, rows * row_bytes(variable), &bytes).map_err(|source| {
                 StoreError::write(&place(&self.folder, variable), bytes.len() as u64, source)
             })?;
         }
@@ -305,7 +304,7 @@ fn grown(variables: &[Variable], rows: &[u64]) -> Result<Dataset, StoreError> {
             return Err(StoreError::CannotGrow { variable: variable.name.clone() });
         }
         let mut shape = variable.shape.clone();
-        shape[0] = *rows as usize;
+        shape.splice(..1, [*rows as usize]);
         dataset = dataset.joined_by(Variable { shape, ..variable.clone() })?;
     }
     Ok(dataset)

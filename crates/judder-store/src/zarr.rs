@@ -168,7 +168,9 @@ fn write_from_file(
         let next = (first + chunk).min(rows);
         let mut bytes = vec![0; ((next - first) * row_size) as usize];
         file.read_exact(&mut bytes)?;
-        ranges[0] = first..next;
+        if let Some(rows) = ranges.first_mut() {
+            *rows = first..next;
+        }
         let subset = ArraySubset::new_with_ranges(&ranges);
         if let VariableValues::U8(_) = variable.data {
             array.store_array_subset_opt(&subset, &bytes[..], &with_empty_chunks())?;
@@ -303,17 +305,44 @@ pub(crate) fn read_group_by(
     let store = FilesystemStore::new(folder).map_err(|source| StoreError::unreadable(folder, source))?;
     let store = Arc::new(store);
     let damaged = |source| StoreError::unreadable(folder, source);
-    let mut dataset = Dataset::new();
+    let mut variables = Vec::with_capacity(members.len());
     for name in members.keys() {
         let mut variable = read(&store, name)
             .map_err(|source| StoreError::DatasetUnreadable { path: folder.join(name), source })?;
         variable.is_coordinate |= coordinates.contains(&name.as_str());
-        dataset = dataset.with(variable).map_err(damaged)?;
+        variables.push(variable);
+    }
+    let mut dataset = Dataset::new();
+    for variable in in_agreement(variables) {
+        let path = folder.join(&variable.name);
+        dataset = dataset.with(variable).map_err(|source| StoreError::unreadable(&path, source))?;
     }
     for (name, value) in attributes {
         dataset = dataset.attribute(&name, value).map_err(damaged)?;
     }
     Ok(dataset)
+}
+
+/// The variables of a group, those last whose lengths along their dimensions are not those of most others: what does not fit is theirs. They keep
+/// their order where all agree.
+fn in_agreement(mut variables: Vec<Variable>) -> Vec<Variable> {
+    let mut known: BTreeMap<(&str, usize), usize> = BTreeMap::new();
+    for variable in &variables {
+        for (dimension, length) in variable.dimensions.iter().zip(&variable.shape) {
+            *known.entry((dimension, *length)).or_default() += 1;
+        }
+    }
+    let most = |dimension: &str, length: usize| {
+        let own = known.get(&(dimension, length));
+        known.iter().all(|((other, _), count)| *other != dimension || Some(count) <= own)
+    };
+    let is_odd = |variable: &Variable| {
+        variable.dimensions.iter().zip(&variable.shape).any(|(dimension, length)| !most(dimension, *length))
+    };
+    let odd: Vec<bool> = variables.iter().map(is_odd).collect();
+    let mut odd = odd.into_iter();
+    variables.sort_by_cached_key(|_| odd.next());
+    variables
 }
 
 pub(crate) fn read_variable(store: &Arc<FilesystemStore>, name: &str) -> Result<Variable, ReadFailure> {

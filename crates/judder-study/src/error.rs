@@ -1,10 +1,10 @@
 use judder_keys::error::CaseError;
 use judder_memory::BeyondMemory;
 use judder_report::ReportError;
-use judder_store::StoreError;
+use judder_store::{StoreError, Variable, VariableValues};
 use std::any::Any;
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 /// What a model finds wrong, whole: who knows the model takes it back with its variants and fields.
@@ -16,6 +16,62 @@ pub trait ModelFault: Any + Error + Send + Sync {
 impl Error for Box<dyn ModelFault> {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
         (**self).source()
+    }
+}
+
+/// A stored array that is not what judder writes.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error(
+    "{}the array `{array}` is {found}, where {expected} is right; `judder run --fresh` computes it anew",
+    place(study, analysis)
+)]
+pub struct WrongArray {
+    /// The study folder, as far as known.
+    pub study: PathBuf,
+    /// The analysis or sweep, as far as known.
+    pub analysis: String,
+    /// The array.
+    pub array: String,
+    /// What it is: its values, its dimensions.
+    pub found: String,
+    /// What would be right.
+    pub expected: String,
+}
+
+impl WrongArray {
+    /// An array that is not what it should be, of whichever study.
+    #[must_use]
+    pub fn of(array: &Variable, expected: String) -> Self {
+        let kind = match array.data {
+            VariableValues::F64(_) => "real numbers",
+            VariableValues::Complex(_) => "complex numbers",
+            VariableValues::I64(_) => "whole numbers",
+            VariableValues::U8(_) => "codes",
+            VariableValues::Text(_) => "words",
+        };
+        let axes: Vec<String> = array
+            .dimensions
+            .iter()
+            .zip(&array.shape)
+            .map(|(name, length)| format!("{name}: {length}"))
+            .collect();
+        let found = format!("one of {kind} over ({})", axes.join(", "));
+        Self { study: PathBuf::new(), analysis: String::new(), array: array.name.clone(), found, expected }
+    }
+
+    /// The same, of this analysis of a study.
+    #[must_use]
+    pub fn in_study(self, study: &Path, analysis: &str) -> Self {
+        Self { study: study.to_owned(), analysis: analysis.to_owned(), ..self }
+    }
+}
+
+/// The place of an array, as far as known.
+fn place(study: &Path, analysis: &str) -> String {
+    match (study.as_os_str().is_empty(), analysis) {
+        (true, "") => String::new(),
+        (true, analysis) => format!("analysis `{analysis}`: "),
+        (false, analysis) => format!("{}: analysis `{analysis}`: ", study.display()),
     }
 }
 
@@ -129,6 +185,9 @@ pub enum StudyError {
         /// For how long, s.
         seconds: u64,
     },
+    /// A stored array is not what judder writes.
+    #[error(transparent)]
+    WrongArray(Box<WrongArray>),
     /// The folder holds no results to report on.
     #[error("{folder} holds no results yet: run `judder run CASE.toml -o {folder}` first")]
     NoResults {
@@ -138,6 +197,12 @@ pub enum StudyError {
     /// Stopped by the user; what was done is kept.
     #[error("interrupted; what was done is kept, and the same command goes on from there")]
     Interrupted,
+}
+
+impl From<WrongArray> for StudyError {
+    fn from(wrong: WrongArray) -> Self {
+        Self::WrongArray(Box::new(wrong))
+    }
 }
 
 impl StudyError {
@@ -159,7 +224,7 @@ impl StudyError {
             | Self::NoResults { .. } => true,
             Self::Model(fault) => fault.is_wrong_input(),
             Self::Store(error) => is_wrong_folder(error),
-            Self::Report(_) | Self::NoSignOfLife { .. } | Self::Interrupted => false,
+            Self::Report(_) | Self::WrongArray(_) | Self::NoSignOfLife { .. } | Self::Interrupted => false,
         }
     }
 }

@@ -50,7 +50,7 @@ pub mod text;
 mod version;
 mod way;
 
-pub use error::{ModelFault, StudyError};
+pub use error::{ModelFault, StudyError, WrongArray};
 pub use fault::fault_told;
 pub use progress::{Progress, Silent, Untold};
 pub use registry::Registry;

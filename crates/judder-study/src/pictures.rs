@@ -1,13 +1,18 @@
 //! Figures from stored arrays: everything that is drawn can be drawn again without computing anything.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
+mod stored;
 pub(crate) mod sweep;
 
+pub use stored::{ArraySource, StoredArrays, at, codes, complexes, middle, picked, reals, wholes, words};
+
 use crate::case::analysis::Picture;
+use crate::error::WrongArray;
 use crate::registry::ModelKind;
 use crate::shown::ShownValues;
 use judder_report::{Axis, Figure, Panel, Role};
 use judder_store::{Dataset, Variable, VariableValues};
-use num_complex::Complex64;
 use std::borrow::Cow;
 
 /// Width over height of the frame of a panel: lengths along x and y shall look alike.
@@ -15,16 +20,23 @@ pub const FRAME: f64 = 206.0 / 152.0;
 
 impl ModelKind {
     /// The figure of an analysis; `None` where its result is not a picture.
-    #[must_use]
-    pub fn figure(&self, name: &str, title: &str, dataset: &Dataset) -> Option<Figure> {
-        let panels = self.panels(dataset);
-        (!panels.is_empty()).then(|| Figure::new(name, title, panels).with_caption(self.caption(dataset)))
+    ///
+    /// # Errors
+    /// [`WrongArray`] for an array that is not what judder writes.
+    pub fn figure(&self, name: &str, title: &str, dataset: &Dataset) -> Result<Option<Figure>, WrongArray> {
+        let panels = self.panels(dataset)?;
+        let is_drawn = !panels.is_empty();
+        Ok(is_drawn.then(|| Figure::new(name, title, panels).with_caption(self.caption(dataset))))
     }
 
     /// The panels of an analysis, to be put together with those of others.
-    #[must_use]
-    pub fn panels(&self, dataset: &Dataset) -> Vec<Panel> {
-        self.picture(dataset).and_then(|own| (own.draw)(dataset)).unwrap_or_default()
+    ///
+    /// # Errors
+    /// As of [`figure`](Self::figure).
+    pub fn panels(&self, dataset: &Dataset) -> Result<Vec<Panel>, WrongArray> {
+        let arrays = StoredArrays::of(dataset);
+        let drawn = self.picture(dataset).and_then(|own| (own.draw)(&arrays));
+        arrays.settled(drawn.unwrap_or_default())
     }
 
     /// What stands under the figure of a kind.
@@ -45,41 +57,10 @@ pub(crate) const DRAWN_SIDE: usize = 400;
 /// Which of these coordinates are drawn, in ascending order, whichever way they were swept.
 pub fn ascending_order(values: &[f64]) -> Vec<usize> {
     let mut indices: Vec<usize> = (0..values.len()).collect();
-    indices.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
+    indices.sort_by(|a, b| at(values, *a).total_cmp(&at(values, *b)));
     let drawn = indices.len().min(DRAWN_SIDE);
-    (0..drawn).map(|k| indices[k * (indices.len() - 1) / (drawn - 1).max(1)]).collect()
-}
-
-/// The real numbers of this array; none where there is no such array of them.
-pub fn reals<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [f64]> {
-    match &dataset.variable(name)?.data {
-        VariableValues::F64(values) => Some(values),
-        _ => None,
-    }
-}
-
-/// The complex numbers of this array; none where there is no such array of them.
-pub fn complexes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [Complex64]> {
-    match &dataset.variable(name)?.data {
-        VariableValues::Complex(values) => Some(values),
-        _ => None,
-    }
-}
-
-/// The codes of this array of classes; none where there is no such array of them.
-pub fn codes<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [u8]> {
-    match &dataset.variable(name)?.data {
-        VariableValues::U8(values) => Some(values),
-        _ => None,
-    }
-}
-
-/// The words of this array; none where there is no such array of them.
-pub fn words<'a>(dataset: &'a Dataset, name: &str) -> Option<&'a [String]> {
-    match &dataset.variable(name)?.data {
-        VariableValues::Text(values) => Some(values),
-        _ => None,
-    }
+    let last = indices.len().saturating_sub(1);
+    (0..drawn).filter_map(|k| indices.get(k * last / (drawn - 1).max(1)).copied()).collect()
 }
 
 /// A text that is an attribute of an array.
@@ -114,18 +95,23 @@ pub struct SweptCoordinates<'a> {
 }
 
 impl<'a> SweptCoordinates<'a> {
-    /// The swept quantities of an array: its dimensions that have coordinates.
-    pub fn of(dataset: &'a Dataset, array: &str) -> Option<Self> {
-        let mut coordinates = dataset
-            .variable(array)?
-            .dimensions
-            .iter()
-            .filter_map(|dimension| Some((dataset.variable(dimension)?, reals(dataset, dimension)?)));
-        let first = coordinates.next()?;
-        Some(match coordinates.next() {
-            Some((axis, values)) => Self { axis, values: shown(axis, values), family: Some(first) },
-            None => Self { axis: first.0, values: shown(first.0, first.1), family: None },
-        })
+    /// The swept quantities of an array: its dimensions that have coordinates, one or two, before those of what each point has.
+    pub fn of(dataset: &StoredArrays<'a>, array: &str, of_a_point: usize) -> Option<Self> {
+        let own = dataset.variable(array)?;
+        let swept = own.dimensions.len().saturating_sub(of_a_point);
+        let coordinate = |name: &String| Some((dataset.variable(name)?, reals(dataset, name)?));
+        let known: Vec<_> =
+            own.dimensions.iter().take(swept).map(coordinate).collect::<Option<_>>().unwrap_or_default();
+        match known.as_slice() {
+            [(axis, values)] => Some(Self { axis, values: shown(axis, values), family: None }),
+            [first, (axis, values)] => Some(Self { axis, values: shown(axis, values), family: Some(*first) }),
+            _ => {
+                let expected =
+                    format!("one over one or two swept quantities and {of_a_point} further dimensions");
+                dataset.refuse_as(own, expected)?;
+                None
+            }
+        }
     }
 
     /// How many curves there are.
@@ -138,7 +124,7 @@ impl<'a> SweptCoordinates<'a> {
         let Some((variable, values)) = self.family else { return alone.to_owned() };
         let symbol = text(variable, "symbol").unwrap_or(&variable.name);
         let unit = if variable.units == "1" { String::new() } else { format!(" {}", variable.units) };
-        format!("{symbol} = {}{unit}", crate::labels::short_number(values[curve]))
+        format!("{symbol} = {}{unit}", crate::labels::short_number(at(values, curve)))
     }
 
     /// The role of a curve of the family.

@@ -141,10 +141,12 @@ fn figures(
         let choose = |dimensions: &[_]| pictures::sweep::drawn_points(&attributes, dimensions);
         let dataset = store.read_points(name, choose)?;
         let results = summary.results.get(name).cloned().unwrap_or_default();
-        return Ok(pictures::sweep::figures(model, name, &dataset, &results));
+        let drawn = pictures::sweep::figures(model, name, &dataset, &results);
+        return Ok(drawn.map_err(|wrong| wrong.in_study(store.path(), name))?);
     }
     let dataset = store.read_dataset(name)?;
-    Ok(model.and_then(|model| model.figure(name, name, &dataset)).into_iter().collect())
+    let drawn = model.map_or(Ok(None), |model| model.figure(name, name, &dataset));
+    Ok(drawn.map_err(|wrong| wrong.in_study(store.path(), name))?.into_iter().collect())
 }
 
 /// The tables of an analysis or a sweep, beside that of its scalars.

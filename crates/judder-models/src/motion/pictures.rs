@@ -1,5 +1,7 @@
 //! Motions: histories, phase portraits, spectra, sections, diagrams, basins.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::becomes::{BECOMES, CYCLE, IRREGULAR, UNCONFIRMED};
 use super::bifurcation::branch_layers as branches;
 use super::si;
@@ -8,8 +10,7 @@ use judder_oscillator::motion::ContactState;
 use judder_report::figure::ShadedRegion;
 use judder_report::palette::Style;
 use judder_report::{Axis, Layer, Legend, Panel, Role, Scale};
-use judder_store::Dataset;
-use judder_study::pictures::{FRAME, axis, codes, complexes, reals, text, words};
+use judder_study::pictures::{FRAME, StoredArrays, at, axis, codes, complexes, picked, reals, text, words};
 use std::f64::consts::TAU;
 
 /// Oscillations that are shown at the end of a motion.
@@ -30,8 +31,9 @@ const STICK: u8 = ContactState::Stick.number();
 const LIFT_OFF: u8 = ContactState::LiftOff.number();
 
 /// Whole motion, its end, phase portrait, spectrum, section; `frequency` stands at the axis of the spectrum.
-pub(crate) fn motion(dataset: &Dataset, frequency: &str) -> Option<Vec<Panel>> {
-    let dataset = &*si::shown(dataset);
+pub(crate) fn motion(dataset: &StoredArrays<'_>, frequency: &str) -> Option<Vec<Panel>> {
+    let shown = si::shown(dataset.dataset());
+    let dataset = &dataset.replaced(&shown);
     let time = reals(dataset, "time")?;
     let shown = ShownHistory::end_of(dataset, SHOWN)?;
     let whole = vec![Layer::line("", time.to_vec(), reals(dataset, "x")?.to_vec(), Role::Series(0).solid())];
@@ -46,16 +48,18 @@ pub(crate) fn motion(dataset: &Dataset, frequency: &str) -> Option<Vec<Panel>> {
 }
 
 /// The last oscillations of a motion: displacement, relative velocity and contact area over time, then the phase portrait.
-pub fn ending(dataset: &Dataset, oscillations: f64) -> Option<Vec<Panel>> {
-    let dataset = &*si::shown(dataset);
+pub fn ending(dataset: &StoredArrays<'_>, oscillations: f64) -> Option<Vec<Panel>> {
+    let shown = si::shown(dataset.dataset());
+    let dataset = &dataset.replaced(&shown);
     let shown = ShownHistory::end_of(dataset, oscillations)?;
     let histories = ["x", "relative_velocity", "contact_area"].into_iter().map(|name| shown.history(name));
     histories.chain([shown.portrait()]).collect()
 }
 
 /// One period, phase portrait, Floquet multipliers.
-pub(crate) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
-    let dataset = &*si::shown(dataset);
+pub(crate) fn limit_cycle(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
+    let shown = si::shown(dataset.dataset());
+    let dataset = &dataset.replaced(&shown);
     let shown = ShownHistory::all_of(dataset)?;
     let mut panels = Vec::new();
     for name in ["x", "relative_velocity", "contact_area"] {
@@ -67,7 +71,8 @@ pub(crate) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
 }
 
 /// The Floquet multipliers of a cycle, beside the unit circle.
-pub(crate) fn multipliers(dataset: &Dataset) -> Option<Panel> {
+pub(crate) fn multipliers(dataset: &StoredArrays<'_>) -> Option<Panel> {
+    dataset.over("floquet_multipliers", &["multiplier"])?;
     let multipliers = complexes(dataset, "floquet_multipliers")?;
     let circle: Vec<f64> = (0..=180).map(|k| TAU * f64::from(k) / 180.0).collect();
     let layers = vec![
@@ -104,16 +109,23 @@ fn with_room(axis: Axis, from: f64, to: f64) -> Axis {
     }
 }
 
-fn along_time(dataset: &Dataset) -> Option<Axis> {
+fn along_time(dataset: &StoredArrays<'_>) -> Option<Axis> {
     dataset.variable("time").map(axis)
 }
 
 /// Changes of the contact state of one kind: their name, whether one from a state to another is among them, their colour.
 type EventKind = (&'static str, fn(u8, u8) -> bool, usize);
 
+/// What motions have of every time of their grid, of every change of the contact state, of every point of their path, of every oscillation.
+const OVER_TIME: [&str; 6] = ["x", "y", "velocity_x", "relative_velocity", "contact_area", "contact_state"];
+const OVER_EVENTS: [&str; 5] = ["event_time", "event_from", "event_to", "event_x", "event_velocity_x"];
+const OVER_PATH: [&str; 3] = ["path_time", "path_x", "path_velocity_x"];
+const OVER_OSCILLATIONS: [&str; 5] =
+    ["oscillation_time", "oscillation_period", "oscillation_amplitude", "section_x", "section_y"];
+
 /// A part of a history.
 struct ShownHistory<'a> {
-    dataset: &'a Dataset,
+    dataset: StoredArrays<'a>,
     /// The points of the grid that are shown.
     points: std::ops::Range<usize>,
     /// The changes of the contact state that are shown.
@@ -123,30 +135,41 @@ struct ShownHistory<'a> {
 }
 
 impl<'a> ShownHistory<'a> {
-    fn all_of(dataset: &'a Dataset) -> Option<Self> {
+    fn all_of(dataset: &StoredArrays<'a>) -> Option<Self> {
         Self::since(dataset, *reals(dataset, "time")?.first()?)
     }
 
     /// A few oscillations at the end of a motion, fewer where they change too often to be told apart.
-    fn end_of(dataset: &'a Dataset, oscillations: f64) -> Option<Self> {
+    fn end_of(dataset: &StoredArrays<'a>, oscillations: f64) -> Option<Self> {
         let (time, events) = (reals(dataset, "time")?, reals(dataset, "event_time")?);
         let end = *time.last()?;
         let usual = match reals(dataset, "oscillation_period")? {
             [] => 0.1 * end,
             periods => oscillations * periods.iter().sum::<f64>() / periods.len() as f64,
         };
-        let crowded = events.len().checked_sub(MOST_CHANGES).map_or(0.0, |first| events[first]);
+        let crowded = events.len().checked_sub(MOST_CHANGES).map_or(0.0, |first| at(events, first));
         Self::since(dataset, (end - usual).max(crowded).max(0.0))
     }
 
-    fn since(dataset: &'a Dataset, start: f64) -> Option<Self> {
+    fn since(dataset: &StoredArrays<'a>, start: f64) -> Option<Self> {
+        for name in OVER_TIME {
+            dataset.over(name, &["time"])?;
+        }
+        for own in [&OVER_EVENTS[..], &OVER_PATH, &OVER_OSCILLATIONS] {
+            dataset.alike(own)?;
+        }
         let (time, events) = (reals(dataset, "time")?, reals(dataset, "event_time")?);
         let from = |values: &[f64]| values.partition_point(|value| *value < start)..values.len();
-        Some(Self { dataset, points: from(time), events: from(events), span: (start, *time.last()?) })
+        Some(Self {
+            dataset: dataset.clone(),
+            points: from(time),
+            events: from(events),
+            span: (start, *time.last()?),
+        })
     }
 
     fn values(&self, name: &str) -> Option<Vec<f64>> {
-        Some(reals(self.dataset, name)?.get(self.points.clone())?.to_vec())
+        Some(reals(&self.dataset, name)?.get(self.points.clone())?.to_vec())
     }
 
     /// A quantity over time on the ground of the contact state.
@@ -154,17 +177,17 @@ impl<'a> ShownHistory<'a> {
         let line = Layer::line("", self.values("time")?, self.values(name)?, Role::FullBoundary.solid());
         let mut layers = self.grounds()?;
         layers.push(line);
-        let across = along_time(self.dataset)?.over(self.span.0, self.span.1);
+        let across = along_time(&self.dataset)?.over(self.span.0, self.span.1);
         let up = axis(self.dataset.variable(name)?);
         Some(Panel::new(across, up, layers).with_legend(Legend::Below))
     }
 
     fn grounds(&self) -> Option<Vec<Layer>> {
-        let times = reals(self.dataset, "event_time")?.get(self.events.clone())?;
-        let begins = codes(self.dataset, "event_to")?.get(self.events.clone())?;
-        let before = match codes(self.dataset, "event_from")?.get(self.events.start) {
+        let times = reals(&self.dataset, "event_time")?.get(self.events.clone())?;
+        let begins = codes(&self.dataset, "event_to")?.get(self.events.clone())?;
+        let before = match codes(&self.dataset, "event_from")?.get(self.events.start) {
             Some(state) => *state,
-            None => *codes(self.dataset, "contact_state")?.last()?,
+            None => *codes(&self.dataset, "contact_state")?.last()?,
         };
         let starts = [self.span.0].into_iter().chain(times.iter().copied());
         let ends = times.iter().copied().chain([self.span.1]);
@@ -184,11 +207,11 @@ impl<'a> ShownHistory<'a> {
     /// Velocity over displacement, with the changes of the contact state. The path knows the shape of a slip between two points
     /// of the grid.
     fn portrait(&self) -> Option<Panel> {
-        let first = reals(self.dataset, "path_time")?.partition_point(|time| *time < self.span.0);
-        let path = |name: &str| Some(reals(self.dataset, name)?.get(first..)?.to_vec());
+        let first = reals(&self.dataset, "path_time")?.partition_point(|time| *time < self.span.0);
+        let path = |name: &str| Some(reals(&self.dataset, name)?.get(first..)?.to_vec());
         let style = Role::Series(0).solid();
         let mut layers = vec![Layer::line("", path("path_x")?, path("path_velocity_x")?, style)];
-        let (from, to) = (codes(self.dataset, "event_from")?, codes(self.dataset, "event_to")?);
+        let (from, to) = (codes(&self.dataset, "event_from")?, codes(&self.dataset, "event_to")?);
         let kinds: [EventKind; 4] = [
             ("stick begins", |_, to| to == STICK, 2),
             ("slip begins", |from, to| from == STICK && to != LIFT_OFF, 1),
@@ -196,14 +219,14 @@ impl<'a> ShownHistory<'a> {
             ("touch-down", |from, to| from == LIFT_OFF && to != STICK, 3),
         ];
         for (label, is_of_kind, series) in kinds {
-            let events: Vec<usize> = self.events.clone().filter(|k| is_of_kind(from[*k], to[*k])).collect();
+            let is_of_it =
+                |k: &usize| from.get(*k).zip(to.get(*k)).is_some_and(|(from, to)| is_of_kind(*from, *to));
+            let events: Vec<usize> = self.events.clone().filter(is_of_it).collect();
             if events.is_empty() {
                 continue;
             }
-            let at = |name: &str| {
-                Some(events.iter().map(|k| reals(self.dataset, name).map_or(f64::NAN, |v| v[*k])).collect())
-            };
-            layers.push(Layer::points(label, at("event_x")?, at("event_velocity_x")?, Role::Series(series)));
+            let of = |name: &str| Some(picked(reals(&self.dataset, name)?, &events));
+            layers.push(Layer::points(label, of("event_x")?, of("event_velocity_x")?, Role::Series(series)));
         }
         let along = |name: &str| self.dataset.variable(name).map(axis);
         Some(Panel::new(along("x")?, along("velocity_x")?, layers))
@@ -211,8 +234,9 @@ impl<'a> ShownHistory<'a> {
 }
 
 /// The amplitude of every frequency, over as many decades as mean something.
-fn spectrum(dataset: &Dataset, along: &str) -> Option<Panel> {
+fn spectrum(dataset: &StoredArrays<'_>, along: &str) -> Option<Panel> {
     const DECADES: f64 = 1e-6;
+    dataset.over("amplitude", &["frequency"])?;
     let (frequency, amplitude) = (reals(dataset, "frequency")?, reals(dataset, "amplitude")?);
     let largest = amplitude.iter().copied().fold(0.0, f64::max);
     if largest <= 0.0 {
@@ -238,7 +262,7 @@ fn of_direction(role: Role, direction: usize) -> Style {
 }
 
 /// The states where x is largest: y over x, or for a model without y the next x over x.
-fn section(dataset: &Dataset) -> Option<Panel> {
+fn section(dataset: &StoredArrays<'_>) -> Option<Panel> {
     let x = reals(dataset, "section_x")?;
     let (along, in_x) = (axis(dataset.variable("section_x")?), swing(dataset, "x")?);
     let (points, up, upwards) = match dataset.variable("section_y") {
@@ -263,9 +287,9 @@ fn section(dataset: &Dataset) -> Option<Panel> {
 }
 
 /// How far a coordinate goes in the second half of a motion.
-fn swing(dataset: &Dataset, name: &str) -> Option<f64> {
+fn swing(dataset: &StoredArrays<'_>, name: &str) -> Option<f64> {
     let values = reals(dataset, name)?;
-    let (low, high) = ends(&values[values.len() / 2..]);
+    let (low, high) = ends(values.get(values.len() / 2..)?);
     Some(high - low)
 }
 
@@ -288,8 +312,12 @@ fn above_rounding(axis: Axis, values: &[f64], whole: f64) -> Axis {
 }
 
 /// rms, largest x, shares of stick and lift-off along the swept key.
-pub(crate) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
-    let dataset = &*si::shown(dataset);
+pub(crate) fn bifurcation(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
+    let shown = si::shown(dataset.dataset());
+    let dataset = &dataset.replaced(&shown);
+    dataset.shaped("rms", &[None, None])?;
+    dataset.over("direction", &["direction"])?;
+    dataset.alike(&["rms", "becomes", "stick_fraction", "lift_off_fraction"])?;
     let rms = dataset.variable("rms")?;
     let swept = dataset.variable(rms.dimensions.last()?)?;
     let values = reals(dataset, &swept.name)?;
@@ -313,7 +341,7 @@ pub(crate) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
         ));
         let becomes = codes(dataset, "becomes")?.get(k * values.len()..(k + 1) * values.len())?;
         for (code, series) in [(IRREGULAR, 4), (UNCONFIRMED, 6)] {
-            let word = BECOMES[usize::from(code)].1;
+            let word = BECOMES.get(usize::from(code))?.1;
             let of_kind = of("rms")?.into_iter().zip(becomes);
             let marked: Vec<f64> =
                 of_kind.map(|(rms, becomes)| if *becomes == code { rms } else { f64::NAN }).collect();
@@ -342,7 +370,7 @@ pub(crate) fn bifurcation(dataset: &Dataset) -> Option<Vec<Panel>> {
 }
 
 /// The rms of every cycle, or where there is none of every motion: that of a motion that has not settled can be as small as it likes.
-fn settled_rms(dataset: &Dataset) -> Option<Vec<f64>> {
+fn settled_rms(dataset: &StoredArrays<'_>) -> Option<Vec<f64>> {
     let (rms, becomes) = (reals(dataset, "rms")?, codes(dataset, "becomes")?);
     let cycles: Vec<f64> =
         rms.iter().zip(becomes).filter(|(_, b)| **b == CYCLE).map(|(rms, _)| *rms).collect();
@@ -369,7 +397,8 @@ fn amplitude_axis(label: Option<&str>, rms: &[f64], has_branches: bool) -> Axis 
 }
 
 /// The largest x of every oscillation along the swept key.
-fn largest(dataset: &Dataset, directions: &[String], along: Axis) -> Option<Panel> {
+fn largest(dataset: &StoredArrays<'_>, directions: &[String], along: Axis) -> Option<Panel> {
+    dataset.alike(&["section_value", "section_x", "section_direction"])?;
     let (values, x) = (reals(dataset, "section_value")?, reals(dataset, "section_x")?);
     // steady sliding alone crosses no section
     if x.is_empty() {
@@ -377,11 +406,12 @@ fn largest(dataset: &Dataset, directions: &[String], along: Axis) -> Option<Pane
     }
     let of = words(dataset, "section_direction")?;
     let layers = directions.iter().enumerate().rev().map(|(k, direction)| {
-        let points = || (0..x.len()).filter(|i| of[*i] == *direction);
-        let across: Vec<f64> = points().map(|i| values[i]).collect();
+        let points =
+            || values.iter().zip(x).zip(of).filter(|(_, own)| *own == direction).map(|(point, _)| point);
+        let across: Vec<f64> = points().map(|(value, _)| *value).collect();
         let crowd = markers(Role::Series(k), across.len());
         let style = if k == 0 { Role::Series(k).crowded() } else { crowd };
-        Layer::points(direction, across, points().map(|i| x[i]).collect(), style)
+        Layer::points(direction, across, points().map(|(_, x)| *x).collect(), style)
     });
     let label =
         text(dataset.variable("section_x")?, "label").unwrap_or("x").replace("Displacement", "Largest");
@@ -396,17 +426,20 @@ fn largest(dataset: &Dataset, directions: &[String], along: Axis) -> Option<Pane
 }
 
 /// The starts by what becomes of them, over the first two coordinates that were drawn.
-pub(crate) fn basin(dataset: &Dataset) -> Option<Vec<Panel>> {
-    let dataset = &*si::shown(dataset);
+pub(crate) fn basin(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
+    let shown = si::shown(dataset.dataset());
+    let dataset = &dataset.replaced(&shown);
     let drawn: Vec<&str> =
         dataset.attributes().get("drawn")?.as_array()?.iter().filter_map(serde_json::Value::as_str).collect();
     let first = *drawn.first()?;
     let second = drawn.get(1).copied().unwrap_or("settling_time");
+    dataset.alike(&["fate", first, second])?;
     let (x, y, fate) = (reals(dataset, first)?, reals(dataset, second)?, codes(dataset, "fate")?);
     let layers = BECOMES.iter().filter(|(code, _)| fate.contains(code)).map(|(code, label)| {
-        let of = || (0..fate.len().min(MOST_STARTS)).filter(|i| fate[*i] == *code);
+        let starts = x.iter().zip(y).zip(fate).take(MOST_STARTS);
+        let (across, up) = starts.filter(|(_, own)| *own == code).map(|((x, y), _)| (*x, *y)).unzip();
         let style = markers(Role::Series(usize::from(*code)), fate.len());
-        Layer::points(*label, of().map(|i| x[i]).collect(), of().map(|i| y[i]).collect(), style)
+        Layer::points(*label, across, up, style)
     });
     let along = |name: &str| dataset.variable(name).map(axis);
     Some(vec![Panel::new(along(first)?, along(second)?, layers.collect()).with_legend(Legend::Below)])

@@ -2,7 +2,7 @@
 
 use crate::error::ModelError;
 use judder_store::{Dataset, Results, Table, VariableValues};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
@@ -91,9 +91,9 @@ impl SiUnits {
         Ok(dataset.attribute("si_units", json!({ "second": self.second, "metre": self.metre }))?)
     }
 
-    /// The units that a dataset tells; none where its case is written in groups.
-    pub(crate) fn of(dataset: &Dataset) -> Option<Self> {
-        let told = dataset.attributes().get("si_units")?;
+    /// The units that the attributes of a dataset tell; none where its case is written in groups.
+    pub(crate) fn of(attributes: &Map<String, Value>) -> Option<Self> {
+        let told = attributes.get("si_units")?;
         let number = |name: &str| told.get(name).and_then(Value::as_f64).filter(|own| *own > 0.0);
         Some(Self { second: number("second")?, metre: number("metre")? })
     }
@@ -124,7 +124,7 @@ impl SiUnits {
 
 /// The arrays of a motion in the units in which they are drawn: SI where the case is written in SI.
 pub(crate) fn shown(dataset: &Dataset) -> Cow<'_, Dataset> {
-    match SiUnits::of(dataset).and_then(|units| converted(dataset, units)) {
+    match SiUnits::of(dataset.attributes()).and_then(|units| converted(dataset, units)) {
         Some(converted) => Cow::Owned(converted),
         None => Cow::Borrowed(dataset),
     }

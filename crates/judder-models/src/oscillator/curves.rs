@@ -1,20 +1,24 @@
 //! Curves over one swept quantity.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use crate::motion::si::SiUnits;
 use crate::oscillator::margins::NOT_KNOWN;
 use judder_numerics::complex::ElementaryComplex;
 use judder_report::runs::{Curve, alone, apart};
 use judder_report::{Axis, Layer, Panel, Role};
-use judder_store::Dataset;
-use judder_study::pictures::{SweptCoordinates, axis, codes, complexes, reals, text};
+use judder_study::pictures::{
+    StoredArrays, SweptCoordinates, at, axis, codes, complexes, picked, reals, text,
+};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
 /// ξ_eq over the swept quantity, on an axis that shows both signs over many decades.
-pub(crate) fn equivalent_damping(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(crate) fn equivalent_damping(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     /// Half width of the linear part of the axis.
     const LINEAR: f64 = 0.01;
-    let swept = SweptCoordinates::of(dataset, "equivalent_damping")?;
+    let swept = SweptCoordinates::of(dataset, "equivalent_damping", 0)?;
+    dataset.alike(&["equivalent_damping", "equivalent_damping_error"])?;
     let damping = reals(dataset, "equivalent_damping")?;
     let errors = reals(dataset, "equivalent_damping_error");
     let errors_of = |curve: usize| errors?.chunks(swept.values.len().max(1)).nth(curve);
@@ -53,11 +57,14 @@ fn scaled(values: Vec<f64>, factor: f64) -> Vec<f64> {
 }
 
 /// Growth rates and frequencies, of the full system and without damping; in SI where the case is written in SI.
-pub(crate) fn spectrum(dataset: &Dataset, labels: &SpectrumLabels) -> Option<Vec<Panel>> {
-    let swept = SweptCoordinates::of(dataset, "eigenvalues")?;
+pub(crate) fn spectrum(dataset: &StoredArrays<'_>, labels: &SpectrumLabels) -> Option<Vec<Panel>> {
+    let swept = SweptCoordinates::of(dataset, "eigenvalues", 1)?;
+    dataset.alike(&["eigenvalues", "conservative_eigenvalues"])?;
+    let before = dataset.variable("eigenvalues")?.shape.len().saturating_sub(1);
+    dataset.shaped("eigenvalues", &[vec![None; before], vec![Some(4)]].concat())?;
     let full = complexes(dataset, "eigenvalues")?;
     let conservative = complexes(dataset, "conservative_eigenvalues")?;
-    let units = SiUnits::of(dataset).map(|units| units.second);
+    let units = SiUnits::of(dataset.attributes()).map(|units| units.second);
     let (per_second, hertz) =
         (units.map_or(1.0, f64::recip), units.map_or(1.0, |second| 1.0 / (TAU * second)));
     let labels = if units.is_some() { &IN_SI } else { labels };
@@ -100,9 +107,10 @@ fn followed(spectra: &[Complex64]) -> Vec<Complex64> {
     let orders = orders(4);
     let mut all: Vec<Complex64> = Vec::with_capacity(spectra.len());
     for row in spectra.chunks(4) {
-        let before = &all[all.len().saturating_sub(4)..];
+        let before = all.get(all.len().saturating_sub(4)..).unwrap_or_default();
         let away = |order: &Vec<usize>| -> f64 {
-            order.iter().zip(before).map(|(k, last)| (row[*k] - last).modulus()).sum()
+            let picked = order.iter().filter_map(|k| row.get(*k));
+            picked.zip(before).map(|(own, last)| (own - last).modulus()).sum()
         };
         // beside a missing row nothing is nearest, and the first order is that of the frequencies
         let order = orders.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
@@ -118,16 +126,31 @@ fn orders(count: usize) -> Vec<Vec<usize>> {
     }
     let insert = |last: usize| {
         move |order: Vec<usize>| {
-            (0..=order.len()).rev().map(move |at| [&order[..at], &[last], &order[at..]].concat())
+            (0..=order.len()).rev().map(move |at| {
+                let mut longer = order.clone();
+                longer.insert(at, last);
+                longer
+            })
         }
     };
     orders(count - 1).into_iter().flat_map(insert(count - 1)).collect()
 }
 
 /// Thresholds over the swept quantity, with what grows from them and the folds of the cycles that do.
-pub(crate) fn critical(dataset: &Dataset) -> Option<Vec<Panel>> {
-    let swept = SweptCoordinates::of(dataset, "full")?;
+pub(crate) fn critical(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
+    let swept = SweptCoordinates::of(dataset, "full", 1)?;
+    let points = dataset.variable("full")?.dimensions.iter().rev().skip(1).rev().map(String::as_str);
+    dataset.over("conservative", &points.chain(["conservative_root"]).collect::<Vec<_>>())?;
     let label = text(dataset.variable("full")?, "label").unwrap_or("Threshold");
+    dataset.alike(&[
+        "full",
+        "full_within_law_from",
+        "full_within_law_to",
+        "fold",
+        "reaches",
+        "criticality",
+        "told",
+    ])?;
     let mut layers = Vec::new();
     for (name, is_full) in [("conservative", false), ("full", true)] {
         let roots = reals(dataset, name)?;
@@ -162,22 +185,20 @@ pub(crate) fn critical(dataset: &Dataset) -> Option<Vec<Panel>> {
 }
 
 /// The ranges in which the errors of the law leave the thresholds of the full system, a stroke each.
-fn within_law(dataset: &Dataset, swept: &SweptCoordinates<'_>) -> Option<Layer> {
+fn within_law(dataset: &StoredArrays<'_>, swept: &SweptCoordinates<'_>) -> Option<Layer> {
     let (from, to) = (reals(dataset, "full_within_law_from")?, reals(dataset, "full_within_law_to")?);
     let most = *dataset.variable("full_within_law_from")?.shape.last()?;
-    let points = swept.values.len();
-    let is_range = |k: &usize| from[*k].is_finite() && to[*k].is_finite();
-    let strokes = (0..from.len()).filter(is_range).map(|k| {
-        let value = swept.values[k / most % points];
-        (vec![value; 2], vec![from[k], to[k]])
-    });
+    let values = swept.values.iter().flat_map(|value| std::iter::repeat_n(*value, most)).cycle();
+    let ranges = values.zip(from.iter().zip(to));
+    let known = ranges.filter(|(_, (from, to))| from.is_finite() && to.is_finite());
+    let strokes = known.map(|(value, (from, to))| (vec![value; 2], vec![*from, *to]));
     let (x, y) = apart(strokes);
     (!x.is_empty()).then(|| Layer::line("full system, within the law", x, y, Role::Reference.solid()))
 }
 
 /// The folds beside the thresholds, how far lost branches are known, and which thresholds are sub- or supercritical; nothing
 /// where no branch was followed, for then there are too many thresholds to mark them.
-fn folds(dataset: &Dataset, swept: &SweptCoordinates<'_>) -> Vec<Layer> {
+fn folds(dataset: &StoredArrays<'_>, swept: &SweptCoordinates<'_>) -> Vec<Layer> {
     const SUBCRITICAL: u8 = 2;
     let known = || {
         let numbers = (reals(dataset, "full")?, reals(dataset, "fold")?, reals(dataset, "reaches")?);
@@ -196,20 +217,20 @@ fn folds(dataset: &Dataset, swept: &SweptCoordinates<'_>) -> Vec<Layer> {
         layers.push(Layer::line(label, x, y, swept.role(curve).dash_dotted()));
     }
     let points = |label: &str, of: &dyn Fn(usize) -> f64, series: usize| {
-        let across = (0..roots.len()).map(|k| swept.values[k % length / most]).collect();
+        let across = (0..roots.len()).map(|k| at(&swept.values, k % length / most)).collect();
         Layer::points(label, across, (0..roots.len()).map(of).collect(), Role::Series(series))
     };
-    let is = |k: usize, code: u8, value: f64| if criticality[k] == code { value } else { f64::NAN };
-    layers.push(points("supercritical", &|k| is(k, SUBCRITICAL - 1, roots[k]), 0));
-    layers.push(points("subcritical", &|k| is(k, SUBCRITICAL, roots[k]), 1));
-    let lost = |k: usize| if folds[k].is_nan() { reaches[k] } else { f64::NAN };
+    let is = |k: usize, code: u8| if criticality.get(k) == Some(&code) { at(roots, k) } else { f64::NAN };
+    layers.push(points("supercritical", &|k| is(k, SUBCRITICAL - 1), 0));
+    layers.push(points("subcritical", &|k| is(k, SUBCRITICAL), 1));
+    let lost = |k: usize| if at(folds, k).is_nan() { at(reaches, k) } else { f64::NAN };
     if (0..roots.len()).any(|k| lost(k).is_finite()) {
         layers.push(points("no fold: motions up to here", &lost, 4));
     }
     let open = |k: usize| match codes(dataset, "told").and_then(|told| told.get(k).copied()) {
-        Some(NOT_KNOWN) if folds[k].is_finite() => folds[k],
-        Some(NOT_KNOWN) if reaches[k].is_finite() => reaches[k],
-        Some(NOT_KNOWN) => roots[k],
+        Some(NOT_KNOWN) if at(folds, k).is_finite() => at(folds, k),
+        Some(NOT_KNOWN) if at(reaches, k).is_finite() => at(reaches, k),
+        Some(NOT_KNOWN) => at(roots, k),
         _ => f64::NAN,
     };
     if (0..roots.len()).any(|k| open(k).is_finite()) {
@@ -221,11 +242,18 @@ fn folds(dataset: &Dataset, swept: &SweptCoordinates<'_>) -> Vec<Layer> {
 /// The roots along the sweep as curves, with a gap after each, in the order in which they end. A curve shows the `shown` that belong to its roots.
 fn branches(values: &[f64], roots: &[f64], shown: &[f64], most: usize) -> Curve {
     let on = curves_of(roots, most);
-    let of_curve = |curve: usize| (0..roots.len()).filter(|k| on[*k] == Some(curve)).collect::<Vec<usize>>();
+    let of_curve = |curve: usize| {
+        let own = on.iter().enumerate().filter(|(_, own)| **own == Some(curve));
+        own.map(|(k, _)| k).collect::<Vec<usize>>()
+    };
     let mut curves: Vec<Vec<usize>> =
         (0..on.iter().flatten().max().map_or(0, |last| last + 1)).map(of_curve).collect();
     curves.sort_by_key(|places| places.last().map(|k| k / most));
-    apart(curves.into_iter().map(|places| places.into_iter().map(|k| (values[k / most], shown[k])).unzip()))
+    apart(
+        curves
+            .into_iter()
+            .map(|places| places.into_iter().map(|k| (at(values, k / most), at(shown, k))).unzip()),
+    )
 }
 
 /// Roots of neighbouring values that differ by a larger factor are not of one curve, or of one that the sweep does not resolve.
@@ -238,17 +266,20 @@ pub fn curves_of(roots: &[f64], most: usize) -> Vec<Option<usize>> {
     let mut count = 0;
     let mut before: Vec<usize> = Vec::new();
     for row in 0..roots.len() / most.max(1) {
-        let here: Vec<usize> = (row * most..(row + 1) * most).filter(|k| roots[*k].is_finite()).collect();
-        let of = |places: &[usize]| places.iter().map(|k| roots[*k]).collect::<Vec<f64>>();
-        let joined = pairs(&of(&before), &of(&here));
+        let here: Vec<usize> = (row * most..(row + 1) * most).filter(|k| at(roots, *k).is_finite()).collect();
+        let joined = pairs(&picked(roots, &before), &picked(roots, &here));
         for (place, k) in here.iter().enumerate() {
-            let from = joined.iter().find(|(_, to)| *to == place).map(|(from, _)| before[*from]);
-            let is_near = |from: &usize| libm::log(roots[*from] / roots[*k]).abs() <= libm::log(FAR);
-            let last = from.filter(is_near).and_then(|from| on[from]);
-            on[*k] = last.or_else(|| {
+            let from = joined.iter().find(|(_, to)| *to == place).and_then(|(from, _)| before.get(*from));
+            let is_near =
+                |from: &&usize| libm::log(at(roots, **from) / at(roots, *k)).abs() <= libm::log(FAR);
+            let last = from.filter(is_near).and_then(|from| on.get(*from).copied().flatten());
+            let own = last.or_else(|| {
                 count += 1;
                 Some(count - 1)
             });
+            if let Some(place) = on.get_mut(*k) {
+                *place = own;
+            }
         }
         before = here;
     }
@@ -262,7 +293,7 @@ fn pairs(left: &[f64], right: &[f64]) -> Vec<(usize, usize)> {
         return pairs(right, left).into_iter().map(|(r, l)| (l, r)).collect();
     }
     let length = |joined: &[(usize, usize)]| {
-        joined.iter().map(|(a, b)| libm::log(left[*a] / right[*b]).abs()).sum::<f64>()
+        joined.iter().map(|(a, b)| libm::log(at(left, *a) / at(right, *b)).abs()).sum::<f64>()
     };
     let surplus = right.len() - left.len();
     // roots are born and die in neighbouring pairs: what is left out stands together

@@ -1,12 +1,13 @@
 //! Spectrograms: levels over time and frequency, along a path with unstable zones, and the waterfall of their spectra.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::settings::SPECTRA;
 use crate::sliding::march::figure::positions;
 use judder_report::figure::ValueMap;
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
-use judder_store::Dataset;
-use judder_study::pictures::{axis, reals, text};
+use judder_study::pictures::{StoredArrays, at, axis, middle, reals, text};
 use serde_json::Value;
 
 /// Cells of the drawn map along time and along frequency, at most; each shows the highest level in it.
@@ -26,7 +27,7 @@ const BAR: f64 = 2.4;
 const MARKER: f64 = 0.8;
 
 /// Levels with the zones laid over, and the waterfall.
-pub(crate) fn spectrogram(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(crate) fn spectrogram(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     let levels = Levels::of(dataset)?;
     let asked = dataset.attributes().get("waterfall").and_then(Value::as_u64);
     let spectra = asked.map_or(SPECTRA, |spectra| spectra as usize);
@@ -56,15 +57,19 @@ struct DrawnZone {
 
 impl Levels {
     /// All frequencies, or where zones are laid over, those up to some multiple of the highest of them.
-    fn of(dataset: &Dataset) -> Option<Self> {
+    fn of(dataset: &StoredArrays<'_>) -> Option<Self> {
+        dataset.over("level", &["time", "frequency"])?;
+        dataset.alike(&["time", "position"])?;
+        dataset.alike(&["zone_from", "zone_to", "zone_frequency"])?;
         let (times, frequencies) = (reals(dataset, "time")?, reals(dataset, "frequency")?);
         let levels = reals(dataset, "level")?;
         let zones = zones(dataset);
         let highest_zone = zones.iter().map(|zone| 1e3 * zone.frequency).fold(0.0, f64::max);
         let end = if highest_zone > 0.0 { ABOVE_ZONES * highest_zone } else { f64::INFINITY };
-        let shown = frequencies.partition_point(|frequency| *frequency <= end).max(1);
-        let kept: Vec<f64> =
-            levels.chunks(frequencies.len()).flat_map(|row| row[..shown].iter().copied()).collect();
+        let shown =
+            frequencies.partition_point(|frequency| *frequency <= end).clamp(1, frequencies.len().max(1));
+        let rows = levels.chunks(frequencies.len().max(1));
+        let kept: Vec<f64> = rows.flat_map(|row| row.iter().take(shown).copied()).collect();
         let highest = kept.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let stated = dataset
             .attributes()
@@ -73,18 +78,18 @@ impl Levels {
         Some(Self {
             times: middles(times, CELLS[0]),
             positions: reals(dataset, "position").map(|positions| middles(positions, CELLS[0])),
-            frequencies: middles(&frequencies[..shown], CELLS[1]).iter().map(|f| 1e-3 * f).collect(),
+            frequencies: middles(frequencies.get(..shown)?, CELLS[1]).iter().map(|f| 1e-3 * f).collect(),
             values: coarser(&kept, shown, CELLS),
             range: stated.unwrap_or((highest - SHOWN, highest)),
             zones,
         })
     }
 
-    fn map(&self, dataset: &Dataset) -> Option<Panel> {
+    fn map(&self, dataset: &StoredArrays<'_>) -> Option<Panel> {
         let (columns, rows) = (self.times.len(), self.frequencies.len());
         // the rows of a map run along x, those of the levels along the frequencies
         let turned =
-            (0..rows).flat_map(|row| (0..columns).map(move |column| self.values[column * rows + row]));
+            (0..rows).flat_map(|row| (0..columns).map(move |column| at(&self.values, column * rows + row)));
         let label = text(dataset.variable("level")?, "label").unwrap_or("Level (dB)");
         let map = ValueMap {
             x: self.times.clone(),
@@ -127,13 +132,16 @@ impl Levels {
     /// When the contact is at a position; none where it never is.
     fn time_at(&self, position: f64) -> Option<f64> {
         let own = self.positions.as_ref()?;
-        let k = own.windows(2).position(|p| p[0] != p[1] && (p[0] - position) * (p[1] - position) <= 0.0)?;
-        let share = (position - own[k]) / (own[k + 1] - own[k]);
-        Some(self.times[k] + share * (self.times[k + 1] - self.times[k]))
+        let pairs = own.iter().zip(own.iter().skip(1)).zip(self.times.iter().zip(self.times.iter().skip(1)));
+        let passes = |((from, to), _): &((&f64, &f64), _)| {
+            from != to && (**from - position) * (**to - position) <= 0.0
+        };
+        let ((from, to), (start, end)) = pairs.into_iter().find(passes)?;
+        Some(start + (position - from) / (to - from) * (end - start))
     }
 
     /// Spectra one behind the other, each standing on its position, or its time where there is none, the front ones hiding what is behind; zones where they are.
-    fn waterfall(&self, dataset: &Dataset, count: usize) -> Option<Panel> {
+    fn waterfall(&self, dataset: &StoredArrays<'_>, count: usize) -> Option<Panel> {
         let lines = self.frequencies.len();
         let spectra = coarser(&self.values, lines, [count, lines]);
         let (along, label, unit) = match &self.positions {
@@ -145,13 +153,13 @@ impl Levels {
         let distance = (last - first).abs() / (places.len().max(2) - 1) as f64;
         let (low, high) = self.range;
         let rise = |level: f64| (level.clamp(low, high) - low) / (high - low) * HEIGHT * distance;
-        let mut order: Vec<usize> = (0..places.len()).collect();
-        order.sort_by(|a, b| places[*a].total_cmp(&places[*b]));
+        let mut order: Vec<(usize, (&f64, &[f64]))> =
+            places.iter().zip(spectra.chunks(lines.max(1))).enumerate().collect();
+        order.sort_by(|(_, (a, _)), (_, (b, _))| a.total_cmp(b));
         let mut skyline = vec![f64::NEG_INFINITY; lines];
         let mut layers = Vec::new();
-        for k in order {
-            let levels = &spectra[k * lines..(k + 1) * lines];
-            let heights: Vec<f64> = levels.iter().map(|level| places[k] + rise(*level)).collect();
+        for (k, (place, levels)) in order {
+            let heights: Vec<f64> = levels.iter().map(|level| place + rise(*level)).collect();
             let seen =
                 heights.iter().zip(&skyline).map(|(own, front)| if own >= front { *own } else { f64::NAN });
             let role = Role::Graded { index: k, count: places.len() };
@@ -191,11 +199,11 @@ impl Levels {
     }
 }
 
-fn signal(dataset: &Dataset) -> Option<&str> {
+fn signal<'a>(dataset: &StoredArrays<'a>) -> Option<&'a str> {
     dataset.attributes().get("signal")?.as_str()
 }
 
-fn zones_label(dataset: &Dataset) -> String {
+fn zones_label(dataset: &StoredArrays<'_>) -> String {
     match dataset.attributes().get("locus").and_then(serde_json::Value::as_str) {
         Some(locus) => format!("unstable zones of {locus}"),
         None => "unstable zones of the locus".to_owned(),
@@ -203,7 +211,7 @@ fn zones_label(dataset: &Dataset) -> String {
 }
 
 /// The unstable zones that a spectrogram holds, by m and kHz.
-fn zones(dataset: &Dataset) -> Vec<DrawnZone> {
+fn zones(dataset: &StoredArrays<'_>) -> Vec<DrawnZone> {
     let of = |name: &str| reals(dataset, name).unwrap_or_default();
     let (from, to, frequency) = (of("zone_from"), of("zone_to"), of("zone_frequency"));
     let zone = |((from, to), frequency): ((&f64, &f64), &f64)| DrawnZone {
@@ -221,7 +229,6 @@ fn group(length: usize, most: usize) -> usize {
 
 /// The middle of each group.
 fn middles(values: &[f64], most: usize) -> Vec<f64> {
-    let middle = |group: &[f64]| 0.5 * (group[0] + group[group.len() - 1]);
     values.chunks(group(values.len(), most)).map(middle).collect()
 }
 
@@ -229,12 +236,12 @@ fn middles(values: &[f64], most: usize) -> Vec<f64> {
 fn coarser(levels: &[f64], lines: usize, [times, frequencies]: [usize; 2]) -> Vec<f64> {
     let (rows, columns) = (group(levels.len() / lines.max(1), times), group(lines, frequencies));
     let mut cells = Vec::new();
-    for spectra in levels.chunks(rows * lines) {
+    for spectra in levels.chunks((rows * lines).max(1)) {
         // the larger of a number and none is the number
         let mut highest = vec![f64::NAN; lines.div_ceil(columns)];
-        for spectrum in spectra.chunks(lines) {
-            for (k, level) in spectrum.iter().enumerate() {
-                highest[k / columns] = highest[k / columns].max(*level);
+        for spectrum in spectra.chunks(lines.max(1)) {
+            for (cell, levels) in highest.iter_mut().zip(spectrum.chunks(columns)) {
+                *cell = levels.iter().copied().fold(*cell, f64::max);
             }
         }
         cells.extend(highest);

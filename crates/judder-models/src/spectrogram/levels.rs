@@ -1,12 +1,15 @@
 //! The levels of a stored signal.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::settings::SpectrumSettings;
 use crate::error::ModelError;
 use judder_numerics::signal::spectrogram::{self as levels, SpectrogramSettings};
 use judder_numerics::words::plain;
 use judder_store::{Dataset, Results, Variable};
+use judder_study::StudyError;
 use judder_study::kept::StudyPlace;
-use judder_study::pictures::reals;
+use judder_study::pictures::{StoredArrays, reals};
 use serde_json::{Value, json};
 
 /// A spectrogram that is asked for.
@@ -60,7 +63,11 @@ impl AskedLevels<'_> {
     pub(crate) fn shown(&self, place: &StudyPlace<'_>) -> Result<ShownLevels, ModelError> {
         let march = place.study.read_dataset(&self.asked.of)?;
         let [signal, called] = self.signal;
-        let history = StoredHistory::new(&march, signal).ok_or_else(|| ModelError::NotRecorded {
+        let arrays = StoredArrays::of(&march);
+        let history = arrays.settled(StoredHistory::new(&arrays, signal));
+        let history =
+            history.map_err(|wrong| StudyError::from(wrong.in_study(place.study.path(), &self.asked.of)))?;
+        let history = history.ok_or_else(|| ModelError::NotRecorded {
             march: self.asked.of.clone(),
             signal: called.to_owned(),
         })?;
@@ -90,14 +97,17 @@ struct StoredHistory<'a> {
 }
 
 impl<'a> StoredHistory<'a> {
-    fn new(march: &'a Dataset, signal: &str) -> Option<Self> {
+    fn new(march: &StoredArrays<'a>, signal: &str) -> Option<Self> {
+        for name in ["time", "position", signal] {
+            march.over(name, &["time"])?;
+        }
         let values = reals(march, signal)?;
         let finite = values.iter().position(|value| !value.is_finite()).unwrap_or(values.len());
         let number = |name: &str| march.attributes().get(name).and_then(Value::as_f64);
         Some(Self {
             times: reals(march, "time")?,
             positions: reals(march, "position"),
-            values: &values[..finite],
+            values: values.get(..finite)?,
             sample_rate: number("sample_rate_hz")?,
             pass_band: number("pass_band_hz")?,
         })
@@ -123,14 +133,14 @@ impl ShownLevels {
     fn new(history: &StoredHistory<'_>, found: levels::Spectrogram, reference: String) -> Self {
         let all = found.frequencies.len();
         let lines = found.frequencies.partition_point(|frequency| *frequency <= history.pass_band).max(1);
-        let rows = found.levels.chunks(all);
+        let rows = found.levels.chunks(all.max(1));
         let times = || found.times.iter();
         Self {
             positions: history
                 .positions
                 .map(|positions| times().map(|time| history.position(positions, *time)).collect()),
-            levels: rows.flat_map(|row| row[..lines].iter().copied()).collect(),
-            frequencies: found.frequencies[..lines].to_vec(),
+            levels: rows.flat_map(|row| row.iter().take(lines).copied()).collect(),
+            frequencies: found.frequencies.iter().take(lines).copied().collect(),
             times: found.times,
             reference,
         }
@@ -138,14 +148,20 @@ impl ShownLevels {
 
     /// What is told of them.
     pub(crate) fn told(&self, asked: &AskedLevels<'_>) -> ToldSpectrogram {
-        let loudest = |best: usize, k: usize| if self.levels[k] > self.levels[best] { k } else { best };
-        let at = (0..self.levels.len()).fold(0, loudest);
-        let (row, line) = (at / self.frequencies.len(), at % self.frequencies.len());
+        let loudest = |best: (usize, f64), own: (usize, f64)| if own.1 > best.1 { own } else { best };
+        let all = self.levels.iter().copied().enumerate();
+        let at = all.clone().next().map_or(0, |first| all.fold(first, loudest).0);
+        let lines = self.frequencies.len().max(1);
+        let (row, line) = (at / lines, at % lines);
         ToldSpectrogram {
             of: asked.asked.of.clone(),
             windows: self.times.len(),
             reference: self.reference.clone(),
-            resolution_hz: self.frequencies.get(1).map(|second| second - self.frequencies[0]),
+            resolution_hz: self
+                .frequencies
+                .first()
+                .zip(self.frequencies.get(1))
+                .map(|(first, second)| second - first),
             peak_level_db: self.levels.get(at).copied(),
             peak_time_s: self.times.get(row).copied(),
             peak_position_m: self.positions.as_ref().map(|positions| positions.get(row).copied()),

@@ -1,11 +1,12 @@
 //! Shapes of modes over the undeformed body; on the page they swing.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use judder_numerics::complex::ElementaryComplex;
 use judder_report::figure::ValueMap;
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Layer, Panel, Role, Swing};
-use judder_store::{Dataset, VariableValues};
-use judder_study::pictures::{FRAME, complexes, reals};
+use judder_study::pictures::{FRAME, StoredArrays, complexes, reals, wholes};
 use num_complex::Complex64;
 
 /// The largest displacement of a picture, over the diagonal of the body.
@@ -15,7 +16,7 @@ const MARGIN: f64 = 0.06;
 
 /// A panel for each of these modes; none where the shapes have no places.
 pub(crate) fn panels(
-    dataset: &Dataset,
+    dataset: &StoredArrays<'_>,
     wanted: impl Iterator<Item = usize>,
     title: &dyn Fn(usize) -> String,
 ) -> Vec<Panel> {
@@ -24,7 +25,7 @@ pub(crate) fn panels(
 }
 
 /// A panel with the first shape at rest: how loads move a body.
-pub(crate) fn still(dataset: &Dataset, title: &str) -> Option<Panel> {
+pub(crate) fn still(dataset: &StoredArrays<'_>, title: &str) -> Option<Panel> {
     Some(ShapePicture::new(dataset, 0)?.panel(Moves::Rests).with_title(title))
 }
 
@@ -36,8 +37,9 @@ enum Moves {
 }
 
 /// How alike shapes are.
-pub(crate) fn mac(dataset: &Dataset) -> Option<Panel> {
+pub(crate) fn mac(dataset: &StoredArrays<'_>) -> Option<Panel> {
     let values = reals(dataset, "mac")?;
+    dataset.shaped("mac", &[None, None])?;
     let count = *dataset.variable("mac")?.shape.first()?;
     // one shape is like itself
     if count < 2 || values.len() != count * count {
@@ -72,34 +74,37 @@ struct ShapePicture {
 }
 
 impl ShapePicture {
-    fn new(dataset: &Dataset, mode: usize) -> Option<Self> {
-        let places: Vec<[f64; 3]> =
-            reals(dataset, "place")?.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect();
+    fn new(dataset: &StoredArrays<'_>, mode: usize) -> Option<Self> {
+        dataset.shaped("place", &[None, Some(3)])?;
+        dataset.shaped("line", &[None, Some(2)])?;
+        let (places, _) = reals(dataset, "place")?.as_chunks::<3>();
+        dataset.shaped("shape", &[None, Some(places.len()), Some(3)])?;
         let own = mode * 3 * places.len()..(mode + 1) * 3 * places.len();
-        let shape: Vec<Complex64> = match reals(dataset, "shape") {
-            Some(values) => values.get(own)?.iter().map(|value| Complex64::from(*value)).collect(),
-            None => complexes(dataset, "shape")?.get(own)?.to_vec(),
+        // of complex modes, of which each has its phases, or not
+        let is_complex = dataset.attributes().get("kind").is_some_and(|kind| kind == "eigen");
+        let shape: Vec<Complex64> = match is_complex {
+            true => complexes(dataset, "shape")?.get(own)?.to_vec(),
+            false => reals(dataset, "shape")?.get(own)?.iter().map(|value| Complex64::from(*value)).collect(),
         };
-        let in_plane = places.iter().all(|place| place[2] == places[0][2]);
+        let height = places.first()?[2];
+        let in_plane = places.iter().all(|place| place[2] == height);
         let rest: Vec<[f64; 2]> = places.iter().map(|place| on_paper(*place, in_plane)).collect();
         let largest =
-            shape.chunks_exact(3).map(|u| u.iter().map(Complex64::norm_sqr).sum::<f64>()).fold(0.0, f64::max);
+            shape.chunks(3).map(|u| u.iter().map(Complex64::norm_sqr).sum::<f64>()).fold(0.0, f64::max);
         let scale = DISPLACEMENT * diagonal(&rest) / largest.sqrt();
         // points in one place, or none that moves, are no picture
         if !(scale.is_finite() && scale > 0.0) {
             return None;
         }
-        let moved = shape.chunks_exact(3).map(|u| {
-            let part =
-                |pick: fn(&Complex64) -> f64| on_paper([0, 1, 2].map(|k| scale * pick(&u[k])), in_plane);
+        let moved = shape.as_chunks::<3>().0.iter().map(|u| {
+            let part = |pick: fn(&Complex64) -> f64| on_paper(u.map(|u| scale * pick(&u)), in_plane);
             let ([a, b], [c, d]) = (part(|u| u.re), part(|u| u.im));
             [Complex64::new(a, c), Complex64::new(b, d)]
         });
         let moved = moved.collect();
-        let VariableValues::I64(ends) = &dataset.variable("line")?.data else { return None };
-        let is_point = |end: &i64| usize::try_from(*end).is_ok_and(|end| end < places.len());
-        let lines = ends.chunks_exact(2).filter(|ends| ends.iter().all(is_point));
-        let lines = lines.map(|ends| [ends[0] as usize, ends[1] as usize]).collect();
+        let point = |end: i64| usize::try_from(end).ok().filter(|end| *end < places.len());
+        let ends = wholes(dataset, "line")?.as_chunks::<2>().0.iter();
+        let lines = ends.filter_map(|[from, to]| Some([point(*from)?, point(*to)?])).collect();
         Some(Self { rest, moved, lines, in_plane })
     }
 
@@ -113,13 +118,16 @@ impl ShapePicture {
         let along = |axis: usize, pick: &dyn Fn(usize, usize) -> f64| -> Vec<f64> {
             order.iter().map(|point| point.map_or(f64::NAN, |point| pick(point, axis))).collect()
         };
-        let rest = |axis| along(axis, &|point, axis| self.rest[point][axis]);
-        let drawn = |axis| along(axis, &|point, axis| self.rest[point][axis] + self.moved[point][axis].re);
+        let place = |point: usize, axis: usize| {
+            self.rest.get(point).and_then(|own| own.get(axis)).copied().unwrap_or(f64::NAN)
+        };
+        let by = |point: usize, axis: usize| {
+            self.moved.get(point).and_then(|own| own.get(axis)).copied().unwrap_or_default()
+        };
+        let rest = |axis| along(axis, &place);
+        let drawn = |axis| along(axis, &|point, axis| place(point, axis) + by(point, axis).re);
         let swing = |axis| {
-            [
-                along(axis, &|point, axis| self.moved[point][axis].re),
-                along(axis, &|point, axis| self.moved[point][axis].im),
-            ]
+            [along(axis, &|point, axis| by(point, axis).re), along(axis, &|point, axis| by(point, axis).im)]
         };
         let swing = Swing { x: swing(0), y: swing(1) };
         let body = Role::Reference.solid();
@@ -142,13 +150,13 @@ impl ShapePicture {
 
     /// Axes over which lengths along both look alike.
     fn axes(&self) -> [Axis; 2] {
-        let ends = |axis: usize| {
-            let reach = self.rest.iter().zip(&self.moved).map(|(p, u)| (p[axis], u[axis].modulus()));
+        let ends = |place: fn(&[f64; 2]) -> f64, by: fn(&[Complex64; 2]) -> Complex64| {
+            let reach = self.rest.iter().zip(&self.moved).map(|(p, u)| (place(p), by(u).modulus()));
             reach.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (place, by)| {
                 (low.min(place - by), high.max(place + by))
             })
         };
-        let [across, up] = [ends(0), ends(1)];
+        let (across, up) = (ends(|own| own[0], |own| own[0]), ends(|own| own[1], |own| own[1]));
         let size = (1.0 + 2.0 * MARGIN) * (across.1 - across.0).max(FRAME * (up.1 - up.0));
         let range =
             |(low, high): (f64, f64), size: f64| (0.5 * (low + high - size), 0.5 * (low + high + size));
@@ -168,10 +176,10 @@ fn on_paper([x, y, z]: [f64; 3], in_plane: bool) -> [f64; 2] {
 }
 
 fn diagonal(points: &[[f64; 2]]) -> f64 {
-    let width = |axis: usize| {
-        let values = points.iter().map(|point| point[axis]);
+    let width = |pick: fn(&[f64; 2]) -> f64| {
+        let values = points.iter().map(pick);
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
         high - low
     };
-    libm::hypot(width(0), width(1))
+    libm::hypot(width(|point| point[0]), width(|point| point[1]))
 }

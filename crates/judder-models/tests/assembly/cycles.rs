@@ -269,7 +269,7 @@ fn a_cycle_that_shrinks_with_the_speed_tells_no_onset() {
 fn across(file: &CaseFile, folder: &Path) -> Vec<Axis> {
     let dataset = StudyFolder::open(folder).unwrap().read_dataset("less-friction").unwrap();
     let model = judder_models::REGISTRY.model_of(&file.case.resolved()).unwrap();
-    let figure = model.figure("less-friction", "", &dataset).unwrap();
+    let figure = model.figure("less-friction", "", &dataset).unwrap().unwrap();
     figure.panels.into_iter().map(|panel| panel.x).collect()
 }
 

@@ -95,7 +95,7 @@ fn a_swept_key_is_shown_in_the_unit_of_the_case() {
     assert!(told["unit"] == "m/s" && told["shown_unit"] == "mm/s" && number(&told["value"][1]) == 1.5);
     let dataset = StudyFolder::open(folder.path()).unwrap().read_dataset("sweep").unwrap();
     let model = judder_models::REGISTRY.model_of(&file.case.resolved()).unwrap();
-    let panels = model.figure("sweep", "", &dataset).unwrap().panels;
+    let panels = model.figure("sweep", "", &dataset).unwrap().unwrap().panels;
     let label = "contact.belt.sliding.velocity (mm/s)";
     let over_key = panels.iter().filter(|own| own.x.label == label);
     assert_eq!(

@@ -245,7 +245,7 @@ fn a_spectrogram_shows_a_march_and_follows_its_changes() {
         let report = run(&case(&text), &study, &RunOptions::default(), &Silent).unwrap();
         assert_eq!(report.skipped, ["ensubs"]);
         let dataset = StudyFolder::open(&study).unwrap().read_dataset("levels").unwrap();
-        MODEL.panels(&dataset).get(1).map_or(0, |panel| panel.layers.len())
+        MODEL.panels(&dataset).unwrap().get(1).map_or(0, |panel| panel.layers.len())
     };
     let seven = lines("waterfall = 7\n");
     assert_eq!((seven, lines("waterfall = 8\n"), lines("waterfall = 0\n")), (7, 8, 0));

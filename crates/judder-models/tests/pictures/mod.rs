@@ -59,7 +59,7 @@ fn only_neighbours_of_one_run_are_joined_and_all_of_them_are() {
         for seed in 0..SEEDS {
             for planted in plant(seed) {
                 let dataset = planted.dataset.clone().attribute("kind", kind).unwrap();
-                let panels = model.panels(&dataset);
+                let panels = model.panels(&dataset).unwrap();
                 assert!(!panels.is_empty(), "{} {kind}: no figure", model.name);
                 let allowed: BTreeSet<Segment> = planted.runs.iter().flat_map(|run| segments(run)).collect();
                 let drawn = drawn(&panels, &planted);
@@ -80,7 +80,7 @@ fn only_neighbours_of_one_run_are_joined_and_all_of_them_are() {
 fn stable_branches_are_stable_from_end_to_end() {
     for seed in 0..SEEDS {
         let (dataset, stable) = planted::diagram(seed);
-        let panels = oscillator::MODEL.panels(&dataset);
+        let panels = oscillator::MODEL.panels(&dataset).unwrap();
         let lines = panels[0].layers.iter().filter_map(|layer| match layer {
             Layer::Line(line) if line.label == "stable cycles" => Some(line),
             _ => None,

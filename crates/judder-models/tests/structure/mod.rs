@@ -339,8 +339,12 @@ fn a_family_of_lock_ins_has_one_basis() {
     let eigenvalue = dataset.variable("eigenvalue").unwrap();
     assert_eq!(eigenvalue.dimensions, ["family", "value", "branch"]);
     assert_eq!(eigenvalue.shape, [2, 5, 2]);
-    let titles: Vec<String> =
-        judder_models::structure::MODEL.panels(&dataset).into_iter().map(|panel| panel.title).collect();
+    let titles: Vec<String> = judder_models::structure::MODEL
+        .panels(&dataset)
+        .unwrap()
+        .into_iter()
+        .map(|panel| panel.title)
+        .collect();
     assert!(
         titles.ends_with(&["damping ratios, s = 1".into(), "damping ratios, s = 0.25".into()]),
         "{titles:?}"
@@ -397,6 +401,7 @@ fn shapes_swing_on_the_page() {
     let store = judder_store::StudyFolder::open(folder.path()).unwrap();
     let figure = judder_models::structure::MODEL
         .figure("modes", "modes", &store.read_dataset("modes").unwrap())
+        .unwrap()
         .unwrap();
     assert!(figure.panels.len() > 4 && figure.panels[0].title.starts_with("mode 1: "));
 }

@@ -141,7 +141,7 @@ fn zones_are_drawn_with_the_growth_that_they_have() {
     // the test would say nothing of a frequency that stays
     let (low, high) = hertz.fold((f64::INFINITY, 0.0_f64), |(l, h), f| (l.min(f), h.max(f)));
     assert!(wide.1 - wide.0 > 0.05 && high > 1.02 * low, "{wide:?} {low} {high}");
-    let figure = judder_models::sliding::MODEL.figure("locus", "locus", &dataset).unwrap();
+    let figure = judder_models::sliding::MODEL.figure("locus", "locus", &dataset).unwrap().unwrap();
     let panel = figure.panels.iter().find(|panel| panel.title == "unstable zones").unwrap();
     let mut inside = 0;
     for layer in &panel.layers {

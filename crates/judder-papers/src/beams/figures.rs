@@ -4,7 +4,7 @@ use super::passage::Passage;
 use judder_models::sliding::march::figure::{history, logarithmic, panel, swing, trace};
 use judder_report::{Axis, Figure, Layer, Legend, Panel, Role, Style};
 use judder_store::Dataset;
-use judder_study::pictures::{axis, reals};
+use judder_study::pictures::{StoredArrays, axis, reals};
 use serde_json::Value;
 
 /// The signal of Figs. 3 to 5: the vertical acceleration of the free end T.
@@ -22,12 +22,15 @@ const OVER: f64 = 1.1;
 /// Fig. 3: what Subs and FiLM find, each on its axis and both on one.
 pub(super) fn subs_and_film(subs: &Dataset, film: &Dataset) -> Option<Figure> {
     let own = |dataset, label: &str, role: Role| {
-        history(dataset, SIGNAL, role.solid()).map(|panel| panel.with_title(label))
+        history(&StoredArrays::of(dataset), SIGNAL, role.solid()).map(|panel| panel.with_title(label))
     };
     let both = logarithmic(panel(
-        film,
+        &StoredArrays::of(film),
         SIGNAL,
-        vec![swing(film, SIGNAL, "FiLM", FILM.solid())?, swing(subs, SIGNAL, "Subs", SUBS.solid())?],
+        vec![
+            swing(&StoredArrays::of(film), SIGNAL, "FiLM", FILM.solid())?,
+            swing(&StoredArrays::of(subs), SIGNAL, "Subs", SUBS.solid())?,
+        ],
     )?);
     let mut panels = vec![own(subs, "Subs", SUBS)?, own(film, "FiLM", FILM)?];
     panels.push(both.with_title("amplitude: √2 rms of a column"));
@@ -39,7 +42,7 @@ pub(super) fn subs_and_film(subs: &Dataset, film: &Dataset) -> Option<Figure> {
 /// Fig. 4: both spectrograms with one scale of levels, and both waterfalls.
 pub(super) fn spectrograms(subs: &Dataset, film: &Dataset) -> Option<Figure> {
     let (of_subs, of_film) =
-        (judder_models::sliding::MODEL.panels(subs), judder_models::sliding::MODEL.panels(film));
+        (judder_models::sliding::MODEL.panels(subs).ok()?, judder_models::sliding::MODEL.panels(film).ok()?);
     let named = |method: &'static str| {
         move |panel: Panel| {
             let title = format!("{method}: {}", panel.title);
@@ -59,16 +62,16 @@ pub(super) fn spectrograms(subs: &Dataset, film: &Dataset) -> Option<Figure> {
 /// Fig. 5: EnSubs over FiLM, the whole, the loudest moment, and their difference.
 pub(super) fn ensubs_and_film(ensubs: &Dataset, film: &Dataset) -> Option<Figure> {
     let both = vec![
-        trace(ensubs, SIGNAL, "EnSubs", ENSUBS.solid())?,
-        trace(film, SIGNAL, "FiLM", FILM.dashed().with_width(0.6))?,
+        trace(&StoredArrays::of(ensubs), SIGNAL, "EnSubs", ENSUBS.solid())?,
+        trace(&StoredArrays::of(film), SIGNAL, "FiLM", FILM.dashed().with_width(0.6))?,
     ];
-    let whole = panel(ensubs, SIGNAL, both)?.with_title("whole path");
+    let whole = panel(&StoredArrays::of(ensubs), SIGNAL, both)?.with_title("whole path");
     let about = about_loudest(ensubs, &[(ensubs, "EnSubs", ENSUBS.solid()), (film, "FiLM", FILM.dashed())])?;
     let amplitudes = vec![
-        swing(ensubs, SIGNAL, "EnSubs", ENSUBS.solid())?,
+        swing(&StoredArrays::of(ensubs), SIGNAL, "EnSubs", ENSUBS.solid())?,
         difference(ensubs, film, "FiLM − EnSubs", FILM.solid())?,
     ];
-    let amplitudes = logarithmic(panel(ensubs, SIGNAL, amplitudes)?);
+    let amplitudes = logarithmic(panel(&StoredArrays::of(ensubs), SIGNAL, amplitudes)?);
     let amplitudes = Panel { y: Axis::log(amplitudes.y.label.clone()), ..amplitudes };
     let panels = vec![whole, about, amplitudes.with_title("amplitude, and that of the difference")];
     Some(
@@ -81,10 +84,10 @@ pub(super) fn ensubs_and_film(ensubs: &Dataset, film: &Dataset) -> Option<Figure
 pub(super) fn forces(ensubs: &Dataset) -> Option<Figure> {
     let mut panels = Vec::new();
     for name in ["sliding_velocity", "normal_force"] {
-        panels.push(history(ensubs, name, ENSUBS.solid())?.with_title("whole path"));
+        panels.push(history(&StoredArrays::of(ensubs), name, ENSUBS.solid())?.with_title("whole path"));
     }
     for name in ["sliding_velocity", "normal_force"] {
-        let own = history(ensubs, name, ENSUBS.solid())?;
+        let own = history(&StoredArrays::of(ensubs), name, ENSUBS.solid())?;
         panels.push(settled(own, ensubs, name)?.with_title("after the ramps"));
     }
     let caption = "EnSubs. Above, with zero on the axis; below, what is left of that after the ramps. Both stay far from zero: the contact slides ahead and never opens. The extremes of every step stand in the scoreboard.";
@@ -107,8 +110,8 @@ pub(super) fn zones(passages: &[Passage]) -> Option<Figure> {
 
 /// Growth with the contact held, four places a figure.
 pub(super) fn growths(method: &str, name: &str, held: &[Dataset]) -> Option<Figure> {
-    let panels: Vec<Panel> =
-        held.iter().flat_map(|dataset| judder_models::sliding::MODEL.panels(dataset)).collect();
+    let drawn = held.iter().map(|dataset| judder_models::sliding::MODEL.panels(dataset).ok());
+    let panels: Vec<Panel> = drawn.collect::<Option<Vec<_>>>()?.concat();
     let title = format!("Growth with the contact held, by {method}");
     (!panels.is_empty()).then(|| Figure {
         caption: held
@@ -123,11 +126,12 @@ pub(super) fn growths(method: &str, name: &str, held: &[Dataset]) -> Option<Figu
 /// Why Subs is quiet: with the static slope it is as loud as EnSubs.
 pub(super) fn reason(subs: &Dataset, sloped: &Dataset, ensubs: &Dataset) -> Option<Figure> {
     let layers = vec![
-        swing(ensubs, SIGNAL, "EnSubs", ENSUBS.solid())?,
-        swing(sloped, SIGNAL, "Subs with the static slope", SUBS.dashed())?,
-        swing(subs, SIGNAL, "Subs", SUBS.solid())?,
+        swing(&StoredArrays::of(ensubs), SIGNAL, "EnSubs", ENSUBS.solid())?,
+        swing(&StoredArrays::of(sloped), SIGNAL, "Subs with the static slope", SUBS.dashed())?,
+        swing(&StoredArrays::of(subs), SIGNAL, "Subs", SUBS.solid())?,
     ];
-    let amplitudes = logarithmic(panel(ensubs, SIGNAL, layers)?).with_title("amplitude: √2 rms of a column");
+    let amplitudes = logarithmic(panel(&StoredArrays::of(ensubs), SIGNAL, layers)?)
+        .with_title("amplitude: √2 rms of a column");
     let styles = [(ensubs, "EnSubs", ENSUBS.solid()), (sloped, "Subs with the static slope", SUBS.dashed())];
     let panels = vec![amplitudes, about_loudest(ensubs, &styles)?];
     let caption = "Of the deformation that Subs leaves out, the static slope of the track alone brings the bursts back. It \
@@ -138,10 +142,11 @@ pub(super) fn reason(subs: &Dataset, sloped: &Dataset, ensubs: &Dataset) -> Opti
 /// The march with residual flexibility beside EnSubs.
 pub(super) fn residual(ours: &Dataset, ensubs: &Dataset) -> Option<Figure> {
     let layers = vec![
-        swing(ensubs, SIGNAL, "EnSubs", ENSUBS.solid())?,
-        swing(ours, SIGNAL, "residual flexibility", RESIDUAL.dashed().with_width(0.8))?,
+        swing(&StoredArrays::of(ensubs), SIGNAL, "EnSubs", ENSUBS.solid())?,
+        swing(&StoredArrays::of(ours), SIGNAL, "residual flexibility", RESIDUAL.dashed().with_width(0.8))?,
     ];
-    let amplitudes = logarithmic(panel(ensubs, SIGNAL, layers)?).with_title("amplitude: √2 rms of a column");
+    let amplitudes = logarithmic(panel(&StoredArrays::of(ensubs), SIGNAL, layers)?)
+        .with_title("amplitude: √2 rms of a column");
     let styles = [(ensubs, "EnSubs", ENSUBS.solid()), (ours, "residual flexibility", RESIDUAL.dashed())];
     let panels = vec![amplitudes, about_loudest(ensubs, &styles)?];
     let caption = "The march of our own, exact between contacts and with longer steps, beside EnSubs: the whole path, and single swings at the loudest moment.";
@@ -155,17 +160,17 @@ pub(super) fn residual(ours: &Dataset, ensubs: &Dataset) -> Option<Figure> {
 fn about_loudest(loudest: &Dataset, marches: &[(&Dataset, &str, Style)]) -> Option<Panel> {
     let (time, values) = (reals(loudest, "time")?, reals(loudest, SIGNAL)?);
     let settled = loudest.attributes().get("settled_s").and_then(Value::as_f64)?;
-    let after = (0..time.len()).filter(|k| time[*k] > settled);
-    let middle = time[after.max_by(|a, b| values[*a].abs().total_cmp(&values[*b].abs()))?];
+    let after = time.iter().zip(values).filter(|(time, _)| **time > settled);
+    let middle = *after.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?.0;
     let mut layers = Vec::new();
     let mut peak = 0.0_f64;
     for (march, label, style) in marches {
-        let (time, values) = (reals(march, "time")?, reals(march, SIGNAL)?);
+        let (time, values) = (reals(*march, "time")?, reals(*march, SIGNAL)?);
         let range =
             time.partition_point(|t| *t < middle - ABOUT)..time.partition_point(|t| *t <= middle + ABOUT);
-        let values = &values[range.clone()];
+        let values = values.get(range.clone())?;
         peak = values.iter().fold(peak, |peak, value| peak.max(value.abs()));
-        let milliseconds = time[range].iter().map(|t| 1e3 * (t - middle)).collect();
+        let milliseconds = time.get(range)?.iter().map(|t| 1e3 * (t - middle)).collect();
         layers.push(Layer::line(*label, milliseconds, values.to_vec(), *style));
     }
     let up = axis(loudest.variable(SIGNAL)?).with_range(-OVER * peak, OVER * peak);

@@ -61,9 +61,9 @@ impl Stored<'_> {
 
     /// The figure of one analysis alone.
     fn figure(&self, analysis: &str, name: &str, title: &str) -> Result<Option<Figure>, StudyError> {
-        Ok(self
-            .dataset(analysis)?
-            .and_then(|dataset| judder_models::sliding::MODEL.figure(name, title, &dataset)))
+        let Some(dataset) = self.dataset(analysis)? else { return Ok(None) };
+        let drawn = judder_models::sliding::MODEL.figure(name, title, &dataset);
+        Ok(drawn.map_err(|wrong| wrong.in_study(self.store.path(), analysis))?)
     }
 
     /// The growth analyses of a method.

@@ -5,7 +5,7 @@ use judder_models::sliding::locus::figure::zone_profiles;
 use judder_report::figure::ShadedRegion;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
 use judder_store::Dataset;
-use judder_study::pictures::reals;
+use judder_study::pictures::{StoredArrays, reals};
 use serde_json::Value;
 
 /// Zones that promise less, in nepers, drown in what the clicks at the nodes excite.
@@ -46,7 +46,7 @@ pub(super) fn passages(
     zones: &[PassedZone],
     locus: Option<&Dataset>,
 ) -> Vec<Passage> {
-    let profiles = locus.map(zone_profiles).unwrap_or_default();
+    let profiles = locus.map(|locus| zone_profiles(&StoredArrays::of(locus))).unwrap_or_default();
     let worth = zones.iter().filter(|zone| zone.nepers >= WORTH);
     worth.filter_map(|zone| passage(march, signal, *zone, &profiles)).collect()
 }

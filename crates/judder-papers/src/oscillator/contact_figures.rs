@@ -231,7 +231,7 @@ fn figure_14(fit: &Dataset, functions: &Functions) -> Option<Figure> {
 
 /// Storage and loss modulus and loss tangent over frequency.
 fn figure_13(modulus: &Dataset) -> Option<Figure> {
-    let panels = judder_models::contact::MODEL.panels(modulus);
+    let panels = judder_models::contact::MODEL.panels(modulus).ok()?;
     let figure = Figure::new("fig-13", "Modulus and loss tangent, the paper's Fig. 13", panels).with_caption(
         "One retardation time $τ$ = 10 ms, $E_{0}$ = 1 MPa, $E_{∞}$ = 10 MPa: the material that the contacts are computed for.",
     );

@@ -7,7 +7,7 @@ use judder_models::motion::pictures::ending;
 use judder_report::{Axis, Figure, Layer, Legend, PageSection, Panel, Role};
 use judder_store::{Dataset, StudyFolder, Summary};
 use judder_study::StudyError;
-use judder_study::pictures::{axis, reals};
+use judder_study::pictures::{StoredArrays, axis, reals};
 use judder_study::report::write_figure;
 
 /// Oscillations that Fig. 12 shows.
@@ -53,7 +53,8 @@ pub(super) fn sections(store: &StudyFolder, summary: &Summary) -> Result<Vec<Pag
     if is_done(summary, ENGINES) {
         let dataset = store.read_dataset(ENGINES)?;
         let title = "One cycle of section 5 by three engines";
-        if let Some(figure) = judder_models::oscillator::MODEL.figure(ENGINES, title, &dataset) {
+        let drawn = judder_models::oscillator::MODEL.figure(ENGINES, title, &dataset);
+        if let Some(figure) = drawn.map_err(|wrong| wrong.in_study(store.path(), ENGINES))? {
             sections.push(PageSection::new("Three engines", vec![write_figure(store, figure)?]));
         }
     }
@@ -156,7 +157,7 @@ fn figure_12(
 
 /// The panels of one way: the strong motion, and over its histories the weak one.
 fn both(strong: &Dataset, weak: &Dataset, way: &ReadingWay) -> Option<Vec<Panel>> {
-    let mut panels = ending(strong, SHOWN)?;
+    let mut panels = ending(&StoredArrays::of(strong), SHOWN)?;
     for (panel, quantity) in panels.iter_mut().zip(["x", "relative_velocity", "contact_area"]) {
         let (from, to) = panel.x.range?;
         let time = reals(weak, "time")?;

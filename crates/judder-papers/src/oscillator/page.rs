@@ -116,6 +116,7 @@ fn exhibit_blocks(
                     format!("{}; {}", source.label, reading.label)
                 };
                 let drawn = judder_models::oscillator::MODEL.panels(&store.read_dataset(&name)?);
+                let drawn = drawn.map_err(|wrong| wrong.in_study(store.path(), &name))?;
                 panels.extend(
                     drawn.into_iter().map(|p| p.with_title(title.clone()).with_legend(Legend::Below)),
                 );

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use super::{FileRecord, Manifest, SoundFiles, hash_of, told};
 use crate::{FileDamage, StoreError, Summary, results, summary};
 
-/// How long the list of a new study is not forced to the disk before it is complete: what a disk without power loses of it is not worth the time.
+/// How long the list of a new study is not forced to the disk: what a disk without power loses of it takes no longer to be computed again.
 const YOUNG: Duration = Duration::from_secs(1);
 
 /// The manifest of a study that is held alone.
@@ -173,7 +173,7 @@ impl ManifestKeeper {
 
     fn write(&mut self, listed: Manifest) -> Result<(), StoreError> {
         let is_young = self.taken.is_some_and(|taken| taken.elapsed() < YOUNG);
-        listed.write(&self.study, listed.complete || !is_young)?;
+        listed.write(&self.study, !is_young)?;
         self.on_disk = Some(listed);
         Ok(())
     }

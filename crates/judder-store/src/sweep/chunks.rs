@@ -86,8 +86,9 @@ impl SweepChunks {
         let mut done = vec![false; self.layout.chunk_count()];
         for entry in fs::read_dir(&self.folder).map_err(failed)? {
             let name = entry.map_err(failed)?.file_name();
-            if let Some(chunk) = name.to_str().and_then(|name| self.layout.chunk_of_file(name)) {
-                done[chunk] = true;
+            let chunk = name.to_str().and_then(|name| self.layout.chunk_of_file(name));
+            if let Some(done) = chunk.and_then(|chunk| done.get_mut(chunk)) {
+                *done = true;
             }
         }
         Ok(done)

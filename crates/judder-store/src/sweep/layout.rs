@@ -261,7 +261,7 @@ fn check_size(name: &str, dimensions: &[SweepDimension], quantities: usize) -> R
 /// The array of all values, and the coordinates along its quantities.
 fn described(dimensions: &[SweepDimension], quantities: &[SweepQuantity]) -> Result<Dataset, StoreError> {
     for (place, quantity) in quantities.iter().enumerate() {
-        if quantities[..place].iter().any(|before| before.name == quantity.name) {
+        if quantities.iter().take(place).any(|before| before.name == quantity.name) {
             return Err(StoreError::Duplicate { what: "quantity", name: quantity.name.clone() });
         }
     }

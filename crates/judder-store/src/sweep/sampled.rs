@@ -75,7 +75,8 @@ fn values(
         let stored: Vec<f64> = array.retrieve_chunk(&cell)?;
         for (to, from) in places {
             let row = stored.get(from * quantities..(from + 1) * quantities).ok_or("a part is too short")?;
-            found[to * quantities..(to + 1) * quantities].copy_from_slice(row);
+            let place = found.get_mut(to * quantities..(to + 1) * quantities);
+            place.ok_or("a part is too long")?.copy_from_slice(row);
         }
     }
     let names: Vec<&str> = chosen.iter().map(|(name, _)| name.as_str()).chain([QUANTITY]).collect();
@@ -90,8 +91,9 @@ fn by_chunk(chosen: &Chosen, shape: &[usize], chunk: &[usize]) -> BTreeMap<Vec<u
         let (mut cell, mut from) = (Vec::with_capacity(chunk.len()), 0);
         let at = unravelled(to, shape.iter().copied());
         for ((picked, (_, positions)), chunk) in at.iter().zip(chosen).zip(chunk) {
-            cell.push((positions[*picked] / chunk) as u64);
-            from = from * chunk + positions[*picked] % chunk;
+            let position = positions.get(*picked).copied().unwrap_or_default();
+            cell.push((position / chunk) as u64);
+            from = from * chunk + position % chunk;
         }
         // all quantities are in one chunk
         cell.push(0);

@@ -57,9 +57,8 @@ pub(super) fn encode(
         let (mut column, mut is_empty) = (vec![NOTHING.to_le_bytes(); cells(layout)], true);
         let mut source = values.iter().skip(quantity).step_by(quantities);
         for place in rows(layout, points) {
-            for (slot, value) in
-                column[place].iter_mut().zip(&mut source).filter(|(_, value)| !value.is_nan())
-            {
+            let slots = column.get_mut(place).unwrap_or_default();
+            for (slot, value) in slots.iter_mut().zip(&mut source).filter(|(_, value)| !value.is_nan()) {
                 *slot = value.to_le_bytes();
                 is_empty = false;
             }
@@ -76,7 +75,8 @@ pub(super) fn encode(
         index.extend(length.to_le_bytes());
     }
     let index = Crc32cCodec::new().encode(index.into(), &options())?;
-    shard[..index.len()].copy_from_slice(&index);
+    // room for it was left before the columns
+    shard.splice(..index.len(), index.iter().copied());
     Ok(shard)
 }
 
@@ -112,7 +112,7 @@ pub(super) fn decode(
         }
         let mut target = values.iter_mut().skip(quantity).step_by(quantities);
         for place in rows(layout, points) {
-            for (value, target) in column[place].iter().zip(&mut target) {
+            for (value, target) in column.get(place).unwrap_or_default().iter().zip(&mut target) {
                 *target = f64::from_le_bytes(*value);
             }
         }

@@ -10,10 +10,12 @@ mod grid;
 mod samples;
 mod sensitivity;
 
+use super::{StoredArrays, reals};
+use crate::error::WrongArray;
 use crate::registry::ModelKind;
 use column::{KeyColumn, PointColumn};
 use judder_report::{Figure, Panel};
-use judder_store::{Dataset, VariableValues};
+use judder_store::Dataset;
 use serde_json::{Map, Value};
 
 /// Whether the arrays with these attributes are those of a sweep.
@@ -43,17 +45,21 @@ pub(crate) fn drawn_points(
 /// As many positions as are drawn, from the first to the last.
 fn evenly(length: usize, drawn: usize) -> Vec<usize> {
     let count = length.min(drawn);
-    (0..count).map(|k| k * (length - 1) / (count - 1).max(1)).collect()
+    (0..count).map(|k| k * length.saturating_sub(1) / (count - 1).max(1)).collect()
 }
 
 /// The figures of a sweep over a case of this model that was read at its drawn points; `results` is what the summary says of it.
+///
+/// # Errors
+/// [`WrongArray`].
 pub(crate) fn figures(
     model: Option<&ModelKind>,
     name: &str,
     dataset: &Dataset,
     results: &Map<String, Value>,
-) -> Vec<Figure> {
-    let Some(sweep) = DrawnSweep::of(model, dataset, results) else { return Vec::new() };
+) -> Result<Vec<Figure>, WrongArray> {
+    let arrays = StoredArrays::of(dataset);
+    let Some(sweep) = DrawnSweep::of(model, &arrays, results) else { return arrays.settled(Vec::new()) };
     let (panels, columns, caption) = match sweep.is_grid {
         true => grid::panels(&sweep),
         false => samples::panels(&sweep),
@@ -64,7 +70,7 @@ pub(crate) fn figures(
         figures.push(Figure::new(name, name, panels).with_columns(columns).with_caption(caption));
     }
     figures.extend(sensitivity::figure(name, &sweep));
-    figures
+    arrays.settled(figures)
 }
 
 /// Panels, how many stand in a row, and what stands under them.
@@ -72,7 +78,7 @@ type Drawn = (Vec<Panel>, usize, String);
 
 /// A sweep at its drawn points.
 struct DrawnSweep<'a> {
-    dataset: &'a Dataset,
+    dataset: StoredArrays<'a>,
     keys: Vec<KeyColumn>,
     /// The quantities that were asked for.
     columns: Vec<PointColumn>,
@@ -85,13 +91,22 @@ struct DrawnSweep<'a> {
 }
 
 impl<'a> DrawnSweep<'a> {
-    fn of(model: Option<&ModelKind>, dataset: &'a Dataset, results: &'a Map<String, Value>) -> Option<Self> {
+    fn of(
+        model: Option<&ModelKind>,
+        dataset: &StoredArrays<'a>,
+        results: &'a Map<String, Value>,
+    ) -> Option<Self> {
         if !is_sweep(dataset.attributes()) {
             return None;
         }
-        let stored = dataset.variable("values")?;
-        let VariableValues::F64(values) = &stored.data else { return None };
+        let (values, stored) = (reals(dataset, "values")?, dataset.variable("values")?);
         let (_, lengths) = stored.shape.split_last()?;
+        // the quantities of a point stand together
+        let mut dimensions: Vec<&str> = stored.dimensions.iter().map(String::as_str).collect();
+        if let Some(last) = dimensions.last_mut() {
+            *last = "quantity";
+        }
+        dataset.over("values", &dimensions)?;
         let is_grid = dataset.attributes().get("method").and_then(Value::as_str) == Some("grid");
         let mut columns = column::columns(model, dataset, values)?;
         let mut keys = column::keys(dataset)?;
@@ -104,7 +119,7 @@ impl<'a> DrawnSweep<'a> {
             columns = asked;
         }
         Some(Self {
-            dataset,
+            dataset: dataset.clone(),
             keys,
             columns,
             is_grid,
@@ -122,6 +137,11 @@ impl<'a> DrawnSweep<'a> {
             _ => String::new(),
         }
     }
+}
+
+/// What stands in a document under these keys, one in the other; nothing where there is none.
+fn part<'v>(document: &'v Value, keys: &[&str]) -> &'v Value {
+    keys.iter().try_fold(document, |own, key| own.get(key)).unwrap_or(&Value::Null)
 }
 
 /// What a figure leaves out, in words.
@@ -159,7 +179,7 @@ mod tests {
     #[test]
     fn what_is_no_sweep_has_no_figure() {
         let empty = Map::new();
-        assert!(figures(None, "sweep", &Dataset::new(), &empty).is_empty());
+        assert!(figures(None, "sweep", &Dataset::new(), &empty).unwrap().is_empty());
         assert!(!is_sweep(&empty));
     }
 }

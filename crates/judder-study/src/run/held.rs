@@ -155,7 +155,7 @@ impl HeldStudy {
     pub fn figures(&self) -> Vec<(String, String)> {
         let Some(model) = self.file.registry().model_of(&self.summary.case) else { return Vec::new() };
         let drawn = self.outcomes.iter().filter_map(|(name, outcome)| {
-            let figure = model.figure(name, name, &outcome.dataset)?;
+            let figure = model.figure(name, name, &outcome.dataset).ok()??;
             Some((figure.name.clone(), svg(&figure).ok()?))
         });
         drawn.collect()

@@ -1,25 +1,29 @@
 //! A response: the observed points over the frequency.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::followed::MEASURES;
 use judder_report::palette::Style;
 use judder_report::runs::through;
 use judder_report::{Layer, Legend, Panel, Role};
-use judder_store::{Dataset, VariableValues};
-use judder_study::pictures::{axis, codes, reals};
+use judder_study::pictures::{StoredArrays, axis, codes, reals, wholes, words};
 
 /// A panel for each measure that is drawn, with all observed coordinates; where the frequency turns is marked.
-pub(super) fn frequency_response(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(super) fn frequency_response(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     ["amplitude", "rms", "largest"].into_iter().map(|measure| panel(dataset, measure)).collect()
 }
 
-fn panel(dataset: &Dataset, measure: &str) -> Option<Panel> {
+fn panel(dataset: &StoredArrays<'_>, measure: &str) -> Option<Panel> {
     let ending = format!(".{measure}");
-    let (_, words, _) = MEASURES.into_iter().find(|(name, ..)| *name == measure)?;
+    let (_, title, _) = MEASURES.into_iter().find(|(name, ..)| *name == measure)?;
     let across = reals(dataset, "frequency")?;
     let own = || dataset.variables().iter().filter(|own| own.name.ends_with(&ending));
     let (mut layers, mut folds) = (Vec::new(), [Vec::new(), Vec::new()]);
     let mut changes: Vec<(&str, [Vec<f64>; 2])> = Vec::new();
     for (k, variable) in own().enumerate() {
+        for name in ["frequency", &variable.name, "stable"] {
+            dataset.over(name, &["motion"])?;
+        }
         let values = reals(dataset, &variable.name)?;
         let name = variable.name.trim_end_matches(&ending);
         match codes(dataset, "stable") {
@@ -34,7 +38,8 @@ fn panel(dataset: &Dataset, measure: &str) -> Option<Panel> {
                 changes.push((kind, Default::default()));
                 changes.len() - 1
             });
-            for (all, marked) in [across, values].into_iter().zip(&mut changes[place].1) {
+            let marked = changes.get_mut(place).map(|(_, marked)| marked);
+            for (all, marked) in [across, values].into_iter().zip(marked.into_iter().flatten()) {
                 marked.extend(all.get(at));
             }
         }
@@ -51,7 +56,7 @@ fn panel(dataset: &Dataset, measure: &str) -> Option<Panel> {
     Some(
         Panel::new(axis(dataset.variable("frequency")?), up, layers)
             .with_legend(Legend::Below)
-            .with_title(words),
+            .with_title(title),
     )
 }
 
@@ -64,30 +69,25 @@ fn by_stability(name: &str, series: usize, [across, up]: [&[f64]; 2], stable: &[
     ];
     let layer = |(code, label, style): (u8, String, Style)| {
         // a stretch between unlike motions is drawn as the one after it
-        let (x, y) = through(across, up, |k| stable[k + 1] == code);
+        let (x, y) = through(across, up, |k| stable.get(k + 1) == Some(&code));
         (!x.is_empty()).then(|| Layer::line(label, x, y, style))
     };
     styles.into_iter().filter_map(layer).collect()
 }
 
 /// How the stability changes, and the last motion before.
-fn stability_changes(dataset: &Dataset) -> Vec<(&str, usize)> {
-    let of = |name: &str| dataset.variable(name).map(|own| &own.data);
-    match (of("change_kind"), of("change_motion")) {
-        (Some(VariableValues::Text(kinds)), Some(VariableValues::I64(motions))) => {
-            let places = motions.iter().map(|own| usize::try_from(*own).unwrap_or(usize::MAX));
-            kinds.iter().map(String::as_str).zip(places).collect()
-        }
-        _ => Vec::new(),
-    }
+fn stability_changes<'a>(dataset: &StoredArrays<'a>) -> Vec<(&'a str, usize)> {
+    let is_so = ["change_kind", "change_motion"]
+        .iter()
+        .try_for_each(|name| dataset.over(name, &["stability_change"]));
+    let both = is_so.and_then(|()| words(dataset, "change_kind").zip(wholes(dataset, "change_motion")));
+    let Some((kinds, motions)) = both else { return Vec::new() };
+    let places = motions.iter().map(|own| usize::try_from(*own).unwrap_or(usize::MAX));
+    kinds.iter().map(String::as_str).zip(places).collect()
 }
 
 /// The motions nearest to where the frequency turns.
-fn turns(dataset: &Dataset) -> Vec<usize> {
-    match dataset.variable("fold_motion").map(|own| &own.data) {
-        Some(VariableValues::I64(motions)) => {
-            motions.iter().filter_map(|own| usize::try_from(*own).ok()).collect()
-        }
-        _ => Vec::new(),
-    }
+fn turns(dataset: &StoredArrays<'_>) -> Vec<usize> {
+    let motions = dataset.over("fold_motion", &["fold"]).and_then(|()| wholes(dataset, "fold_motion"));
+    motions.unwrap_or_default().iter().filter_map(|own| usize::try_from(*own).ok()).collect()
 }

@@ -16,10 +16,11 @@ use judder_keys::error::Fault;
 use judder_keys::problem::Placed;
 use judder_keys::section::Section;
 use judder_report::Panel;
-use judder_store::{Dataset, Declared, Results};
+use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, Refusal, Task};
 use judder_study::outcome::Outcome;
+use judder_study::pictures::StoredArrays;
 use run::ToldMarchGrowth;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
@@ -52,7 +53,7 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
     }),
 };
 
-fn growth(dataset: &Dataset) -> Option<Vec<Panel>> {
+fn growth(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     let method = dataset.attributes().get("method").and_then(Json::as_str).unwrap_or_default();
     growth_of(dataset, "Amplitude of the mode, of its start (1)", 1.0, method.to_owned())
 }

@@ -1,15 +1,17 @@
 //! A limit cycle: the motions that lead to it, and one period.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::contributions::{FREQUENCIES, LEFT_OVER, SHARES};
 use crate::assembly::march::figure::states_over;
 use crate::motion::pictures::multipliers;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
-use judder_store::{Dataset, Variable};
-use judder_study::pictures::{axis, reals, words};
+use judder_store::Variable;
+use judder_study::pictures::{StoredArrays, axis, reals, words};
 use serde_json::Value;
 
 /// Growth rate and frequency over the amplitude, forces and states of each contact over a period, the portrait of a point, the observed points, the shares of the modes, the Floquet multipliers.
-pub(super) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(super) fn limit_cycle(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     let mut panels: Vec<Panel> = over_amplitude(dataset).into_iter().collect();
     let Some(phase) = dataset.variable("phase") else { return Some(panels).filter(|own| !own.is_empty()) };
     let across = axis(phase).over(0.0, 1.0);
@@ -20,7 +22,7 @@ pub(super) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
         for what in ["normal_force", "friction_force"] {
             panels.push(over_period(dataset, &across, dataset.variable(&format!("{contact}.{what}"))?)?);
         }
-        let states = states_over(dataset, contact, reals(dataset, "phase")?, 0, across.clone())?;
+        let states = states_over(dataset, contact, ("phase", reals(dataset, "phase")?), 0, across.clone())?;
         panels.push(states.with_title(format!("{contact}: states of the points")));
     }
     panels.push(portrait(dataset)?);
@@ -33,8 +35,11 @@ pub(super) fn limit_cycle(dataset: &Dataset) -> Option<Vec<Panel>> {
 }
 
 /// σ over the amplitude, with the cycle where it passes through zero.
-fn over_amplitude(dataset: &Dataset) -> Option<Panel> {
+fn over_amplitude(dataset: &StoredArrays<'_>) -> Option<Panel> {
     let (amplitude, growth) = (dataset.variable("amplitude")?, dataset.variable("growth_rate")?);
+    for name in ["amplitude", "growth_rate"] {
+        dataset.over(name, &["motion"])?;
+    }
     let values = |own: &Variable| reals(dataset, &own.name).map(<[f64]>::to_vec);
     let line =
         Layer::line("motions of the mode", values(amplitude)?, values(growth)?, Role::Series(0).solid());
@@ -48,7 +53,8 @@ fn over_amplitude(dataset: &Dataset) -> Option<Panel> {
 }
 
 /// A signal over the period.
-fn over_period(dataset: &Dataset, across: &Axis, signal: &Variable) -> Option<Panel> {
+fn over_period(dataset: &StoredArrays<'_>, across: &Axis, signal: &Variable) -> Option<Panel> {
+    dataset.over(&signal.name, &["phase"])?;
     let line = Layer::line(
         "",
         reals(dataset, "phase")?.to_vec(),
@@ -59,7 +65,10 @@ fn over_period(dataset: &Dataset, across: &Axis, signal: &Variable) -> Option<Pa
 }
 
 /// The share of each mode over its frequency: a stem from zero.
-fn modes(dataset: &Dataset) -> Option<Panel> {
+fn modes(dataset: &StoredArrays<'_>) -> Option<Panel> {
+    for name in [FREQUENCIES, SHARES] {
+        dataset.over(name, &["mode"])?;
+    }
     let (across, up) = (dataset.variable(FREQUENCIES)?, dataset.variable(SHARES)?);
     let (frequencies, shares) = (reals(dataset, FREQUENCIES)?, reals(dataset, SHARES)?);
     let stems = frequencies.iter().zip(shares);
@@ -79,11 +88,15 @@ fn modes(dataset: &Dataset) -> Option<Panel> {
 }
 
 /// Slip velocity over displacement of the point whose velocity swings most.
-fn portrait(dataset: &Dataset) -> Option<Panel> {
+fn portrait(dataset: &StoredArrays<'_>) -> Option<Panel> {
+    for name in ["slip_displacement", "slip_velocity"] {
+        dataset.over(name, &["phase", "contact_point"])?;
+    }
     let (displacement, velocity) = (reals(dataset, "slip_displacement")?, reals(dataset, "slip_velocity")?);
     let points = words(dataset, "contact")?.len();
-    let of =
-        |all: &[f64], point: usize| all.iter().skip(point).step_by(points).copied().collect::<Vec<f64>>();
+    let of = |all: &[f64], point: usize| {
+        all.iter().skip(point).step_by(points.max(1)).copied().collect::<Vec<f64>>()
+    };
     let swing = |point: &usize| {
         let own = of(velocity, *point);
         own.iter().copied().fold(f64::NEG_INFINITY, f64::max)

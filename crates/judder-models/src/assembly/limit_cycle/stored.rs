@@ -2,6 +2,8 @@
 //!
 //! The harmonics of the contact forces and the mean gaps are all that a cycle is: what its points do over a period follows from them.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use crate::assembly::AssemblySubject;
 use crate::assembly::build::Unassembled;
 use crate::assembly::case::problem::AssemblyProblem;
@@ -18,6 +20,7 @@ use judder_keys::problem::Placed;
 use judder_keys::section::{Section, text};
 use judder_nonsmooth::contact::ContactPoints;
 use judder_store::{DatasetHead, StoreError, StudyReader, Variable, VariableValues};
+use judder_study::WrongArray;
 use num_complex::Complex64;
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
@@ -46,7 +49,7 @@ pub(super) fn force_harmonics(cycle: &AssemblyCycle<'_>) -> Result<[Variable; 3]
     Ok([
         Variable::coordinate("harmonic", (0..=harmonics as i64).collect::<Vec<_>>())
             .long_name("number of the harmonic, 0 the mean"),
-        Variable::coordinate("direction", directions[..width].to_vec())
+        Variable::coordinate("direction", directions.into_iter().take(width).collect::<Vec<_>>())
             .long_name("direction of a contact force"),
         Variable::new(FORCES, &["harmonic", "contact_point", "direction"], &shape, values)
             .units("N")
@@ -179,8 +182,9 @@ impl StudyReference {
             Ok(all) => all,
             Err(error) => return unread(error),
         };
-        let Some(stored) = StoredCycle::new(&head, &forces, &gaps, contacts) else {
-            return refused(&self.damaged(&format!("the arrays of `{analysis}` do not fit each other")));
+        let stored = match StoredCycle::new(&head, &forces, &gaps, contacts) {
+            Ok(stored) => stored,
+            Err(wrong) => return refused(&self.damaged(&format!("of `{analysis}` {wrong}"))),
         };
         let width = ContactPoints::new(&of.built.assembly, &[])?.dimension;
         let own = of.built.assembly.interfaces.iter();
@@ -226,27 +230,50 @@ struct StoredCycle<'a> {
 }
 
 impl<'a> StoredCycle<'a> {
-    /// `None` where its parts do not fit each other.
-    fn new(head: &DatasetHead, forces: &'a Variable, gaps: &'a Variable, contacts: Variable) -> Option<Self> {
+    /// In words what of it is not what judder writes.
+    fn new(
+        head: &DatasetHead,
+        forces: &'a Variable,
+        gaps: &'a Variable,
+        contacts: Variable,
+    ) -> Result<Self, String> {
+        let wrong = |own: &Variable, expected: &str| {
+            let WrongArray { array, found, expected, .. } = WrongArray::of(own, expected.to_owned());
+            format!("the array `{array}` is {found}, where {expected} is right")
+        };
         let turning = [FREQUENCY, SCALED_AT].map(|name| head.attributes.get(name).and_then(Json::as_f64));
         let [Some(frequency), Some(scaled_at)] = turning.map(|own| own.map(|own| TAU * own)) else {
-            return None;
+            return Err(format!("the attributes have no numbers `{FREQUENCY}` and `{SCALED_AT}`"));
         };
-        let shape: [usize; 3] = forces.shape.clone().try_into().ok()?;
-        let VariableValues::Complex(values) = &forces.data else { return None };
-        let VariableValues::F64(gaps) = &gaps.data else { return None };
-        let VariableValues::Text(contacts) = contacts.data else { return None };
-        let is_finite = values.iter().all(|own| own.is_finite()) && gaps.iter().all(|own| own.is_finite());
+        let of_forces = "one of finite complex numbers over harmonics, points and directions";
+        let (Ok(shape), VariableValues::Complex(values)) =
+            (<[usize; 3]>::try_from(forces.shape.clone()), &forces.data)
+        else {
+            return Err(wrong(forces, of_forces));
+        };
+        let of_gaps = "one of finite real numbers over instants and points";
+        let (VariableValues::F64(own_gaps), [_, _]) = (&gaps.data, gaps.shape.as_slice()) else {
+            return Err(wrong(gaps, of_gaps));
+        };
+        let of_contacts = wrong(&contacts, "one of words over points");
+        let VariableValues::Text(contacts) = contacts.data else { return Err(of_contacts) };
         let [harmonics, points, _] = shape;
-        let fits = is_finite
-            && harmonics > 1
-            && points > 0
-            && values.len() == shape.iter().product::<usize>()
-            && contacts.len() == points
-            && !gaps.is_empty()
-            && gaps.len().is_multiple_of(points)
-            && [frequency, scaled_at].iter().all(|own| own.is_finite() && *own > 0.0);
-        fits.then_some(Self { turning: [frequency, scaled_at], forces: values, shape, gaps, contacts })
+        if harmonics < 2 || points == 0 || values.iter().any(|own| !own.is_finite()) {
+            return Err(wrong(forces, of_forces));
+        }
+        if own_gaps.is_empty()
+            || gaps.shape.last() != Some(&points)
+            || own_gaps.iter().any(|own| !own.is_finite())
+        {
+            return Err(wrong(gaps, of_gaps));
+        }
+        if contacts.len() != points {
+            return Err(of_contacts);
+        }
+        if ![frequency, scaled_at].iter().all(|own| own.is_finite() && *own > 0.0) {
+            return Err(format!("the attributes `{FREQUENCY}` and `{SCALED_AT}` are no frequencies"));
+        }
+        Ok(Self { turning: [frequency, scaled_at], forces: values, shape, gaps: own_gaps, contacts })
     }
 
     /// Whether its points are those of contacts with so many points each, in as many directions; in words why not.
@@ -277,7 +304,7 @@ impl<'a> StoredCycle<'a> {
         let [with_mean, points, width] = self.shape;
         let components = points * width;
         let coefficients = Mat::from_fn(2 * with_mean - 1, components, |row, component| {
-            let own = self.forces[row.div_ceil(2) * components + component];
+            let own = self.forces.get(row.div_ceil(2) * components + component).copied().unwrap_or_default();
             if row > 0 && row % 2 == 0 { -own.im } else { own.re }
         });
         let instants = (self.gaps.len() / points) as f64;

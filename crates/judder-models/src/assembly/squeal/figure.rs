@@ -1,28 +1,27 @@
 //! Modes that grow: how loud their cycles are, beside how fast they grow.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::small_motions::FATES;
 use super::told::STABILITIES;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
-use judder_store::Dataset;
-use judder_study::pictures::{codes, reals};
+use judder_study::pictures::{StoredArrays, codes, picked, reals};
 
 /// Room beside the outermost frequencies, over the span, and over a frequency that is alone.
 const BESIDE: [f64; 2] = [0.08, 0.05];
 
 /// Levels over the frequency of the cycles, growth rates over the frequency of the modes, and their margins where these are known.
-pub(super) fn squeal(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(super) fn squeal(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     let [of_modes, growth, of_cycles, level] =
         ["mode_frequency", "growth_rate", "frequency", "level"].map(|name| reals(dataset, name));
+    dataset.shaped("stability", &[None])?;
+    dataset.alike(&["stability", "mode_frequency", "growth_rate", "frequency", "level", "margin"])?;
     let codes = codes(dataset, "stability")?;
     let across = across(of_modes?, of_cycles?);
     // nothing where no mode has such a value
     let panel = |up: Axis, place: [&[f64]; 2], title: &str| {
         let layers = STABILITIES.iter().enumerate().filter_map(|(k, (code, words))| {
-            let own: Vec<usize> = (0..codes.len()).filter(|mode| codes[*mode] == *code).collect();
-            let at = |values: &[f64]| {
-                own.iter().map(|mode| values.get(*mode).copied().unwrap_or(f64::NAN)).collect()
-            };
-            let [x, y]: [Vec<f64>; 2] = place.map(at);
+            let [x, y]: [Vec<f64>; 2] = place.map(|values| picked(values, &of_code(codes, *code)));
             let is_shown = x.iter().zip(&y).any(|(x, y)| x.is_finite() && y.is_finite());
             is_shown.then(|| Layer::points(*words, x, y, Role::Series(k)))
         });
@@ -48,14 +47,18 @@ pub(super) fn squeal(dataset: &Dataset) -> Option<Vec<Panel>> {
     Some(asked.into_iter().flatten().collect())
 }
 
+/// The places that have a code.
+fn of_code(codes: &[u8], code: u8) -> Vec<usize> {
+    codes.iter().enumerate().filter(|(_, own)| **own == code).map(|(place, _)| place).collect()
+}
+
 /// The energy that is left of knocks over their impulse.
-fn knocks(dataset: &Dataset) -> Option<Panel> {
+fn knocks(dataset: &StoredArrays<'_>) -> Option<Panel> {
+    dataset.alike(&["impulse", "knock_energy", "knock_fate"])?;
     let [impulse, energy] = ["impulse", "knock_energy"].map(|name| reals(dataset, name));
     let (impulse, energy, fates) = (impulse?, energy?, codes(dataset, "knock_fate")?);
     let layers = FATES.iter().enumerate().filter_map(|(k, (code, words))| {
-        let own: Vec<usize> = (0..fates.len()).filter(|knock| fates[*knock] == *code).collect();
-        let [x, y] =
-            [impulse, energy].map(|values| own.iter().map(|knock| values[*knock]).collect::<Vec<f64>>());
+        let [x, y] = [impulse, energy].map(|values| picked(values, &of_code(fates, *code)));
         (!x.is_empty()).then(|| Layer::points(*words, x, y, Role::Series(k)))
     });
     let axes = [Axis::linear("Impulse of the knock (N s)"), Axis::linear("Energy at the end (J)")];

@@ -1,14 +1,19 @@
 //! Stability over two keys.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::point::PointVerdict;
 use crate::oscillator::stability_map::figure::ascending;
 use judder_report::figure::Class;
 use judder_report::{Layer, Panel, Role};
-use judder_store::Dataset;
-use judder_study::pictures::{axis, codes, reals, shown};
+use judder_study::pictures::{StoredArrays, axis, codes, reals, shown};
 
 /// Verdicts by colour, the located boundary on top.
-pub(super) fn stability_map(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(super) fn stability_map(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
+    dataset.over("stability", &["y", "x"])?;
+    for name in ["boundary_x", "boundary_y"] {
+        dataset.over(name, &["boundary_point"])?;
+    }
     let codes = codes(dataset, "stability")?;
     let (x, y) = (dataset.variable("x")?, dataset.variable("y")?);
     let drawn: Vec<PointVerdict> =

@@ -1,13 +1,14 @@
 //! Steady sliding: what each contact point carries, and how the bodies are moved.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::faces::CORNERS;
 use super::filled::{Filled, faces, filled};
 use crate::structure::shape_panels::still;
 use judder_report::figure::ValueMap;
 use judder_report::palette::{ColourMap, Marker};
 use judder_report::{Axis, Layer, Legend, Panel, Role, Style};
-use judder_store::Dataset;
-use judder_study::pictures::{reals, words};
+use judder_study::pictures::{StoredArrays, at, picked, reals, words};
 use std::collections::BTreeSet;
 
 /// The diameter of the largest bubble over that of a usual marker.
@@ -16,7 +17,10 @@ const LARGEST: f64 = 3.0;
 const LINE: f64 = 1e-6;
 
 /// Forces and gaps along each interface, or pressures on its faces; the bodies.
-pub(super) fn steady_sliding(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(super) fn steady_sliding(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
+    for name in ["contact", "x", "y", "z", "normal_force", "gap", "pressure"] {
+        dataset.over(name, &["contact_point"])?;
+    }
     let points = Points {
         places: [("x", reals(dataset, "x")?), ("y", reals(dataset, "y")?), ("z", reals(dataset, "z")?)],
         force: reals(dataset, "normal_force")?,
@@ -34,21 +38,24 @@ pub(super) fn steady_sliding(dataset: &Dataset) -> Option<Vec<Panel>> {
     }
     let mut panels = Vec::new();
     for name in names {
-        let own: Vec<usize> = (0..contacts.len()).filter(|k| contacts[*k] == *name).collect();
-        panels.extend(points.panels(name, &own));
+        let own = contacts.iter().enumerate().filter(|(_, own)| *own == name);
+        panels.extend(points.panels(name, &own.map(|(k, _)| k).collect::<Vec<_>>()));
     }
     panels.extend(still(dataset, "the bodies, displacements enlarged"));
     Some(panels)
 }
 
 /// The nodes that have no partner: the contact of each and its place.
-fn lone(dataset: &Dataset) -> Vec<(&str, [f64; 3])> {
-    let (Some(contacts), Some(places)) = (words(dataset, "lone_contact"), reals(dataset, "lone_place"))
-    else {
-        return Vec::new();
-    };
-    let places = places.chunks_exact(3).map(|own| [own[0], own[1], own[2]]);
-    contacts.iter().map(String::as_str).zip(places).collect()
+fn lone<'a>(dataset: &StoredArrays<'a>) -> Vec<(&'a str, [f64; 3])> {
+    let contacts = dataset.over("lone_contact", &["lone_node"]).and_then(|()| words(dataset, "lone_contact"));
+    let places = dataset.shaped("lone_place", &[None, Some(3)]).and_then(|()| reals(dataset, "lone_place"));
+    let (Some(contacts), Some(places)) = (contacts, places) else { return Vec::new() };
+    contacts.iter().map(String::as_str).zip(places.as_chunks().0.iter().copied()).collect()
+}
+
+/// The axis of a coordinate.
+fn along_axis(name: &str) -> Axis {
+    Axis::linear(format!("Place ${name}$ (m)"))
 }
 
 /// What is shown of places: a little more on both sides, so that markers at the rim are whole.
@@ -74,7 +81,7 @@ impl Points<'_> {
     /// An interface: along a line its forces and gaps, over a surface its pressures, or its forces as bubbles where no faces are known.
     fn panels(&self, name: &str, own: &[usize]) -> Vec<Panel> {
         let length = |(_, axis): &(&str, &[f64])| {
-            let places = own.iter().map(|k| axis[*k]);
+            let places = own.iter().filter_map(|k| axis.get(*k).copied());
             places.clone().fold(f64::NEG_INFINITY, f64::max) - places.fold(f64::INFINITY, f64::min)
         };
         let mut axes = self.places;
@@ -85,12 +92,9 @@ impl Points<'_> {
             let axes = [long, wide];
             return vec![self.filled(name, own, axes).unwrap_or_else(|| self.map(name, own, axes))];
         }
-        let axis = || Axis::linear(format!("Place ${}$ (m)", long.0));
-        let place: Vec<f64> = own.iter().map(|k| long.1[*k]).collect();
-        let along = |values: &[f64], role| {
-            Layer::points("", place.clone(), own.iter().map(|k| values[*k]).collect(), role)
-        };
-        let beside = self.lone(long.0, None, &|k| self.lone[k].0 == name);
+        let axis = || along_axis(long.0);
+        let along = |values: &[f64], role| Layer::points("", picked(long.1, own), picked(values, own), role);
+        let beside = self.lone(long.0, None, &|_, contact| contact == name);
         let panel = |label: &str, values, role| {
             let layers = std::iter::once(along(values, role)).chain(beside.clone()).collect();
             Panel::new(axis(), Axis::linear(label), layers)
@@ -107,12 +111,12 @@ impl Points<'_> {
     }
 
     /// Nodes that have no partner, at zero where there is one axis.
-    fn lone(&self, along: &str, up: Option<&str>, is_shown: &dyn Fn(usize) -> bool) -> Option<Layer> {
-        let own = (0..self.lone.len()).filter(|k| is_shown(*k));
-        let own: Vec<[f64; 3]> = own.map(|k| self.lone[k].1).collect();
+    fn lone(&self, along: &str, up: Option<&str>, is_shown: &dyn Fn(usize, &str) -> bool) -> Option<Layer> {
+        let own = self.lone.iter().enumerate().filter(|(k, (contact, _))| is_shown(*k, contact));
+        let own: Vec<[f64; 3]> = own.map(|(_, (_, place))| *place).collect();
         let (along, up) = (self.axis(along), up.map(|up| self.axis(up)));
-        let x = own.iter().map(|place| place[along]).collect();
-        let y = own.iter().map(|place| up.map_or(0.0, |up| place[up])).collect();
+        let x = own.iter().map(|place| at(place, along)).collect();
+        let y = own.iter().map(|place| up.map_or(0.0, |up| at(place, up))).collect();
         let style = Style { marker: Marker::Cross, ..Style::from(Role::Reference) };
         (!own.is_empty()).then(|| Layer::points("no partner", x, y, style))
     }
@@ -123,7 +127,7 @@ impl Points<'_> {
         let count = self.force.len();
         let [across, up] = axes.map(|(axis, _)| self.axis(axis));
         let corner = |k: usize| match self.lone.get(k.wrapping_sub(count)) {
-            Some((_, place)) if k >= count => Some(([place[across], place[up]], 0.0)),
+            Some((_, place)) if k >= count => Some(([at(place, across), at(place, up)], 0.0)),
             _ => Some(([*axes[0].1.get(k)?, *axes[1].1.get(k)?], *self.pressure.get(k)?)),
         };
         let face = |corners: &[usize; CORNERS]| {
@@ -135,37 +139,36 @@ impl Points<'_> {
         if !z.iter().any(|pressure| pressure.is_finite()) {
             return None;
         }
-        let sides = [&x, &y].map(|places| around(places));
+        let [x_side, y_side] = [&x, &y].map(|places| around(places));
         let bar = Axis::linear("Pressure $p$ (Pa)");
         let mut layers = vec![Layer::Values(ValueMap { x, y, z, bar, colours: ColourMap::Sequential })];
-        let open: Vec<usize> = own.iter().copied().filter(|k| self.force[*k] == 0.0).collect();
+        let open: Vec<usize> = own.iter().copied().filter(|k| at(self.force, *k) == 0.0).collect();
         if !open.is_empty() {
-            let along = |axis: usize| open.iter().map(|k| axes[axis].1[*k]).collect();
-            layers.push(Layer::points("open", along(0), along(1), Role::Reference));
+            let [x, y] = axes.map(|(_, places)| picked(places, &open));
+            layers.push(Layer::points("open", x, y, Role::Reference));
         }
         // on the far side of a round body others lie behind the faces
         let beside: BTreeSet<usize> = shown.into_iter().flatten().copied().collect();
-        layers.extend(self.lone(axes[0].0, Some(axes[1].0), &|k| beside.contains(&(count + k))));
-        let axis =
-            |k: usize| Axis::linear(format!("Place ${}$ (m)", axes[k].0)).over(sides[k][0], sides[k][1]);
-        let panel = Panel::new(axis(0), axis(1), layers).with_title(format!("{name}: pressure"));
+        layers.extend(self.lone(axes[0].0, Some(axes[1].0), &|k, _| beside.contains(&(count + k))));
+        let axis = |name: &str, [from, to]: [f64; 2]| along_axis(name).over(from, to);
+        let (x, y) = (axis(axes[0].0, x_side), axis(axes[1].0, y_side));
+        let panel = Panel::new(x, y, layers).with_title(format!("{name}: pressure"));
         Some(panel.with_legend(Legend::Below))
     }
 
     /// Forces over a surface; a bubble's area is the force.
     fn map(&self, name: &str, own: &[usize], axes: [(&'static str, &[f64]); 2]) -> Panel {
-        let largest = own.iter().map(|k| self.force[*k]).fold(f64::MIN_POSITIVE, f64::max);
-        let (closed, open): (Vec<usize>, Vec<usize>) = own.iter().partition(|k| self.force[**k] > 0.0);
-        let along =
-            |points: &[usize], axis: usize| points.iter().map(|k| axes[axis].1[*k]).collect::<Vec<f64>>();
-        let sizes = closed.iter().map(|k| LARGEST * (self.force[*k] / largest).sqrt()).collect();
-        let mut layers =
-            vec![Layer::bubbles("closed", along(&closed, 0), along(&closed, 1), sizes, Role::Series(0))];
+        let largest = picked(self.force, own).into_iter().fold(f64::MIN_POSITIVE, f64::max);
+        let (closed, open): (Vec<usize>, Vec<usize>) = own.iter().partition(|k| at(self.force, **k) > 0.0);
+        let along = |points: &[usize]| axes.map(|(_, places)| picked(places, points));
+        let sizes = closed.iter().map(|k| LARGEST * (at(self.force, *k) / largest).sqrt()).collect();
+        let [x, y] = along(&closed);
+        let mut layers = vec![Layer::bubbles("closed", x, y, sizes, Role::Series(0))];
         if !open.is_empty() {
-            layers.push(Layer::points("open", along(&open, 0), along(&open, 1), Role::Series(1)));
+            let [x, y] = along(&open);
+            layers.push(Layer::points("open", x, y, Role::Series(1)));
         }
-        let axis = |k: usize| Axis::linear(format!("Place ${}$ (m)", axes[k].0));
-        Panel::new(axis(0), axis(1), layers)
+        Panel::new(along_axis(axes[0].0), along_axis(axes[1].0), layers)
             .with_title(format!("{name}: forces, the largest {largest:.3e} N"))
     }
 }

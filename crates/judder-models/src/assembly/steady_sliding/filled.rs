@@ -1,12 +1,19 @@
 //! Faces filled by what presses on them.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::faces::CORNERS;
-use judder_store::{Dataset, VariableValues};
+use judder_study::pictures::{StoredArrays, at, wholes};
 
 /// Cells of a drawn map along its longer side; a face of a usual mesh has some dozens.
 const CELLS: usize = 300;
 /// The least along the shorter side.
 const FEWEST: usize = 40;
+
+/// A coordinate of a place.
+type PlaceCoordinate = fn(&[f64; 2]) -> f64;
+/// Both of them.
+const ALONG: [PlaceCoordinate; 2] = [|place| place[0], |place| place[1]];
 
 /// Values on a lattice of places; not a number where no face lies.
 pub(super) struct Filled {
@@ -16,24 +23,22 @@ pub(super) struct Filled {
 }
 
 /// The corners of all faces, by numbers of points; none where the study has no faces.
-pub(super) fn faces(dataset: &Dataset) -> Vec<[usize; CORNERS]> {
-    let Some(VariableValues::I64(corners)) = dataset.variable("face").map(|own| &own.data) else {
-        return Vec::new();
-    };
-    let face = |own: &[i64]| {
+pub(super) fn faces(dataset: &StoredArrays<'_>) -> Vec<[usize; CORNERS]> {
+    let is_so = dataset.shaped("face", &[None, Some(CORNERS)]);
+    let Some(corners) = is_so.and_then(|()| wholes(dataset, "face")) else { return Vec::new() };
+    let face = |own: &[i64; CORNERS]| {
         let corners: Option<Vec<usize>> = own.iter().map(|k| usize::try_from(*k).ok()).collect();
         corners?.try_into().ok()
     };
-    corners.chunks_exact(CORNERS).filter_map(face).collect()
+    corners.as_chunks().0.iter().filter_map(face).collect()
 }
 
 /// Quadrilaterals between places with values at their corners, filled linearly on the two triangles of each.
 pub(super) fn filled(quadrilaterals: &[[([f64; 2], f64); CORNERS]]) -> Option<Filled> {
-    let range = |axis: usize| {
-        let places = quadrilaterals.iter().flatten().map(|(place, _)| place[axis]);
+    let ranges = ALONG.map(|along| {
+        let places = quadrilaterals.iter().flatten().map(|(place, _)| along(place));
         [places.clone().fold(f64::INFINITY, f64::min), places.fold(f64::NEG_INFINITY, f64::max)]
-    };
-    let ranges = [range(0), range(1)];
+    });
     let [wide, high] = ranges.map(|[from, to]| to - from);
     let is_surface = wide > 0.0 && high > 0.0 && wide.is_finite() && high.is_finite();
     if !is_surface {
@@ -41,12 +46,12 @@ pub(super) fn filled(quadrilaterals: &[[([f64; 2], f64); CORNERS]]) -> Option<Fi
     }
     let longer = wide.max(high);
     let counts = [wide, high].map(|own| ((CELLS as f64 * own / longer) as usize).max(FEWEST));
-    let centres = |axis: usize| -> Vec<f64> {
-        let [from, to] = ranges[axis];
-        let step = (to - from) / counts[axis] as f64;
-        (0..counts[axis]).map(|k| from + (k as f64 + 0.5) * step).collect()
+    let centres = |[from, to]: [f64; 2], count: usize| -> Vec<f64> {
+        let step = (to - from) / count as f64;
+        (0..count).map(|k| from + (k as f64 + 0.5) * step).collect()
     };
-    let mut map = Filled { x: centres(0), y: centres(1), z: vec![f64::NAN; counts[0] * counts[1]] };
+    let (x, y) = (centres(ranges[0], counts[0]), centres(ranges[1], counts[1]));
+    let mut map = Filled { x, y, z: vec![f64::NAN; counts[0] * counts[1]] };
     for corners in quadrilaterals {
         let [a, b, c, d] = *corners;
         map.fill([a, b, c], ranges);
@@ -66,26 +71,28 @@ impl Filled {
         if whole == 0.0 {
             return;
         }
-        let counts = [self.x.len(), self.y.len()];
-        let cells = |axis: usize| {
-            let places = corners.map(|(place, _)| place[axis]);
-            let [from, to] = ranges[axis];
+        let cells = |along: PlaceCoordinate, [from, to]: [f64; 2], count: usize| {
+            let places = corners.map(|(place, _)| along(&place));
             let cell = |place: f64| {
-                (((place - from) / (to - from) * counts[axis] as f64) as usize).min(counts[axis] - 1)
+                (((place - from) / (to - from) * count as f64) as usize).min(count.saturating_sub(1))
             };
             let [least, most] =
                 [f64::min, f64::max].map(|pick| places.into_iter().reduce(pick).unwrap_or(from));
             cell(least)..=cell(most)
         };
-        for row in cells(1) {
-            for column in cells(0) {
-                let place = [self.x[column], self.y[row]];
+        let columns = self.x.len();
+        let rows = cells(ALONG[1], ranges[1], self.y.len());
+        for row in rows {
+            for column in cells(ALONG[0], ranges[0], columns) {
+                let place = [at(&self.x, column), at(&self.y, row)];
                 let shares = [twice_area(place, b, c), twice_area(a, place, c), twice_area(a, b, place)]
                     .map(|own| own / whole);
                 // on the side between two triangles it may be just outside of both
                 if shares.iter().all(|share| *share >= -1e-9) {
                     let values = shares.iter().zip(&corners).map(|(share, (_, value))| share * value);
-                    self.z[row * counts[0] + column] = values.sum();
+                    if let Some(cell) = self.z.get_mut(row * columns + column) {
+                        *cell = values.sum();
+                    }
                 }
             }
         }

@@ -1,11 +1,12 @@
 //! Contact laws over speed and indentation, and fits to them.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use judder_report::figure::ValueMap;
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Layer, Panel, Role};
-use judder_store::Dataset;
 use judder_study::labels::short_number;
-use judder_study::pictures::{axis, reals};
+use judder_study::pictures::{StoredArrays, at, axis, reals};
 use std::f64::consts::PI;
 
 /// At most so many curves of equal indentation are drawn.
@@ -18,7 +19,13 @@ struct DrawnPlane<'a> {
 }
 
 impl<'a> DrawnPlane<'a> {
-    fn of(dataset: &'a Dataset) -> Option<Self> {
+    fn of(dataset: &StoredArrays<'a>) -> Option<Self> {
+        for name in ["force", "area", "friction", "fitted_force", "fitted_area", "fitted_friction"] {
+            dataset.over(name, &["indentation", "velocity"])?;
+        }
+        for name in ["rest_force", "rest_area"] {
+            dataset.over(name, &["indentation"])?;
+        }
         Some(Self { velocities: reals(dataset, "velocity")?, indentations: reals(dataset, "indentation")? })
     }
 
@@ -30,19 +37,21 @@ impl<'a> DrawnPlane<'a> {
     }
 
     fn row(&self, values: &[f64], row: usize) -> Vec<f64> {
-        values[row * self.velocities.len()..(row + 1) * self.velocities.len()].to_vec()
+        let columns = self.velocities.len();
+        values.iter().skip(row * columns).take(columns).copied().collect()
     }
 }
 
 /// Force, area and friction over speed for several indentations with their elastic limits, and as maps.
-pub(crate) fn contact_law(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(crate) fn contact_law(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     let plane = DrawnPlane::of(dataset)?;
     let contrast = dataset.attributes().get("contrast")?.as_f64()?;
     let line = reals(dataset, "rest_force").zip(reals(dataset, "rest_area"));
     let elastic = |quantity: &str, row: usize| {
-        let depth = plane.indentations[row];
-        let (force, area) = line
-            .map_or((4.0 / 3.0 * libm::pow(depth, 1.5), PI * depth), |(force, area)| (force[row], area[row]));
+        let depth = at(plane.indentations, row);
+        let (force, area) = line.map_or((4.0 / 3.0 * libm::pow(depth, 1.5), PI * depth), |(force, area)| {
+            (at(force, row), at(area, row))
+        });
         match quantity {
             "force" => vec![force, contrast * force],
             "area" => vec![area],
@@ -59,7 +68,7 @@ pub(crate) fn contact_law(dataset: &Dataset) -> Option<Vec<Panel>> {
         let rows = plane.drawn();
         let mut layers = Vec::new();
         for (index, row) in rows.iter().enumerate() {
-            let depth = plane.indentations[*row];
+            let depth = at(plane.indentations, *row);
             let role = Role::Graded { index, count: rows.len() };
             let name = format!("$δ$/$R$ = {}", short_number(depth));
             layers.push(Layer::line(name, plane.velocities.to_vec(), plane.row(values, *row), role.solid()));
@@ -87,7 +96,7 @@ const QUANTITIES_OF_A_LINE: [(&str, &str); 3] =
     [("force", "Force per length $F$/($E_{0}^{*}$ $R$) (−)"), ("area", "Width $w$/$R$ (−)"), QUANTITIES[2]];
 
 fn map(
-    dataset: &Dataset,
+    dataset: &StoredArrays<'_>,
     plane: &DrawnPlane<'_>,
     z: Vec<f64>,
     bar: Axis,
@@ -99,7 +108,7 @@ fn map(
 }
 
 /// Computed and fitted curves, and the residuals of the fit, over the largest value at each indentation.
-pub(crate) fn fit(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(crate) fn fit(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     let plane = DrawnPlane::of(dataset)?;
     let mut panels = Vec::new();
     for (quantity, label) in QUANTITIES {
@@ -108,7 +117,7 @@ pub(crate) fn fit(dataset: &Dataset) -> Option<Vec<Panel>> {
         let mut layers = Vec::new();
         for (index, row) in rows.iter().enumerate() {
             let role = Role::Graded { index, count: rows.len() };
-            let name = format!("$δ$/$R$ = {}", short_number(plane.indentations[*row]));
+            let name = format!("$δ$/$R$ = {}", short_number(at(plane.indentations, *row)));
             let x = plane.velocities.to_vec();
             layers.push(Layer::points(name, x.clone(), plane.row(computed, *row), role));
             layers.push(Layer::line("", x, plane.row(fitted, *row), role.solid()));
@@ -116,7 +125,7 @@ pub(crate) fn fit(dataset: &Dataset) -> Option<Vec<Panel>> {
         // a bell that falls to nothing would stretch the axis over its tail
         let vertical = if quantity == "friction" { Axis::linear(label) } else { Axis::log(label) };
         panels.push(Panel::new(axis(dataset.variable("velocity")?), vertical, layers));
-        let columns = plane.velocities.len();
+        let columns = plane.velocities.len().max(1);
         let residuals =
             fitted.chunks(columns).zip(computed.chunks(columns)).flat_map(|(fitted, computed)| {
                 let largest = computed.iter().copied().fold(0.0, f64::max);

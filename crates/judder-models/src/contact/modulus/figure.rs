@@ -1,11 +1,20 @@
 //! Moduli over frequency.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use judder_report::{Axis, Layer, Panel, Role};
-use judder_store::Dataset;
-use judder_study::pictures::{axis, reals};
+use judder_study::pictures::{StoredArrays, axis, reals};
 
 /// Storage and loss modulus; loss tangent; for measured data, how far the series is from them.
-pub(crate) fn modulus(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(crate) fn modulus(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
+    dataset.alike(&["frequency", "storage_modulus", "loss_modulus", "loss_tangent"])?;
+    dataset.alike(&[
+        "measured_frequency",
+        "measured_storage_modulus",
+        "measured_loss_modulus",
+        "storage_deviation",
+        "loss_deviation",
+    ])?;
     let frequency = reals(dataset, "frequency")?;
     let horizontal = || dataset.variable("frequency").map(axis);
     let measured = reals(dataset, "measured_frequency");

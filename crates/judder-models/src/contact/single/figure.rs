@@ -1,13 +1,21 @@
 //! One contact: its pressure, its sections, its grids.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use judder_report::figure::ValueMap;
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Layer, Panel, Role};
-use judder_store::Dataset;
-use judder_study::pictures::{FRAME, reals};
+use judder_study::pictures::{FRAME, StoredArrays, at, reals};
+
+/// What the arrays are over that are read row by row.
+const OVER: [(&str, [&str; 2]); 3] =
+    [("pressure", ["y", "x"]), ("displacement", ["y", "x_surface"]), ("height", ["y", "x_surface"])];
 
 /// Pressure with the contact's boundary, pressure and surfaces along y = 0, values over grids.
-pub(crate) fn contact(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(crate) fn contact(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
+    for (name, dimensions) in OVER {
+        dataset.over(name, &dimensions)?;
+    }
     let (x, y) = (reals(dataset, "x")?, reals(dataset, "y")?);
     let pressure = reals(dataset, "pressure")?;
     let mut panels = Vec::new();
@@ -70,13 +78,14 @@ fn pressure_map(x: &[f64], y: &[f64], pressure: &[f64]) -> Option<Panel> {
 
 /// The sides of cells between contact and gap, with a gap after each run of them.
 fn boundary(x: &[f64], y: &[f64], pressure: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let (columns_at, rows_at) = (x, y);
     let (columns, rows) = (x.len(), y.len());
     let (mut along, mut up) = (Vec::new(), Vec::new());
     if columns < 2 || rows < 2 {
         return (along, up);
     }
-    let half = [0.5 * (x[1] - x[0]), 0.5 * (y[1] - y[0])];
-    let touches = |row: usize, column: usize| pressure[row * columns + column] > 0.0;
+    let half = [x, y].map(|places| 0.5 * (at(places, 1) - at(places, 0)));
+    let touches = |row: usize, column: usize| at(pressure, row * columns + column) > 0.0;
     let mut run = |points: [(f64, f64); 2]| {
         for (px, py) in points {
             along.push(px);
@@ -90,14 +99,14 @@ fn boundary(x: &[f64], y: &[f64], pressure: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let differs = |row: &usize| touches(*row, column - 1) != touches(*row, column);
         for (first, last) in runs((0..rows).filter(differs)) {
             let place = x - half[0];
-            run([(place, y[first] - half[1]), (place, y[last] + half[1])]);
+            run([(place, at(rows_at, first) - half[1]), (place, at(rows_at, last) + half[1])]);
         }
     }
     for (row, y) in y.iter().enumerate().skip(1) {
         let differs = |column: &usize| touches(row - 1, *column) != touches(row, *column);
         for (first, last) in runs((0..columns).filter(differs)) {
             let place = y - half[1];
-            run([(x[first] - half[0], place), (x[last] + half[0], place)]);
+            run([(at(columns_at, first) - half[0], place), (at(columns_at, last) + half[0], place)]);
         }
     }
     (along, up)
@@ -116,7 +125,8 @@ fn runs(numbers: impl Iterator<Item = usize>) -> Vec<(usize, usize)> {
 }
 
 /// How far each grid's values are from those that stand in the summary.
-fn history(dataset: &Dataset) -> Option<Panel> {
+fn history(dataset: &StoredArrays<'_>) -> Option<Panel> {
+    dataset.alike(&["level_cell", "level_force", "level_area", "level_friction"])?;
     let cells = reals(dataset, "level_cell")?;
     if cells.len() < 2 {
         return None;

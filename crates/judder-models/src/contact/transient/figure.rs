@@ -1,11 +1,13 @@
 //! Histories of a contact that is followed in time.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use judder_report::{Axis, Layer, Panel, Role};
-use judder_store::Dataset;
-use judder_study::pictures::{axis, reals};
+use judder_study::pictures::{StoredArrays, axis, reals};
 
 /// Force and friction force, area; the loop of a cycle where the path repeats itself.
-pub(crate) fn transient(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(crate) fn transient(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
+    dataset.alike(&["time", "position", "indentation", "force", "friction_force", "area"])?;
     let time = reals(dataset, "time")?;
     let horizontal = || dataset.variable("time").map(axis);
     let line = |over: &[f64], name: &str, label: &str, role: Role| {

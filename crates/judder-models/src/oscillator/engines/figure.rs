@@ -1,11 +1,12 @@
 //! One cycle by three engines.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use judder_report::{Axis, Layer, Panel, Role};
-use judder_store::Dataset;
-use judder_study::pictures::{axis, reals};
+use judder_study::pictures::{StoredArrays, axis, reals};
 
 /// Errors over the step of the time-stepping, and over the width of the smoothed sign.
-pub(crate) fn engines(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(crate) fn engines(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     let step = errors(dataset, "time_step", "time_stepping")?.with_title("Time-stepping");
     let mut width = errors(dataset, "width", "smoothed")?.with_title("Smoothed sign");
     if let Some(typical) = dataset.attributes().get("typical_width").and_then(serde_json::Value::as_f64) {
@@ -14,7 +15,10 @@ pub(crate) fn engines(dataset: &Dataset) -> Option<Vec<Panel>> {
     Some(vec![step, width])
 }
 
-fn errors(dataset: &Dataset, varied: &str, engine: &str) -> Option<Panel> {
+fn errors(dataset: &StoredArrays<'_>, varied: &str, engine: &str) -> Option<Panel> {
+    for quantity in ["rms", "period"] {
+        dataset.over(&format!("{engine}_{quantity}_error"), &[varied])?;
+    }
     let values = reals(dataset, varied)?;
     let mut layers = Vec::new();
     for (quantity, series) in [("rms", 0), ("period", 1)] {

@@ -1,12 +1,13 @@
 //! Stability maps.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::{NONE_MOVED, ONE_WAY, STARTS_IT, UNKNOWN, WITHIN_LAW};
 use judder_oscillator::map::LawStanding;
 use judder_oscillator::mechanism::StabilityClass;
 use judder_report::figure::{Class, ClassMap};
 use judder_report::{Layer, Panel, Role};
-use judder_store::{Dataset, VariableValues};
-use judder_study::pictures::{ascending_order, axis, codes as stored_codes, reals};
+use judder_study::pictures::{StoredArrays, ascending_order, axis, codes as stored_codes, picked, reals};
 
 /// Colour and legend of a class; `one_way` names the coupling of the directions by speed.
 fn class(class: StabilityClass, one_way: &str) -> Class {
@@ -24,10 +25,11 @@ fn class(class: StabilityClass, one_way: &str) -> Class {
 }
 
 /// Mechanisms by colour, boundaries on top.
-pub(crate) fn stability_map(dataset: &Dataset) -> Option<Vec<Panel>> {
-    let map = dataset.variable("stability")?;
-    let [y_name, x_name] = map.dimensions.as_slice() else { return None };
-    let VariableValues::U8(codes) = &map.data else { return None };
+pub(crate) fn stability_map(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
+    dataset.shaped("stability", &[None, None])?;
+    dataset.alike(&["stability", "knock", WITHIN_LAW])?;
+    let codes = stored_codes(dataset, "stability")?;
+    let [y_name, x_name] = dataset.variable("stability")?.dimensions.as_slice() else { return None };
     let (x, y) = (dataset.variable(x_name)?, dataset.variable(y_name)?);
     let (columns, rows) = (reals(dataset, x_name)?, reals(dataset, y_name)?);
     let one_way = match dataset.attributes().get("one_way").and_then(|name| name.as_str()) {
@@ -45,15 +47,22 @@ pub(crate) fn stability_map(dataset: &Dataset) -> Option<Vec<Panel>> {
         ("full_boundary", "boundary, full system", Role::FullBoundary),
         ("conservative_boundary", "boundary without damping", Role::ConservativeBoundary),
     ] {
-        let along = |quantity: &str| reals(dataset, &format!("{name}_{quantity}"));
+        let of = |quantity: &str| format!("{name}_{quantity}");
+        for name_of in [x_name, y_name] {
+            dataset.over(&of(name_of), &[&format!("{name}_point")])?;
+        }
+        let along = |quantity: &str| reals(dataset, &of(quantity));
         if let (Some(x), Some(y)) = (along(x_name), along(y_name))
             && !x.is_empty()
         {
             layers.push(Layer::line(label, x.to_vec(), y.to_vec(), role));
         }
     }
-    if let (Some(x), Some(y)) =
-        (reals(dataset, &format!("fold_{x_name}")), reals(dataset, &format!("fold_{y_name}")))
+    let fold = [x_name, y_name].map(|name| format!("fold_{name}"));
+    for name in &fold {
+        dataset.over(name, &["fold"])?;
+    }
+    if let (Some(x), Some(y)) = (reals(dataset, &fold[0]), reals(dataset, &fold[1]))
         && !x.is_empty()
     {
         layers.push(Layer::points("least known fold", x.to_vec(), y.to_vec(), Role::FullBoundary));
@@ -68,16 +77,19 @@ fn drawn_classes(codes: &[u8], knock: Option<&[u8]>, one_way: &str) -> (Vec<u8>,
         (UNKNOWN, "stable, effect of a knock unknown", Role::KnockUnknown),
         (NONE_MOVED, "stable, no start of a search moved", Role::Stable),
     ];
-    let knock_at = |k: usize| knock.map_or(0, |knock| knock[k]);
+    let keys: Vec<(u8, u8)> = match knock {
+        Some(knock) => codes.iter().copied().zip(knock.iter().copied()).collect(),
+        None => codes.iter().map(|code| (*code, 0)).collect(),
+    };
     let mut classes: Vec<((u8, u8), Class)> = StabilityClass::ALL
         .into_iter()
         .map(|stability| ((stability as u8, 0), class(stability, one_way)))
         .collect();
     let stable = StabilityClass::Stable as u8;
     classes.splice(1..1, third.map(|(code, label, role)| ((stable, code), Class::new(label, role))));
-    classes.retain(|(key, _)| (0..codes.len()).any(|k| (codes[k], knock_at(k)) == *key));
+    classes.retain(|(key, _)| keys.contains(key));
     let place = |key: (u8, u8)| classes.iter().position(|class| class.0 == key).unwrap_or(0) as u8;
-    let places = (0..codes.len()).map(|k| place((codes[k], knock_at(k)))).collect();
+    let places = keys.into_iter().map(place).collect();
     (places, classes.into_iter().map(|(_, class)| class).collect())
 }
 
@@ -99,11 +111,12 @@ fn without_verdict(mut places: Vec<u8>, classes: &mut Vec<Class>, standing: &[u8
 /// The class map with ascending axes.
 pub(crate) fn ascending(columns: &[f64], rows: &[f64], codes: &[u8], classes: Vec<Class>) -> ClassMap {
     let (across, up) = (ascending_order(columns), ascending_order(rows));
-    let at = |row: &usize, column: &usize| codes[row * columns.len() + column];
+    let code =
+        |row: &usize, column: &usize| codes.get(row * columns.len() + column).copied().unwrap_or_default();
     ClassMap {
-        x: across.iter().map(|k| columns[*k]).collect(),
-        y: up.iter().map(|k| rows[*k]).collect(),
-        codes: up.iter().flat_map(|row| across.iter().map(move |column| at(row, column))).collect(),
+        x: picked(columns, &across),
+        y: picked(rows, &up),
+        codes: up.iter().flat_map(|row| across.iter().map(move |column| code(row, column))).collect(),
         classes,
     }
 }

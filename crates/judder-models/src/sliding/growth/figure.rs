@@ -1,9 +1,10 @@
 //! Growth with the contact held: the amplitude in the march over the growth of the eigenvalue.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use judder_report::figure::ShadedRegion;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
-use judder_store::Dataset;
-use judder_study::pictures::{complexes, reals};
+use judder_study::pictures::{StoredArrays, complexes, reals};
 use num_complex::Complex64;
 use serde_json::Value;
 use std::f64::consts::TAU;
@@ -14,7 +15,7 @@ const ROOM: (f64, f64) = (0.8, 4.0);
 const MARKS: usize = 25;
 
 /// Amplitudes of the normal force over time, the eigenvalue's growth, the stretch of the measurement; `None` where no history was kept.
-pub(crate) fn growth(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(crate) fn growth(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     let number = |name: &str| dataset.attributes().get(name).and_then(Value::as_f64);
     let method = dataset.attributes().get("method").and_then(Value::as_str).unwrap_or_default();
     let title = format!("{method}, held at {:.3} mm", 1e3 * number("position_m")?);
@@ -22,7 +23,16 @@ pub(crate) fn growth(dataset: &Dataset) -> Option<Vec<Panel>> {
 }
 
 /// The same of any amplitude that starts from a value.
-pub(crate) fn growth_of(dataset: &Dataset, label: &str, start: f64, title: String) -> Option<Vec<Panel>> {
+pub(crate) fn growth_of(
+    dataset: &StoredArrays<'_>,
+    label: &str,
+    start: f64,
+    title: String,
+) -> Option<Vec<Panel>> {
+    dataset.over("amplitude", &["time"])?;
+    for name in ["measured", "predicted"] {
+        dataset.over(name, &[])?;
+    }
     let (time, amplitude) = (reals(dataset, "time")?, reals(dataset, "amplitude")?);
     let rate = |name: &str| complexes(dataset, name)?.first().copied();
     let (measured, predicted) = (rate("measured")?, rate("predicted")?);

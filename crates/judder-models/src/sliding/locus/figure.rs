@@ -1,13 +1,15 @@
 //! The locus.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use crate::structure::eigen::figure::frequency_axis;
 use crate::structure::shape_panels::significant;
 use judder_report::figure::ShadedRegion;
 use judder_report::palette::{Dash, Style};
 use judder_report::runs::{alone, apart, thinned};
 use judder_report::{Axis, Layer, Legend, Panel, Role};
-use judder_store::{Dataset, Variable, VariableValues};
-use judder_study::pictures::{axis, complexes, reals, text};
+use judder_store::Variable;
+use judder_study::pictures::{StoredArrays, at, axis, complexes, reals, text, wholes};
 use judder_study::shown::ShownValues;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -29,6 +31,9 @@ const ALIKE: f64 = 0.02;
 const THIN: f64 = 0.8;
 /// The diameter of the largest marker of a zone over the usual one, and the share of it that the smallest has.
 const BUBBLES: (f64, f64) = (2.5, 0.4);
+
+/// Where no eigenvalue is.
+const NOWHERE: Complex64 = Complex64::new(f64::NAN, f64::NAN);
 
 /// A locus over position or any key.
 struct DrawnLocus<'a> {
@@ -59,8 +64,9 @@ struct ZoneOfLocus {
 
 /// The complex plane, as a whole and about its unstable side; frequencies; growth rates, of all branches and of the unstable zones; the
 /// normal force at rest.
-pub(crate) fn locus(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(crate) fn locus(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     let locus = DrawnLocus::new(dataset, shown_values(dataset)?)?;
+    dataset.over("normal_force", &[&locus.coordinate.name])?;
     let force = reals(dataset, "normal_force")?.to_vec();
     let force = Layer::line("", locus.values.clone(), force, Role::Series(0).solid());
     let mut panels = vec![locus.plane("locus", locus.growth_axis())];
@@ -77,13 +83,14 @@ pub(crate) fn locus(dataset: &Dataset) -> Option<Vec<Panel>> {
 }
 
 /// Positions and growth rates along each unstable zone, from its start to its end where they vanish; in m for a locus over position.
-pub fn zone_profiles(dataset: &Dataset) -> Vec<Vec<(f64, f64)>> {
+pub fn zone_profiles(dataset: &StoredArrays<'_>) -> Vec<Vec<(f64, f64)>> {
     let Some(locus) = DrawnLocus::new(dataset, ShownValues::called(None)) else { return Vec::new() };
     locus.zones.iter().map(|zone| locus.profile(zone)).collect()
 }
 
 /// What the locus runs over.
-fn coordinate(dataset: &Dataset) -> Option<&Variable> {
+fn coordinate<'a>(dataset: &StoredArrays<'a>) -> Option<&'a Variable> {
+    dataset.shaped("eigenvalue", &[None, None])?;
     dataset.variable(dataset.variable("eigenvalue")?.dimensions.first()?)
 }
 
@@ -93,7 +100,7 @@ fn is_position(coordinate: &Variable) -> bool {
 }
 
 /// Positions in mm, another key in the unit in which the case has it.
-fn shown_values(dataset: &Dataset) -> Option<ShownValues> {
+fn shown_values(dataset: &StoredArrays<'_>) -> Option<ShownValues> {
     let own = coordinate(dataset)?;
     Some(if is_position(own) { ShownValues::called(Some("mm")) } else { ShownValues::of_variable(own) })
 }
@@ -104,11 +111,12 @@ fn are_alike(one: f64, other: f64) -> bool {
 }
 
 /// The places and growth rates that are stored of each zone, by its number from 0.
-fn paths(dataset: &Dataset, unit: &ShownValues) -> impl Fn(usize) -> Vec<(f64, f64)> {
-    let numbers = match dataset.variable("zone_path").map(|variable| &variable.data) {
-        Some(VariableValues::I64(numbers)) => &numbers[..],
-        _ => &[],
-    };
+fn paths<'a>(
+    dataset: &StoredArrays<'a>,
+    unit: &'a ShownValues,
+) -> impl Fn(usize) -> Vec<(f64, f64)> + use<'a> {
+    let is_so = dataset.alike(&["zone_path", "zone_path_at", "zone_path_eigenvalue"]).is_some();
+    let numbers = wholes(dataset, "zone_path").filter(|_| is_so).unwrap_or_default();
     let at = reals(dataset, "zone_path_at").unwrap_or_default();
     let values = complexes(dataset, "zone_path_eigenvalue").unwrap_or_default();
     move |zone| {
@@ -122,25 +130,34 @@ fn paths(dataset: &Dataset, unit: &ShownValues) -> impl Fn(usize) -> Vec<(f64, f
 }
 
 impl<'a> DrawnLocus<'a> {
-    fn new(dataset: &'a Dataset, unit: ShownValues) -> Option<Self> {
+    fn new(dataset: &StoredArrays<'a>, unit: ShownValues) -> Option<Self> {
         let coordinate = coordinate(dataset)?;
         let values = unit.values(reals(dataset, &coordinate.name)?);
         let count = *dataset.variable("eigenvalue")?.shape.last()?;
+        dataset.shaped("eigenvalue", &[None, None])?;
+        dataset.alike(&["eigenvalue", "eigenvalue_error"])?;
+        dataset.alike(&[
+            "zone_from",
+            "zone_to",
+            "zone_peak",
+            "zone_growth_rate",
+            "zone_frequency",
+            "zone_from_kind",
+            "zone_to_kind",
+        ])?;
         let of = |name: &str| reals(dataset, name);
         let (from, to, peak) = (of("zone_from")?, of("zone_to")?, of("zone_peak")?);
         let (growth, frequency) = (of("zone_growth_rate")?, of("zone_frequency")?);
-        let is_root = |name: &str, k: usize| match &dataset.variable(name).map(|variable| &variable.data) {
-            Some(VariableValues::I64(kinds)) => kinds.get(k) == Some(&0),
-            _ => true,
-        };
+        let is_root =
+            |name: &str, k: usize| wholes(dataset, name).is_none_or(|kinds| kinds.get(k) == Some(&0));
         let path = paths(dataset, &unit);
         let zone = |k: usize| ZoneOfLocus {
             path: path(k),
-            from: unit.number(from[k]),
-            to: unit.number(to[k]),
-            peak: unit.number(peak[k]),
-            growth: growth[k],
-            frequency: frequency[k],
+            from: unit.number(at(from, k)),
+            to: unit.number(at(to, k)),
+            peak: unit.number(at(peak, k)),
+            growth: at(growth, k),
+            frequency: at(frequency, k),
             is_root: [is_root("zone_from_kind", k), is_root("zone_to_kind", k)],
         };
         let zones = (0..from.len()).map(zone).collect();
@@ -173,20 +190,22 @@ impl<'a> DrawnLocus<'a> {
             true => Axis::linear("Contact position $s$ (mm)"),
             false => axis(self.coordinate),
         };
-        let ends = [self.values[0], self.values[self.values.len() - 1]];
-        if ends[0] == ends[1] { own } else { own.over(ends[0].min(ends[1]), ends[0].max(ends[1])) }
+        match (self.values.first(), self.values.last()) {
+            (Some(first), Some(last)) if first != last => own.over(first.min(*last), first.max(*last)),
+            _ => own,
+        }
     }
 
     fn at(&self, row: usize, branch: usize) -> Complex64 {
-        self.eigenvalues[row * self.count + branch]
+        self.eigenvalues.get(row * self.count + branch).copied().unwrap_or(NOWHERE)
     }
 
     /// Every branch as a thin line; those that are unstable somewhere stand out.
     fn lines(&self, pick: impl Fn(Complex64) -> f64) -> Vec<Layer> {
         let rows = self.values.len();
         let error = |place: usize| self.errors.get(place).copied().unwrap_or(0.0);
-        let grows = |place: usize| self.eigenvalues[place].re > error(place);
-        let is_unstable = |branch: usize| (0..rows).any(|row| grows(row * self.count + branch));
+        let grows = |row: usize, branch: usize| self.at(row, branch).re > error(row * self.count + branch);
+        let is_unstable = |branch: usize| (0..rows).any(|row| grows(row, branch));
         let layers = |unstable: bool| {
             let (label, role) = match unstable {
                 true => ("branch that becomes unstable", Role::Series(0)),
@@ -232,12 +251,12 @@ impl<'a> DrawnLocus<'a> {
             self.unit.as_ref().filter(|own| *own != "1").map_or_else(String::new, |own| format!(" {own}"));
         let shades = SHADES.min(self.shown.len());
         let mut layers = vec![Layer::vertical_rule(0.0, "")];
-        for (index, rows) in self.shown.chunks(self.shown.len().div_ceil(shades)).enumerate() {
+        for (index, rows) in self.shown.chunks(self.shown.len().div_ceil(shades.max(1)).max(1)).enumerate() {
             let points: Vec<Complex64> =
                 rows.iter().flat_map(|row| (0..self.count).map(|branch| self.at(*row, branch))).collect();
             let (x, y) = points.iter().map(|s| (s.re, s.im / TAU)).unzip();
             let role = Role::Graded { index, count: shades };
-            let first = rows.first().map_or(f64::NAN, |row| self.values[*row]);
+            let first = rows.first().map_or(f64::NAN, |row| at(&self.values, *row));
             let label = format!("from {symbol} = {}{unit}", significant(first));
             layers.push(Layer::points(label, x, y, role.crowded()));
         }
@@ -317,7 +336,7 @@ impl<'a> DrawnLocus<'a> {
         let alike = |other: &f64| *other < frequency && kilohertz(*other) == kilohertz(frequency);
         let before = self.frequencies_of_zones().into_iter().filter(alike).count();
         let role = Role::Graded { index: kilohertz(frequency), count: kilohertz(highest) + 1 };
-        role.solid().with_dash(DASHES[before % DASHES.len()])
+        role.solid().with_dash(DASHES.get(before % DASHES.len()).copied().unwrap_or(Dash::Solid))
     }
 
     /// One frequency for all zones that lie about it, ascending.
@@ -339,7 +358,7 @@ impl<'a> DrawnLocus<'a> {
             near.filter(|s| are_alike(s.im / TAU, zone.frequency)).map(|s| s.re).fold(f64::NAN, f64::max)
         };
         let (low, high) = (zone.from.min(zone.to), zone.from.max(zone.to));
-        let inside = (0..self.values.len()).map(|row| (self.values[row], row));
+        let inside = self.values.iter().enumerate().map(|(row, at)| (*at, row));
         let inside = inside.filter(|(at, _)| *at > low && *at < high).map(|(at, row)| (at, fastest(row)));
         let ends = [zone.from, zone.to].into_iter().zip(zone.is_root);
         let roots = ends.filter(|(_, is_root)| *is_root).map(|(end, _)| (end, 0.0));

@@ -1,9 +1,10 @@
 //! Marches: signals over time, with the position of the contact above.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use judder_numerics::contact_state::ContactState;
 use judder_report::{Axis, Layer, Legend, Panel, Role, SecondAxis, Style};
-use judder_store::Dataset;
-use judder_study::pictures::{axis, codes, reals};
+use judder_study::pictures::{StoredArrays, at, axis, codes, middle, picked, reals};
 use serde_json::Value;
 
 /// Columns of a history, each with its smallest and its largest value: a few a pixel of the drawing would not be told apart.
@@ -23,7 +24,7 @@ pub(crate) const STATES: [(ContactState, Role); 4] = [
 ];
 
 /// The signal of the march, its amplitude, normal force, what the contact does, sliding velocity.
-pub(crate) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(crate) fn march(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     let signal = dataset.attributes().get("signal")?.as_str()?;
     let style = Role::Series(0).solid();
     let own = history(dataset, signal, style)?;
@@ -40,11 +41,11 @@ pub(crate) fn march(dataset: &Dataset) -> Option<Vec<Panel>> {
 }
 
 /// How much of each column the contact spends in each state.
-fn states(dataset: &Dataset) -> Option<Panel> {
+fn states(dataset: &StoredArrays<'_>) -> Option<Panel> {
+    dataset.over("state", &["state_time"])?;
     let (times, all) = (reals(dataset, "state_time")?, codes(dataset, "state")?);
     let width = times.len().div_ceil(COLUMNS).max(1);
-    let middles: Vec<f64> =
-        times.chunks(width).map(|column| 0.5 * (column[0] + column[column.len() - 1])).collect();
+    let middles: Vec<f64> = times.chunks(width).map(middle).collect();
     let layer = |(state, role): &(ContactState, Role)| {
         let share = |column: &[u8]| {
             column.iter().filter(|code| **code == state.number()).count() as f64 / column.len() as f64
@@ -60,24 +61,27 @@ fn states(dataset: &Dataset) -> Option<Panel> {
 }
 
 /// A signal over time.
-pub fn history(dataset: &Dataset, name: &str, style: Style) -> Option<Panel> {
+pub fn history(dataset: &StoredArrays<'_>, name: &str, style: Style) -> Option<Panel> {
     panel(dataset, name, vec![trace(dataset, name, "", style)?])
 }
 
 /// The values of a signal over time as a line.
-pub fn trace(dataset: &Dataset, name: &str, label: &str, style: Style) -> Option<Layer> {
+pub fn trace(dataset: &StoredArrays<'_>, name: &str, label: &str, style: Style) -> Option<Layer> {
+    dataset.over(name, &["time"])?;
     let (x, y) = envelope(reals(dataset, "time")?, reals(dataset, name)?);
     Some(Layer::line(label, x, y, style))
 }
 
 /// How far a signal swings about its mean in each column, √2 times the rms, as a line.
-pub fn swing(dataset: &Dataset, name: &str, label: &str, style: Style) -> Option<Layer> {
+pub fn swing(dataset: &StoredArrays<'_>, name: &str, label: &str, style: Style) -> Option<Layer> {
+    dataset.over(name, &["time"])?;
     let (x, y) = swings(reals(dataset, "time")?, reals(dataset, name)?);
     Some(Layer::line(label, x, y, style))
 }
 
 /// Layers over the time of a march, with the end of its ramps and the position of the contact.
-pub fn panel(dataset: &Dataset, name: &str, mut layers: Vec<Layer>) -> Option<Panel> {
+pub fn panel(dataset: &StoredArrays<'_>, name: &str, mut layers: Vec<Layer>) -> Option<Panel> {
+    dataset.over("position", &["time"])?;
     let time = reals(dataset, "time")?;
     let (first, last) = (*time.first()?, *time.last()?);
     let settled = dataset.attributes().get("settled_s").and_then(Value::as_f64);
@@ -112,7 +116,10 @@ pub fn logarithmic(panel: Panel) -> Panel {
 }
 
 /// The peaks of the bursts.
-fn bursts(dataset: &Dataset) -> Option<Layer> {
+fn bursts(dataset: &StoredArrays<'_>) -> Option<Layer> {
+    for name in ["burst_time", "burst_peak"] {
+        dataset.over(name, &["burst"])?;
+    }
     let (times, peaks) = (reals(dataset, "burst_time")?, reals(dataset, "burst_peak")?);
     let layer = || Layer::points("peak of a burst", times.to_vec(), peaks.to_vec(), Role::Series(1));
     (!times.is_empty()).then(layer)
@@ -125,7 +132,7 @@ pub fn swings(time: &[f64], values: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let count = values.len() as f64;
         let mean = values.iter().sum::<f64>() / count;
         let square = values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / count;
-        (0.5 * (times[0] + times[times.len() - 1]), (2.0 * square).sqrt())
+        (middle(times), (2.0 * square).sqrt())
     };
     time.chunks(width).zip(values.chunks(width)).map(column).unzip()
 }
@@ -138,13 +145,13 @@ fn envelope(time: &[f64], values: &[f64]) -> (Vec<f64>, Vec<f64>) {
     }
     let (mut x, mut y) = (Vec::with_capacity(2 * COLUMNS), Vec::with_capacity(2 * COLUMNS));
     for (times, values) in time.chunks(width).zip(values.chunks(width)) {
-        let at = |k: usize| (times[k], values[k]);
-        let least = |a: usize, b: usize| if values[b] < values[a] { b } else { a };
-        let largest = |a: usize, b: usize| if values[b] > values[a] { b } else { a };
+        let point = |k: usize| (at(times, k), at(values, k));
+        let least = |a: usize, b: usize| if at(values, b) < at(values, a) { b } else { a };
+        let largest = |a: usize, b: usize| if at(values, b) > at(values, a) { b } else { a };
         // what is none begins a gap
         let first = values.iter().position(|value| value.is_nan()).unwrap_or(0);
         let (low, high) = ((0..values.len()).fold(first, least), (0..values.len()).fold(first, largest));
-        for (time, value) in [at(low.min(high)), at(low.max(high))] {
+        for (time, value) in [point(low.min(high)), point(low.max(high))] {
             x.push(time);
             y.push(value);
         }
@@ -159,8 +166,8 @@ pub(crate) fn positions(time: &[f64], position: &[f64]) -> Option<SecondAxis> {
     let kept: Vec<usize> = (0..last).step_by(stride).chain([last]).collect();
     Some(SecondAxis {
         label: "Position $s$ (mm)".to_owned(),
-        x: kept.iter().map(|k| time[*k]).collect(),
-        value: kept.iter().map(|k| 1e3 * position[*k]).collect(),
+        x: picked(time, &kept),
+        value: kept.iter().map(|k| 1e3 * at(position, *k)).collect(),
     })
 }
 

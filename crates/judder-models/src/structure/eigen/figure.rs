@@ -1,10 +1,11 @@
 //! Complex modes: where they lie, how damped they are, their shapes.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::super::shape_panels::{mac, panels as shape_panels, significant};
 use judder_numerics::complex::ElementaryComplex;
 use judder_report::{Axis, Layer, Panel, Role};
-use judder_store::Dataset;
-use judder_study::pictures::{codes, complexes};
+use judder_study::pictures::{StoredArrays, at, codes, complexes};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -20,17 +21,24 @@ pub(crate) const LARGEST: f64 = 4.0;
 /// Shapes that a figure shows: the unstable ones first.
 const SHOWN: usize = 4;
 
+/// Where nothing is drawn.
+const NOWHERE: (f64, f64) = (f64::NAN, f64::NAN);
+
 /// The complex plane, damping ratios, shapes of the unstable modes, shapes against each other.
-pub(crate) fn eigen(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(crate) fn eigen(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
+    dataset.over("eigenvalue", &["mode"])?;
+    dataset.over("verdict", &["mode"])?;
     let (values, verdicts) = (complexes(dataset, "eigenvalue")?, codes(dataset, "verdict")?);
     let mut panels = vec![plane(values, verdicts), bubbles(values, verdicts)];
-    let mut order: Vec<usize> = (0..values.len()).collect();
-    order.sort_by(|a, b| values[*b].re.total_cmp(&values[*a].re));
+    let mut order: Vec<(usize, &Complex64)> = values.iter().enumerate().collect();
+    order.sort_by(|a, b| b.1.re.total_cmp(&a.1.re));
     let title = |k: usize| {
-        let ratio = -values[k].re / values[k].modulus();
-        format!("{} Hz, $ζ$ = {} %", significant(values[k].im / TAU), significant(100.0 * ratio))
+        let value = values.get(k).copied().unwrap_or(Complex64::new(f64::NAN, f64::NAN));
+        let ratio = -value.re / value.modulus();
+        format!("{} Hz, $ζ$ = {} %", significant(value.im / TAU), significant(100.0 * ratio))
     };
-    panels.extend(shape_panels(dataset, order.into_iter().take(SHOWN), &title));
+    let fastest = order.into_iter().take(SHOWN).map(|(k, _)| k);
+    panels.extend(shape_panels(dataset, fastest, &title));
     panels.extend(mac(dataset));
     Some(panels)
 }
@@ -64,7 +72,8 @@ pub(crate) fn by_verdict(
     size: Option<&dyn Fn(usize) -> f64>,
 ) -> Vec<Layer> {
     let layer = |(code, (label, role)): (usize, &(&str, Role))| {
-        let own: Vec<usize> = (0..verdicts.len()).filter(|k| usize::from(verdicts[*k]) == code).collect();
+        let of_it = verdicts.iter().enumerate().filter(|(_, own)| usize::from(**own) == code);
+        let own: Vec<usize> = of_it.map(|(k, _)| k).collect();
         let (x, y): (Vec<f64>, Vec<f64>) = own.iter().map(|k| place(*k)).unzip();
         (!own.is_empty()).then(|| match size {
             Some(size) => Layer::bubbles(*label, x, y, own.iter().map(|k| size(*k)).collect(), *role),
@@ -76,17 +85,22 @@ pub(crate) fn by_verdict(
 
 fn plane(values: &[Complex64], verdicts: &[u8]) -> Panel {
     let mut layers = vec![Layer::vertical_rule(0.0, "")];
-    layers.extend(by_verdict(verdicts, &|k| (values[k].re, values[k].im / TAU), None));
+    layers.extend(by_verdict(
+        verdicts,
+        &|k| values.get(k).map_or(NOWHERE, |own| (own.re, own.im / TAU)),
+        None,
+    ));
     Panel::new(growth_axis(values), frequency_axis(values), layers).with_title("eigenvalues")
 }
 
 /// Damping ratios over frequency; a bubble's area is the magnitude of its ratio.
 fn bubbles(values: &[Complex64], verdicts: &[u8]) -> Panel {
-    let ratio = |k: usize| -values[k].re / values[k].modulus();
-    let largest = (0..values.len()).map(|k| ratio(k).abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let ratios: Vec<f64> = values.iter().map(|own| -own.re / own.modulus()).collect();
+    let largest = ratios.iter().map(|ratio| ratio.abs()).fold(f64::MIN_POSITIVE, f64::max);
     let mut layers = vec![Layer::horizontal_rule(0.0, "")];
-    let size = |k: usize| LARGEST * bubble(ratio(k), largest);
-    layers.extend(by_verdict(verdicts, &|k| (values[k].im / TAU, ratio(k)), Some(&size)));
+    let size = |k: usize| LARGEST * bubble(at(&ratios, k), largest);
+    let place = |k: usize| values.get(k).map_or(NOWHERE, |own| (own.im / TAU, at(&ratios, k)));
+    layers.extend(by_verdict(verdicts, &place, Some(&size)));
     let vertical =
         Axis::symmetric_log("Damping ratio $ζ$ (−)", EVEN * largest).over(-ROOM * largest, ROOM * largest);
     Panel::new(frequency_axis(values), vertical, layers).with_title("damping ratios")

@@ -1,10 +1,11 @@
 //! Complex modes along a parameter: frequencies with lock-in, growth rates, the root locus, damping ratios.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::super::eigen::figure::{LARGEST, VERDICTS, bubble, by_verdict, frequency_axis, growth_axis};
 use judder_numerics::complex::ElementaryComplex;
 use judder_report::{Layer, Panel, Role};
-use judder_store::Dataset;
-use judder_study::pictures::{SweptCoordinates, axis, codes, complexes};
+use judder_study::pictures::{StoredArrays, SweptCoordinates, at, axis, codes, complexes};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -26,19 +27,21 @@ struct CurveBranches<'a> {
 }
 
 /// Frequencies and growth rates over the parameter, the root locus; damping ratios, a panel for each curve.
-pub(crate) fn eigen_sweep(dataset: &Dataset) -> Option<Vec<Panel>> {
-    let swept = SweptCoordinates::of(dataset, "eigenvalue")?;
+pub(crate) fn eigen_sweep(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
+    let swept = SweptCoordinates::of(dataset, "eigenvalue", 1)?;
     let (eigenvalues, verdicts) = (complexes(dataset, "eigenvalue")?, codes(dataset, "verdict")?);
+    dataset.alike(&["eigenvalue", "verdict"])?;
     let count = *dataset.variable("eigenvalue")?.shape.last()?;
-    let length = count * swept.values.len();
-    let curve = |curve: usize| CurveBranches {
+    let length = (count * swept.values.len()).max(1);
+    let parts = eigenvalues.chunks(length).zip(verdicts.chunks(length));
+    let curve = |(curve, (eigenvalues, verdicts)): (usize, (_, _))| CurveBranches {
         values: &swept.values,
-        eigenvalues: &eigenvalues[curve * length..][..length],
-        verdicts: &verdicts[curve * length..][..length],
+        eigenvalues,
+        verdicts,
         count,
         curve: swept.family.map(|_| (swept.role(curve), swept.label(curve, ""))),
     };
-    let curves: Vec<CurveBranches<'_>> = (0..swept.curves()).map(curve).collect();
+    let curves: Vec<CurveBranches<'_>> = parts.enumerate().map(curve).collect();
     let frequency = || frequency_axis(eigenvalues);
     let (value, hertz) = (|v: f64, _: Complex64| v, |_: f64, l: Complex64| l.im / TAU);
     let growth = |_: f64, l: Complex64| l.re;
@@ -67,17 +70,23 @@ pub(crate) fn eigen_sweep(dataset: &Dataset) -> Option<Vec<Panel>> {
 type Pick<'p> = &'p dyn Fn(f64, Complex64) -> f64;
 
 impl CurveBranches<'_> {
-    fn at(&self, row: usize, branch: usize) -> (Complex64, u8) {
-        let place = row * self.count + branch;
-        (self.eigenvalues[place], self.verdicts[place])
+    /// The rows of the branch with this number: value, eigenvalue, verdict.
+    fn branch(&self, branch: usize) -> impl Iterator<Item = (f64, Complex64, u8)> {
+        let all = self.eigenvalues.iter().zip(self.verdicts).skip(branch).step_by(self.count.max(1));
+        self.values.iter().zip(all).map(|(value, (eigenvalue, verdict))| (*value, *eigenvalue, *verdict))
+    }
+
+    /// Every point, value by value.
+    fn points(&self) -> impl Iterator<Item = (f64, Complex64, u8)> {
+        let values = self.values.iter().flat_map(|value| std::iter::repeat_n(*value, self.count));
+        let all = self.eigenvalues.iter().zip(self.verdicts);
+        values.zip(all).map(|(value, (eigenvalue, verdict))| (value, *eigenvalue, *verdict))
     }
 
     /// Every branch as a thin line: dashes and colours in turn, or the colour of the curve, which the first one names.
     fn lines(&self, x: Pick<'_>, y: Pick<'_>) -> Vec<Layer> {
         let line = |branch: usize| {
-            let of = |pick: Pick<'_>| {
-                (0..self.values.len()).map(|row| pick(self.values[row], self.at(row, branch).0)).collect()
-            };
+            let of = |pick: Pick<'_>| self.branch(branch).map(|(value, own, _)| pick(value, own)).collect();
             match &self.curve {
                 None => Layer::line("", of(x), of(y), Role::Mode(branch)),
                 Some((role, label)) => {
@@ -91,30 +100,23 @@ impl CurveBranches<'_> {
 
     /// Where a branch is unstable.
     fn unstable(&self) -> impl Iterator<Item = (f64, Complex64)> {
-        (0..self.values.len())
-            .flat_map(|row| (0..self.count).map(move |branch| (row, branch)))
-            .map(|(row, branch)| (self.values[row], self.at(row, branch)))
-            .filter(|(_, (_, verdict))| *verdict == UNSTABLE)
-            .map(|(value, (eigenvalue, _))| (value, eigenvalue))
+        let unstable = self.points().filter(|(_, _, verdict)| *verdict == UNSTABLE);
+        unstable.map(|(value, eigenvalue, _)| (value, eigenvalue))
     }
 
     /// A bubble for every eigenvalue; its area is the magnitude of the damping ratio.
     fn bubbles(&self) -> Vec<Layer> {
-        let present: Vec<(f64, Complex64, u8)> = (0..self.values.len())
-            .flat_map(|row| (0..self.count).map(move |branch| (row, branch)))
-            .map(|(row, branch)| (self.values[row], self.at(row, branch)))
-            .filter(|(_, (value, _))| value.re.is_finite())
-            .map(|(value, (eigenvalue, verdict))| (value, eigenvalue, verdict))
-            .collect();
-        let ratio = |k: usize| -present[k].1.re / present[k].1.modulus();
-        let largest = (0..present.len()).map(|k| ratio(k).abs()).fold(f64::MIN_POSITIVE, f64::max);
+        let present: Vec<(f64, Complex64, u8)> =
+            self.points().filter(|(_, eigenvalue, _)| eigenvalue.re.is_finite()).collect();
+        let ratios: Vec<f64> = present.iter().map(|(_, own, _)| -own.re / own.modulus()).collect();
+        let largest = ratios.iter().map(|ratio| ratio.abs()).fold(f64::MIN_POSITIVE, f64::max);
         // bubbles of neighbouring values shall stand side by side
         let diameter = (ACROSS / self.values.len() as f64).clamp(1.0, LARGEST);
         let verdicts: Vec<u8> = present.iter().map(|entry| entry.2).collect();
         by_verdict(
             &verdicts,
-            &|k| (present[k].0, present[k].1.im / TAU),
-            Some(&|k| diameter * bubble(ratio(k), largest)),
+            &|k| present.get(k).map_or((f64::NAN, f64::NAN), |(value, own, _)| (*value, own.im / TAU)),
+            Some(&|k| diameter * bubble(at(&ratios, k), largest)),
         )
     }
 }
@@ -125,7 +127,7 @@ fn squares(unstable: &[(f64, Complex64)], x: Pick<'_>, y: Pick<'_>) -> Option<La
         return None;
     }
     let of = |pick: Pick<'_>| unstable.iter().map(|(value, eigenvalue)| pick(*value, *eigenvalue)).collect();
-    let (label, role) = VERDICTS[usize::from(UNSTABLE)];
+    let (label, role) = *VERDICTS.get(usize::from(UNSTABLE))?;
     let style = if unstable.len() > FEW { role.crowded() } else { role.into() };
     Some(Layer::points(label, of(x), of(y), style))
 }

@@ -1,12 +1,15 @@
 //! Reduced against full: errors, and the limit that the reduction tells of itself.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::super::undamped::words_of;
 use judder_report::{Axis, Layer, Panel, Role};
-use judder_store::Dataset;
-use judder_study::pictures::reals;
+use judder_study::pictures::{StoredArrays, reals};
 
 /// Relative errors of reduced frequencies, and the limit that the reduction tells of itself.
-pub(super) fn reduction(dataset: &Dataset) -> Option<Vec<Panel>> {
+pub(super) fn reduction(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
+    dataset.shaped("full", &[None])?;
+    dataset.alike(&["full", "error", "bound"])?;
     let (full, errors) = (reals(dataset, "full")?, reals(dataset, "error")?);
     // errors of rounding have no place on a logarithmic axis
     let shown: Vec<f64> = errors.iter().map(|error| if *error > 1e-12 { *error } else { f64::NAN }).collect();

@@ -16,7 +16,7 @@ fn histories(random: &mut Random) -> (Vec<Variable>, Vec<Vec<Point>>) {
     variables.extend([
         along("velocity_x", "time", vec![0.0; 24]),
         along("contact_state", "time", vec![1_u8; 24]),
-        along("oscillation_period", "oscillation", vec![50.0]),
+        along("oscillation_period", "oscillation", vec![50.0; 9]),
         along("path_time", "path_point", steps(20)),
         along("path_x", "path_point", x),
         along("path_velocity_x", "path_point", velocity),
@@ -36,7 +36,7 @@ pub(super) fn motion(seed: u64) -> Vec<Planted> {
     runs.push(run(&frequency, &amplitude));
     variables.push(along("frequency", "frequency", frequency));
     variables.push(along("amplitude", "frequency", amplitude));
-    variables.push(along("section_x", "meeting", random.gappy(9, 0.0)));
+    variables.push(along("section_x", "oscillation", random.gappy(9, 0.0)));
     alone(dataset(variables, &[]), runs)
 }
 

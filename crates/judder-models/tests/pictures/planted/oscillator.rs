@@ -120,8 +120,8 @@ pub(super) fn stability_map(seed: u64) -> Vec<Planted> {
         Variable::coordinate("speed", vec![0.0, 1.0]),
         Variable::coordinate("load", vec![0.0, 1.0]),
         over("stability", &["load", "speed"], &[2, 2], vec![0_u8, 1, 2, 3]),
-        along("full_boundary_speed", "point", x),
-        along("full_boundary_load", "point", y),
+        along("full_boundary_speed", "full_boundary_point", x),
+        along("full_boundary_load", "full_boundary_point", y),
     ];
     alone(dataset(variables, &[]), runs)
 }

@@ -165,8 +165,8 @@ fn growth_from(seed: u64, start: f64) -> Vec<Planted> {
     let variables = vec![
         along("time", "time", time),
         along("amplitude", "time", amplitude),
-        along("measured", "rate", vec![Complex64::new(0.1, 5.0)]),
-        along("predicted", "rate", vec![Complex64::new(0.1, 5.0)]),
+        over("measured", &[], &[], vec![Complex64::new(0.1, 5.0)]),
+        over("predicted", &[], &[], vec![Complex64::new(0.1, 5.0)]),
     ];
     let attributes =
         [("start_amplitude_n", json!(start)), ("measured_until_s", json!(9.0)), ("position_m", json!(0.1))];

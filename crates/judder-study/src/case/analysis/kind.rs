@@ -1,10 +1,10 @@
 //! Kinds of analyses: what is said of them, how they are read, how their results are drawn.
 
+use crate::pictures::StoredArrays;
 use judder_keys::declared::Declaration;
 use judder_keys::error::Fault;
 use judder_keys::section::Section;
 use judder_report::Panel;
-use judder_store::Dataset;
 use std::sync::OnceLock;
 
 /// A kind of analysis: its name, what is said of its keys besides `name` and `kind`, how those are read, and how its results are drawn.
@@ -42,8 +42,8 @@ pub struct KindEntry {
 
 /// How the results of a kind of analysis are drawn.
 pub struct Picture {
-    /// The panels, from the stored arrays; `None` where some are missing.
-    pub draw: fn(&Dataset) -> Option<Vec<Panel>>,
+    /// The panels, from the stored arrays; `None` where some are missing, or not what they should be.
+    pub draw: fn(&StoredArrays<'_>) -> Option<Vec<Panel>>,
     /// What stands under it.
     pub caption: &'static str,
 }

@@ -1,10 +1,9 @@
 //! A quantity of a sweep with its label, its colours and its values.
 
-use crate::pictures::words;
+use crate::pictures::{StoredArrays, words};
 use crate::registry::ModelKind;
 use judder_report::figure::Class;
 use judder_report::{Axis, Role};
-use judder_store::Dataset;
 use serde_json::Value;
 
 /// A swept key.
@@ -37,7 +36,7 @@ pub(super) struct PointColumn {
 }
 
 /// The keys of a sweep, without values.
-pub(super) fn keys(dataset: &Dataset) -> Option<Vec<KeyColumn>> {
+pub(super) fn keys(dataset: &StoredArrays<'_>) -> Option<Vec<KeyColumn>> {
     let list = |name: &str| dataset.attributes().get(name)?.as_array();
     let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
     let (paths, scales) = (list("keys")?, list("scales")?);
@@ -55,14 +54,15 @@ pub(super) fn keys(dataset: &Dataset) -> Option<Vec<KeyColumn>> {
 /// All columns of a sweep over a case of this model; `values` are its stored ones, quantities fastest.
 pub(super) fn columns(
     model: Option<&ModelKind>,
-    dataset: &Dataset,
+    dataset: &StoredArrays<'_>,
     values: &[f64],
 ) -> Option<Vec<PointColumn>> {
     let (names, units) = (words(dataset, "quantity")?, words(dataset, "quantity_units")?);
     let long_names = words(dataset, "quantity_long_name")?;
     let meanings = words(dataset, "quantity_flag_meanings");
-    let column = |k: usize| {
-        let name = &names[k];
+    dataset.over("quantity", &["quantity"])?;
+    dataset.alike(&["quantity", "quantity_units", "quantity_long_name", "quantity_flag_meanings"])?;
+    let column = |(k, name): (usize, &String)| {
         let flags = meanings.and_then(|meanings| meanings.get(k)).map_or("", String::as_str);
         let classes = flags.split_whitespace().map(|meaning| class(&meaning.replace('_', " ")));
         PointColumn {
@@ -77,7 +77,7 @@ pub(super) fn columns(
             values: values.iter().skip(k).step_by(names.len()).copied().collect(),
         }
     };
-    Some((0..names.len()).map(column).collect())
+    Some(names.iter().enumerate().map(column).collect())
 }
 
 fn label(model: Option<&ModelKind>, name: &str, long_name: &str, units: &str) -> String {
@@ -125,7 +125,7 @@ impl PointColumn {
     /// An axis for its values: logarithmic where they span decades, on both sides of zero where they have both signs.
     pub(super) fn axis(&self) -> Axis {
         /// Largest over small values from which decades are spanned; of both signs and of one.
-        const DECADES: [f64; 2] = [20.0, 100.0];
+        const DECADES: (f64, f64) = (20.0, 100.0);
         /// The even part about zero, at least, over the largest value.
         const EVEN: f64 = 1e-4;
         let mut sizes: Vec<f64> = self
@@ -138,7 +138,7 @@ impl PointColumn {
         let (Some(small), Some(large)) = (sizes.get(sizes.len() / 20), sizes.last()) else {
             return Axis::linear(&self.label);
         };
-        let decades = DECADES[usize::from(!self.has_both_signs())];
+        let decades = if self.has_both_signs() { DECADES.0 } else { DECADES.1 };
         let even = libm::pow(10_f64, libm::log10(small.max(EVEN * large)).floor());
         match large / small {
             ratio if !(ratio.is_finite() && ratio > decades && even > 1e-280) => Axis::linear(&self.label),

@@ -3,7 +3,7 @@
 use super::column::PointColumn;
 use super::{DRAWN_POINTS, Drawn, DrawnSweep, PANELS, evenly, left_out};
 use crate::labels::short_number;
-use crate::pictures::{DRAWN_SIDE, ascending_order, axis, reals, text};
+use crate::pictures::{DRAWN_SIDE, ascending_order, at, axis, picked, reals, text};
 use judder_report::figure::{Class, ClassMap, ValueMap};
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
@@ -27,15 +27,16 @@ pub(super) fn drawn_points(lengths: &[usize]) -> Vec<Vec<usize>> {
 
 /// The dimensions that are axes of the figure: the two longest, in their order; those of one point are none.
 fn axes(lengths: &[usize]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..lengths.len()).filter(|k| lengths[*k] > 1).collect();
-    order.sort_by_key(|k| std::cmp::Reverse(lengths[*k]));
+    let mut order: Vec<(usize, usize)> =
+        lengths.iter().copied().enumerate().filter(|(_, length)| *length > 1).collect();
+    order.sort_by_key(|(_, length)| std::cmp::Reverse(*length));
     order.truncate(2);
     order.sort_unstable();
-    order
+    order.into_iter().map(|(k, _)| k).collect()
 }
 
 pub(super) fn panels(sweep: &DrawnSweep<'_>) -> Drawn {
-    let shown = &sweep.columns[..sweep.columns.len().min(PANELS)];
+    let shown: Vec<&PointColumn> = sweep.columns.iter().take(PANELS).collect();
     let coordinate = |k: usize| sweep.dataset.variable(&sweep.keys.get(k)?.path);
     let panels: Option<Vec<Panel>> = match axes(&sweep.lengths)[..] {
         [k] => coordinate(k).and_then(|x| shown.iter().map(|column| over_one(sweep, column, x)).collect()),
@@ -54,7 +55,7 @@ pub(super) fn panels(sweep: &DrawnSweep<'_>) -> Drawn {
 fn fixed(sweep: &DrawnSweep<'_>) -> String {
     let axes = axes(&sweep.lengths);
     let at = |(k, key): (usize, &super::KeyColumn)| {
-        let value = reals(sweep.dataset, &key.path)?.first().copied()?;
+        let value = reals(&sweep.dataset, &key.path)?.first().copied()?;
         let units = &sweep.dataset.variable(&key.path)?.units;
         let unit = if units == "1" { String::new() } else { format!(" {units}") };
         (!axes.contains(&k)).then(|| format!("{} = {}{unit}", key.path, short_number(value)))
@@ -68,7 +69,7 @@ fn fixed(sweep: &DrawnSweep<'_>) -> String {
 
 /// A number as a line, classes as a strip.
 fn over_one(sweep: &DrawnSweep<'_>, column: &PointColumn, x: &Variable) -> Option<Panel> {
-    let values = reals(sweep.dataset, &x.name)?;
+    let values = reals(&sweep.dataset, &x.name)?;
     if !column.is_number() {
         return Some(strip(axis(x), values, column));
     }
@@ -84,9 +85,9 @@ fn zero(column: &PointColumn) -> Option<Layer> {
 
 /// A line through ascending abscissae, whichever way they were swept; with its points where they are few.
 fn curve(label: &str, x: &[f64], y: Vec<f64>, role: Role) -> Vec<Layer> {
-    let mut order: Vec<usize> = (0..x.len().min(y.len())).collect();
-    order.sort_by(|a, b| x[*a].total_cmp(&x[*b]));
-    let (x, y): (Vec<f64>, Vec<f64>) = order.iter().map(|k| (x[*k], y[*k])).unzip();
+    let mut points: Vec<(f64, f64)> = x.iter().copied().zip(y).collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (x, y): (Vec<f64>, Vec<f64>) = points.into_iter().unzip();
     let points = (x.len() <= FEW_POINTS).then(|| Layer::points("", x.clone(), y.clone(), role));
     std::iter::once(Layer::line(label, x, y, role.solid())).chain(points).collect()
 }
@@ -99,7 +100,7 @@ fn family(
     of: &Variable,
     x_is_first: bool,
 ) -> Option<Panel> {
-    let (along, values) = (reals(sweep.dataset, &x.name)?, reals(sweep.dataset, &of.name)?);
+    let (along, values) = (reals(&sweep.dataset, &x.name)?, reals(&sweep.dataset, &of.name)?);
     let mut layers: Vec<Layer> = zero(column).into_iter().collect();
     let unit = if of.units == "1" { String::new() } else { format!(" {}", of.units) };
     let symbol = text(of, "symbol").unwrap_or(&of.name);
@@ -107,19 +108,20 @@ fn family(
         let point = |k: usize| if x_is_first { k * values.len() + own } else { own * along.len() + k };
         let y = (0..along.len()).map(|k| column.values.get(point(k)).copied().unwrap_or(f64::NAN)).collect();
         let role = Role::Graded { index: place, count: values.len() };
-        let label = format!("{symbol} = {}{unit}", short_number(values[own]));
+        let label = format!("{symbol} = {}{unit}", short_number(at(values, own)));
         layers.extend(curve(&label, along, y, role));
     }
     Some(Panel::new(axis(x), column.axis(), layers))
 }
 
 /// The classes of points along one axis.
-pub(super) fn strip(x: Axis, at: &[f64], column: &PointColumn) -> Panel {
-    let mut order: Vec<usize> = (0..at.len()).filter(|k| at[*k].is_finite()).collect();
-    order.sort_by(|a, b| at[*a].total_cmp(&at[*b]));
-    order.dedup_by(|b, a| at[*b] <= at[*a]);
-    let (codes, classes) = drawn_classes(column, order.iter().copied());
-    let map = ClassMap { x: order.iter().map(|k| at[*k]).collect(), y: vec![0.0], codes, classes };
+pub(super) fn strip(x: Axis, places: &[f64], column: &PointColumn) -> Panel {
+    let mut order: Vec<(usize, f64)> =
+        places.iter().copied().enumerate().filter(|(_, place)| place.is_finite()).collect();
+    order.sort_by(|a, b| a.1.total_cmp(&b.1));
+    order.dedup_by(|b, a| b.1 <= a.1);
+    let (codes, classes) = drawn_classes(column, order.iter().map(|(point, _)| *point));
+    let map = ClassMap { x: order.iter().map(|(_, place)| *place).collect(), y: vec![0.0], codes, classes };
     Panel::new(x, Axis::named("", [column.name.clone()]), vec![Layer::Classes(map)])
 }
 
@@ -135,7 +137,7 @@ fn drawn_classes(column: &PointColumn, points: impl Iterator<Item = usize>) -> (
 
 /// A map, or lines where one of the keys has few values: of numbers by the sequential colours, or from blue to red where they have both signs.
 fn over_two(sweep: &DrawnSweep<'_>, column: &PointColumn, x: &Variable, y: &Variable) -> Option<Panel> {
-    let (along, up) = (reals(sweep.dataset, &x.name)?, reals(sweep.dataset, &y.name)?);
+    let (along, up) = (reals(&sweep.dataset, &x.name)?, reals(&sweep.dataset, &y.name)?);
     if column.is_number() && along.len().min(up.len()) <= FEW_LINES {
         return match along.len() >= up.len() {
             true => family(sweep, column, x, y, true),
@@ -145,8 +147,7 @@ fn over_two(sweep: &DrawnSweep<'_>, column: &PointColumn, x: &Variable, y: &Vari
     let (across, upward) = (ascending_order(along), ascending_order(up));
     // the first key stands along the horizontal axis, and varies slowest in the array
     let points = || upward.iter().flat_map(|row| across.iter().map(move |k| k * up.len() + row));
-    let (drawn_x, drawn_y) =
-        (across.iter().map(|k| along[*k]).collect(), upward.iter().map(|k| up[*k]).collect());
+    let (drawn_x, drawn_y) = (picked(along, &across), picked(up, &upward));
     let layer = if column.is_number() {
         let z = points().map(|point| column.values.get(point).copied().unwrap_or(f64::NAN)).collect();
         let colours = if column.has_both_signs() { ColourMap::Diverging } else { ColourMap::Sequential };

@@ -2,7 +2,7 @@
 
 use super::column::{KeyColumn, PointColumn};
 use super::grid::strip;
-use super::{Drawn, DrawnSweep, PANELS, left_out};
+use super::{Drawn, DrawnSweep, PANELS, left_out, part};
 use judder_report::{Axis, Layer, Panel, Role, Style};
 
 /// Keys that stand beside each other.
@@ -15,7 +15,7 @@ pub(super) fn panels(sweep: &DrawnSweep<'_>) -> Drawn {
     let per_quantity = keys.len().max(1);
     let (numbers, classes): (Vec<&PointColumn>, Vec<&PointColumn>) =
         sweep.columns.iter().partition(|column| column.is_number());
-    let shown = &numbers[..numbers.len().min(PANELS / per_quantity)];
+    let shown: Vec<&&PointColumn> = numbers.iter().take(PANELS / per_quantity).collect();
     let mut panels: Vec<Panel> =
         shown.iter().flat_map(|column| keys.iter().map(|key| scatter(key, column))).collect();
     panels.extend(classes.iter().filter_map(|column| match keys[..] {
@@ -42,15 +42,15 @@ fn why(sweep: &DrawnSweep<'_>) -> &'static str {
 /// The keys that are drawn: all where there are few, else those that matter most where that is known.
 fn shown_keys<'a>(sweep: &'a DrawnSweep<'_>) -> Vec<&'a KeyColumn> {
     let total = |key: &KeyColumn| {
-        let of = |index: &serde_json::Value| index["total"][&key.path]["value"].as_f64();
+        let of = |index: &serde_json::Value| part(index, &["total", &key.path, "value"]).as_f64();
         let indices = sweep.sensitivity.into_iter().flat_map(|all| all.values());
         indices.filter_map(of).fold(0.0, f64::max)
     };
-    let mut order: Vec<usize> = (0..sweep.keys.len()).collect();
-    order.sort_by(|a, b| total(&sweep.keys[*b]).total_cmp(&total(&sweep.keys[*a])));
+    let mut order: Vec<(usize, &KeyColumn)> = sweep.keys.iter().enumerate().collect();
+    order.sort_by(|a, b| total(b.1).total_cmp(&total(a.1)));
     order.truncate(KEYS);
-    order.sort_unstable();
-    order.into_iter().map(|k| &sweep.keys[k]).collect()
+    order.sort_by_key(|(k, _)| *k);
+    order.into_iter().map(|(_, key)| key).collect()
 }
 
 fn style(role: Role, points: usize) -> Style {

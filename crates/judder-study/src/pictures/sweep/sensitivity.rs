@@ -1,6 +1,6 @@
 //! Which swept key decides what: first-order and total Sobol' indices with their confidence intervals.
 
-use super::{DrawnSweep, PANELS, left_out};
+use super::{DrawnSweep, PANELS, left_out, part};
 use judder_report::{Axis, Figure, Layer, Legend, Panel, Role};
 use serde_json::Value;
 
@@ -22,7 +22,7 @@ pub(super) fn figure(name: &str, sweep: &DrawnSweep<'_>) -> Option<Figure> {
         })
         .collect();
     let panels: Vec<Panel> = known.iter().take(PANELS).map(|(name, own)| panel(sweep, name, own)).collect();
-    let confidence = known.first().and_then(|(_, own)| own["confidence"].as_f64())?;
+    let confidence = known.first().and_then(|(_, own)| own.get("confidence")?.as_f64())?;
     let caption = format!(
         "Sobol' indices: the share of the variance that a key explains alone (first order) and with all others (total), with {} % \
          confidence intervals.{}{}",
@@ -35,7 +35,7 @@ pub(super) fn figure(name: &str, sweep: &DrawnSweep<'_>) -> Option<Figure> {
 }
 
 fn panel(sweep: &DrawnSweep<'_>, quantity: &str, indices: &Value) -> Panel {
-    let total = |path: &str| indices["total"][path]["value"].as_f64().unwrap_or(f64::NEG_INFINITY);
+    let total = |path: &str| part(indices, &["total", path, "value"]).as_f64().unwrap_or(f64::NEG_INFINITY);
     let mut keys: Vec<&super::KeyColumn> = sweep.keys.iter().collect();
     keys.sort_by(|a, b| total(&b.path).total_cmp(&total(&a.path)));
     keys.truncate(KEYS);
@@ -48,9 +48,8 @@ fn panel(sweep: &DrawnSweep<'_>, quantity: &str, indices: &Value) -> Panel {
     {
         let (mut across, mut up, mut bars) = (Vec::new(), Vec::new(), (Vec::new(), Vec::new()));
         for (place, key) in keys.iter().enumerate() {
-            let own = &indices[order][&key.path];
-            let [value, from, to] =
-                ["value", "from", "to"].map(|part| own[part].as_f64().unwrap_or(f64::NAN));
+            let of = |end: &str| part(indices, &[order, &key.path, end]).as_f64().unwrap_or(f64::NAN);
+            let [value, from, to] = ["value", "from", "to"].map(of);
             let at = place as f64 + shift;
             (low, high) = (low.min(from).min(value), high.max(to).max(value));
             across.push(value);

@@ -245,6 +245,10 @@ pub(crate) fn rigid_motions(stiffness: &Sparse, assembly: &Assembly) -> Result<u
         return Ok(usize::from(motion_without_force(stiffness, mass)?.is_some()));
     }
     let limit = rigid_limit(stiffness.nrows(), largest_ratio(stiffness, mass));
+    // nothing resists anything where there is no stiffness at all
+    if limit == 0.0 {
+        return Ok(stiffness.nrows());
+    }
     let count = below(stiffness, mass, limit)?;
     if count == 0 || assembly.gyroscopic.is_empty() {
         return Ok(count);

@@ -225,8 +225,8 @@ pub enum AssemblyError {
     },
     /// The equations of steady sliding are singular.
     #[error(
-        "steady sliding is not determined: the bodies move without a change of the forces of the {closed} contact points that are closed{}",
-        of_open(*.open)
+        "steady sliding is not determined: with {closed} of {} contact points closed the bodies move without a change of their forces{}",
+        .closed + .open, of_open(*.open)
     )]
     Undetermined {
         /// How many points are closed.
@@ -261,12 +261,8 @@ fn back(vector: &[f64; 3]) -> [f64; 3] {
 }
 
 /// What of points that are open is told.
-fn of_open(open: usize) -> String {
-    match open {
-        0 => String::new(),
-        1 => "; the loads lift the other one off".to_owned(),
-        _ => format!("; the loads lift the other {open} off"),
-    }
+fn of_open(open: usize) -> &'static str {
+    if open == 0 { "" } else { "; the loads lift the others off" }
 }
 
 fn of_coefficient(coefficient: Option<f64>) -> String {

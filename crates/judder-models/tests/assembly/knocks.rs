@@ -157,6 +157,22 @@ fn a_mode_that_grows_outside_the_band_lets_no_knock_settle() {
     assert!(knocks["undecided"] == 0 || says(&report, "so that none settles"), "{:?}", report.messages);
 }
 
+/// Loads that lift a mass off that nothing but its contacts holds are told to.
+#[test]
+fn points_that_all_lift_off_are_told_to() {
+    let steady = brake(12.0, "name = \"steady\"\nkind = \"steady-sliding\"");
+    for (first, second, said) in [
+        ("600 N", "600 N", "no contact point is closed in steady sliding"),
+        ("-600 N", "5000 N", "with 1 of 2 contact points closed"),
+    ] {
+        let text = steady.replace("-1158.88 N", first).replace("-578.2 N", second);
+        let file = judder_models::parse("case.toml", &text, &[]).unwrap();
+        let report = run_into(tempfile::tempdir().unwrap().path(), &file, &["steady"]);
+        let reasons: Vec<String> = report.refused.iter().map(|own| own.error.to_string()).collect();
+        assert!(reasons.concat().contains(said), "{reasons:?}");
+    }
+}
+
 /// Loads that press less than where the spring is softest: a step of Newton's method from there leads past lift-off, where nothing holds the mass.
 #[test]
 fn a_spring_that_is_soft_where_the_search_begins_has_its_steady_sliding() {

@@ -16,8 +16,7 @@ use judder_keys::numeric_key::Form;
 use judder_numerics::words::plain;
 use judder_oscillator::groups::Scales;
 use judder_oscillator::{Coefficients, Contact, Groups};
-use judder_study::Progress;
-use judder_study::input_file;
+use judder_study::{Progress, Silent, input_file};
 
 /// The contact of a case, and what makes its law doubtful there.
 #[derive(Debug, Clone)]
@@ -45,6 +44,14 @@ pub fn formula(name: LawName) -> Option<Law> {
 /// A law that cannot be computed or read, [`ModelError::Interrupted`].
 pub fn contact_of(case: &OscillatorCase, progress: &dyn Progress) -> Result<CaseContact, ModelError> {
     contact(case, NO_POINTS, progress)
+}
+
+/// The contact that a case names; none where its law would have to be computed first.
+///
+/// # Errors
+/// A law that cannot be read or is not one of the case's indenter.
+pub(crate) fn known_contact(case: &OscillatorCase) -> Result<Option<CaseContact>, ModelError> {
+    if case.law == LawName::Bem { Ok(None) } else { contact_of(case, &Silent).map(Some) }
 }
 
 /// The contact that a case names. The law `bem` is computed at its first use, from the `points` that are known, and remembered while

@@ -39,6 +39,8 @@ pub struct Estimate {
     pub points: usize,
     /// Time, s.
     pub seconds: f64,
+    /// The most time, s, where it depends on what comes out.
+    pub seconds_at_most: Option<f64>,
     /// Memory, bytes.
     pub bytes: u128,
 }
@@ -47,7 +49,7 @@ impl Estimate {
     /// Of an analysis of so many points in so many seconds, without its figure.
     pub(crate) fn of_points(name: &str, points: usize, seconds: f64) -> Self {
         let (seconds, bytes) = (seconds + cost::FIGURE, PROCESS_BYTES + points as u128 * MAP_BYTES_PER_POINT);
-        Self { name: name.to_owned(), points, seconds, bytes }
+        Self { name: name.to_owned(), points, seconds, seconds_at_most: None, bytes }
     }
 }
 
@@ -59,7 +61,14 @@ pub(crate) fn title(title: &str) -> &str {
 pub(crate) fn estimate_json(estimates: &[Estimate]) -> Value {
     estimates
         .iter()
-        .map(|e| json!({ "name": e.name, "points": e.points, "seconds": e.seconds, "bytes": e.bytes as u64 }))
+        .map(|e| {
+            let mut json =
+                json!({ "name": e.name, "points": e.points, "seconds": e.seconds, "bytes": e.bytes as u64 });
+            if let Some(most) = e.seconds_at_most {
+                json["seconds_at_most"] = json!(most);
+            }
+            json
+        })
         .collect()
 }
 
@@ -71,7 +80,9 @@ pub(crate) fn estimate_text(estimates: &[Estimate]) -> String {
         .iter()
         .map(|e| {
             let memory = format!("{:.1} MB", e.bytes as f64 / 1e6);
-            vec![e.name.clone(), format!("{} points", e.points), format!("about {:.1} s", e.seconds), memory]
+            let most = e.seconds_at_most.map(|most| format!(", at most {most:.0} s")).unwrap_or_default();
+            let time = format!("about {:.1} s{most}", e.seconds);
+            vec![e.name.clone(), format!("{} points", e.points), time, memory]
         })
         .collect();
     format!("\nanalyses: size, time on one core, memory\n{}", columns(&rows))

@@ -169,9 +169,10 @@ fn a_law_file_that_is_none() {
          sweep = { key = \"operation.velocity\", from = 1e-6, to = 1.0, points = 3, scale = \"log\" }\n",
     );
     desk.write("law.json", "{}");
-    let said = desk.judder(&["run", "case.toml"]);
-    assert_eq!(said.code, 2, "{}", said.stderr);
-    said.says("case.toml, analysis `equivalent-damping`: law.json: ");
+    for command in ["check", "run"] {
+        let message = "law.json: law file: `format` is \"\"";
+        desk.refused(&[command, "case.toml"], message, "no file that a contact-law analysis has left");
+    }
 }
 
 #[test]

@@ -74,3 +74,73 @@ fn the_disc_brake_squeals() {
         assert!(number(&told["component_modes"][0]["share"]) > 0.1, "{told}");
     }
 }
+
+/// What `check` warns of in a case.
+fn warnings(desk: &Desk) -> Vec<String> {
+    let checked = desk.succeed(&["check", "case.toml", "--json"]).json();
+    let warnings = checked["warnings"].as_array().unwrap().iter();
+    warnings.map(|warning| warning.as_str().unwrap().to_owned()).collect()
+}
+
+#[test]
+fn matrices_that_are_not_positive_are_told() {
+    let matrix = |entries: &str| {
+        let count = entries.lines().count();
+        format!("%%MatrixMarket matrix coordinate real general\n4 4 {count}\n{entries}\n")
+    };
+    let desk = Desk::with_case(
+        "model = \"structure\"\n[matrices]\nmass = [{ file = \"M.mtx\" }]\nstiffness = [{ file = \"K.mtx\" }]\n\
+         [[analysis]]\nname = \"modes\"\nkind = \"modes\"\ncount = 4\n",
+    );
+    desk.write("K.mtx", matrix("1 1 1\n2 2 1\n3 3 1\n4 4 1"));
+    desk.write("M.mtx", matrix("1 1 1\n2 2 1\n3 3 1\n4 4 1"));
+    assert_eq!(warnings(&desk), [""; 0]);
+    // two freedoms share one mass
+    desk.write("M.mtx", matrix("1 1 1\n1 2 1\n2 1 1\n2 2 1\n3 3 1\n4 4 1"));
+    let told = warnings(&desk);
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert!(
+        told[0].starts_with("the mass is singular, zero to rounding in 1 of its 4 eigenvalues"),
+        "{told:?}"
+    );
+    let run = desk.succeed(&["run", "case.toml"]);
+    run.says("4 modes are asked for, and there are 3: the mass is singular");
+    desk.write("K.mtx", matrix("1 1 1\n2 2 1\n3 3 -1\n4 4 1"));
+    let told = warnings(&desk);
+    assert!(
+        told[1].starts_with("the stiffness is indefinite, negative in 1 of its 4 eigenvalues"),
+        "{told:?}"
+    );
+}
+
+#[test]
+fn elements_that_are_given_twice_are_told() {
+    let desk = Desk::with_case(
+        "model = \"structure\"\n[structure]\nmesh = \"plate.inp\"\nsection = \"plane-stress\"\nwidth = \"1 mm\"\n\
+         material = { youngs_modulus = \"210 GPa\", poisson_ratio = 0.3, density = \"7850 kg/m^3\" }\n",
+    );
+    let mesh = |elements: &str| {
+        format!(
+            "*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n5,2,0\n6,2,1\n*ELEMENT, TYPE=CPS4I, ELSET=all\n1,1,2,3,4\n2,2,5,6,3\n{elements}"
+        )
+    };
+    desk.write("plate.inp", mesh(""));
+    assert_eq!(warnings(&desk), [""; 0]);
+    desk.write("plate.inp", mesh("7,2,3,4,1\n8,2,5,5,3\n"));
+    let told = warnings(&desk).join("\n");
+    assert!(told.contains("element given twice, the first is 7 with the nodes of 1"), "{told}");
+    assert!(told.contains("a node that is named twice, the first is 8 with node 5"), "{told}");
+}
+
+#[test]
+fn contact_that_is_never_made_is_told() {
+    let desk = Desk::new();
+    desk.write("case.toml", desk.succeed(&["examples", "assembly/block-on-plane"]).stdout);
+    assert_eq!(warnings(&desk), [""; 0]);
+    desk.write(
+        "case.toml",
+        desk.succeed(&["examples", "assembly/block-on-plane"]).stdout.replace("\"-20 um\"", "\"20 um\""),
+    );
+    let told = warnings(&desk).join("\n");
+    assert!(told.contains("contact is never made: "), "{told}");
+}

@@ -5,6 +5,7 @@ use crate::cause::FileCause;
 use judder_structure::element::ElementKind;
 use judder_structure::mesh::{ElementSide, Mesh, MeshBlock};
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// An element of a file.
 pub(super) struct FileElement {
@@ -37,6 +38,7 @@ impl FileParts {
         self.check_dimension()?;
         let kept = self.kept_nodes();
         self.warn_of_unused(&kept);
+        self.warn_of_elements();
         let (blocks, numbers) = blocks(&self.elements, &kept);
         let node_sets = self.node_sets.iter().map(|(name, set)| {
             (name.clone(), distinct(set.iter().filter_map(|node| kept[*node]), self.nodes.len()))
@@ -111,6 +113,40 @@ impl FileParts {
         let texts: Vec<String> =
             lost.map(|(name, _)| format!("the set `{name}` loses nodes that belong to no element")).collect();
         self.warnings.extend(texts.into_iter().map(|text| Warning { line: None, text }));
+    }
+}
+
+impl FileParts {
+    /// Elements that name a node twice, and elements of the same nodes.
+    fn warn_of_elements(&mut self) {
+        let (mut collapsed, mut twice) = (Vec::new(), Vec::new());
+        let mut seen: BTreeMap<Vec<usize>, usize> = BTreeMap::new();
+        for element in &self.elements {
+            let mut nodes = element.nodes.clone();
+            nodes.sort_unstable();
+            if let Some(pair) = nodes.windows(2).find(|pair| pair[0] == pair[1]) {
+                collapsed.push((element.label, self.nodes[pair[0]].0));
+            }
+            match seen.entry(nodes) {
+                Entry::Occupied(first) => twice.push((*first.get(), element.label)),
+                Entry::Vacant(place) => drop(place.insert(element.label)),
+            }
+        }
+        let elements =
+            |count: usize| if count == 1 { "element".to_owned() } else { format!("{count} elements") };
+        let texts = [
+            collapsed.first().map(|(element, node)| {
+                let count = elements(collapsed.len());
+                format!("{count} with a node that is named twice, the first is {element} with node {node}: it has lost a side")
+            }),
+            twice.first().map(|(first, again)| {
+                let count = elements(twice.len());
+                format!(
+                    "{count} given twice, the first is {again} with the nodes of {first}: mass and stiffness count twice there"
+                )
+            }),
+        ];
+        self.warnings.extend(texts.into_iter().flatten().map(|text| Warning { line: None, text }));
     }
 }
 

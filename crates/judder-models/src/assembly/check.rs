@@ -7,6 +7,9 @@ use crate::assembly::case::joint::{SpringSettings, Tie};
 use crate::error::ModelError;
 use crate::estimate::title;
 use crate::structure::build::symmetric_part;
+use judder_assembly::AssemblyError;
+use judder_assembly::compliance::Compliance;
+use judder_assembly::steady::steady_sliding;
 use judder_structure::StructureError;
 use judder_structure::modes::{WantedModes, modes};
 use judder_study::case::text::CaseText;
@@ -51,7 +54,8 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
         Ok(vec![own.name.clone(), own.kind.estimate(&subject)?])
     });
     text.push_str(&columns(&asked.collect::<Result<Vec<_>, ModelError>>()?));
-    for warning in &built.warnings {
+    let warnings: Vec<String> = built.warnings.iter().cloned().chain(never_touching(&built)).collect();
+    for warning in &warnings {
         text.push_str(&format!("\nwarning: {warning}\n"));
     }
     let contacts: Vec<Value> = built
@@ -64,9 +68,26 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
         "case": resolved,
         "bodies": bodies.iter().map(KnownBody::json).collect::<Vec<_>>(),
         "contacts": contacts,
-        "warnings": built.warnings,
+        "warnings": warnings,
     });
     Ok(Resolved { document, text })
+}
+
+/// That the loads of a case bring no contact point together, where that is quickly known.
+fn never_touching(built: &BuiltAssembly) -> Option<String> {
+    /// Freedoms and contact points up to which steady sliding takes less than a second.
+    const MOST_FREEDOMS: usize = 20_000;
+    const MOST_POINTS: usize = 200;
+    let assembly = &built.assembly;
+    let points: usize = assembly.interfaces.iter().map(|interface| interface.points.len()).sum();
+    let has_laws = built.spheres.iter().all(Option::is_none);
+    if points == 0 || points > MOST_POINTS || assembly.size() > MOST_FREEDOMS || !has_laws {
+        return None;
+    }
+    match Compliance::new(assembly).and_then(|compliance| steady_sliding(assembly, &compliance)) {
+        Err(error @ AssemblyError::NothingCloses { .. }) => Some(format!("contact is never made: {error}")),
+        _ => None,
+    }
 }
 
 /// What joins the bodies beside contacts.

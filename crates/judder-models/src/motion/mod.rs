@@ -120,14 +120,27 @@ pub(crate) struct MotionSize {
     motions: usize,
     /// How long each is followed, in radians.
     time: f64,
+    /// Within what time each settles, in radians, of motions that are followed until they do and on from there more exactly.
+    settle_within: Option<f64>,
     /// Whether branches of cycles are followed as well.
     branches: bool,
 }
 
+/// What a round to a hundredth of the tolerance takes of the one before: the steps of a method of fifth order, 100^{1/5}.
+const FINER_ROUND: f64 = 2.5;
+/// Rounds after the first, at most.
+const FINER_ROUNDS: i32 = 3;
+
 impl MotionSize {
     /// So many motions over this time, each a point.
     fn of_motions(motions: usize, time: f64) -> Self {
-        Self { points: motions, motions, time, branches: false }
+        Self { points: motions, motions, time, settle_within: None, branches: false }
+    }
+
+    /// So many motions, each a point, that are followed until they have settled, for so long at most, and on from there until two rounds tell the same.
+    fn of_settling(motions: usize, longest: Value) -> Self {
+        let settle_within = (longest.form == Form::Group).then_some(longest.number);
+        Self { settle_within, ..Self::of_motions(motions, settling(longest)) }
     }
 
     /// Bytes that it takes: 352 were measured of each kept point of motions from 64 to 4 194 304 points, arrays, figure and sound together.
@@ -140,11 +153,36 @@ impl MotionSize {
     fn estimate(&self, name: &str, radian: f64) -> Estimate {
         // what a branch costs is its flights, which take their radians
         let branches = if self.branches { cost::BRANCHES * radian / cost::RADIAN } else { 0.0 };
+        let over =
+            |time: f64, rounds: f64| self.motions as f64 * time * rounds * radian + branches + cost::FIGURE;
+        let all_rounds = (0..=FINER_ROUNDS).map(|round| FINER_ROUND.powi(round)).sum();
+        let usual_rounds = if self.settle_within.is_some() { 1.0 + FINER_ROUND } else { 1.0 };
         Estimate {
             name: name.to_owned(),
             points: self.points,
-            seconds: self.motions as f64 * self.time * radian + branches + cost::FIGURE,
+            seconds: over(self.time, usual_rounds),
+            seconds_at_most: self.settle_within.map(|longest| over(longest, all_rounds)),
             bytes: self.bytes(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn motions_that_settle_late_take_longer() {
+        let seconds = |size: MotionSize| {
+            let Estimate { seconds, seconds_at_most, .. } = size.estimate("diagram", cost::RADIAN);
+            (seconds - cost::FIGURE, seconds_at_most.map(|most| most - cost::FIGURE))
+        };
+        let (plain, none) = seconds(MotionSize::of_motions(42, USUAL_TIME));
+        assert!((plain - 0.42).abs() < 1e-12 && none.is_none());
+        // a second round to a hundredth of the tolerance; at most 5000 radians and four rounds
+        let (usual, most) = seconds(MotionSize::of_settling(42, Value::group(5000.0)));
+        assert!((usual - 3.5 * plain).abs() < 1e-12, "{usual}");
+        let rounds = 1.0 + 2.5 + 2.5 * 2.5 + 2.5 * 2.5 * 2.5;
+        assert!((most.unwrap() - 5.0 * rounds * plain).abs() < 1e-9, "{most:?}");
     }
 }

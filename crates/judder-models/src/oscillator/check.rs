@@ -25,9 +25,10 @@ const LATER: &str = "the law `bem` is computed by a run, which takes seconds to 
 pub(super) fn resolve(case: &OscillatorCase, resolved: Value) -> Result<Resolved, ModelError> {
     let groups = bridge::groups(&case.inputs);
     let dimensional = groups.dimensional(&case.inputs.scales());
-    let limits = match case.law {
-        LawName::Bem => Err(LATER.to_owned()),
-        _ => point::point(case).map_err(|error| format!("no answer: {error}")),
+    // a law that cannot be read is no matter of the operating point
+    let limits = match bridge::known_contact(case)? {
+        None => Err(LATER.to_owned()),
+        Some(_) => point::point(case).map_err(|error| format!("no answer: {error}")),
     };
     let estimates = case.analyses.iter().map(|own| own.kind.estimate(&own.name.as_str()));
     let estimates = estimates.collect::<Result<Vec<Estimate>, ModelError>>()?;

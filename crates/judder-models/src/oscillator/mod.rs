@@ -233,6 +233,18 @@ impl Model for OscillatorCase {
 
     /// Looks at the data of the substrate.
     fn preflight(&self, _: &CaseText, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        bridge::known_contact(&bridge::with_material(self)?)?;
+        Ok(Prepared::NOTHING)
+    }
+
+    /// The law of the case is the same at all points, and was read for the first.
+    fn preflight_at(
+        &self,
+        _: &CaseText,
+        _: &dyn Fn(&str) -> bool,
+        _: &Prepared,
+        _: &[&str],
+    ) -> Result<Prepared, StudyError> {
         bridge::with_material(self)?;
         Ok(Prepared::NOTHING)
     }

@@ -4,7 +4,9 @@ use super::StructureSubject;
 use crate::error::ModelError;
 use crate::estimate::title;
 use crate::structure::build::Structure;
-use crate::structure::case::StructureCase;
+use crate::structure::case::{StructureCase, StructureSource};
+use crate::structure::definiteness::Definiteness;
+use crate::structure::undamped::Undamped;
 use judder_structure::affine::Term;
 use judder_study::case::text::CaseText;
 use judder_study::model::AnalysisPlace;
@@ -53,7 +55,9 @@ pub(super) fn resolve(
         Ok(vec![own.name.clone(), own.kind.estimate(&subject)?])
     });
     text.push_str(&columns(&asked.collect::<Result<Vec<_>, ModelError>>()?));
-    for warning in &structure.warnings {
+    let warnings: Vec<String> =
+        structure.warnings.iter().cloned().chain(of_matrices(case, &structure)?).collect();
+    for warning in &warnings {
         text.push_str(&format!("\nwarning: {warning}\n"));
     }
     let entries = |terms: &[Term]| -> Value {
@@ -68,7 +72,30 @@ pub(super) fn resolve(
             "mass": entries(family.mass()), "damping": entries(family.damping()), "stiffness": entries(family.stiffness()),
             "kept_freedoms": structure.kept.len(),
         },
-        "warnings": structure.warnings,
+        "warnings": warnings,
     });
     Ok(Resolved { document, text })
+}
+
+/// What has to be known of mass and stiffness that were not assembled here: of elements both are positive, or show their rigid motions.
+fn of_matrices(case: &StructureCase, structure: &Structure) -> Result<Vec<String>, ModelError> {
+    if !matches!(case.source, StructureSource::Matrices(_)) {
+        return Ok(Vec::new());
+    }
+    let Undamped { mass, stiffness, .. } = Undamped::new(case, structure)?;
+    let of_mass = Definiteness::of(&mass)?.map(|own| {
+        own.warnings(
+            "mass",
+            "there are no undamped modes",
+            "there are so many modes less, and eigenvalues at infinity",
+        )
+    });
+    let of_stiffness = Definiteness::of(&stiffness)?.map(|own| {
+        own.warnings(
+            "stiffness",
+            "so many motions grow without friction and damping",
+            "so many motions are rigid, or mechanisms",
+        )
+    });
+    Ok(of_mass.into_iter().chain(of_stiffness).flatten().collect())
 }

@@ -9,6 +9,7 @@
 pub(crate) mod build;
 pub mod case;
 mod check;
+mod definiteness;
 pub mod eigen;
 pub mod eigen_sweep;
 mod fields;

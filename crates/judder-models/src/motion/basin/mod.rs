@@ -7,7 +7,7 @@ use super::settings::{
     COORDINATE_VELOCITY, DISPLACEMENT, DURATION, MOTION_STEPS, MotionKinds, MotionModel, SETTLING_DURATION,
     STEPS, TOLERANCE, declared, followed, in_order, read,
 };
-use super::{MotionOf, MotionSize, pictures, settling};
+use super::{MotionOf, MotionSize, pictures};
 use crate::error::ModelError;
 use judder_keys::Settings;
 use judder_keys::declared::{ScaledPair, Settings, Whole};
@@ -120,7 +120,7 @@ impl<S: MotionModel> MotionOf<S> for BasinAnalysis {
     }
 
     fn size(&self) -> MotionSize {
-        MotionSize::of_motions(self.samples, settling(self.duration))
+        MotionSize::of_settling(self.samples, self.duration)
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

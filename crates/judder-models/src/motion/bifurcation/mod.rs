@@ -11,7 +11,7 @@ use super::settings::{
     DURATION, MOTION_STEPS, MotionKinds, MotionModel, MotionStart, STEPS, TOLERANCE, TRANSIENT, declared,
     followed, leave_some, read,
 };
-use super::{MotionOf, MotionSize, pictures, settling};
+use super::{MotionOf, MotionSize, pictures};
 use crate::error::ModelError;
 use crate::read_sweep::SWEEP;
 use crate::sweep::Sweep;
@@ -142,7 +142,7 @@ impl<S: MotionModel> MotionOf<S> for Bifurcation<S::Key> {
 
     fn size(&self) -> MotionSize {
         let BifurcationAnalysis { duration, branches, .. } = self.diagram;
-        MotionSize { branches, ..MotionSize::of_motions(self.motions(), settling(duration)) }
+        MotionSize { branches, ..MotionSize::of_settling(self.motions(), duration) }
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -60,7 +60,13 @@ impl Analysis<SlidingCase> for GrowthAnalysis {
         let step = cost::step(of.system, self.method(), self.step, of.system.motion.held(self.position));
         let steps = cost::PERIODS * TAU / self.frequency / step;
         let seconds = steps * of.system.pair.modes() as f64 * cost::STEP_AND_MODE + FIGURE;
-        Ok(Estimate { name: of.name.to_owned(), points: steps as usize, seconds, bytes: 0 })
+        Ok(Estimate {
+            name: of.name.to_owned(),
+            points: steps as usize,
+            seconds,
+            seconds_at_most: None,
+            bytes: 0,
+        })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -103,7 +103,7 @@ impl Analysis<SlidingCase> for LocusAnalysis {
         let value = cost::VALUE * modes * count + again;
         let seconds = points as f64 * value + 3.0 * cost::DENSE * modes.powi(3) + FIGURE;
         let bytes = (8.0 * points as f64 * (2.0 * count + 3.0)) as u128;
-        Ok(Estimate { name: of.name.to_owned(), points, seconds, bytes })
+        Ok(Estimate { name: of.name.to_owned(), points, seconds, seconds_at_most: None, bytes })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -98,7 +98,13 @@ impl Analysis<SlidingCase> for MarchAnalysis {
         let steps = motion.duration() / step;
         let seconds = steps * of.system.pair.modes() as f64 * cost::STEP_AND_MODE + FIGURE;
         let bytes = MarchSize::new(of.system, self, step).memory() as u128;
-        Ok(Estimate { name: of.name.to_owned(), points: steps as usize, seconds, bytes })
+        Ok(Estimate {
+            name: of.name.to_owned(),
+            points: steps as usize,
+            seconds,
+            seconds_at_most: None,
+            bytes,
+        })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -58,7 +58,7 @@ impl Analysis<SlidingCase> for PartModes {
 
     fn estimate(&self, of: &SlidingSubject<'_>) -> Result<Estimate, ModelError> {
         let seconds = cost::FREEDOM * cost::freedoms(of.system, *self.structure) + FIGURE;
-        Ok(Estimate { name: of.name.to_owned(), points: 1, seconds, bytes: 0 })
+        Ok(Estimate { name: of.name.to_owned(), points: 1, seconds, seconds_at_most: None, bytes: 0 })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -73,7 +73,13 @@ impl Analysis<SlidingCase> for SpectrogramAnalysis {
     fn estimate(&self, of: &SlidingSubject<'_>) -> Result<Estimate, ModelError> {
         let read = march(self, of.case).and_then(|march| MarchSize::of(of.system, march));
         let bytes = read.map_or(0, |size| size.stored() as u128);
-        Ok(Estimate { name: of.name.to_owned(), points: 1, seconds: 1.0 + FIGURE, bytes })
+        Ok(Estimate {
+            name: of.name.to_owned(),
+            points: 1,
+            seconds: 1.0 + FIGURE,
+            seconds_at_most: None,
+            bytes,
+        })
     }
 
     fn takes_up(&self) -> Vec<&str> {

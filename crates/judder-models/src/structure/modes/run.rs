@@ -51,7 +51,11 @@ pub(crate) fn run(
         frequency,
     };
     let Outcome { scalars, mut dataset, table, .. } = Outcome::of(&told)?;
-    let mut warnings: Vec<String> = of.warning("the modes are those").into_iter().collect();
+    let fewer = match wanted {
+        WantedModes::Lowest(asked) => fewer(count, asked, problem.size()),
+        WantedModes::Band(..) => None,
+    };
+    let mut warnings: Vec<String> = of.warning("the modes are those").into_iter().chain(fewer).collect();
     if let Some(layout) = &structure.layout {
         let vectors: Vec<&[f64]> = found.modes.iter().map(|mode| &mode.shape[..]).collect();
         dataset = shapes::with_layout(dataset, layout)?;
@@ -65,6 +69,15 @@ pub(crate) fn run(
     let files = fields::fields(name, structure.layout.as_ref(), structure.mesh(), &shapes)?;
     let checks = checks(&mass, &found, wanted);
     Ok(Outcome { scalars, dataset, table, checks, files, warnings, ..Outcome::default() })
+}
+
+/// That there are fewer modes than are asked for.
+fn fewer(found: usize, asked: usize, freedoms: usize) -> Option<String> {
+    let reason = match freedoms < asked {
+        true => format!("the structure has {freedoms} degrees of freedom"),
+        false => format!("the mass is singular: of {freedoms} degrees of freedom {found} have modes"),
+    };
+    (found < asked).then(|| format!("{asked} modes are asked for, and there are {found}: {reason}"))
 }
 
 /// What is told of the modes.

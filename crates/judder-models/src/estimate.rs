@@ -1,6 +1,7 @@
 //! What analyses would take, as `judder check` tells.
 
 use crate::sweep::MAP_BYTES_PER_POINT;
+use judder_memory::{BeyondMemory, MemoryBudget};
 use judder_study::text::columns;
 use serde_json::{Value, json};
 
@@ -30,6 +31,23 @@ pub(crate) mod cost {
 
 /// Bytes of the program with its figures and its report, measured of the shipped build.
 pub(crate) const PROCESS_BYTES: u128 = 36_000_000;
+
+/// Bytes a point of curves: arrays, tables, figure and report together, measured of 100 000 to 400 000 points.
+pub(crate) mod curve_bytes {
+    /// Of eigenvalues and their derived quantities.
+    pub(crate) const EIGENVALUES: u128 = 5500;
+    /// Of equivalent damping.
+    pub(crate) const DAMPING: u128 = 582;
+}
+
+/// Bytes of curves of so many points, each of which takes `each`.
+///
+/// # Errors
+/// There is not so much memory.
+pub(crate) fn ask_for_curves(points: usize, each: u128) -> Result<u128, BeyondMemory> {
+    let bytes = PROCESS_BYTES + points as u128 * each;
+    MemoryBudget::of_process().ask(bytes).map(|()| bytes)
+}
 
 /// What an analysis would take.
 pub struct Estimate {

@@ -218,6 +218,10 @@ fn memory_beyond_what_was_told() {
     let motion = "model = \"oscillator\"\n[[analysis]]\nkind = \"motion\"\npoints = 4194304\n";
     let desk = Desk::with_case(motion);
     let check = ["check", "case.toml", "--memory", "1 GiB"];
+    let spectrum = "model = \"oscillator\"\n[[analysis]]\nkind = \"spectrum\"\n\
+                    sweep = { key = \"operation.velocity\", from = 1e-5, to = 1e-3, points = 1000000 }\n";
+    let message = "5.5 GB of memory are needed, and 1.1 GB are to be had, as was said";
+    Desk::with_case(spectrum).refused(&check, message, "--memory \"6 GiB\"");
     desk.refused(
         &check,
         "1.5 GB of memory are needed, and 1.1 GB are to be had, as was said",

@@ -8,7 +8,7 @@ pub(crate) use run::{Spectra, SpectraWords, ToldSpectra, outcome};
 use super::{Operated, OscillatorSubject, curves, ends_of_curves, points_of_curves};
 use crate::axis::keys_of_curves;
 use crate::error::ModelError;
-use crate::estimate::{Estimate, cost};
+use crate::estimate::{Estimate, ask_for_curves, cost, curve_bytes};
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::curves::SpectrumLabels;
@@ -52,11 +52,14 @@ impl Analysis<OscillatorCase> for SpectrumCurves {
     }
 
     fn run(&self, of: &OscillatorSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
+        ask_for_curves(self.steps(), curve_bytes::EIGENVALUES)?;
         run::run(of.case, of.contact, &self.sweep, self.family.as_ref(), task.progress)
     }
 
     fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
-        Ok(Estimate::of_points(name, self.steps(), self.steps() as f64 * cost::EIGENVALUES))
+        let bytes = ask_for_curves(self.steps(), curve_bytes::EIGENVALUES)?;
+        let seconds = self.steps() as f64 * cost::EIGENVALUES;
+        Ok(Estimate { bytes, ..Estimate::of_points(name, self.steps(), seconds) })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -8,6 +8,7 @@ use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::whole_file::write_file;
 use hound::{SampleFormat, WavSpec, WavWriter};
+use judder_numerics::decade::power_of_ten;
 use std::io::{self, Cursor};
 use std::path::Path;
 
@@ -123,7 +124,7 @@ fn gain(channels: &[&[f64]], loudness: Loudness) -> Result<f64, SoundError> {
             if peak == 0.0 {
                 return Ok(1.0);
             }
-            ("a peak", peak, libm::pow(10_f64, level / 20.0) / peak)
+            ("a peak", peak, power_of_ten(level / 20.0) / peak)
         }
         Loudness::FullScale(full_scale) => {
             for (channel, samples) in channels.iter().enumerate() {

@@ -7,6 +7,7 @@ use crate::error::{Fault, Place};
 use crate::numeric_key::{Form, Scaled};
 use crate::quantity::WrittenNumber;
 use crate::section::Section;
+use judder_numerics::decade::power_of_ten;
 
 /// A range with equal ratios between its points.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +31,7 @@ impl Span {
             .map(|index| match index {
                 0 => self.from,
                 _ if index == last => self.to,
-                _ => libm::pow(10_f64, first + (end - first) * index as f64 / last as f64),
+                _ => power_of_ten(first + (end - first) * index as f64 / last as f64),
             })
             .collect()
     }

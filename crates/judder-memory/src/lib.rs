@@ -89,6 +89,11 @@ impl BeyondMemory {
     /// How to go on.
     #[must_use]
     pub fn remedy(&self) -> String {
+        /// More than one machine has: 64 TiB.
+        const NOWHERE: u128 = 1 << 46;
+        if self.needed > NOWHERE {
+            return "ask for less: no machine has that".to_owned();
+        }
         let gibibytes = self.needed.div_ceil(1 << 30);
         format!(
             "ask for less, or give judder more with --memory \"{gibibytes} GiB\" where the machine has it"
@@ -130,6 +135,7 @@ mod tests {
         let beyond = budget.ask(15_600_000_000).unwrap_err();
         assert_eq!(beyond.to_string(), "15.6 GB of memory are needed, and 3.9 GB are to be had, as was said");
         assert!(beyond.remedy().contains("--memory \"15 GiB\""), "{}", beyond.remedy());
-        assert!(budget.ask(u128::MAX).unwrap_err().to_string().contains("EB"));
+        let nowhere = budget.ask(u128::MAX).unwrap_err();
+        assert!(nowhere.to_string().contains("EB") && !nowhere.remedy().contains("--memory"), "{nowhere}");
     }
 }

@@ -30,7 +30,7 @@ pub struct Sweep<K> {
 }
 
 impl<K> Sweep<K> {
-    /// The value of point `index`, counted from 0: the ends exact, and a power of ten as exact as `powf` gives it.
+    /// The value of point `index`, counted from 0: the ends exact, and powers of ten exact.
     pub fn value(&self, index: usize) -> f64 {
         spaced([self.from, self.to], self.points as u64, self.scale, index as u64)
     }

@@ -6,6 +6,7 @@
 //! - [`polynomial`]: all roots of a small real polynomial, conjugate pairs exact.
 //! - [`quadrature`]: the rule of Gauss and Legendre.
 //! - [`gmres`]: a large, non-symmetric system known only by its products.
+//! - [`decade`]: powers of ten, exact where they can be.
 //! - [`dense`]: a small system of linear equations.
 //! - [`contact_state`]: stick, slip, lift-off, and their numbers in results.
 //! - [`counter`]: even random numbers, each computed from its place alone.
@@ -26,6 +27,7 @@
 pub mod complex;
 pub mod contact_state;
 pub mod counter;
+pub mod decade;
 pub mod dense;
 pub mod elementary;
 pub mod gmres;

@@ -84,10 +84,10 @@ pub(crate) fn stretch(scale: Scale, value: f64) -> f64 {
 fn shrink(scale: Scale, stretched: f64) -> f64 {
     match scale {
         Scale::Linear => stretched,
-        Scale::Log => libm::pow(10_f64, stretched),
+        Scale::Log => libm::exp10(stretched),
         Scale::SymmetricLog { linear } if stretched.abs() <= 1.0 => stretched * linear,
         Scale::SymmetricLog { linear } => {
-            stretched.signum() * libm::pow(10_f64, stretched.abs() - 1.0 + libm::log10(linear))
+            stretched.signum() * libm::exp10(stretched.abs() - 1.0 + libm::log10(linear))
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::text::four_digits;
 use judder_keys::dimension::Dimension;
+use judder_numerics::decade::power_of_ten;
 
 /// A swept quantity: its name, its symbol and its unit.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -40,7 +41,7 @@ pub fn short_number(value: f64) -> String {
     if value == 0.0 || (-2.0..4.0).contains(&exponent) {
         return format!("{value}").replace('-', "−");
     }
-    let mantissa = value / libm::pow(10_f64, exponent);
+    let mantissa = value / power_of_ten(exponent);
     let rounded = (mantissa * 1e6).round() / 1e6;
     let power = format!("10^{{{exponent}}}").replace('-', "−");
     if rounded == 1.0 { power } else { format!("{rounded}·{power}").replace('-', "−") }

@@ -1,6 +1,7 @@
 //! What must hold for a viscoelastic material, computed from its moduli rather than from its terms.
 
 use super::creep::CreepSpectrum;
+use judder_numerics::decade::power_of_ten;
 
 /// Samples of frequency and of time in every decade.
 const PER_DECADE: f64 = 16.0;
@@ -59,7 +60,7 @@ impl MaterialChecks {
 /// Numbers from 10^`from` to 10^`to`, evenly spaced in the logarithm.
 pub(super) fn decades(from: f64, to: f64) -> Vec<f64> {
     let steps = ((to - from) * PER_DECADE).ceil().max(1.0);
-    (0..=steps as usize).map(|k| libm::pow(10f64, from + (to - from) * k as f64 / steps)).collect()
+    (0..=steps as usize).map(|k| power_of_ten(from + (to - from) * k as f64 / steps)).collect()
 }
 
 fn never_falls(values: &[f64]) -> bool {

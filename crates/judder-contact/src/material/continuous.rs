@@ -4,6 +4,7 @@ use super::checks::decades;
 use super::creep::{CreepSpectrum, CreepTerm};
 use super::error::{MaterialError, positive};
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::decade::power_of_ten;
 use judder_numerics::quadrature::gauss_legendre;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use std::f64::consts::LN_10;
@@ -94,7 +95,7 @@ impl ContinuousSpectrum {
     /// As [`ContinuousSpectrum::power_law`].
     pub fn log_normal(rubbery: f64, glassy: f64, median: f64, width: f64) -> Result<Self, MaterialError> {
         positive("the width of the spectrum in decades", width)?;
-        let reach = libm::pow(10f64, WIDTHS * width);
+        let reach = power_of_ten(WIDTHS * width);
         let gaussian = |time: f64| libm::exp(-0.5 * (libm::log10(time / median) / width).powi(2));
         Self::between(rubbery, glassy, &[median / reach, median, median * reach], gaussian)
     }

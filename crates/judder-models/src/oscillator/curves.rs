@@ -140,17 +140,13 @@ fn orders(count: usize) -> Vec<Vec<usize>> {
 pub(crate) fn critical(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     let swept = SweptCoordinates::of(dataset, "full", 1)?;
     let points = dataset.variable("full")?.dimensions.iter().rev().skip(1).rev().map(String::as_str);
-    dataset.over("conservative", &points.chain(["conservative_root"]).collect::<Vec<_>>())?;
+    let over = |last| points.clone().chain([last]).collect::<Vec<_>>();
+    dataset.over("conservative", &over("conservative_root"))?;
+    for end in ["full_within_law_from", "full_within_law_to"] {
+        dataset.over(end, &over("full_range"))?;
+    }
     let label = text(dataset.variable("full")?, "label").unwrap_or("Threshold");
-    dataset.alike(&[
-        "full",
-        "full_within_law_from",
-        "full_within_law_to",
-        "fold",
-        "reaches",
-        "criticality",
-        "told",
-    ])?;
+    dataset.alike(&["full", "fold", "reaches", "criticality", "told"])?;
     let mut layers = Vec::new();
     for (name, is_full) in [("conservative", false), ("full", true)] {
         let roots = reals(dataset, name)?;

@@ -2,8 +2,9 @@
 
 use crate::{case, number, run_into};
 use judder_contact::kernel::sliding::SlidingOperator;
+use judder_study::Silent;
 use judder_study::resolve::resolve;
-use judder_study::run::RunReport;
+use judder_study::run::{RunOptions, RunReport, run};
 use serde_json::{Map, Value};
 use std::path::Path;
 
@@ -155,18 +156,20 @@ fn the_fit_finds_the_papers_coefficients() {
 fn a_law_file_that_is_none_is_named() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("law.json"), "{}").unwrap();
-    let report = run_text(
-        folder.path(),
-        r#"
+    let path = folder.path().join("case.toml");
+    let text = r#"
         model = "oscillator"
         contact = { law = { file = "law.json" } }
         [[analysis]]
         kind = "equivalent-damping"
         sweep = { key = "operation.velocity", from = 1e-6, to = 1.0, points = 7, scale = "log" }
-        "#,
-    );
-    assert!(!report.complete);
-    assert!(report.refused[0].error.to_string().contains("law.json: "), "{:?}", report.refused);
+        "#;
+    std::fs::write(&path, text).unwrap();
+    let out = folder.path().join("out");
+    let file = judder_models::read(&path, &[]).unwrap();
+    let refused = run(&file, &out, &RunOptions::default(), &Silent).unwrap_err();
+    assert!(refused.to_string().contains("law.json: "), "{refused}");
+    assert!(!out.join("summary.json").exists());
 }
 
 #[test]

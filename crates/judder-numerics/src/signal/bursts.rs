@@ -3,6 +3,7 @@
 use super::envelope::envelope;
 use super::error::{SignalError, finite, positive, within};
 use super::tone::strongest_frequency;
+use crate::decade::power_of_ten;
 use std::ops::Range;
 
 /// How far on either side of a burst's peak its frequency is looked for (s).
@@ -140,7 +141,7 @@ pub fn bursts(signal: &[f64], settings: &BurstSettings) -> Result<Vec<Burst>, Si
 
 /// The ratio of amplitudes that a level difference in dB means.
 fn ratio(decibels: f64) -> f64 {
-    libm::pow(10_f64, decibels / 20.0)
+    power_of_ten(decibels / 20.0)
 }
 
 /// The middle value, the upper one of two.

@@ -2,6 +2,7 @@
 
 use super::error::{SignalError, positive, within};
 use super::kaiser;
+use crate::decade::power_of_ten;
 use std::f64::consts::{PI, TAU};
 
 /// The most taps of one filter.
@@ -99,7 +100,7 @@ impl LowPass {
 
     /// Whether the response keeps both bands, at 32 frequencies a ripple over thirty ripples beside the edges.
     fn is_met(&self, taps: &[f64]) -> bool {
-        let ripple = libm::pow(10_f64, -self.attenuation / 20.0) * BETWEEN_FREQUENCIES;
+        let ripple = power_of_ten(-self.attenuation / 20.0) * BETWEEN_FREQUENCIES;
         // a ripple is f_s/taps wide
         let fine = self.sample_rate / (32.0 * taps.len() as f64);
         let nyquist = 0.5 * self.sample_rate;

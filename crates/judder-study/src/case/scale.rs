@@ -1,6 +1,7 @@
 //! How the points of a sweep are spaced.
 
 use judder_keys::Choice;
+use judder_numerics::decade::power_of_ten;
 
 /// How the points of a sweep are spaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Choice)]
@@ -12,12 +13,12 @@ pub enum Spacing {
     Log,
 }
 
-/// The value of point `index` of `points` from one end to the other: the ends exact, and a power of ten as exact as `powf` gives it.
+/// The value of point `index` of `points` from one end to the other: the ends exact, and powers of ten exact.
 pub fn spaced(ends: [f64; 2], points: u64, scale: Spacing, index: u64) -> f64 {
     match scale {
         Spacing::Log if index > 0 && index + 1 < points => {
             let exponents = ends.map(|end| libm::log10(end.abs()));
-            libm::pow(10_f64, evenly(exponents, points, index)).copysign(ends[0])
+            power_of_ten(evenly(exponents, points, index)).copysign(ends[0])
         }
         _ => evenly(ends, points, index),
     }

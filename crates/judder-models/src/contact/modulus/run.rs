@@ -8,6 +8,7 @@ use judder_contact::material::{DmaData, PronyFit};
 use judder_keys::numeric_key::Form;
 use judder_keys::span::Span;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::decade::power_of_ten;
 use judder_store::{Dataset, Results, Table, Variable};
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
 
@@ -74,7 +75,7 @@ fn frequencies(span: Option<&Span>, scales: &ContactScales) -> Result<Vec<f64>, 
     let fastest = relaxation.terms().first().map_or(scales.time, |term| term.relaxation_time);
     let (first, last) = (-libm::log10(slowest) - BEYOND, -libm::log10(fastest) + BEYOND);
     let values = (0..FREQUENCIES)
-        .map(|k| libm::pow(10_f64, first + (last - first) * k as f64 / (FREQUENCIES - 1) as f64))
+        .map(|k| power_of_ten(first + (last - first) * k as f64 / (FREQUENCIES - 1) as f64))
         .collect();
     Ok(values)
 }

@@ -15,6 +15,7 @@ use judder_exchange::universal::{
     Abscissa, MeasuredQuantity, Ordinates, ResponseKind, UniversalResponse, write_nodes, write_response,
     write_units,
 };
+use judder_numerics::decade::power_of_ten;
 use judder_structure::StructureError;
 use judder_structure::assembly::Sparse;
 use judder_structure::craig_bampton::CraigBampton;
@@ -111,7 +112,7 @@ fn receptances(form: &ModalForm, limit: f64) -> Option<(f64, Vec<Vec<f64>>)> {
 
 /// The next of 1, 2, 5, 10 … times a power of ten: the file holds six digits of it.
 fn round_step(least: f64) -> f64 {
-    let power = libm::pow(10_f64, libm::log10(least).floor());
+    let power = power_of_ten(libm::log10(least).floor());
     [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power).into_iter().find(|step| *step >= least).unwrap_or(0.0)
 }
 

@@ -1,5 +1,6 @@
 //! Which points a sweep has: each is computed from its index alone.
 
+use judder_numerics::decade::power_of_ten;
 use judder_numerics::elementary::{exp, ln};
 use judder_numerics::sampling::{LatinHypercube, SobolSequence};
 
@@ -63,7 +64,7 @@ impl SweptKey {
                     return evenly([*from, *to], *points, index);
                 }
                 let exponents = [*from, *to].map(|end| libm::log10(end.abs()));
-                power_of_ten(evenly(exponents, *points, index)).copysign(*from)
+                rounded_power_of_ten(evenly(exponents, *points, index)).copysign(*from)
             }
             _ => f64::NAN,
         }
@@ -80,7 +81,7 @@ impl SweptKey {
             Spacing::Log if ratio.is_normal() => from * exp(coordinate * ln(ratio)),
             // ends too far apart for their ratio
             Spacing::Log => {
-                power_of_ten(between(libm::log10(from.abs()), libm::log10(to.abs()))).copysign(from)
+                rounded_power_of_ten(between(libm::log10(from.abs()), libm::log10(to.abs()))).copysign(from)
             }
         };
         value.clamp(from.min(to), from.max(to))
@@ -88,8 +89,8 @@ impl SweptKey {
 }
 
 /// 10^x to 15 digits: so decades come out as written, and with the same bits on every machine.
-fn power_of_ten(exponent: f64) -> f64 {
-    format!("{:.14e}", libm::pow(10.0, exponent)).parse().unwrap_or(f64::NAN)
+fn rounded_power_of_ten(exponent: f64) -> f64 {
+    format!("{:.14e}", power_of_ten(exponent)).parse().unwrap_or(f64::NAN)
 }
 
 impl StudySweep {

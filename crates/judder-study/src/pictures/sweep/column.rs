@@ -2,6 +2,7 @@
 
 use crate::pictures::{StoredArrays, words};
 use crate::registry::ModelKind;
+use judder_numerics::decade::power_of_ten;
 use judder_report::figure::Class;
 use judder_report::{Axis, Role};
 use serde_json::Value;
@@ -139,7 +140,7 @@ impl PointColumn {
             return Axis::linear(&self.label);
         };
         let decades = if self.has_both_signs() { DECADES.0 } else { DECADES.1 };
-        let even = libm::pow(10_f64, libm::log10(small.max(EVEN * large)).floor());
+        let even = power_of_ten(libm::log10(small.max(EVEN * large)).floor());
         match large / small {
             ratio if !(ratio.is_finite() && ratio > decades && even > 1e-280) => Axis::linear(&self.label),
             _ if self.values.iter().all(|value| value.is_nan() || *value > 0.0) => Axis::log(&self.label),

@@ -156,7 +156,7 @@ def whole(folder: Path | RemotePath, name: str) -> None:
         own_name = _named(place)
         # a list may end early
         if own_name not in there and not (values / own_name).exists():
-            raise _unreadable(str(values / own_name), "MissingChunk", "is not there")
+            raise _judder.unusable_chunk(str(values / own_name))
 
 
 def damaged(folder: Path | RemotePath, name: str, block: tuple[slice, ...]) -> StoreError | None:

@@ -349,7 +349,7 @@ pub enum StoreError {
         damage: ChunkDamage,
     },
     /// A chunk is not computed yet.
-    #[error("{}: this chunk is not computed yet; `judder run` goes on where it was interrupted", path.display())]
+    #[error("{}: this chunk is not there; `judder run` computes it", path.display())]
     MissingChunk {
         /// Where its file will be.
         path: PathBuf,

@@ -126,7 +126,7 @@ fn all_told(names: &[&str], studies: &[&Path]) {
     };
     for name in names {
         let own = folder.path().join(name);
-        let file = judder_models::read(&Path::new(SMALL).join(format!("{name}.toml")), &[]).unwrap();
+        let file = judder_models::read(Path::new(SMALL).join(format!("{name}.toml")), &[]).unwrap();
         run_into(&own, &file, &[]);
         look(&own);
     }

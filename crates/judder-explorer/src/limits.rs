@@ -83,7 +83,14 @@ fn check_counts(table: &Map<String, Value>) -> Result<(), RequestRefusal> {
 /// # Errors
 /// Their size.
 pub(crate) fn check_answer(variables: &[Variable]) -> Result<(), RequestRefusal> {
-    let bytes: usize = variables.iter().map(|variable| width(&variable.data) * variable.data.len()).sum();
+    check_bytes(variables.iter().map(|variable| width(&variable.data) * variable.data.len()).sum())
+}
+
+/// Refuses an answer of so many bytes where they are too many to send.
+///
+/// # Errors
+/// As [`check_answer`].
+pub(crate) fn check_bytes(bytes: usize) -> Result<(), RequestRefusal> {
     if bytes <= ANSWER_BYTES {
         return Ok(());
     }

@@ -29,6 +29,7 @@ pub(crate) fn router(site: Arc<Site>) -> Router {
         .route("/api/study", get(answers::study::answer))
         .route("/api/study/case", post(answers::study::case))
         .route("/api/study/arrays", post(answers::study::arrays))
+        .route("/api/study/report", post(answers::study::report))
         .route("/api/study/shapes", post(answers::study::shapes))
         .route("/api/study/sound/{*path}", get(answers::study::sound))
         .fallback(asset)

@@ -175,6 +175,18 @@ pub enum StudyError {
         /// Values that are read at most.
         most: usize,
     },
+    /// The arrays of an analysis are more than are read at once for its figure.
+    #[error(
+        "analysis `{name}` has {values} values, and a figure is drawn here of {most} at most; `judder report` draws it"
+    )]
+    TooManyToDraw {
+        /// The analysis.
+        name: String,
+        /// Values of all its arrays.
+        values: usize,
+        /// Values that are read at most.
+        most: usize,
+    },
     /// What is needed is held by a process that seems to have stopped.
     #[error(
         "{held} has shown no sign of life for {seconds} s; let that process go on, or end it, then run again: what is done is kept"
@@ -219,6 +231,7 @@ impl StudyError {
             | Self::Unreadable { .. }
             | Self::FileChanged { .. }
             | Self::TooManyValues { .. }
+            | Self::TooManyToDraw { .. }
             | Self::HeldTooMuch { .. }
             | Self::Memory { .. }
             | Self::NoResults { .. } => true,

@@ -5,12 +5,12 @@ use crate::fault::fault_told;
 use crate::ledger::Keepsakes;
 use crate::outcome::CheckRecord;
 use crate::pictures;
-use crate::registry::{Registry, ToldAnalysis};
+use crate::registry::{ModelKind, Registry, ToldAnalysis};
 use crate::report_tables;
 use crate::version::maker;
 use judder_report::page::{Check, Code, Details, PageTable};
 use judder_report::{Figure, Page, PageBlock, PageSection, UndrawnFigure, html, png, svg};
-use judder_store::{Status, StudyFolder, Summary};
+use judder_store::{Dataset, Status, StudyFolder, Summary};
 use serde_json::Value;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
@@ -144,13 +144,22 @@ fn figures(
         let drawn = pictures::sweep::figures(model, name, &dataset, &results);
         return Ok(drawn.map_err(|wrong| wrong.in_study(store.path(), name))?);
     }
-    let dataset = store.read_dataset(name)?;
-    let drawn = model.map_or(Ok(None), |model| model.figure(name, name, &dataset));
-    Ok(drawn.map_err(|wrong| wrong.in_study(store.path(), name))?.into_iter().collect())
+    Ok(figure_of(model, store.path(), name, &store.read_dataset(name)?)?.into_iter().collect())
+}
+
+/// The figure of an analysis of the study at a path; none where its result is not a picture.
+pub(crate) fn figure_of(
+    model: Option<&ModelKind>,
+    study: &Path,
+    name: &str,
+    dataset: &Dataset,
+) -> Result<Option<Figure>, StudyError> {
+    let drawn = model.map_or(Ok(None), |model| model.figure(name, name, dataset));
+    Ok(drawn.map_err(|wrong| wrong.in_study(study, name))?)
 }
 
 /// The tables of an analysis or a sweep, beside that of its scalars.
-fn tables(registry: Registry, summary: &Summary, name: &str) -> Vec<PageTable> {
+pub(crate) fn tables(registry: Registry, summary: &Summary, name: &str) -> Vec<PageTable> {
     let Some(results) = summary.results.get(name) else { return Vec::new() };
     let of_kind = registry.tables(&summary.case, name);
     match of_kind {

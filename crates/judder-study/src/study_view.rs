@@ -1,6 +1,9 @@
 //! A study folder for a page: what it holds, and parts of its arrays. The folder is not held, and nothing outside of it is read.
 
 mod extremes;
+mod reported;
+
+pub use reported::ReportedAnalysis;
 
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
@@ -154,11 +157,7 @@ impl StudyView {
         variables: &[String],
         window: &RowWindow,
     ) -> Result<Vec<Variable>, StudyError> {
-        let summary = self.summary()?;
-        if !summary.analyses.contains_key(analysis) {
-            let known = summary.analyses.keys().cloned().collect();
-            return Err(StudyError::UnknownAnalysis { name: analysis.to_owned(), known });
-        }
+        self.summary_with(analysis)?;
         let head = self.reader.head(analysis)?;
         let of = |name: &String| head.variables.iter().find(|variable| variable.name == *name);
         let along = variables.first().and_then(of).and_then(|variable| variable.dimensions.first());
@@ -203,6 +202,16 @@ impl StudyView {
     fn summary(&self) -> Result<Summary, StudyError> {
         let summary = self.reader.read_summary()?;
         summary.ok_or_else(|| StudyError::NoResults { folder: self.name.clone() })
+    }
+
+    /// The summary, which has this analysis.
+    fn summary_with(&self, analysis: &str) -> Result<Summary, StudyError> {
+        let summary = self.summary()?;
+        if summary.analyses.contains_key(analysis) {
+            return Ok(summary);
+        }
+        let known = summary.analyses.keys().cloned().collect();
+        Err(StudyError::UnknownAnalysis { name: analysis.to_owned(), known })
     }
 
     fn window(&self, analysis: &str, head: &Variable, window: &RowWindow) -> Result<Variable, StudyError> {

@@ -2,7 +2,7 @@
 
 use crate::body::JsonBody;
 use crate::frame::FrameInTheMaking;
-use crate::limits::check_answer;
+use crate::limits::{check_answer, check_bytes};
 use crate::refusal::RequestRefusal;
 use crate::reporter::Reporter;
 use crate::scheduler::Pace;
@@ -15,7 +15,7 @@ use axum::response::{IntoResponse, Response};
 use judder_models::sliding_shapes::SlidingShapes;
 use judder_store::{Complex64, Status, Variable};
 use judder_study::case::compose::alone;
-use judder_study::study_view::{AnalysisListing, RowWindow};
+use judder_study::study_view::{AnalysisListing, ReportedAnalysis, RowWindow};
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::sync::Arc;
@@ -111,6 +111,36 @@ pub(crate) async fn arrays(
         let found = study.view.arrays(&wanted.analysis, &wanted.variables, &window)?;
         check_answer(&found)?;
         Ok(found.iter().fold(FrameInTheMaking::new("arrays"), FrameInTheMaking::array))
+    })
+    .await
+}
+
+/// Whose figure and tables are wanted.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Reported {
+    analysis: String,
+    #[serde(default)]
+    slot: Option<String>,
+}
+
+/// Answers `/api/study/report`: what the report shows of one analysis.
+pub(crate) async fn report(
+    State(site): SharedSite,
+    JsonBody(wanted): JsonBody<Reported>,
+) -> Result<Response, RequestRefusal> {
+    stream(&site, wanted.slot.clone(), move |study| {
+        let ReportedAnalysis { figure, tables } = study.view.reported(&wanted.analysis)?;
+        let drawn = figure.map_err(RequestRefusal::from).and_then(|figure| {
+            figure.as_ref().map_or(Ok(()), |text| check_bytes(text.len()))?;
+            Ok(figure)
+        });
+        let (figure, undrawn) =
+            drawn.map_or_else(|why| (None, why.document()), |figure| (figure, Value::Null));
+        let tables =
+            tables.iter().map(|own| json!({ "caption": own.caption, "head": own.head, "rows": own.rows }));
+        let frame = FrameInTheMaking::new("report").with("figure", figure).with("undrawn", undrawn);
+        Ok(frame.with("tables", tables.collect::<Vec<_>>()))
     })
     .await
 }

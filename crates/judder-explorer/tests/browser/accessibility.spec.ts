@@ -38,11 +38,13 @@ for (const { tag, pairs } of SCREENS) {
   for (const view of PAGES) test(`${view} is for everybody${named(pairs)}`, { tag: [...tag] }, async ({ explorer }) => isForEverybody(explorer, view, pairs));
 }
 
-const STUDIES = { sliding: ["locus", "film"], edge: ["spectrogram"], block: ["modes"], disc: ["steady", "modes"] } as const;
+const STUDIES = { sliding: ["locus", "film"], edge: ["spectrogram"], block: ["modes"], disc: ["steady", "modes"], brake: ["cycle", "damping"], damper: ["response"], belt: ["squeal"] } as const;
 
-for (const name of ["sliding", "edge", "block", "disc"] as const) {
+for (const name of ["sliding", "edge", "block", "disc", "brake", "damper", "belt"] as const) {
   studies.describe(name, () => {
-    studies.use({ subject: async ({ sliding, edge, block, disc }, use) => use([{ sliding, edge, block, disc }[name].folder]) });
+    studies.use({
+      subject: async ({ sliding, edge, block, disc, brake, damper, belt }, use) => use([{ sliding, edge, block, disc, brake, damper, belt }[name].folder]),
+    });
     for (const { tag, pairs } of SCREENS) {
       for (const analysis of STUDIES[name]) {
         studies(`/structures?analysis=${analysis} is for everybody${named(pairs)}`, { tag: [...tag] }, async ({ explorer }) => {

@@ -63,18 +63,32 @@ export interface Study {
   readonly results: unknown;
 }
 
-function run(name: string): Study {
+/** Runs a case, or some of its analyses. */
+function run(name: string, ...only: readonly string[]): Study {
   const folder = join(mkdtempSync(join(tmpdir(), "judder-study-")), name);
-  execFileSync(JUDDER, ["run", join(ROOT, `cases/${name}.toml`), "-o", folder, "-q"]);
+  execFileSync(JUDDER, ["run", join(ROOT, `cases/${name}.toml`), "-o", folder, "-q", ...only.flatMap((analysis) => ["--only", analysis])]);
   return { folder, results: (JSON.parse(readFileSync(join(folder, "summary.json"), "utf8")) as { results: unknown }).results };
 }
 
-/** Tests of studies: two sliding cases, of which one has a spectrogram, a structure and an assembly; each is run once a worker. */
-export const studies = test.extend<object, { sliding: Study; edge: Study; block: Study; disc: Study }>({
+interface Studies {
+  readonly sliding: Study;
+  readonly edge: Study;
+  readonly block: Study;
+  readonly disc: Study;
+  readonly brake: Study;
+  readonly damper: Study;
+  readonly belt: Study;
+}
+
+/** Tests of studies: two sliding cases, of which one has a spectrogram, a structure, an assembly, and three whose cycles are sought; each is run once a worker. */
+export const studies = test.extend<object, Studies>({
   sliding: [async ({}, use) => use(run("sliding/falling-friction")), { scope: "worker", timeout: 240_000 }],
   edge: [async ({}, use) => use(run("sliding/curved-edge")), { scope: "worker", timeout: 240_000 }],
   block: [async ({}, use) => use(run("benchmarks/block")), { scope: "worker", timeout: 240_000 }],
   disc: [async ({}, use) => use(run("assembly/pad-on-turning-disc")), { scope: "worker", timeout: 240_000 }],
+  brake: [async ({}, use) => use(run("assembly/lumped-brake", "cycle", "damping")), { scope: "worker", timeout: 240_000 }],
+  damper: [async ({}, use) => use(run("assembly/friction-damper")), { scope: "worker", timeout: 240_000 }],
+  belt: [async ({}, use) => use(run("assembly/mass-on-falling-belt")), { scope: "worker", timeout: 240_000 }],
 });
 
 /** The browser notes refused requests, which the page shows to its user, and what its software renderer does slowly. */

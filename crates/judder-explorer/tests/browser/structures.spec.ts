@@ -109,6 +109,67 @@ test.describe("an assembly", () => {
   });
 });
 
+test.describe("a brake that squeals", () => {
+  test.use({ subject: async ({ brake }, use) => use([brake.folder]) });
+
+  test("shows its limit cycle: portrait, states over one period, levels", async ({ explorer, brake }) => {
+    const { page } = explorer;
+    await explorer.open("/structures?analysis=cycle");
+    const main = page.locator("main");
+    for (const title of ["stiffening: states of the points", "linear: states of the points", "contact point 1"]) {
+      await expect(main.locator("figure").filter({ hasText: `: ${title}` }).locator(".chart svg").first()).toBeVisible();
+    }
+    const levels = page.getByRole("region", { name: "Accelerations of the observed points" });
+    const mass = at(brake.results, "cycle.levels") as Record<string, { level_db: number }>;
+    for (const [name, { level_db: level }] of Object.entries(mass)) {
+      await expect(levels.getByRole("row", { name: new RegExp(`^${name} .* ${Number(level.toPrecision(6))}$`) })).toBeVisible();
+    }
+    // what the figure is made of comes when it is asked for
+    const drawn = await main.locator("figure").count();
+    await page.getByText("All arrays of cycle").click();
+    await expect.poll(() => main.locator("figure").count()).toBeGreaterThan(drawn);
+  });
+
+  test("shows how its cycle grows along a key, whose panels move together", async ({ explorer }) => {
+    const { page } = explorer;
+    await explorer.open("/structures?analysis=damping");
+    const charts = page.locator("main figure .chart");
+    await expect(charts).toHaveCount(2);
+    await expect(page.locator("main")).toContainText("stable ones solid, unstable ones dashed");
+    await expect(charts.first()).toContainText("stable cycles");
+    await charts.first().hover();
+    await page.mouse.wheel(0, -300);
+    await expect(page).toHaveURL(/zoom=figure-x-0(:|%3A)/);
+  });
+});
+
+test.describe("a belt that may be knocked", () => {
+  test.use({ subject: async ({ belt }, use) => use([belt.folder]) });
+
+  test("shows its ranking, its margin and its knocks", async ({ explorer, belt }) => {
+    const { page } = explorer;
+    await explorer.open("/structures?analysis=squeal");
+    await expect(page.locator("main figure").filter({ hasText: "what is left of the energy of knocks" }).locator(".chart svg").first()).toBeVisible();
+    await expect(page.getByRole("region", { name: "Modes that grow" })).toContainText("knocks suffice");
+    const [onset] = at(belt.results, "squeal.margin.onsets") as { margin: number }[];
+    const margins = page.getByRole("region", { name: /^How far before its onset/ });
+    await expect(margins.getByRole("cell", { name: String(Number(onset?.margin.toPrecision(6))), exact: true })).toBeVisible();
+  });
+});
+
+test.describe("a damper under a force that swings", () => {
+  test.use({ subject: async ({ damper }, use) => use([damper.folder]) });
+
+  test("shows its response, and gives its numbers", async ({ explorer }) => {
+    const { page } = explorer;
+    await explorer.open("/structures?analysis=response");
+    await expect(page.locator("main figure .chart")).toHaveCount(3);
+    await page.getByText("Export", { exact: true }).click();
+    const file = await downloaded(page, () => page.getByRole("button", { name: "CSV" }).first().click());
+    expect(readFileSync(file.path, "utf8").split("\n").length).toBeGreaterThan(100);
+  });
+});
+
 test.describe("a case that is only looked at in its results", () => {
   test.use({ subject: [join(ROOT, "cases/benchmarks/belt.toml")] });
 

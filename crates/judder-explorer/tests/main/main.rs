@@ -5,5 +5,6 @@
 mod answers;
 mod attacks;
 mod client;
+mod reported;
 mod scheduler;
 mod study;

@@ -6,6 +6,7 @@ import type { Range, Scale } from "../chart/scale";
 export interface Figure {
   readonly name: string;
   readonly title: string;
+  readonly caption: string;
   readonly columns: number;
   readonly panels: readonly Panel[];
 }

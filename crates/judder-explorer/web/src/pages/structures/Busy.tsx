@@ -3,7 +3,7 @@
 import { ErrorNote } from "../../ui/ErrorNote";
 import type { LiveArrays } from "./useArrays";
 
-export function Busy({ live, words }: { readonly live: LiveArrays; readonly words: string }) {
+export function Busy({ live, words }: { readonly live: Pick<LiveArrays, "error" | "busy" | "cancel">; readonly words: string }) {
   return (
     <>
       <ErrorNote error={live.error} />

@@ -107,7 +107,9 @@ function Shown({ study, analysis }: AnalysisProps) {
   if (analysis.kind === "march" && signalsOf(analysis).length > 0) {
     return <Seen analysis={analysis} view={<MarchView study={study} analysis={analysis} />} without={["bursts", "sound"]} />;
   }
-  if (eigenvalue?.shape.length === 1 || (variable(analysis, "frequency") && variable(analysis, "mode"))) {
+  // what modes grow to has frequencies too
+  const isOfModes = hasVariables(analysis, "frequency", "mode") && !variable(analysis, "growth_rate");
+  if (eigenvalue?.shape.length === 1 || isOfModes) {
     return <Seen analysis={analysis} view={<ModesView analysis={analysis} />} />;
   }
   return <GenericView analysis={analysis} />;

@@ -1,1 +1,0 @@
-import{D as e}from"./Value-Dfue7CfI.js";import{U as t}from"./index-C6JaNK7I.js";function n({dataKey:n,value:r}){let i=r!=null;return t(`span`,{"data-key":n,"data-value":i?r:``,title:i?String(r):void 0,children:i?e(r):`—`})}export{n as t};

@@ -316,6 +316,16 @@ pub enum Cause {
         /// The parameters that the entry depends on, as in `mu = 0.5`; empty where there are none.
         point: String,
     },
+    /// An expression in the place of a number that gives NaN or an infinity.
+    #[error("`{key}` is {value}{}{point}", if point.is_empty() { "" } else { ", at " })]
+    NotFiniteExpression {
+        /// The key.
+        key: String,
+        /// What the expression gave.
+        value: f64,
+        /// The parameters that it depends on, as in `mu = 0.5`; empty where there are none.
+        point: String,
+    },
     /// A file that the case names and that is not there.
     #[error("`{key}` names `{}`, which {what}", path.display())]
     File {

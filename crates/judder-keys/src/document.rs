@@ -218,7 +218,8 @@ pub const PARAMETER: &str = "parameter";
 /// The keys that name an item of a list: the first that it has.
 pub const NAMING: [&str; 2] = ["name", "kind"];
 
-fn name_of(node: &Node) -> Option<&str> {
+/// The name of an item of a list.
+pub(crate) fn name_of(node: &Node) -> Option<&str> {
     let name = NAMING.iter().find_map(|key| node.entry(key))?;
     if let Data::Text(name) = &name.data { Some(name) } else { None }
 }

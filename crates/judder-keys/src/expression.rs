@@ -1,4 +1,4 @@
-//! Expressions of a two-degrees case: `"1 - 4*mu/3"`, compiled once, evaluated at every point.
+//! Expressions of parameters: `"1 - 4*mu/3"`, compiled once, evaluated at every point.
 //!
 //! A compiler of our own: with it `-x^2` is −(x²) as on paper, no letter is taken but `pi`, and an error knows
 //! its place.

@@ -34,6 +34,7 @@ impl Cause {
             | Self::WrongDimension { key, .. }
             | Self::NeedsUnit { key, .. }
             | Self::NotFinite { key, .. }
+            | Self::NotFiniteExpression { key, .. }
             | Self::OutOfRange { key, .. }
             | Self::NotNumeric { key, .. }
             | Self::KeyTwice { key, .. }
@@ -56,7 +57,9 @@ impl Cause {
             Self::WrongDimension { .. } => "wrong unit",
             Self::MixedDimensions { .. } => "another dimension",
             Self::NeedsUnit { .. } => "no unit",
-            Self::NotFinite { .. } | Self::NotFiniteEntry { .. } => "not finite",
+            Self::NotFinite { .. } | Self::NotFiniteEntry { .. } | Self::NotFiniteExpression { .. } => {
+                "not finite"
+            }
             Self::OutOfRange { .. } => "out of range",
             Self::Conflict { .. } | Self::KeyTwice { .. } | Self::DuplicateName { .. } => "given twice",
             Self::NotNumeric { .. } => "not a number",
@@ -144,6 +147,10 @@ impl Cause {
             }
             Self::MatrixShape { .. } => "as in [[\"2\", \"1 - mu\"], [1, 2]]".to_owned(),
             Self::Expression { problem, parameters } => problem.help(parameters),
+            Self::NotFiniteExpression { .. } => {
+                "a number must be finite: mind division by zero, roots and logarithms of negative numbers"
+                    .to_owned()
+            }
             Self::NotFiniteEntry { .. } => {
                 "an entry must be finite: mind division by zero, roots and logarithms of negative numbers"
                     .to_owned()

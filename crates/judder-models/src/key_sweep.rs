@@ -148,6 +148,8 @@ impl KeySweep {
 /// What a case was read from, to read it anew with other values.
 pub(crate) struct Origin {
     root: Node,
+    /// The same with numbers in the place of expressions, where there are any.
+    evaluated: Option<Node>,
     /// What its files are relative to.
     pub(crate) folder: PathBuf,
 }
@@ -162,7 +164,7 @@ impl fmt::Debug for Origin {
 impl Origin {
     /// A number that the case gives at a dotted path, in SI units, with its dimension.
     pub(crate) fn number(&self, path: &str) -> Option<(f64, Dimension)> {
-        let node = path.split('.').try_fold(&self.root, |node, step| node.step(step))?;
+        let node = self.at_path(path)?;
         match &node.data {
             Data::Number { value, .. } => Some((*value, Dimension::NUMBER)),
             Data::Text(text) => {
@@ -174,14 +176,14 @@ impl Origin {
 
     /// The unit in which the case gives a number at a dotted path.
     pub(crate) fn unit(&self, path: &str) -> Option<WrittenUnit> {
-        let node = path.split('.').try_fold(&self.root, |node, step| node.step(step))?;
+        let node = self.at_path(path)?;
         self.number(path).map(|(_, dimension)| unit_of(Some(node), dimension))
     }
 
     /// The dotted paths of all numbers that the case gives, items of lists by their names.
     pub(crate) fn numbers(&self) -> Vec<String> {
         let mut found = Vec::new();
-        self.collect(&self.root, "", &mut found);
+        self.collect(self.evaluated(), "", &mut found);
         found
     }
 
@@ -209,7 +211,21 @@ impl Origin {
     }
 
     pub(crate) fn new(root: &Node, folder: &Path) -> Self {
-        Self { root: root.clone(), folder: folder.to_owned() }
+        Self { root: root.clone(), evaluated: None, folder: folder.to_owned() }
+    }
+
+    /// The same with what its expressions give.
+    pub(crate) fn with_evaluated(self, evaluated: Node) -> Self {
+        Self { evaluated: Some(evaluated), ..self }
+    }
+
+    /// What stands at a dotted path.
+    fn at_path(&self, path: &str) -> Option<&Node> {
+        path.split('.').try_fold(self.evaluated(), |node, step| node.step(step))
+    }
+
+    fn evaluated(&self) -> &Node {
+        self.evaluated.as_ref().unwrap_or(&self.root)
     }
 
     /// The case with swept keys at these values, in SI units, as `read` has it.

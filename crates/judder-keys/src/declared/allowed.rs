@@ -1,5 +1,6 @@
 //! What a case file may say under a key: the schema and the reference are written from it.
 
+use super::expressed::expression_schema;
 use super::rules::{Number, UNLIMITED, Whole};
 use crate::numeric_key::Scaled;
 use crate::quantity::Quantity;
@@ -59,6 +60,8 @@ pub enum Allowed {
     File,
     /// A number, or an expression of parameters.
     Expression,
+    /// A number of this form, or an expression of parameters in its place, with the unit of its value.
+    Expressed(Box<Allowed>),
     /// A number, or a quantity whose unit another key decides.
     Quantity,
     /// One of a few words, each with what it means.
@@ -113,6 +116,7 @@ impl Allowed {
             Self::List { .. } => format!("{key} = [ … ]"),
             Self::Named(_) => format!("{key} = {{ NAME = … }}"),
             Self::Either(forms) => forms.first().map_or(String::new(), |form| form.example(key, doc)),
+            Self::Expressed(of) => of.example(key, doc),
             Self::File => format!("{key} = \"…\", a path relative to the case file"),
             Self::Expression | Self::Quantity | Self::Scaled(_) | Self::Told { .. } => {
                 format!("{key} = …, {doc}")
@@ -134,6 +138,10 @@ impl Allowed {
             Self::Flag => json!({ "type": "boolean" }),
             Self::Text | Self::File => json!({ "type": "string" }),
             Self::Expression | Self::Quantity => json!({ "type": ["number", "string"] }),
+            Self::Expressed(of) => {
+                let forms = [vec![of.schema()], expression_schema(of)].concat();
+                json!({ "anyOf": forms })
+            }
             Self::Choice { words } => {
                 json!({ "enum": words.iter().map(|(word, _)| *word).collect::<Vec<_>>() })
             }
@@ -312,6 +320,7 @@ impl Allowed {
             Self::Text => "a text".to_owned(),
             Self::File => "a path relative to the case file".to_owned(),
             Self::Expression => "a number, or an expression of the parameters in quotes".to_owned(),
+            Self::Expressed(of) => of.words(),
             Self::Quantity => "a number, or a quantity with the key's unit".to_owned(),
             Self::Choice { words } => {
                 let word = |(word, doc): &(&str, &str)| match *doc {

@@ -14,7 +14,7 @@ impl Declaration {
     ///
     /// | kind | with |
     /// | --- | --- |
-    /// | `number` | `group`: what a plain number is, `null` where none may be given; `unit`: the SI unit of a quantity, `null` where none may be given; `range` |
+    /// | `number` | `group`: what a plain number is, `null` where none may be given; `unit`: the SI unit of a quantity, `null` where none may be given; `range`; `expression`: true where an expression of parameters may stand in its place |
     /// | `whole` | `range` |
     /// | `flag`, `text` | |
     /// | `choice` | `words`: each with its `word` and `doc` |
@@ -40,6 +40,11 @@ impl Allowed {
         match self {
             Self::Number(Number { dimension, range }) => {
                 number(*dimension, dimension.is_number().then_some(""), *range)
+            }
+            Self::Expressed(of) => {
+                let mut json = of.document();
+                json["expression"] = json!(true);
+                json
             }
             Self::Scaled(scaled) => number(scaled.dimension, scaled.group, scaled.range),
             Self::Whole(Whole { from, to }) => json!({ "kind": "whole", "range": whole(*from, *to) }),

@@ -32,7 +32,7 @@ pub fn listed(prefix: &str, keys: &[Declaration]) -> Vec<Listed> {
 impl Listed {
     /// Whether it is a number, with a unit or without, that is no count.
     pub fn is_number(&self) -> bool {
-        matches!(self.key.form, Allowed::Number(_) | Allowed::Scaled(_))
+        matches!(self.key.form, Allowed::Number(_) | Allowed::Scaled(_) | Allowed::Expressed(_))
     }
 
     /// The words that it may be, among other things.

@@ -33,7 +33,9 @@ use asperity::SphereSubstrate;
 use contact::{ContactForceSettings, ContactInterface};
 use joint::{SpringSettings, Tie};
 use judder_keys::Settings;
-use judder_keys::declared::{Setting, Several, all, both};
+use judder_keys::declared::{
+    Declaration, Evaluated, ExpressionScope, NumberExpression, Setting, Settings as _, Several, all, both,
+};
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
@@ -48,9 +50,9 @@ use judder_study::model::Analysis;
 use load::Load;
 use named_list::{NamedItem, NamedList, item_section};
 use problem::AssemblyProblem;
-use serde_json::Value as Json;
+use serde_json::{Value as Json, json};
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 use structure::{AssemblyStructure, BodyReduction, ReducedBody};
 use watched::{WatchedPoint, WatchedPoints};
 
@@ -59,8 +61,10 @@ use watched::{WatchedPoint, WatchedPoints};
 pub struct AssemblyCase {
     /// The title; empty where the case gives none.
     pub title: String,
-    /// The parameters in the order of the case file; only factors and entries of matrices use them.
+    /// The parameters in the order of the case file.
     pub parameters: Vec<Parameter>,
+    /// What stands in the place of numbers.
+    pub expressions: Vec<NumberExpression>,
     /// The bodies in the order of the case file.
     pub structures: Vec<AssemblyStructure>,
     /// Where they touch.
@@ -87,7 +91,7 @@ pub struct AssemblyCase {
 #[derive(Debug, Settings)]
 #[settings(title = "an assembly case")]
 pub(crate) struct AssemblySections {
-    /// Numbers that factors and entries of matrices use and sweeps vary.
+    /// Numbers that expressions use and sweeps vary.
     parameters: Parameters,
     /// The bodies.
     #[key(example = "[[structure]], one table for each body")]
@@ -109,6 +113,31 @@ pub(crate) struct AssemblySections {
     /// What the spheres of contacts slide on; its keys are those of an oscillator case.
     #[key(omitted)]
     substrate: Option<SubstrateKeys>,
+}
+
+/// By which key the parameters are called.
+const PARAMETERS: &str = "parameters";
+
+/// The keys of a case: of all but the parameters themselves numbers may be expressions of these.
+pub(super) fn declared() -> Vec<Declaration> {
+    let own = |key: Declaration| if key.name == PARAMETERS { key } else { key.with_expressions() };
+    AssemblySections::declarations().into_iter().map(own).collect()
+}
+
+/// The tree of a case with numbers in the place of expressions.
+fn evaluated(root: &Node) -> Result<Evaluated, Fault> {
+    static KEYS: LazyLock<Vec<Declaration>> = LazyLock::new(declared);
+    let given = |node: &Node| Parameters::read(&Section::of_case(root, "")?, PARAMETERS, node, &());
+    let parameters = root.entry(PARAMETERS).map_or_else(|| Ok(Parameters::default()), given);
+    let known = parameters.as_ref().map_or_else(|_| Parameters::default(), Parameters::clone);
+    let (names, values) = (known.names(), known.values());
+    let evaluated = ExpressionScope { names: &names, values: &values }.evaluated(root, &KEYS);
+    match (parameters, evaluated) {
+        // without expressions what is wrong with the parameters is told beside what is wrong with other keys
+        (Err(_), Ok(own)) if own.expressions.is_empty() => Ok(own),
+        (Err(fault), _) => Err(fault),
+        (Ok(_), evaluated) => evaluated,
+    }
 }
 
 const LOADS: Several<()> = Several { of: (), length: [0, usize::MAX] };
@@ -170,7 +199,8 @@ impl AssemblyCase {
     /// # Errors
     /// [`KeySweepProblem::SweptKey`] where the case has no such key, [`KeySweepProblem::SweptValue`] where there is no such case.
     pub fn at(&self, swept: &[(&KeySweep, f64)]) -> Result<Self, KeySweepProblem> {
-        self.origin.at(swept, |root, folder| read_bodies(root, folder).and_then(|(_, case)| case))
+        self.origin
+            .at(swept, |root, folder| read_bodies(root, &evaluated(root)?, folder).and_then(|(_, case)| case))
     }
 
     /// A number that the case gives at a dotted path, in SI units, with its dimension.
@@ -198,6 +228,11 @@ impl AssemblyCase {
             ("load", self.loads.write(&LOADS)),
         ]));
         // without any the form is that of cases from before there were any
+        if !self.expressions.is_empty() {
+            let own = self.expressions.iter();
+            let written = own.map(|own| json!({ "key": own.path, "expression": own.text, "unit": own.unit }));
+            json.insert("expressions".to_owned(), written.collect());
+        }
         let springs = self.springs.iter().map(NamedItem::written).collect::<Vec<_>>();
         let ties = self.ties.iter().map(NamedItem::written).collect::<Vec<_>>();
         if !self.watched.is_empty() {
@@ -218,7 +253,8 @@ impl AssemblyCase {
 
 /// Reads an assembly case from the root of its tree; files are relative to `folder`.
 pub(crate) fn read(node: &Node, folder: &Path) -> Result<AssemblyCase, Fault> {
-    let (root, case) = read_bodies(node, folder)?;
+    let evaluated = evaluated(node)?;
+    let (root, case) = read_bodies(node, &evaluated, folder)?;
     let analyses = read_analyses(&root, &case.as_ref().ok().cloned(), &KINDS, REGISTRY);
     let (case, analyses) = both(case, analyses)?;
     if let Some(Node { data: Data::List(nodes), .. }) = node.entry("analysis") {
@@ -231,10 +267,14 @@ pub(crate) fn read(node: &Node, folder: &Path) -> Result<AssemblyCase, Fault> {
 type ReadAssembly<'a> = (Section<'a>, Result<AssemblyCase, Fault>);
 
 /// Everything but the analyses.
-fn read_bodies<'a>(node: &'a Node, folder: &Path) -> Result<ReadAssembly<'a>, Fault> {
-    let (root, sections) = read_root::<AssemblySections>(node)?;
+fn read_bodies<'a>(node: &Node, evaluated: &'a Evaluated, folder: &Path) -> Result<ReadAssembly<'a>, Fault> {
+    let Evaluated { root, expressions } = evaluated;
+    let origin = Origin::new(node, folder);
+    let origin = if expressions.is_empty() { origin } else { origin.with_evaluated(root.clone()) };
+    let (root, sections) = read_root::<AssemblySections>(root)?;
     let case = both(sections, refuse_conflicts(&root)).and_then(|((title, sections), ())| {
-        sections.found(title, &root, &Arc::new(Origin::new(node, folder)))
+        let case = sections.found(title, &root, &Arc::new(origin))?;
+        Ok(AssemblyCase { expressions: expressions.clone(), ..case })
     });
     Ok((root, case))
 }
@@ -286,10 +326,11 @@ impl AssemblySections {
             });
         let (substrate, spheres) = admitted?;
         let (contacts, springs, ties, loads) = (contact.0, spring.0, tie.0, load);
-        let (parameters, analyses) = (parameters.0, Vec::new());
+        let (parameters, expressions, analyses) = (parameters.0, Vec::new(), Vec::new());
         Ok(AssemblyCase {
             title,
             parameters,
+            expressions,
             structures,
             contacts,
             springs,

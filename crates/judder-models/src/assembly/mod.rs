@@ -31,8 +31,8 @@ pub mod stability_map;
 pub mod steady_sliding;
 mod swept;
 
+use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
-use crate::assembly::case::{AssemblyCase, AssemblySections};
 use crate::error::ModelError;
 use crate::material::with_used;
 use build::BuiltAssembly;
@@ -42,7 +42,6 @@ use judder_assembly::interface::InterfaceLaw;
 use judder_assembly::steady::{
     FrictionAmount, FrictionLimit, PointState, SteadySliding, steady_sliding as slide,
 };
-use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
 use judder_nonsmooth::course::Course;
 use judder_study::case::analysis::{Kinds, Planned};
@@ -217,7 +216,7 @@ pub(crate) const MODEL: ModelKind = ModelKind {
     name: "assembly",
     read: |root, folder| case::read(root, folder).map(Case::new),
     doc: "bodies that touch at many points",
-    declared: AssemblySections::declarations,
+    declared: case::declared,
     swept: Vec::new,
     prose: include_str!("reference.md"),
     template: Template { name: "assembly", text: include_str!("template.toml"), lines: |_| String::new() },

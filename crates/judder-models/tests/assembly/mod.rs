@@ -5,6 +5,7 @@ mod contributions;
 mod cycles;
 mod deformed;
 mod driven;
+mod expressions;
 mod interface_modes;
 mod joined;
 mod knocks;

@@ -7,6 +7,7 @@ mod bad_assembly_motion;
 mod bad_chamfer;
 mod bad_contact;
 mod bad_contacts;
+mod bad_expressions;
 mod bad_family;
 mod bad_key;
 mod bad_motion;

@@ -19,7 +19,7 @@ use serde_json::{Map, Value as Json};
 
 pub use crate::numeric_key::Scaled;
 pub use allowed::{Allowed, Declaration, alternatives, declared_table, with_declared};
-pub use expressed::{Evaluated, ExpressionScope, NumberExpression};
+pub use expressed::{EvaluatedTree, ExpressionScope, NumberExpression};
 pub use listed::{Listed, listed};
 pub use named::Named;
 pub use rules::{Fixed, Number, NumberPair, Several, UNLIMITED, Whole};

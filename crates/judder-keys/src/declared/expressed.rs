@@ -91,7 +91,7 @@ pub struct NumberExpression {
 
 /// A tree, and what stood where its numbers are.
 #[derive(Debug)]
-pub struct Evaluated {
+pub struct EvaluatedTree {
     /// With numbers in the place of expressions.
     pub root: Node,
     /// The expressions, in the order of the tree.
@@ -114,11 +114,11 @@ impl ExpressionScope<'_> {
     ///
     /// # Errors
     /// All that is wrong with them: unknown names, what is no expression, values that are not finite, units of another dimension.
-    pub fn evaluated(self, root: &Node, keys: &[Declaration]) -> Result<Evaluated, Fault> {
+    pub fn evaluated(self, root: &Node, keys: &[Declaration]) -> Result<EvaluatedTree, Fault> {
         let (mut root, mut expressions) = (root.clone(), Vec::new());
         let table = Allowed::Table { doc: "", keys: keys.to_vec() };
         self.walk(&mut root, &[&table], "", &mut expressions)?;
-        Ok(Evaluated { root, expressions })
+        Ok(EvaluatedTree { root, expressions })
     }
 
     fn walk(
@@ -280,7 +280,7 @@ mod tests {
         keys.into_iter().map(Declaration::with_expressions).collect()
     }
 
-    fn evaluated(text: &str) -> Result<Evaluated, Fault> {
+    fn evaluated(text: &str) -> Result<EvaluatedTree, Fault> {
         let names = ["t".to_owned()];
         ExpressionScope { names: &names, values: &[20.0] }.evaluated(&parse(text).unwrap(), &declared())
     }
@@ -288,7 +288,7 @@ mod tests {
     #[test]
     fn numbers_stand_where_expressions_were() {
         let text = "friction = \"0.5 - t/100\"\nkind = \"t\"\ninner = { modulus = { expression = \"t + 1\", unit = \"GPa\" } }\nplaces = [\"1 m\", { expression = \"2*t\", unit = \"mm\" }]";
-        let Evaluated { root, expressions } = evaluated(text).unwrap();
+        let EvaluatedTree { root, expressions } = evaluated(text).unwrap();
         assert!(matches!(root.entry("friction").unwrap().data, Data::Number { value: 0.3, .. }));
         let text = |node: &Node| match &node.data {
             Data::Text(text) => text.clone(),

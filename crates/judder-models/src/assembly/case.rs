@@ -34,7 +34,7 @@ use contact::{ContactForceSettings, ContactInterface};
 use joint::{SpringSettings, Tie};
 use judder_keys::Settings;
 use judder_keys::declared::{
-    Declaration, Evaluated, ExpressionScope, NumberExpression, Setting, Settings as _, Several, all, both,
+    Declaration, EvaluatedTree, ExpressionScope, NumberExpression, Setting, Settings as _, Several, all, both,
 };
 use judder_keys::dimension::Dimension;
 use judder_keys::document::{Data, Node};
@@ -125,7 +125,7 @@ pub(super) fn declared() -> Vec<Declaration> {
 }
 
 /// The tree of a case with numbers in the place of expressions.
-fn evaluated(root: &Node) -> Result<Evaluated, Fault> {
+fn evaluated(root: &Node) -> Result<EvaluatedTree, Fault> {
     static KEYS: LazyLock<Vec<Declaration>> = LazyLock::new(declared);
     let given = |node: &Node| Parameters::read(&Section::of_case(root, "")?, PARAMETERS, node, &());
     let parameters = root.entry(PARAMETERS).map_or_else(|| Ok(Parameters::default()), given);
@@ -267,8 +267,12 @@ pub(crate) fn read(node: &Node, folder: &Path) -> Result<AssemblyCase, Fault> {
 type ReadAssembly<'a> = (Section<'a>, Result<AssemblyCase, Fault>);
 
 /// Everything but the analyses.
-fn read_bodies<'a>(node: &Node, evaluated: &'a Evaluated, folder: &Path) -> Result<ReadAssembly<'a>, Fault> {
-    let Evaluated { root, expressions } = evaluated;
+fn read_bodies<'a>(
+    node: &Node,
+    evaluated: &'a EvaluatedTree,
+    folder: &Path,
+) -> Result<ReadAssembly<'a>, Fault> {
+    let EvaluatedTree { root, expressions } = evaluated;
     let origin = Origin::new(node, folder);
     let origin = if expressions.is_empty() { origin } else { origin.with_evaluated(root.clone()) };
     let (root, sections) = read_root::<AssemblySections>(root)?;

@@ -197,14 +197,10 @@ impl Example {
             let path = path.to_owned();
             |source| ExampleError::Write { path, source }
         };
-        fs::create_dir_all(folder).map_err(failed(folder))?;
+        judder_disk::create_folders(folder).map_err(failed(folder))?;
         for (path, content) in missing {
-            let aside = path.with_extension(format!("{}.tmp", std::process::id()));
-            let written = fs::write(&aside, content).and_then(|()| fs::rename(&aside, path));
-            written.map_err(|source| {
-                let _ = fs::remove_file(&aside);
-                failed(path)(source)
-            })?;
+            let written: io::Result<()> = judder_disk::write_whole(path, |out| out.write_all(content));
+            written.map_err(failed(path))?;
         }
         Ok(folder.join(&self.file))
     }

@@ -71,6 +71,7 @@ impl StudyFolder {
         }
         let lock = lock::try_lock(&prepare(output)?, LockMode::Alone)?;
         let lock = Arc::new(lock.ok_or_else(|| StoreError::Locked { path: output.to_owned() })?);
+        staging::sweep(output, staging::PREFIX)?;
         let manifest = Mutex::new(ManifestKeeper::take(path)?);
         let output = Some(output.to_owned());
         Ok(Self { path: path.to_owned(), output, publishing: Mutex::new(()), manifest, lock })
@@ -108,7 +109,11 @@ impl StudyFolder {
             let forget = || {
                 // Moved away in one step first, so that a kill leaves no half of it.
                 let stage = Stage::new(&self.path)?;
-                if path.symlink_metadata().is_ok() { fs::rename(&path, stage.place(name)) } else { Ok(()) }
+                if path.symlink_metadata().is_ok() {
+                    judder_disk::rename(&path, &stage.place(name))
+                } else {
+                    Ok(())
+                }
             };
             forget().map_err(|source| StoreError::write(&path, 0, source))?;
         }
@@ -293,7 +298,7 @@ impl StudyFolder {
     ) -> Result<PathBuf, StoreError> {
         let path = self.inner_place(relative)?;
         let folder = path.parent().unwrap_or(&self.path);
-        fs::create_dir_all(folder)
+        judder_disk::create_folders(folder)
             .map_err(|source| StoreError::write(&path, content.len() as u64, source))?;
         self.put(analysis, &path, content)?;
         Ok(path)
@@ -343,7 +348,7 @@ pub(crate) fn prepare(path: &Path) -> Result<PathBuf, StoreError> {
     if whole.to_str().is_none() {
         return Err(StoreError::PathNotText { path: path.to_owned() });
     }
-    fs::create_dir_all(path).map_err(|source| match source.kind() {
+    judder_disk::create_folders(path).map_err(|source| match source.kind() {
         ErrorKind::AlreadyExists | ErrorKind::NotADirectory => {
             StoreError::NotAFolder { path: path.to_owned() }
         }

@@ -17,7 +17,8 @@
 //! - [`StreamWriter`] (`stream.rs`): a dataset in the making, too long for memory, with the checkpoint from which an interrupted analysis goes on.
 //! - [`SweepLayout`], [`SweepStore`] (`sweep.rs`): many points, computed chunk by chunk by any number of processes.
 //! - `zarr.rs`, `array.rs`: one dataset as one group of the Zarr v3 store `results.zarr`, and its arrays; `metadata.rs`: the metadata of its groups,
-//!   consolidated so that one read opens all; `staging.rs`: the atomic write under all of the above.
+//!   consolidated so that one read opens all; `group_store.rs`: its files as the array library writes them; `staging.rs`: the atomic write under all of the above, whose calls
+//!   are those of `judder-disk`.
 //! - `manifest.rs`: `manifest.json`, what a study was when it was written, so that damage is told from results ([`FileDamage`]); [`verify`] (`verify.rs`)
 //!   compares all of a study with it. `plain.rs`: regular files, and no pipes and devices.
 //! - [`content_hash`] (`hash.rs`) names a case or an analysis by its content.
@@ -31,6 +32,7 @@ mod dataset;
 mod declared;
 mod error;
 mod folder;
+mod group_store;
 mod hash;
 mod lock;
 mod lock_sign;

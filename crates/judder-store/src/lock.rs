@@ -1,6 +1,6 @@
 //! Locks of the operating system, which end with the process however it ends.
 
-use std::fs::{File, OpenOptions, TryLockError};
+use std::fs::{File, TryLockError};
 use std::io::{self, ErrorKind};
 use std::path::Path;
 use std::sync::Arc;
@@ -39,7 +39,7 @@ impl Drop for Lock {
     fn drop(&mut self) {
         // Who holds it alone takes the name off that `sign` has written: what a study holds does not depend on who wrote it.
         if self.is_real && self.mode == LockMode::Alone {
-            let _ = self.file.set_len(0);
+            let _ = judder_disk::set_length(&self.file, 0);
         }
         // To close the file is not enough while a child process that is being started still has it. What fails here ends with the process.
         let _ = self.file.unlock();
@@ -66,8 +66,7 @@ pub(crate) fn try_lock(path: &Path, mode: LockMode) -> Result<Option<Lock>, Stor
 
 /// Readable and writable, since a network file system may ask for the one or the other by the kind of lock.
 fn open(path: &Path) -> Result<File, StoreError> {
-    let opened = OpenOptions::new().create(true).truncate(false).read(true).write(true).open(path);
-    opened.map_err(|source| StoreError::write(path, 0, source))
+    judder_disk::open_lasting(path).map_err(|source| StoreError::write(path, 0, source))
 }
 
 fn unlocked(path: &Path, file: File, mode: LockMode, source: io::Error) -> Result<Lock, StoreError> {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 use std::fs::{self, File};
-use std::io::{Seek, Write};
+use std::io::Seek;
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
@@ -50,9 +50,14 @@ pub fn lock_sign(study: &Path) -> LockSign {
 }
 
 /// Names this process in a file that it has locked, and touches it from now on.
-pub(crate) fn sign(mut file: &File, kept: &Arc<File>) {
+pub(crate) fn sign(file: &File, kept: &Arc<File>) {
     // who cannot write it has no name, and is waited for no longer than others
-    let _ = file.set_len(0).and_then(|()| file.rewind()).and_then(|()| writeln!(file, "{}", own_name()));
+    let write = |mut file: &File| {
+        judder_disk::set_length(file, 0)?;
+        file.rewind()?;
+        judder_disk::write(file, format!("{}\n", own_name()).as_bytes())
+    };
+    let _ = write(file);
     let mut held = HELD.lock().unwrap_or_else(PoisonError::into_inner);
     held.1.retain(|other| other.strong_count() > 0);
     held.1.push(Arc::downgrade(kept));

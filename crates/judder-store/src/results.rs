@@ -52,7 +52,7 @@ pub(crate) fn write(
     let publish = || -> io::Result<()> {
         let forgetful = stage.file("forgetful", &metadata::content(&forgetful))?;
         let knowing = stage.file("knowing", &metadata::content(&knowing))?;
-        fs::create_dir_all(&results)?;
+        judder_disk::create_folders(&results)?;
         let root = results.join(metadata::FILE);
         staging::rename(&forgetful, &root)?;
         staging::replace_folder(&stage, &staged, &target)?;
@@ -98,7 +98,7 @@ pub(crate) fn add(stage: &Stage, staged: &Path, study: &Path, name: &str) -> io:
     let results = study.join(FOLDER);
     let target = results.join(name);
     staging::sync_tree(staged)?;
-    fs::create_dir_all(&results)?;
+    judder_disk::create_folders(&results)?;
     let forgetful = stage.file("forgetful", &metadata::content(&metadata::group(Map::new(), None)))?;
     staging::rename(&forgetful, &results.join(metadata::FILE))?;
     match staging::rename(staged, &target) {

@@ -1,11 +1,12 @@
 //! What a long analysis keeps while it runs, so that an interrupted one goes on from there.
 
-use std::fs::{File, OpenOptions};
-use std::io::{self, Write};
+use std::fs::File;
+use std::io;
+use std::iter;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use crate::{StoreError, plain, staging};
+use crate::{StoreError, plain};
 
 /// How the names of their files begin.
 pub(crate) const PREFIX: &str = ".scratch-";
@@ -51,15 +52,13 @@ impl Scratch {
         let write = |file: &mut Option<File>| -> io::Result<()> {
             if file.is_none() {
                 // written anew with what is known, so that no torn line stays in the middle
-                let mut fresh =
-                    OpenOptions::new().create(true).truncate(true).write(true).open(&self.path)?;
-                fresh.write_all(format!("{}\n", self.hash).as_bytes())?;
-                for line in &self.lines {
-                    fresh.write_all(format!("{line}\n").as_bytes())?;
+                let fresh = judder_disk::create_file(&self.path)?;
+                for known in iter::once(&self.hash).chain(&self.lines) {
+                    judder_disk::write(&fresh, format!("{known}\n").as_bytes())?;
                 }
                 *file = Some(fresh);
             }
-            file.as_mut().map_or(Ok(()), |file| file.write_all(format!("{line}\n").as_bytes()))
+            file.as_ref().map_or(Ok(()), |file| judder_disk::write(file, format!("{line}\n").as_bytes()))
         };
         write(&mut file).map_err(|source| StoreError::write(&self.path, line.len() as u64, source))
     }
@@ -69,7 +68,7 @@ impl Scratch {
     /// # Errors
     /// A failure of the file system.
     pub fn discard(self) -> Result<(), StoreError> {
-        staging::remove(&self.path).map_err(|source| StoreError::write(&self.path, 0, source))
+        judder_disk::remove(&self.path).map_err(|source| StoreError::write(&self.path, 0, source))
     }
 }
 

@@ -1,11 +1,11 @@
 //! The atomic write: everything is put together in a staging folder inside the study, forced to the disk, and then renamed
 //! into place. A write that fails removes its staging folder; one that is killed leaves it for [`sweep`].
 
-use std::fs::{self, File};
-use std::io::{self, ErrorKind, Write};
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
-use tempfile::TempDir;
+use judder_disk::StagingFolder;
 
 use crate::StoreError;
 
@@ -15,11 +15,11 @@ pub(crate) const PREFIX: &str = ".partial-";
 pub(crate) const STREAM_PREFIX: &str = ".stream-";
 
 /// A staging folder, on the disk of the study so that a rename can leave it. Removed when dropped.
-pub(crate) struct Stage(TempDir);
+pub(crate) struct Stage(StagingFolder);
 
 impl Stage {
     pub(crate) fn new(study: &Path) -> io::Result<Self> {
-        tempfile::Builder::new().prefix(PREFIX).tempdir_in(study).map(Self)
+        StagingFolder::new(study, PREFIX).map(Self)
     }
 
     /// A place in the staging folder.
@@ -30,9 +30,9 @@ impl Stage {
     /// Writes a file into the staging folder and forces it to the disk.
     pub(crate) fn file(&self, name: &str, content: &[u8]) -> io::Result<PathBuf> {
         let place = self.place(name);
-        let mut file = File::create_new(&place)?;
-        file.write_all(content)?;
-        file.sync_all()?;
+        let file = judder_disk::create_new_file(&place)?;
+        judder_disk::write(&file, content)?;
+        judder_disk::sync(&file)?;
         Ok(place)
     }
 }
@@ -52,22 +52,22 @@ pub(crate) fn write_unforced(study: &Path, target: &Path, content: &[u8]) -> Res
     let write = || {
         let stage = Stage::new(study)?;
         let staged = stage.place("content");
-        fs::write(&staged, content)?;
-        fs::rename(&staged, target)
+        judder_disk::write(&judder_disk::create_new_file(&staged)?, content)?;
+        judder_disk::rename(&staged, target)
     };
     write().map_err(|source| StoreError::write(target, content.len() as u64, source))
 }
 
 /// Puts a staged file or folder in the place of whatever stands there, a folder among it.
 pub(crate) fn put(staged: &Path, target: &Path) -> io::Result<()> {
-    remove(target)?;
+    judder_disk::remove(target)?;
     rename(staged, target)
 }
 
 /// Renames a staged file or folder to a place where there is nothing, or a file to replace.
 pub(crate) fn rename(staged: &Path, target: &Path) -> io::Result<()> {
-    fs::rename(staged, target)?;
-    target.parent().map_or(Ok(()), sync_folder)
+    judder_disk::rename(staged, target)?;
+    target.parent().map_or(Ok(()), judder_disk::sync_folder)
 }
 
 /// Puts a staged folder at `target`; what stood there ends up in the staging folder.
@@ -78,29 +78,18 @@ pub(crate) fn replace_folder(stage: &Stage, staged: &Path, target: &Path) -> io:
     if !target.exists() {
         return rename(staged, target);
     }
-    if exchange(staged, target).is_err() {
+    if judder_disk::exchange(staged, target).is_err() {
         replace_in_two_steps(staged, target, &stage.place("replaced"))?;
     }
-    target.parent().map_or(Ok(()), sync_folder)
+    target.parent().map_or(Ok(()), judder_disk::sync_folder)
 }
 
 fn replace_in_two_steps(staged: &Path, target: &Path, aside: &Path) -> io::Result<()> {
-    fs::rename(target, aside)?;
-    fs::rename(staged, target).or_else(|source| {
-        fs::rename(aside, target)?;
+    judder_disk::rename(target, aside)?;
+    judder_disk::rename(staged, target).or_else(|source| {
+        judder_disk::rename(aside, target)?;
         Err(source)
     })
-}
-
-#[cfg(any(target_os = "linux", target_vendor = "apple"))]
-fn exchange(one: &Path, other: &Path) -> io::Result<()> {
-    use rustix::fs::{CWD, RenameFlags, renameat_with};
-    Ok(renameat_with(CWD, one, CWD, other, RenameFlags::EXCHANGE)?)
-}
-
-#[cfg(not(any(target_os = "linux", target_vendor = "apple")))]
-fn exchange(_one: &Path, _other: &Path) -> io::Result<()> {
-    Err(ErrorKind::Unsupported.into())
 }
 
 /// Forces the entries of a folder, and of all folders in it, to the disk.
@@ -111,12 +100,7 @@ pub(crate) fn sync_tree(folder: &Path) -> io::Result<()> {
             sync_tree(&entry.path())?;
         }
     }
-    sync_folder(folder)
-}
-
-/// Forces the entries of a folder to the disk, where the system has a notion of it.
-pub(crate) fn sync_folder(folder: &Path) -> io::Result<()> {
-    if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) }
+    judder_disk::sync_folder(folder)
 }
 
 /// Removes all of a study whose names begin so: the staging folders that a killed run left, what analyses kept while they ran.
@@ -125,7 +109,7 @@ pub(crate) fn sweep(study: &Path, prefix: &str) -> Result<(), StoreError> {
         let entry = entry.map_err(|source| StoreError::read(study, source))?;
         if entry.file_name().to_string_lossy().starts_with(prefix) {
             let left = entry.path();
-            remove(&left).map_err(|source| StoreError::FileSystem {
+            judder_disk::remove(&left).map_err(|source| StoreError::FileSystem {
                 action: "remove",
                 path: left,
                 source,
@@ -133,19 +117,6 @@ pub(crate) fn sweep(study: &Path, prefix: &str) -> Result<(), StoreError> {
         }
     }
     Ok(())
-}
-
-/// Removes a file or a folder; nothing there is as good.
-pub(crate) fn remove(path: &Path) -> io::Result<()> {
-    let removed = match fs::symlink_metadata(path) {
-        Ok(metadata) if metadata.is_dir() => fs::remove_dir_all(path),
-        Ok(_) => fs::remove_file(path),
-        Err(source) => Err(source),
-    };
-    match removed {
-        Err(source) if source.kind() != ErrorKind::NotFound => Err(source),
-        _ => Ok(()),
-    }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufReader, ErrorKind, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -352,9 +352,9 @@ fn left_by_earlier_run(
 /// A folder with nothing appended yet, in place of whatever is there.
 fn start_anew(folder: &Path, variables: &[Variable]) -> io::Result<()> {
     remove(folder)?;
-    fs::create_dir(folder)?;
+    judder_disk::create_folder(folder)?;
     for variable in variables {
-        File::create_new(place(folder, variable))?;
+        judder_disk::create_new_file(&place(folder, variable))?;
     }
     staging::sync_tree(folder)
 }
@@ -362,19 +362,19 @@ fn start_anew(folder: &Path, variables: &[Variable]) -> io::Result<()> {
 /// Removes a stream, the checkpoint first: a kill leaves no checkpoint without its values.
 fn remove(folder: &Path) -> io::Result<()> {
     if folder.is_dir() {
-        staging::remove(&folder.join(CHECKPOINT))?;
+        judder_disk::remove(&folder.join(CHECKPOINT))?;
     }
-    staging::remove(folder)
+    judder_disk::remove(folder)
 }
 
 /// Writes bytes to the disk at a place, and cuts off what a torn append left beyond it, this one too.
 fn write_at(file: &mut File, place: u64, bytes: &[u8]) -> io::Result<()> {
-    file.set_len(place)?;
+    judder_disk::set_length(file, place)?;
     file.seek(SeekFrom::Start(place))?;
-    let written = file.write_all(bytes).and_then(|()| file.sync_all());
+    let written = judder_disk::write(file, bytes).and_then(|()| judder_disk::sync(file));
     if written.is_err() {
         // on a full disk a torn append would take the room of others; what fails here is cut off by the next append
-        let _ = file.set_len(place);
+        let _ = judder_disk::set_length(file, place);
     }
     written
 }

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::error::Error;
-use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -18,6 +17,7 @@ use zarrs::filesystem::FilesystemStore;
 use zarrs::storage::StorageError;
 
 use crate::array::{self, ReadFailure};
+use crate::group_store::GroupStore;
 use crate::metadata::{self, HASH_ATTRIBUTE};
 use crate::{Dataset, StoreError, Variable, VariableValues, plain};
 
@@ -89,13 +89,14 @@ pub(crate) fn write_group_by(
     folder: &Path,
     hash: &str,
     dataset: &Dataset,
-    write: impl Fn(&Arc<FilesystemStore>, &Variable) -> Result<Value, WriteFailure>,
+    write: impl Fn(&Arc<GroupStore>, &Variable) -> Result<Value, WriteFailure>,
 ) -> Result<(), WriteFailure> {
-    fs::create_dir(folder)?;
+    judder_disk::create_folder(folder)?;
     let group = describe_group_by(folder, hash, dataset, write)?;
     let path = folder.join(metadata::FILE);
-    fs::write(&path, metadata::content(&group))?;
-    File::open(&path)?.sync_all()?;
+    let file = judder_disk::create_new_file(&path)?;
+    judder_disk::write(&file, &metadata::content(&group))?;
+    judder_disk::sync(&file)?;
     Ok(())
 }
 
@@ -104,9 +105,9 @@ pub(crate) fn describe_group_by(
     folder: &Path,
     hash: &str,
     dataset: &Dataset,
-    describe: impl Fn(&Arc<FilesystemStore>, &Variable) -> Result<Value, WriteFailure>,
+    describe: impl Fn(&Arc<GroupStore>, &Variable) -> Result<Value, WriteFailure>,
 ) -> Result<Map<String, Value>, WriteFailure> {
-    let store = FilesystemStore::new(folder).map_err(|refusal| WriteFailure::Refused(refusal.into()))?;
+    let store = GroupStore::new(folder).map_err(|refusal| WriteFailure::Refused(refusal.into()))?;
     let store = Arc::new(store);
     let mut members = Map::new();
     for variable in dataset.variables() {
@@ -116,10 +117,7 @@ pub(crate) fn describe_group_by(
 }
 
 /// Writes one variable and returns the metadata of its array.
-pub(crate) fn write_variable(
-    store: &Arc<FilesystemStore>,
-    variable: &Variable,
-) -> Result<Value, WriteFailure> {
+pub(crate) fn write_variable(store: &Arc<GroupStore>, variable: &Variable) -> Result<Value, WriteFailure> {
     match &variable.data {
         VariableValues::F64(values) => write_array(store, variable, values),
         VariableValues::Complex(values) => write_array(store, variable, values),
@@ -130,16 +128,13 @@ pub(crate) fn write_variable(
 }
 
 /// The metadata of the array that [`write_variable`] writes; nothing is written.
-pub(crate) fn describe_variable(
-    store: &Arc<FilesystemStore>,
-    variable: &Variable,
-) -> Result<Value, WriteFailure> {
+pub(crate) fn describe_variable(store: &Arc<GroupStore>, variable: &Variable) -> Result<Value, WriteFailure> {
     array_metadata(&build_array(store, variable)?)
 }
 
 /// Writes the values of one variable and returns the metadata of its array.
 fn write_array<T: Element>(
-    store: &Arc<FilesystemStore>,
+    store: &Arc<GroupStore>,
     variable: &Variable,
     values: &[T],
 ) -> Result<Value, WriteFailure> {
@@ -151,11 +146,7 @@ fn write_array<T: Element>(
 }
 
 /// Writes a variable whose values lie in a file, as many rows at a time as a chunk has, and returns the metadata of its array.
-fn write_from_file(
-    store: &Arc<FilesystemStore>,
-    variable: &Variable,
-    path: &Path,
-) -> Result<Value, WriteFailure> {
+fn write_from_file(store: &Arc<GroupStore>, variable: &Variable, path: &Path) -> Result<Value, WriteFailure> {
     let array = create_array(store, variable)?;
     let value_size = variable.data.value_size() as u64;
     let chunk = chunk_shape(array.shape(), value_size).first().copied().unwrap_or(1);
@@ -195,30 +186,24 @@ fn plain_metadata() -> ArrayMetadataOptions {
 }
 
 /// Writes the metadata of an array.
-pub(crate) fn store_metadata(array: &Array<FilesystemStore>) -> Result<(), WriteFailure> {
+pub(crate) fn store_metadata(array: &Array<GroupStore>) -> Result<(), WriteFailure> {
     array.store_metadata_opt(&plain_metadata()).map_err(WriteFailure::from)
 }
 
-pub(crate) fn array_metadata(array: &Array<FilesystemStore>) -> Result<Value, WriteFailure> {
+pub(crate) fn array_metadata(array: &Array<GroupStore>) -> Result<Value, WriteFailure> {
     serde_json::to_value(array.metadata_opt(&plain_metadata()))
         .map_err(|refusal| WriteFailure::Refused(refusal.into()))
 }
 
 /// An array without values yet.
-fn create_array(
-    store: &Arc<FilesystemStore>,
-    variable: &Variable,
-) -> Result<Array<FilesystemStore>, WriteFailure> {
+fn create_array(store: &Arc<GroupStore>, variable: &Variable) -> Result<Array<GroupStore>, WriteFailure> {
     let array = build_array(store, variable)?;
     store_metadata(&array)?;
     Ok(array)
 }
 
 /// An array of which nothing is written yet.
-fn build_array(
-    store: &Arc<FilesystemStore>,
-    variable: &Variable,
-) -> Result<Array<FilesystemStore>, WriteFailure> {
+fn build_array(store: &Arc<GroupStore>, variable: &Variable) -> Result<Array<GroupStore>, WriteFailure> {
     let shape: Vec<u64> = variable.shape.iter().map(|&length| length as u64).collect();
     let chunk_shape = chunk_shape(&shape, variable.data.value_size() as u64);
     let (data_type, fill_value) = kind(&variable.data);

@@ -7,6 +7,9 @@ mod bad_case;
 mod bad_contact;
 mod bad_folder;
 mod desk;
+// a program without debug assertions knows no fault
+#[cfg(debug_assertions)]
+mod disk_faults;
 mod editors;
 mod examples;
 mod explore;

@@ -19,6 +19,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use rayon::prelude::*;
 use std::fs;
+use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -226,13 +227,8 @@ impl PyLaw {
         let text = text.ok_or_else(|| {
             errors::input("path", "a law that is a formula goes by its name, it has no file")
         })?;
-        // under another name first: a reader sees all of it or nothing
-        let aside = path.with_extension(format!("{}.tmp", std::process::id()));
-        let written = fs::write(&aside, text).and_then(|()| fs::rename(&aside, &path));
-        written.map_err(|error| {
-            let _ = fs::remove_file(&aside);
-            errors::file(&path, &error)
-        })
+        let written: io::Result<()> = judder_disk::write_whole(&path, |out| out.write_all(text.as_bytes()));
+        written.map_err(|error| errors::file(&path, &error))
     }
 
     /// The text of its file; ``None`` for a law that is a formula.

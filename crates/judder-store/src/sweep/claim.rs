@@ -1,6 +1,5 @@
 //! The right to compute one chunk.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::StoreError;
@@ -59,6 +58,6 @@ impl ChunkClaim {
     /// Ends the claim of a chunk that is done.
     pub(super) fn fulfilled(self) {
         // A file that stays is removed when the study is taken alone; nothing depends on it.
-        let _ = fs::remove_file(&self.file);
+        let _ = judder_disk::remove_file(&self.file);
     }
 }

@@ -75,14 +75,14 @@ pub(crate) fn mend(study: &Path, layout: &SweepLayout) -> Result<(), StoreError>
         let staged = stage.place("group");
         write(&staged, layout)?;
         staging::sync_tree(&staged)?;
-        fs::create_dir_all(&group)?;
+        judder_disk::create_folders(&group)?;
         let own = group.join(metadata::FILE);
-        staging::remove(&own)?;
+        judder_disk::remove(&own)?;
         for entry in fs::read_dir(&staged)? {
             let name = entry?.file_name();
             let (from, to) = (staged.join(&name), group.join(&name));
             if name == VALUES {
-                fs::create_dir_all(&to)?;
+                judder_disk::create_folders(&to)?;
                 staging::put(&from.join(metadata::FILE), &to.join(metadata::FILE))?;
             } else if name != metadata::FILE {
                 staging::put(&from, &to)?;

@@ -15,11 +15,11 @@ use zarrs::array::{
     Array, ArrayBuilder, BytesRepresentation, BytesToBytesCodecTraits, CodecError, CodecOptions,
     ZARR_NAN_F64, data_type,
 };
-use zarrs::filesystem::FilesystemStore;
 
 use super::layout::{SweepLayout, VALUES};
 use super::points::ChunkPoints;
 use crate::Variable;
+use crate::group_store::GroupStore;
 use crate::zarr::{COMPRESSION_LEVEL, WriteFailure};
 
 const VALUE_BYTES: usize = size_of::<f64>();
@@ -29,10 +29,10 @@ const NOTHING: f64 = ZARR_NAN_F64;
 
 /// The array `values`, of which nothing is written yet.
 pub(super) fn build_array(
-    store: &Arc<FilesystemStore>,
+    store: &Arc<GroupStore>,
     layout: &SweepLayout,
     values: &Variable,
-) -> Result<Array<FilesystemStore>, WriteFailure> {
+) -> Result<Array<GroupStore>, WriteFailure> {
     let shape: Vec<u64> = values.shape.iter().map(|&length| length as u64).collect();
     ArrayBuilder::new(shape, layout.chunk_shape(), data_type::float64(), NOTHING)
         .array_to_bytes_codec(Arc::new(codec(layout)))

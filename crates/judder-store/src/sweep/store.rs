@@ -1,19 +1,21 @@
 //! The chunks of a sweep on the disk.
 
-use std::fs::{self, File};
-use std::io::{self, ErrorKind, Write};
+use std::fs;
+use std::io::{self, ErrorKind};
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+
+use judder_disk::StagedFile;
 
 use super::chunks::{ChunkState, SweepChunks};
 use super::claim::{self, ChunkClaim, ClaimAnswer};
 use super::group;
 use super::layout::SweepLayout;
 use super::record::PointFailure;
+use crate::StoreError;
 use crate::lock::Lock;
 use crate::lock_sign::LockSign;
-use crate::{StoreError, staging};
 
 /// The chunks of one sweep in a study that this process holds, alone or with others.
 ///
@@ -52,7 +54,7 @@ impl SweepStore {
     pub(crate) fn join(study: &Path, lock: &Arc<Lock>, layout: &SweepLayout) -> Result<Self, StoreError> {
         let chunks = SweepChunks::new(layout, group::join(study, layout)?);
         let claims = study.join(format!("{}{}", claim::PREFIX, layout.name()));
-        fs::create_dir_all(&claims).map_err(|source| StoreError::write(&claims, 0, source))?;
+        judder_disk::create_folders(&claims).map_err(|source| StoreError::write(&claims, 0, source))?;
         Ok(Self { chunks, claims, _study: Arc::clone(lock) })
     }
 
@@ -119,23 +121,19 @@ impl SweepStore {
         let path = self.path(chunk)?;
         let write = || -> io::Result<()> {
             // a name of its own, should locks keep nobody out
-            let mut staged = tempfile::Builder::new()
-                .prefix(&format!("{chunk}."))
-                .suffix(".partial")
-                .make_in(&self.claims, |place| File::create_new(place))?;
-            staged.as_file_mut().write_all(content)?;
-            staged.as_file().sync_all()?;
+            let staged = StagedFile::new(&self.claims, &format!("{chunk}."), ".partial")?;
+            staged.write_and_sync(content)?;
             // a folder is no chunk, and no file takes the place of one
             if fs::symlink_metadata(&path).is_ok_and(|there| there.is_dir()) {
-                staging::remove(&path)?;
+                judder_disk::remove(&path)?;
             }
-            staged.persist(&path)?;
-            staging::sync_folder(&self.folder)
+            staged.take_place(&path)?;
+            judder_disk::sync_folder(&self.folder)
         };
         let written = match write() {
             // somebody who believed to be alone has cleared the folder of claims
             Err(source) if source.kind() == ErrorKind::NotFound => {
-                fs::create_dir_all(&self.claims).and_then(|()| write())
+                judder_disk::create_folders(&self.claims).and_then(|()| write())
             }
             written => written,
         };

@@ -3,11 +3,13 @@
 //! Pseudo-arclength continuation (H. B. Keller, 1977): a step along the tangent, then Newton's method on the equations and the plane that the
 //! step ends in.
 
+mod kink;
 mod newton;
 
 use crate::CyclesError;
 use faer::MatMut;
 
+use kink::{KINK, Trail};
 pub(crate) use newton::Newton;
 
 /// n equations of n + 1 unknowns, which are of the order of one.
@@ -74,6 +76,14 @@ impl Default for PathRule {
     }
 }
 
+impl PathPoint {
+    /// The same on a path that goes the other way.
+    fn turned(mut self) -> Self {
+        self.tangent.iter_mut().for_each(|own| *own = -*own);
+        Self { orientation: -self.orientation, ..self }
+    }
+}
+
 impl ClosingEquation {
     /// One unknown has this value.
     pub(crate) fn fixed(unknown: usize, of: usize, value: f64) -> Self {
@@ -111,9 +121,6 @@ fn weighted(a: &[f64], b: &[f64], weights: &[f64]) -> f64 {
 /// Steps of Newton's method that do not halve what is left after which a shorter step along the path is the better one.
 const PATIENCE: usize = 6;
 
-/// A step that fails below it stands before a kink of the path.
-const KINK: f64 = 1e-4;
-
 /// The cosine below which a path turns sharply.
 const SHARP: f64 = 0.5;
 
@@ -134,13 +141,17 @@ pub(crate) fn follow<E: PathEquations, End>(
     most: usize,
     mut judge: impl FnMut(&mut E, &mut Newton<'_>, [&PathPoint; 2]) -> Result<Option<End>, CyclesError>,
 ) -> Result<Option<End>, CyclesError> {
-    let mut path =
-        Path { point: first, step: newton.rule.steps[0], keeps_orientation: newton.keeps_orientation };
+    let mut path = Path {
+        point: first,
+        step: newton.rule.steps[0],
+        keeps_orientation: newton.keeps_orientation,
+        trail: Trail::default(),
+    };
     for _ in 1..most {
         let next = path.next(newton, equations)?;
         equations.accept(&next.at)?;
-        let before = std::mem::replace(&mut path.point, next);
-        if let Some(end) = judge(equations, newton, [&before, &path.point])? {
+        let before = path.trail.left(std::mem::replace(&mut path.point, next));
+        if let Some(end) = judge(equations, newton, [before, &path.point])? {
             return Ok(Some(end));
         }
     }
@@ -166,10 +177,11 @@ struct Path {
     step: f64,
     /// Whether the next solution has the same sign of the determinant.
     keeps_orientation: bool,
+    trail: Trail,
 }
 
 impl Path {
-    /// The next solution; where none keeps the sign of the determinant as it should, there is a branch point after all.
+    /// The next solution; where none keeps the sign of the determinant as it should, there is a branch point after all, or a kink at which the path turns back beside itself.
     ///
     /// # Errors
     /// The last reason where none is found with the shortest step.
@@ -179,7 +191,7 @@ impl Path {
         equations: &mut E,
     ) -> Result<PathPoint, CyclesError> {
         let begun = self.step;
-        match self.found(newton, equations) {
+        let found = match self.found(newton, equations) {
             Err(error) if self.keeps_orientation && error.is_of_the_motion() => {
                 (self.step, self.keeps_orientation) = (begun, false);
                 let found = self.found(newton, equations);
@@ -187,7 +199,10 @@ impl Path {
                 found
             }
             found => found,
-        }
+        };
+        let next = found?;
+        let turns = next.orientation != self.point.orientation && self.goes_back(&next, newton, equations)?;
+        Ok(if turns { next.turned() } else { next })
     }
 
     /// The next solution; the step shortens until one is found. Where equations have kinks, the path may turn at one.
@@ -199,7 +214,7 @@ impl Path {
         let [_, longest, shortest] = newton.rule.steps;
         let mut rounded = false;
         loop {
-            let error = match self.tried(newton, equations) {
+            let error = match self.tried((&self.point, self.step), newton, equations) {
                 Ok(next) => {
                     let stretch = match next.iterations {
                         ..=3 => 1.5,
@@ -226,100 +241,57 @@ impl Path {
         }
     }
 
-    /// A solution beyond a kink that is just ahead: the path goes on along the tangent that the equations have behind it, one way or the other.
-    fn round_the_kink<E: PathEquations>(
-        &self,
-        newton: &mut Newton<'_>,
-        equations: &mut E,
-    ) -> Result<Option<(PathPoint, f64)>, CyclesError> {
-        let PathPoint { at, tangent, .. } = &self.point;
-        let first = newton.rule.steps[0];
-        for ahead in [4.0, 40.0] {
-            let beyond: Vec<f64> =
-                at.iter().zip(tangent).map(|(own, t)| own + ahead * self.step * t).collect();
-            let Ok(behind) = newton.tangent_at(equations, &beyond, tangent) else { continue };
-            for step in [first, 0.1 * first, 0.01 * first, 10.0 * KINK] {
-                for sign in [1.0, -1.0] {
-                    let tangent: Vec<f64> = behind.iter().map(|own| sign * own).collect();
-                    let there = Self { point: PathPoint { tangent, ..self.point.clone() }, step, ..*self };
-                    if let Ok(next) = there.tried(newton, equations)
-                        && !self.lies_behind(&next, &behind, equations.weights())
-                    {
-                        return Ok(Some((next, step)));
-                    }
-                }
-            }
-        }
-        Ok(None)
-    }
-
-    /// Whether a solution is one of those that the path came by: one that lies on the line back, along which the path does not run as it does beyond the kink.
-    fn lies_behind(&self, other: &PathPoint, beyond: &[f64], weights: &[f64]) -> bool {
-        /// How far from the line back, of the way.
-        const NARROW: f64 = 0.2;
-        let off_line = |of: &[f64], line: &[f64]| {
-            let (along, length) = (weighted(of, line, weights), weighted(of, of, weights));
-            (length - along * along).max(0.0).sqrt()
-        };
-        let PathPoint { at, tangent, .. } = &self.point;
-        let way: Vec<f64> = other.at.iter().zip(at).map(|(a, b)| a - b).collect();
-        let is_back = weighted(&way, tangent, weights) < 0.0
-            && off_line(&way, tangent) < NARROW * weighted(&way, &way, weights).sqrt();
-        is_back && off_line(&other.tangent, beyond) >= 0.5 * off_line(&other.tangent, tangent)
-    }
-
-    /// The solution a step ahead.
+    /// The solution a step ahead of a point.
     fn tried<E: PathEquations>(
         &self,
+        ahead: (&PathPoint, f64),
         newton: &mut Newton<'_>,
         equations: &mut E,
     ) -> Result<PathPoint, CyclesError> {
-        let tangent = &self.point.tangent;
-        let (guess, mut found) = self.solved(newton, equations)?;
+        let (point, step) = ahead;
+        let (guess, found) = solved(ahead, newton, equations)?;
         // a solution far off the guess is one of another path
         let off = distance(&found.at, &guess, equations.weights());
-        if off > self.step || !equations.is_sought(&found.at)? {
+        if off > step || !equations.is_sought(&found.at)? {
             return Err(CyclesError::NotConverged { iterations: found.iterations, residual: off });
         }
         // behind a kink at which a path turns sharply it goes on the way that keeps the sign of the determinant
-        if self.keeps_orientation && found.orientation != self.point.orientation {
-            if weighted(tangent, &found.tangent, equations.weights()) > SHARP {
+        if self.keeps_orientation && found.orientation != point.orientation {
+            if weighted(&point.tangent, &found.tangent, equations.weights()) > SHARP {
                 return Err(CyclesError::NotConverged { iterations: found.iterations, residual: off });
             }
-            found.tangent.iter_mut().for_each(|own| *own = -*own);
-            found.orientation = -found.orientation;
+            return Ok(found.turned());
         }
         Ok(found)
     }
-    /// A guess a step ahead and the solution near it; a step that leads beyond an end of the last unknown is shortened onto that.
-    fn solved<E: PathEquations>(
-        &self,
-        newton: &mut Newton<'_>,
-        equations: &mut E,
-    ) -> Result<(Vec<f64>, PathPoint), CyclesError> {
-        let PathPoint { at, tangent, .. } = &self.point;
-        let last = at.len() - 1;
-        let ends = equations.ends();
-        let ahead =
-            |step: f64| -> Vec<f64> { at.iter().zip(tangent).map(|(own, t)| own + step * t).collect() };
-        let guess = ahead(self.step);
-        let end = match beyond(guess[last], ends) {
-            Some(end) => end,
-            None => {
-                let closing = ClosingEquation::across(tangent, equations.weights(), &guess);
-                let found = newton.corrected_within(equations, &guess, &closing, tangent, PATIENCE)?;
-                match beyond(found.at[last], ends) {
-                    Some(end) => end,
-                    None => return Ok((guess, found)),
-                }
+}
+
+/// A guess a step ahead of a point and the solution near it; a step that leads beyond an end of the last unknown is shortened onto that.
+fn solved<E: PathEquations>(
+    (PathPoint { at, tangent, .. }, step): (&PathPoint, f64),
+    newton: &mut Newton<'_>,
+    equations: &mut E,
+) -> Result<(Vec<f64>, PathPoint), CyclesError> {
+    let last = at.len() - 1;
+    let ends = equations.ends();
+    let ahead = |step: f64| -> Vec<f64> { at.iter().zip(tangent).map(|(own, t)| own + step * t).collect() };
+    let guess = ahead(step);
+    let end = match beyond(guess[last], ends) {
+        Some(end) => end,
+        None => {
+            let closing = ClosingEquation::across(tangent, equations.weights(), &guess);
+            let found = newton.corrected_within(equations, &guess, &closing, tangent, PATIENCE)?;
+            match beyond(found.at[last], ends) {
+                Some(end) => end,
+                None => return Ok((guess, found)),
             }
-        };
-        let guess = ahead((end - at[last]) / tangent[last]);
-        let closing = ClosingEquation::fixed(last, guess.len(), end);
-        let mut found = newton.corrected_within(equations, &guess, &closing, tangent, PATIENCE)?;
-        found.at[last] = end;
-        Ok((guess, found))
-    }
+        }
+    };
+    let guess = ahead((end - at[last]) / tangent[last]);
+    let closing = ClosingEquation::fixed(last, guess.len(), end);
+    let mut found = newton.corrected_within(equations, &guess, &closing, tangent, PATIENCE)?;
+    found.at[last] = end;
+    Ok((guess, found))
 }
 
 /// The end beyond which a value lies.

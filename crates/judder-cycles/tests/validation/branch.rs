@@ -138,3 +138,27 @@ fn the_fold_of_a_mass_on_a_belt_is_known_to_what_twice_the_harmonics_say() {
         }
     }
 }
+
+/// The equations of few harmonics have kinks near the fold, where single instants come to stick; beyond them the branch goes on to where its cycles vanish, at the onset of
+/// linear analysis, in place of back over the cycles that it came by.
+#[test]
+fn a_branch_does_not_come_back_over_its_own_cycles_at_kinks_of_few_harmonics() {
+    let damping = 0.025;
+    let slope = (FALLING.at_rest - FALLING.at_speed) / FALLING.decay_speed;
+    let onset = FALLING.decay_speed * (slope / (2.0 * damping)).ln();
+    let at = |value: f64| Ok(slow_mass_on_belt([2.0 * damping, -value], FALLING));
+    for (begin, harmonics) in [(-0.9, 3), (-0.9, 7), (-0.95, 10)] {
+        let case = at(begin).unwrap();
+        let (steady, values) = growing(&case, [0.5, 2.0]);
+        let settings =
+            CycleSettings { harmonics: HarmonicCount::Fixed(harmonics), ..CycleSettings::default() };
+        let found = limit_cycles(&case, &steady, values[0], &settings, &|| true).unwrap();
+        let cycle = &found.cycles[0];
+        let rule = PathRule { steps: [0.02, 0.1, 1e-7], tolerance: 1e-8, ..PathRule::default() };
+        let settings = BranchSettings { rule, range: [-1.6, -0.7], unit: 0.9, rises: false, points: 400 };
+        let branch = cycle_branch(&at, &cycle.balance, (begin, &cycle.motion), &settings, &|| true).unwrap();
+        println!("{harmonics}: {:?} of {onset}, {:?}", branch.vanishes_at(), branch.branch_points);
+        assert_eq!((branch.end.clone(), branch.branch_points.len()), (CycleBranchEnd::SteadySliding, 0));
+        assert!((branch.vanishes_at().unwrap() + onset).abs() < 1e-3 * onset, "{harmonics}");
+    }
+}

@@ -24,4 +24,4 @@ pub use calls::{
 };
 pub use fault::FAULT_VARIABLE;
 pub use staged::{StagedFile, StagingFolder};
-pub use whole::write_whole;
+pub use whole::{remove_leftovers, write_whole};

@@ -5,7 +5,7 @@
 use crate::cause::FileCause;
 use crate::error::ExchangeError;
 use crate::geometry::{Geometry, at_phase};
-use crate::whole_file::write_file;
+use crate::whole_file::{write_file, write_next};
 use base64::{Engine, engine::general_purpose::STANDARD};
 use faer::c64;
 use flate2::{Compression, write::ZlibEncoder};
@@ -248,7 +248,7 @@ pub fn write_animation(
     for (frame, file) in files.iter().enumerate() {
         let values = FieldValues::Vectors(at_phase(shape, TAU * share(frame)));
         let field = VtuField { name: name.to_owned(), values };
-        write_file(&folder.join(file), |to| write_vtu(to, geometry, &[field]))?;
+        write_next(&folder.join(file), |to| write_vtu(to, geometry, &[field]))?;
     }
     let series = folder.join(format!("{name}.pvd"));
     let timed: Vec<(f64, String)> =

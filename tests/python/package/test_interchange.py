@@ -18,6 +18,7 @@ import judder
 from common import files
 from exported import SMALL, WORDS, bits, study_of
 from judder._interchange import matlab, results
+from judder._interchange.whole import files as whole_files
 
 WRITERS = {"to_parquet": "folder", "to_csv": "folder", "to_netcdf": "file.nc", "to_matlab": "file.mat"}
 
@@ -386,6 +387,27 @@ def test_a_chunk_that_is_gone_is_named_before_a_sweep_is_opened(small, tmp_path)
     chunks[0].write_bytes(bytes([chunks[0].read_bytes()[0] ^ 1, *chunks[0].read_bytes()[1:]]))
     with pytest.raises(ValueError, match="checksum do not match"):
         study["grid"].load()
+
+
+def test_what_a_killed_export_left_is_removed_by_the_next(small, tmp_path):
+    write(small, "to_csv", tmp_path)
+    whole = {path.name for path in tmp_path.iterdir()}
+    killed = (
+        "import os, signal, sys; from pathlib import Path; from judder._interchange.whole import files\n"
+        "with files(Path(sys.argv[1])) as written:\n"
+        "    written.new('map.csv').write_text('half')\n"
+        "    os.kill(os.getpid(), signal.SIGKILL)\n"
+    )
+    assert subprocess.run([sys.executable, "-c", killed, tmp_path], check=False).returncode == -9
+    left = {path.name for path in tmp_path.iterdir()} - whole
+    assert len(left) == 2 and all(name.startswith(".partial-") for name in left)
+    (tmp_path / ".partial-notes").write_text("of somebody else")
+    with whole_files(tmp_path) as living:
+        place = living.new("living.csv")
+        place.write_text("whole")
+        write(small, "to_csv", tmp_path)
+        assert place.exists(), "what another is writing stays"
+    assert {path.name for path in tmp_path.iterdir()} == whole | {"living.csv", ".partial-notes"}
 
 
 def test_the_permissions_are_those_of_any_file(small, tmp_path):

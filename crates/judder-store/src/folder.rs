@@ -97,13 +97,18 @@ impl StudyFolder {
         &self.path
     }
 
-    /// Forgets all results, for a run from scratch: removes `summary.json`, unread, and `results.zarr`. Tables, figures and
-    /// reports stay until they are written anew.
+    /// Forgets all results, for a run from scratch: removes `summary.json`, unread, `results.zarr`, and of the files on the list of what the study
+    /// holds those of results, such as tables and laws, and those of the study as a whole that `is_drawn`. Files that are not on the list stay.
     ///
     /// # Errors
     /// A failure of the file system.
-    pub fn forget(&self) -> Result<(), StoreError> {
-        self.manifest().forget()?;
+    pub fn forget(&self, is_drawn: impl Fn(&str) -> bool) -> Result<(), StoreError> {
+        for single in self.manifest().forget(is_drawn)? {
+            // a list that names what lies elsewhere is none of this crate's
+            if let Ok(path) = self.inner_place(Path::new(&single)) {
+                judder_disk::remove(&path).map_err(|source| StoreError::write(&path, 0, source))?;
+            }
+        }
         for name in [summary::FILE, results::FOLDER] {
             let path = self.path.join(name);
             let forget = || {

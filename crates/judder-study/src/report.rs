@@ -50,6 +50,11 @@ fn with_results(store: StudyFolder, folder: &Path) -> Result<(StudyFolder, Summa
     }
 }
 
+/// Whether a file of a study, by its path in it, is drawn from others.
+pub(crate) fn is_drawn(path: &str) -> bool {
+    path == PAGE || path.starts_with(FIGURES)
+}
+
 /// A page that was written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WrittenPage {
@@ -77,7 +82,7 @@ impl WrittenPage {
 pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Result<WrittenPage, StudyError> {
     let kept = Keepsakes::of(summary);
     // all at once: one write of the list for all files
-    store.begin_files(|path| path == PAGE || path.starts_with(FIGURES))?;
+    store.begin_files(is_drawn)?;
     let mut sections = Vec::new();
     for (name, record) in in_order(summary) {
         let mut blocks = Vec::new();

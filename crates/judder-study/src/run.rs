@@ -254,7 +254,7 @@ pub fn compute(
 fn taken(folder: &Path, fresh: bool) -> Result<StudyFolder, StudyError> {
     let store = StudyFolder::create(folder)?;
     if fresh {
-        store.forget()?;
+        store.forget(report::is_drawn)?;
     }
     Ok(store)
 }

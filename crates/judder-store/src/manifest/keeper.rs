@@ -94,14 +94,21 @@ impl ManifestKeeper {
         if is_true { Ok(()) } else { self.write(self.now.clone()) }
     }
 
-    /// Takes off the list all that a run from nothing forgets: the summary and all arrays, and that any result is there.
+    /// Takes off the list all that a run from nothing forgets: that any result is there, the summary, all arrays, the files of results and those that
+    /// are drawn. Gives back which of them are neither summary nor arrays.
     ///
     /// # Errors
     /// A failure of the file system.
-    pub(crate) fn forget(&mut self) -> Result<(), StoreError> {
+    pub(crate) fn forget(&mut self, is_drawn: impl Fn(&str) -> bool) -> Result<Vec<String>, StoreError> {
         self.now.results.clear();
         let below = format!("{}/", results::FOLDER);
-        self.take_off(|path, _| path == summary::FILE || path.starts_with(&below))
+        let is_whole = |path: &str| path == summary::FILE || path.starts_with(&below);
+        let is_single = |path: &str, record: &FileRecord| record.of.is_some() || is_drawn(path);
+        let listed =
+            self.now.files.iter().filter(|(path, record)| !is_whole(path) && is_single(path, record));
+        let single = listed.map(|(path, _)| path.clone()).collect();
+        self.take_off(|path, record| is_whole(path) || is_single(path, record))?;
+        Ok(single)
     }
 
     /// Lists a file that has been written.

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use judder_store::{AnalysisRecord, Status, StoreError, StudyFolder, Summary};
+use judder_store::{AnalysisRecord, Finding, Status, StoreError, StudyFolder, Summary, verify};
 
 #[test]
 fn a_new_folder_is_made_with_its_parents() {
@@ -118,10 +118,34 @@ fn a_rerun_resumes_only_what_is_done_and_there() {
     study.write_dataset("a", "h", &crate::constant(1.0, 2)).unwrap();
     study.write_summary(&summary(Status::Failed { reason: "no convergence".to_owned() }), Some("a")).unwrap();
     assert!(!done(), "after a failure");
-    study.forget().unwrap();
+    study.forget(|_| false).unwrap();
     assert!(matches!(study.read_dataset("a").unwrap_err(), StoreError::NoDataset { .. }));
     assert!(study.read_summary().unwrap().is_none());
     assert_eq!(crate::names(folder.path()), [".judder.lock"]);
+}
+
+#[test]
+fn a_run_from_nothing_forgets_files_of_results_and_what_is_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = StudyFolder::create(folder.path()).unwrap();
+    let law = Path::new("law.json");
+    study.write_file_of(Some("law"), law, b"{}").unwrap();
+    for whole in ["figures/law.svg", "report.html", "inputs/mass.mtx"] {
+        study.write_file(whole, b"content").unwrap();
+    }
+    fs::write(folder.path().join("figures/notes.txt"), "of the user").unwrap();
+    study.keep_manifest("build").unwrap();
+    study.forget(|path| path == "report.html" || path.starts_with("figures/")).unwrap();
+    for gone in ["law.json", "figures/law.svg", "report.html"] {
+        assert!(!folder.path().join(gone).exists(), "{gone}");
+    }
+    for stays in ["inputs/mass.mtx", "figures/notes.txt"] {
+        assert!(folder.path().join(stays).exists(), "{stays}");
+    }
+    study.seal("build").unwrap();
+    drop(study);
+    let found = verify(folder.path(), |_, _| true).unwrap();
+    assert_eq!(found.findings, [Finding::Extra { path: "figures/notes.txt".to_owned() }]);
 }
 
 #[test]

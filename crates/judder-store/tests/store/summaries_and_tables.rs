@@ -67,7 +67,7 @@ fn a_foreign_summary_says_what_to_do_and_can_be_replaced() {
         assert!(refused.to_string().contains("--fresh"));
         assert!(study.is_done("a", "h").is_err());
         assert_eq!(fs::read(&file).unwrap(), foreign);
-        study.forget().unwrap();
+        study.forget(|_| false).unwrap();
         assert!(study.read_summary().unwrap().is_none());
     }
 }

@@ -294,7 +294,7 @@ fn another_case_and_another_layout_are_refused() {
         assert!(matches!(&refused, StoreError::OtherLayout { .. }), "{refused}");
     }
     assert_eq!(contents(&folder.path().join("results.zarr")), before);
-    study.leave().unwrap().unwrap().forget().unwrap();
+    study.leave().unwrap().unwrap().forget(|_| false).unwrap();
     assert_eq!(names(folder.path()), [".judder.lock"]);
     SharedStudy::join(folder.path()).unwrap().sweep(&sweep("other", &[("sample", 4, 2)])).unwrap();
 }

@@ -2,8 +2,9 @@
 
 use std::collections::hash_map::DefaultHasher;
 use std::env;
+use std::fs;
 use std::hash::{Hash, Hasher};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The number of digits of a commit that are told.
@@ -11,7 +12,7 @@ const DIGITS: usize = 12;
 
 fn main() {
     let number = env::var("CARGO_PKG_VERSION").unwrap_or_default();
-    let version = match given().or_else(packaged).or_else(checked_out) {
+    let version = match given().or_else(packaged).or_else(checked_out).or_else(unpacked) {
         Some(sources) => format!("{number}+{sources}"),
         None => number,
     };
@@ -51,12 +52,42 @@ fn checked_out() -> Option<String> {
     }
     let commit = shortened(&git(&["rev-parse", "HEAD"])?);
     let changes = git(&["diff", "HEAD", "--", "../../crates", "../../Cargo.lock", "../../Cargo.toml"])?;
-    if changes.is_empty() {
+    let others = git(&["ls-files", "--others", "--exclude-standard", "../../crates"])?;
+    let added: Vec<PathBuf> = others.lines().filter(|file| is_compiled(file)).map(PathBuf::from).collect();
+    if changes.is_empty() && added.is_empty() {
         return Some(commit);
     }
     let mut digest = DefaultHasher::new();
     changes.hash(&mut digest);
-    Some(format!("{commit}.changed-{:08x}", digest.finish() >> 32))
+    Some(format!("{commit}.changed-{}", digest_of(digest, &added)))
+}
+
+/// A digest of the sources themselves, where nothing tells of which commit they are.
+fn unpacked() -> Option<String> {
+    let mut files = vec![PathBuf::from("../../Cargo.lock"), PathBuf::from("../../Cargo.toml")];
+    let mut folders = vec![PathBuf::from("../../crates")];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).ok()?.flatten() {
+            let path = entry.path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.to_str().is_some_and(is_compiled) {
+                files.push(path);
+            }
+        }
+    }
+    files.sort();
+    Some(format!("sources-{}", digest_of(DefaultHasher::new(), &files)))
+}
+
+/// Eight digits of a digest that goes on over the names and contents of files.
+fn digest_of(mut digest: DefaultHasher, files: &[PathBuf]) -> String {
+    for file in files {
+        println!("cargo::rerun-if-changed={}", file.display());
+        file.hash(&mut digest);
+        fs::read(file).unwrap_or_default().hash(&mut digest);
+    }
+    format!("{:08x}", digest.finish() >> 32)
 }
 
 /// Whether a file decides what is computed.

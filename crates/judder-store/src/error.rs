@@ -324,6 +324,16 @@ pub enum StoreError {
         /// The hash of the group.
         found: String,
     },
+    /// The group of a sweep was begun by another build.
+    #[error("{}: holds a sweep that judder {found} computes, and this is judder {expected}, of which nobody has said that its numbers are the same; go on with judder {found}, name another folder with -o, or compute anew with `judder run --fresh`", path.display())]
+    OtherBuild {
+        /// The group.
+        path: PathBuf,
+        /// This build.
+        expected: String,
+        /// The build that began the sweep.
+        found: String,
+    },
     /// The group of a sweep has the right hash and another layout.
     #[error("{}: holds this sweep with other chunks, coordinates or quantities, as another version of judder lays it out; name another folder with -o, or compute anew with `judder run --fresh`", path.display())]
     OtherLayout {

@@ -13,6 +13,9 @@ use crate::{StoreError, plain};
 /// The attribute that binds a dataset to the analysis that made it.
 pub(crate) const HASH_ATTRIBUTE: &str = "judder_hash";
 
+/// The attribute of a sweep that names the build that computes it.
+pub(crate) const BUILD_ATTRIBUTE: &str = "judder_version";
+
 /// The name of a metadata file.
 pub(crate) const FILE: &str = "zarr.json";
 

@@ -251,6 +251,7 @@ fn is_wrong_folder(error: &StoreError) -> bool {
             | StoreError::HoldsStudy { .. }
             | StoreError::ForeignFolder { .. }
             | StoreError::ForeignSweep { .. }
+            | StoreError::OtherBuild { .. }
             | StoreError::OtherLayout { .. }
             | StoreError::ForeignChunk { .. }
             | StoreError::NoStudy { .. }

@@ -115,8 +115,10 @@ pub struct Study<'a> {
     /// What is said of the results so far.
     pub summary: Summary,
     pub(crate) kept: Keepsakes,
-    /// The names of results that were there, and are dropped.
-    pub(crate) forgotten: Vec<String>,
+    /// The names of results that were there, and are dropped, each with its hash.
+    pub(crate) forgotten: Vec<(String, String)>,
+    /// The version that computed what was there.
+    pub(crate) computed_by: String,
     /// What was found damaged of what was there, one line each.
     pub(crate) damages: Vec<String>,
 }
@@ -144,19 +146,19 @@ impl<'a> Study<'a> {
             summary.analyses.remove(name);
         }
         let mut kept = Keepsakes::of(&summary);
-        version().clone_into(&mut summary.version);
+        let computed_by = mem::replace(&mut summary.version, version().to_owned());
         summary.warnings.clear();
         let is_current = |name: &String, record: &AnalysisRecord| current.get(name) == Some(&&record.hash);
         let all = summary.analyses.iter();
-        let forgotten =
-            all.filter(|(name, record)| !is_current(name, record)).map(|(name, _)| name.clone()).collect();
+        let dropped = all.filter(|(name, record)| !is_current(name, record));
+        let forgotten = dropped.map(|(name, record)| (name.clone(), record.hash.clone())).collect();
         summary.analyses.retain(|name, record| is_current(name, record));
         let stays = |name: &String| summary.analyses.contains_key(name);
         summary.results.retain(|name, _| stays(name));
         kept.checks.retain(|name, _| stays(name));
         kept.missing.retain(|name, _| stays(name));
         kept.put(&mut summary);
-        Ok(Self { store, summary, kept, forgotten, damages })
+        Ok(Self { store, summary, kept, forgotten, computed_by, damages })
     }
 
     /// Names the case whose study this is, by what it resolves to, and shows it with what is used.

@@ -23,7 +23,7 @@ use crate::registry::Registry;
 use crate::report::{self, WrittenPage};
 use crate::sweep::{Shard, SweepEstimate, SweepPlan};
 use crate::terminal_tables;
-use crate::version::maker;
+use crate::version::{maker, version};
 use analyses::{AnalysisRunner, shared};
 use asked::AskedCase;
 use judder_store::{Status, StudyFolder, Summary};
@@ -72,8 +72,8 @@ pub struct RunReport {
     pub report: Option<PathBuf>,
     /// Analyses that were done before.
     pub skipped: Vec<String>,
-    /// Results that were there and are dropped, since what they depend on has changed.
-    pub forgotten: Vec<String>,
+    /// Results that were there and are dropped.
+    pub forgotten: ForgottenResults,
     /// Whether every requested result is there.
     pub complete: bool,
     /// Results that are worth a table on the terminal.
@@ -88,6 +88,45 @@ pub struct RunReport {
     pub undrawn: Vec<String>,
     /// Analyses without a result because the input is wrong.
     pub refused: Vec<RefusedAnalysis>,
+}
+
+/// Results that were there and are dropped, by name.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct ForgottenResults {
+    /// Those of which what they depend on in the case has changed.
+    pub changed: Vec<String>,
+    /// Those of this case that another build had computed.
+    pub of_other_build: Vec<String>,
+    /// The version of that build.
+    pub version: String,
+}
+
+impl ForgottenResults {
+    /// What a study has dropped.
+    fn of(study: &Study<'_>, asked: &AskedCase<'_>) -> Self {
+        let version = study.computed_by.clone();
+        let of_other_build = asked.computed_by(&version, &study.forgotten);
+        let names = study.forgotten.iter().map(|(name, _)| name);
+        let changed = names.filter(|name| !of_other_build.contains(name)).cloned().collect();
+        Self { changed, of_other_build, version }
+    }
+
+    /// A line for each reason why results are dropped.
+    #[must_use]
+    pub fn told(&self) -> Vec<String> {
+        let (changed, built) = (self.changed.join(", "), self.of_other_build.join(", "));
+        let mut lines = Vec::new();
+        if !built.is_empty() {
+            let (then, now) = (&self.version, version());
+            lines.push(format!(
+                "forgotten, since judder {then} computed them and this is judder {now}: {built}"
+            ));
+        }
+        if !changed.is_empty() {
+            lines.push(format!("forgotten, since what they depend on has changed: {changed}"));
+        }
+        lines
+    }
 }
 
 /// An analysis without a result because the input is wrong.
@@ -190,7 +229,7 @@ pub struct Computed {
     /// Analyses that were done before.
     pub skipped: Vec<String>,
     /// Results that were there and are dropped.
-    forgotten: Vec<String>,
+    forgotten: ForgottenResults,
     tables: Vec<String>,
     /// What was found damaged, one line each.
     damages: Vec<String>,
@@ -309,7 +348,8 @@ fn compute_in(
     let lacking = study.kept.lacking(&study.summary, &wanted);
     let messages = messages(&study.summary, &study.kept, &refused);
     let damages = mem::take(&mut study.damages);
-    let (summary, forgotten) = (study.summary, study.forgotten);
+    let forgotten = ForgottenResults::of(&study, asked);
+    let summary = study.summary;
     let tables = terminal_tables::tables(asked.file.registry(), &summary, &wanted);
     Ok(Computed { store, summary, skipped, forgotten, tables, damages, messages, lacking, refused })
 }

@@ -110,9 +110,8 @@ fn documents(estimates: &[SweepEstimate]) -> Vec<Value> {
 
 /// Says what came of a run. Failed checks are among the warnings: only a missing result changes the exit code.
 pub(super) fn tell(report: RunReport, case: &Path, console: Console) -> Exit {
-    if !report.forgotten.is_empty() {
-        let names = report.forgotten.join(", ");
-        console.note(format_args!("forgotten, since what they depend on has changed: {names}"));
+    for line in report.forgotten.told() {
+        console.note(line);
     }
     if !report.skipped.is_empty() {
         console.note(format_args!("done before: {}", report.skipped.join(", ")));

@@ -107,6 +107,7 @@ fields!(StoreError {
     DatasetUnreadable { path },
     InvalidName { what, name },
     ForeignSweep { path, expected, found },
+    OtherBuild { path, expected, found },
     OtherLayout { path },
     ForeignChunk { path, expected, found },
     DamagedChunk { path },

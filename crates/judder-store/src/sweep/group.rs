@@ -8,7 +8,7 @@ use serde_json::{Map, Value};
 
 use super::layout::{SweepLayout, VALUES};
 use super::shard;
-use crate::metadata::{self, HASH_ATTRIBUTE};
+use crate::metadata::{self, BUILD_ATTRIBUTE, HASH_ATTRIBUTE};
 use crate::staging::{self, Stage};
 use crate::zarr::{self, WriteFailure};
 use crate::{StoreError, results};
@@ -114,20 +114,27 @@ fn write(staged: &Path, layout: &SweepLayout) -> Result<(), WriteFailure> {
     })
 }
 
-/// Refuses a group of another case, or of another layout.
+/// Refuses a group of another build, of another case, or of another layout.
 fn compare(group: &Path, layout: &SweepLayout, expected: &Map<String, Value>) -> Result<(), StoreError> {
     let stands = metadata::read(group)?;
     if stands == *expected {
         return Ok(());
     }
     let path = group.to_owned();
-    let found = stands.get("attributes").and_then(|attributes| attributes.get(HASH_ATTRIBUTE));
-    match found.and_then(Value::as_str) {
-        Some(found) if found == layout.hash() => Err(StoreError::OtherLayout { path }),
-        found => Err(StoreError::ForeignSweep {
-            path,
-            expected: layout.hash().to_owned(),
-            found: found.unwrap_or("none").to_owned(),
-        }),
+    let of_group = |name| stands.get("attributes")?.get(name)?.as_str();
+    let found = of_group(HASH_ATTRIBUTE).unwrap_or("none");
+    if found == layout.hash() {
+        return Err(StoreError::OtherLayout { path });
+    }
+    let expected = layout.dataset().attributes().get(BUILD_ATTRIBUTE).and_then(Value::as_str);
+    match (expected, of_group(BUILD_ATTRIBUTE)) {
+        (Some(expected), Some(found)) if expected != found => {
+            let (expected, found) = (expected.to_owned(), found.to_owned());
+            Err(StoreError::OtherBuild { path, expected, found })
+        }
+        _ => {
+            let (expected, found) = (layout.hash().to_owned(), found.to_owned());
+            Err(StoreError::ForeignSweep { path, expected, found })
+        }
     }
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use super::points::{ChunkPoints, unravelled};
+use crate::metadata::BUILD_ATTRIBUTE;
 use crate::name::check_name;
 use crate::{Dataset, StoreError, Variable};
 
@@ -139,6 +140,14 @@ impl SweepLayout {
     pub fn attribute(mut self, name: &str, value: impl Into<Value>) -> Result<Self, StoreError> {
         self.dataset = self.dataset.attribute(name, value)?;
         Ok(self)
+    }
+
+    /// With the build that computes it: a sweep that another one has begun is [`StoreError::OtherBuild`].
+    ///
+    /// # Errors
+    /// What a [`Dataset`] refuses.
+    pub fn build(self, version: &str) -> Result<Self, StoreError> {
+        self.attribute(BUILD_ATTRIBUTE, version)
     }
 
     /// Its name, that of its group.

@@ -284,6 +284,15 @@ fn another_case_and_another_layout_are_refused() {
         "{refused}"
     );
     assert!(refused.to_string().contains("--fresh"), "{refused}");
+    let of_build = |name: &str, build| sweep(name, &[("sample", 4, 2)]).build(build).unwrap();
+    let built = tempfile::tempdir().unwrap();
+    let of_one = SharedStudy::join(built.path()).unwrap();
+    of_one.sweep(&of_build("h", "0.1.0+a")).unwrap();
+    let refused = of_one.sweep(&of_build("h of b", "0.1.0+b")).unwrap_err();
+    let told = "holds a sweep that judder 0.1.0+a computes, and this is judder 0.1.0+b";
+    assert!(refused.to_string().contains(told), "{refused}");
+    let refused = of_one.sweep(&of_build("other", "0.1.0+a")).unwrap_err();
+    assert!(matches!(refused, StoreError::ForeignSweep { .. }), "{refused}");
     let one_point_less = sweep("h", &[("sample", 3, 2)]);
     let other_chunks = sweep("h", &[("sample", 4, 1)]);
     let other_units = sweep("h", &[("sample", 4, 2)])

@@ -74,6 +74,18 @@ impl<'a> AskedCase<'a> {
         self.analyses.iter().map(|(name, hash)| (name, hash)).chain(sweeps)
     }
 
+    /// Of results that are dropped, by name and hash, those that the build of this version has computed of this same case.
+    pub(super) fn computed_by(&self, version: &str, dropped: &[(String, String)]) -> Vec<String> {
+        let names = self.analyses.iter().enumerate();
+        let hashed = names.map(|(index, (name, _))| {
+            (name, analysis_hash_by(version, &self.file.case, &self.resolved, index))
+        });
+        hashed
+            .filter(|(name, hash)| dropped.iter().any(|(own, of)| own == *name && of == hash))
+            .map(|(name, _)| name.clone())
+            .collect()
+    }
+
     /// The names that are wanted, analyses first.
     pub(super) fn wanted(&self) -> Vec<String> {
         self.all().map(|(name, _)| name).filter(|name| self.is_wanted(name)).cloned().collect()
@@ -118,8 +130,13 @@ pub fn resolved_with_files(case: &CaseFile) -> Result<(Value, Vec<KnownFile>), S
 }
 
 /// Names all that the result of an analysis of a case depends on: its canonical form without its list of analyses and its title, this
-/// analysis, those whose results it takes up, the version.
+/// analysis, those whose results it takes up, the version, which names the sources of the build.
 pub fn analysis_hash(case: &Case, resolved: &Value, index: usize) -> String {
+    analysis_hash_by(version(), case, resolved, index)
+}
+
+/// The same hash as another build has it.
+fn analysis_hash_by(version: &str, case: &Case, resolved: &Value, index: usize) -> String {
     let model = model(resolved);
     let mut analysis = resolved.get("analysis").and_then(|list| list.get(index)).cloned();
     let others = taken_up(case, resolved, analysis.as_ref());
@@ -129,9 +146,9 @@ pub fn analysis_hash(case: &Case, resolved: &Value, index: usize) -> String {
         }
     }
     if others.is_empty() {
-        return content_hash(json!([version(), model, analysis]).to_string().as_bytes());
+        return content_hash(json!([version, model, analysis]).to_string().as_bytes());
     }
-    content_hash(json!([version(), model, analysis, others]).to_string().as_bytes())
+    content_hash(json!([version, model, analysis, others]).to_string().as_bytes())
 }
 
 /// The other analyses whose results an analysis takes up, as the case describes them.

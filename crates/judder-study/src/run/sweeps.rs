@@ -1,7 +1,7 @@
 //! The sweeps of a case: chunks by as many processes as there are, then what they say together.
 
 use super::asked::AskedCase;
-use super::{Computed, RunOptions, RunReport, SweepWork, compute_in, taken};
+use super::{Computed, ForgottenResults, RunOptions, RunReport, SweepWork, compute_in, taken};
 use crate::error::StudyError;
 use crate::ledger::Study;
 use crate::model::Prepared;
@@ -14,7 +14,7 @@ use std::time::Instant;
 /// What became of results that were there before a run.
 struct Earlier {
     done: Vec<String>,
-    forgotten: Vec<String>,
+    forgotten: ForgottenResults,
     damages: Vec<String>,
     /// What was read of them and is sound.
     sound: SoundFiles,
@@ -68,7 +68,7 @@ pub(super) fn run(
         let of_sweeps = |name: &String| plans.iter().any(|plan| plan.layout().name() == name);
         names.extend(computed.skipped.into_iter().filter(of_sweeps));
         computed.skipped = names;
-        computed.forgotten.extend(forgotten);
+        computed.forgotten = forgotten;
         computed.damages.extend(damages);
     }
     computed.reported(asked.file.registry(), options, notes, progress)
@@ -153,7 +153,7 @@ fn unfinished(folder: &Path, summary: Summary, complete: bool, notes: Vec<String
         summary,
         report: None,
         skipped: Vec::new(),
-        forgotten: Vec::new(),
+        forgotten: ForgottenResults::default(),
         complete,
         tables: Vec::new(),
         notes,

@@ -159,7 +159,7 @@ fn layout(
         columns.iter().zip(texts).map(|(column, text)| described(file, sweep, column, text)).collect();
     let mut layout = SweepLayout::new(&sweep.name, hash, dimensions, quantities)?
         .attribute("kind", "sweep")?
-        .attribute("judder_version", version())?
+        .build(version())?
         .attribute("method", sweep.method.name())?
         .attribute("keys", sweep.axes.iter().map(|axis| axis.path.clone()).collect::<Vec<_>>())?
         .attribute(

@@ -6,12 +6,14 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 use std::thread;
 use std::time::Duration;
 
+use judder_store::close_writes;
 use judder_study::StudyError;
 
 use crate::console::Console;
 use crate::failure::{Exit, Failure, Message};
 
-/// How long a command may take to end by itself. What it stores is whole after any end, so that nothing is lost by an end in the midst of a step.
+/// How long a command may take to end by itself. What it stores is whole after any end, so that nothing is lost by an end in the midst of a step; a result
+/// or a checkpoint that is being written then is waited for.
 const GRACE: Duration = Duration::from_secs(1);
 
 /// The signals of this process, which come to all that it does.
@@ -141,6 +143,7 @@ fn heard() {
             // a step of the computation may not ask for longer than a user waits
             thread::spawn(move || {
                 thread::sleep(GRACE);
+                let _closed = close_writes();
                 end(console, &StudyError::Interrupted.into());
             });
         }

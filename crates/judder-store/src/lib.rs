@@ -49,6 +49,7 @@ mod stream;
 mod summary;
 mod sweep;
 mod table;
+mod under_way;
 mod variable;
 mod verify;
 mod zarr;
@@ -73,5 +74,6 @@ pub use sweep::{
     SweepDimension, SweepFailure, SweepLayout, SweepQuantity, SweepStore,
 };
 pub use table::{Cells, Table};
+pub use under_way::{ClosedWrites, WriteUnderWay, close_writes};
 pub use variable::{Variable, VariableValues};
 pub use verify::{Finding, Verification, verify};

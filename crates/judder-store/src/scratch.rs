@@ -6,7 +6,7 @@ use std::iter;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use crate::{StoreError, plain};
+use crate::{StoreError, WriteUnderWay, plain};
 
 /// How the names of their files begin.
 pub(crate) const PREFIX: &str = ".scratch-";
@@ -48,6 +48,7 @@ impl Scratch {
     /// # Errors
     /// A failure of the file system.
     pub fn keep(&self, line: &str) -> Result<(), StoreError> {
+        let _write = WriteUnderWay::begin();
         let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
         let write = |file: &mut Option<File>| -> io::Result<()> {
             if file.is_none() {

@@ -9,7 +9,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::name::check_name;
 use crate::zarr::Elsewhere;
-use crate::{Dataset, StoreError, StudyFolder, Variable, VariableValues, content_hash, plain, staging};
+use crate::{
+    Dataset, StoreError, StudyFolder, Variable, VariableValues, WriteUnderWay, content_hash, plain, staging,
+};
 
 /// The file that says how much counts. No variable is called so, since theirs end in `.f64` or `.u8`.
 const CHECKPOINT: &str = "checkpoint";
@@ -174,6 +176,7 @@ impl<'a> StreamWriter<'a> {
     /// counts, and the same append may be tried again.
     pub fn append(&mut self, checkpoint: &[u8], slices: &[StreamSlice<'_>]) -> Result<(), StoreError> {
         let added = self.check_slices(slices)?;
+        let _write = WriteUnderWay::begin();
         let files = self.files.iter_mut().zip(&self.rows);
         for ((slice, variable), (file, rows)) in slices.iter().zip(&self.variables).zip(files) {
             let bytes = slice.bytes();
@@ -204,6 +207,7 @@ impl<'a> StreamWriter<'a> {
     /// # Errors
     /// What a [`Dataset`] refuses, failures of the file system; the stream is then still there to be opened again.
     pub fn finish(self, rest: Dataset) -> Result<(), StoreError> {
+        let _write = WriteUnderWay::begin();
         let mut dataset = grown(&self.variables, &self.rows)?;
         for variable in rest.variables() {
             dataset = dataset.with(variable.clone())?;

@@ -5,7 +5,9 @@ use crate::error::StudyError;
 use crate::outcome::{CheckRecord, Outcome};
 use crate::version::{maker, version};
 use crate::way::way;
-use judder_store::{AnalysisRecord, FileDamage, Status, StoreError, StudyFolder, Summary, content_hash};
+use judder_store::{
+    AnalysisRecord, FileDamage, Status, StoreError, StudyFolder, Summary, WriteUnderWay, content_hash,
+};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -194,6 +196,8 @@ impl<'a> Study<'a> {
         wall_time_s: f64,
     ) -> Result<Option<StudyError>, StudyError> {
         let took = (hash, wall_time_s);
+        // what took long to compute is not lost to an end in the midst of this
+        let _write = WriteUnderWay::begin();
         let refused = match outcome {
             Ok(mut outcome) => {
                 write(self.store, name, &took.0, &outcome)?;

@@ -13,9 +13,9 @@ use super::claim::{self, ChunkClaim, ClaimAnswer};
 use super::group;
 use super::layout::SweepLayout;
 use super::record::PointFailure;
-use crate::StoreError;
 use crate::lock::Lock;
 use crate::lock_sign::LockSign;
+use crate::{StoreError, WriteUnderWay};
 
 /// The chunks of one sweep in a study that this process holds, alone or with others.
 ///
@@ -119,6 +119,7 @@ impl SweepStore {
     /// Puts a chunk in its place: written elsewhere on the same disk, forced there, renamed.
     fn put(&self, chunk: usize, content: &[u8]) -> Result<(), StoreError> {
         let path = self.path(chunk)?;
+        let _write = WriteUnderWay::begin();
         let write = || -> io::Result<()> {
             // a name of its own, should locks keep nobody out
             let staged = StagedFile::new(&self.claims, &format!("{chunk}."), ".partial")?;

@@ -1,5 +1,7 @@
 //! Finished studies that were damaged afterwards: what `verify` finds, what `run` and `report` make of them.
 
+mod mutated;
+
 use judder_store::{Finding, StoreError, verify};
 use judder_study::Silent;
 use judder_study::StudyError;

@@ -326,6 +326,16 @@ pub enum Cause {
         /// The parameters that it depends on, as in `mu = 0.5`; empty where there are none.
         point: String,
     },
+    /// An expression in the place of a quantity, as a text without its unit.
+    #[error("`{key}` is an expression without a unit")]
+    ExpressionWithoutUnit {
+        /// The key.
+        key: String,
+        /// The expression.
+        text: String,
+        /// What the quantity is.
+        dimension: Dimension,
+    },
     /// A file that the case names and that is not there.
     #[error("`{key}` names `{}`, which {what}", path.display())]
     File {

@@ -151,6 +151,9 @@ impl Cause {
                 "a number must be finite: mind division by zero, roots and logarithms of negative numbers"
                     .to_owned()
             }
+            Self::ExpressionWithoutUnit { text, dimension, .. } => {
+                format!("write {{ expression = \"{text}\", unit = \"{}\" }}", unit_of(&dimension.example()))
+            }
             Self::NotFiniteEntry { .. } => {
                 "an entry must be finite: mind division by zero, roots and logarithms of negative numbers"
                     .to_owned()
@@ -170,6 +173,11 @@ impl Cause {
 
 fn with_example(dimension: Dimension) -> String {
     format!("{dimension}, such as \"{}\"", dimension.example())
+}
+
+/// The unit of a quantity such as "10 mm".
+fn unit_of(quantity: &str) -> &str {
+    quantity.split_once(' ').map_or("", |(_, unit)| unit)
 }
 
 fn help_for_quantity(dimension: Dimension, problem: &QuantityError) -> String {

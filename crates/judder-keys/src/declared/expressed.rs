@@ -136,6 +136,7 @@ impl ExpressionScope<'_> {
             found.push(expression);
             return Ok(());
         }
+        self.refuse_without_unit(node, &forms, path)?;
         let under = |step: &str| if path.is_empty() { step.to_owned() } else { format!("{path}.{step}") };
         match &mut node.data {
             Data::Table(table) => all(table.entries.iter_mut().map(|entry| {
@@ -152,6 +153,20 @@ impl ExpressionScope<'_> {
             _ => Ok(Vec::new()),
         }
         .map(drop)
+    }
+
+    /// Refuses a text that is an expression of parameters where nothing but a quantity may stand.
+    fn refuse_without_unit(self, node: &Node, forms: &[&Allowed], path: &str) -> Result<(), Fault> {
+        let Data::Text(text) = &node.data else { return Ok(()) };
+        let dimensions: Option<Vec<_>> = forms.iter().map(|form| form.expressed_dimension()).collect();
+        let Some(&[dimension]) = dimensions.as_deref() else { return Ok(()) };
+        let names_a_parameter = Expression::compile(text, self.names)
+            .is_ok_and(|own| (0..self.names.len()).any(|index| own.depends_on(index)));
+        if names_a_parameter && Quantity::parse(text).is_err() {
+            let (key, text) = (path.to_owned(), text.clone());
+            return Err(Cause::ExpressionWithoutUnit { key, text, dimension }.at(node.place));
+        }
+        Ok(())
     }
 
     /// What an expression gives, as the number that stands in its place.
@@ -310,5 +325,8 @@ mod tests {
         assert_eq!(inner("mm"), "`inner.modulus` must be a stress, but this is a length");
         assert_eq!(inner("GPx"), "`inner.modulus` is not a stress: unknown unit `GPx`");
         assert!(cause("inner.modulus = { expresion = \"t\" }").contains("expresion"));
+        let fault = evaluated("inner.modulus = \"21 - t\"").unwrap_err().into_cause();
+        assert_eq!(fault.to_string(), "`inner.modulus` is an expression without a unit");
+        assert_eq!(fault.help().unwrap(), "write { expression = \"21 - t\", unit = \"MPa\" }");
     }
 }

@@ -62,8 +62,10 @@ fn units_of_another_dimension_or_none() {
     assert_eq!(of_unit("GPx"), (format!("`{key}` is not a stress: unknown unit `GPx`"), "GPx".to_owned()));
     let none = "{ expression = \"temperature\" }";
     assert_eq!(told(&with_modulus(none)).0, format!("`{key}` needs a unit: it has no dimensionless form"));
-    // a text in its place is a quantity, as ever
-    assert!(told(&with_modulus("\"210*temperature\"")).0.starts_with(&format!("`{key}` is not a stress")));
+    let text = told(&with_modulus("\"210*temperature\"")).0;
+    assert_eq!(text, format!("`{key}` is an expression without a unit"));
+    // what names no parameter is a quantity, as ever
+    assert!(told(&with_modulus("\"210*3\"")).0.starts_with(&format!("`{key}` is not a stress")));
     let friction = "{ expression = \"temperature\", unit = \"m\" }";
     assert!(told(&with_friction(friction)).0.contains("this is a length"));
     assert!(told(&with_modulus("{ expresion = \"temperature\", unit = \"GPa\" }")).0.contains("`expresion`"));

@@ -37,7 +37,7 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
     picture: Some(Picture {
         draw: figure::frequency_response,
         caption: "Observed points under forces that swing, over the frequency: the amplitude of the first harmonic, the root mean square with the mean, the largest value. The \
-        line joins periodic motions in their order along the branch, back and forth between its folds; where `stability` is asked for stable motions are solid, unstable ones dashed, those of unknown stability pale, and marked is how that changes.",
+        line joins periodic motions in their order along the branch, back and forth between its folds; where stability is asked for stable motions are solid, unstable ones dashed, those of unknown stability pale, and marked is how that changes.",
     }),
 };
 

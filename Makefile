@@ -44,7 +44,7 @@ define browser-tests
 		CHROMIUM="$$chromium" JUDDER="$(abspath $(TARGET))/debug/judder" npm run --silent test -- $1
 endef
 
-.PHONY: help demo test bench bench-cluster bench-explorer bench-rough validate expensive-tests sdist-tests setup format lint rust-tests doc-tests python-tests page page-tests docs deny advisories dist dist-tests site workflows
+.PHONY: help demo test fuzz bench bench-cluster bench-explorer bench-rough validate expensive-tests sdist-tests setup format lint rust-tests doc-tests python-tests page page-tests docs deny advisories dist dist-tests site workflows
 
 help: ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -58,7 +58,7 @@ test: format rust-tests doc-tests python-tests page-tests ## what must hold befo
 	@printf '\nEvery check passed.\n'
 
 # What takes long, and what looks at all sources for what a change seldom touches. CI runs it after `make test`.
-validate: lint expensive-tests docs deny workflows ## clippy, the expensive validation, the documentation, the licences, the workflows
+validate: lint expensive-tests fuzz docs deny workflows ## clippy, the expensive validation, a minute of fuzzing, the documentation, the licences, the workflows
 	@printf '\nAll is validated.\n'
 
 bench: .venv/installed ## time the stability decision, the sliding contact, a limit cycle, modes, assemblies, loci, marches and calls from Python, beside NumPy and SciPy peers
@@ -94,6 +94,11 @@ else
 endif
 	$(call package-tests,expensive)
 	$(call browser-tests,--grep @expensive)
+
+# Address space of 4 GiB, where the system limits it.
+fuzz: ## feed every door damaged files, six seconds each; FUZZ='--inputs 100000' for more, FUZZ='--door meshes --seconds 600' for one
+	$(CARGO) build $(LOCKED) --workspace --bins --examples
+	ulimit -v 4194304 2>/dev/null || true; "$(TARGET)/debug/examples/fuzz" $(or $(FUZZ),--seconds 6)
 
 # With a target folder of its own: in a shared one Cargo takes a crate for built whose files outside of it lie elsewhere.
 sdist-tests: .venv/installed ## a wheel from the source distribution alone, compiled and called

@@ -83,6 +83,9 @@ impl Manifest {
     /// [`StoreError::ManifestDamaged`], a failure of the file system.
     pub(crate) fn read(study: &Path) -> Result<Option<Self>, StoreError> {
         let path = study.join(FILE);
+        if plain::is_link(&path) {
+            return Err(StoreError::ManifestDamaged { path });
+        }
         let content = match plain::read(&path) {
             Ok(content) => content,
             Err(source) if source.kind() == ErrorKind::NotFound => return Ok(None),

@@ -33,6 +33,11 @@ pub(crate) fn read(path: &Path) -> io::Result<Vec<u8>> {
     Ok(content)
 }
 
+/// Whether a link stands at a place, wherever it leads.
+pub(crate) fn is_link(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_symlink())
+}
+
 /// What something is that is no file, in words.
 pub(crate) fn words(kind: fs::FileType) -> &'static str {
     #[cfg(unix)]

@@ -7,7 +7,10 @@ use std::thread;
 use std::time::Duration;
 
 use judder_explorer::{Explorer, ViewedCase};
+use judder_study::Silent;
+use judder_study::run::{RunOptions, run};
 use serde_json::json;
+use tempfile::TempDir;
 
 use crate::{Door, Sample};
 
@@ -24,31 +27,50 @@ fn bodies() -> Vec<Sample> {
         ("map", json!({ "set": set, "analysis": map, "boundaries": ["full"] })),
         ("analysis", json!({ "set": set, "analysis": spectrum })),
         ("motion", json!({ "set": set, "analysis": { "kind": "motion", "duration": 50, "points": 51 } })),
-        ("law", json!({ "set": set, "velocity": range(0.0, 1.0), "indentation": range(1e-3, 1e-1) })),
+        ("law", json!({ "set": set, "velocity": range(1e-3, 1.0), "indentation": range(1e-3, 1e-1) })),
         ("export", json!({ "set": set, "analysis": spectrum })),
-        ("study,case", json!({ "name": "spectrum" })),
-        ("study,arrays", json!({ "name": "spectrum", "variables": ["value"] })),
-        ("study,report", json!({ "name": "spectrum" })),
-        ("study,shapes", json!({ "name": "spectrum" })),
+        ("study,case", json!({ "analysis": "spectrum" })),
+        (
+            "study,arrays",
+            json!({ "analysis": "spectrum", "variables": ["growth_rate"], "from": 0, "to": 3, "most": 9 }),
+        ),
+        ("study,report", json!({ "analysis": "spectrum" })),
+        ("study,shapes", json!({ "analysis": "spectrum", "at": 0.5, "count": 3 })),
     ];
     all.map(|(name, body)| (PathBuf::from(name), body.to_string().into_bytes())).to_vec()
 }
 
+/// The study that is served.
+const CASE: &str = r#"
+model = "oscillator"
+[contact]
+shear_strength = 0.005
+[[analysis]]
+kind = "spectrum"
+sweep = { key = "contact.shear_strength", from = 1e-3, to = 1e-1, points = 4 }
+"#;
+
 /// A server that runs as long as the process, and what lets in.
 struct Server {
+    _study: TempDir,
     port: u16,
     cookie: String,
 }
 
 impl Server {
     fn new() -> Self {
-        let explorer = Explorer::new(ViewedCase::open(None, None).unwrap(), None).unwrap();
+        let study = TempDir::new().unwrap();
+        let file = judder_models::parse("case.toml", CASE, &[]).unwrap();
+        let options = RunOptions { without_report: true, ..RunOptions::default() };
+        assert!(run(&file, study.path(), &options, &Silent).unwrap().complete);
+        let viewed = ViewedCase::open(None, Some(study.path())).unwrap();
+        let explorer = Explorer::new(viewed, None).unwrap();
         let address = explorer.address();
         let rest = address.strip_prefix("http://127.0.0.1:").unwrap();
         let (port, token) = rest.split_once("/enter?token=").unwrap();
         let (port, token) = (port.parse().unwrap(), token.to_owned());
         thread::spawn(move || explorer.serve(&|| false).unwrap());
-        let mut this = Self { port, cookie: String::new() };
+        let mut this = Self { _study: study, port, cookie: String::new() };
         let entered = this.send(
             format!(
                 "GET /enter?token={token} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nConnection: close\r\n\r\n"
@@ -89,12 +111,17 @@ impl Server {
 /// The door of the page.
 pub(crate) fn door() -> Door {
     let server = Server::new();
-    let reading = move |path: &Path, content: &[u8]| {
+    let post = move |path: &Path, content: &[u8]| {
         let name = path.file_name().unwrap_or_default().to_string_lossy().replace(',', "/");
-        match server.post(&format!("/api/{name}"), content)? {
-            status if status >= 500 => Err(format!("status {status}")),
-            _ => Ok(()),
-        }
+        server.post(&format!("/api/{name}"), content)
+    };
+    for (name, body) in bodies() {
+        let status = post(&name, &body).unwrap();
+        assert!(status == 200, "{}: {status}", name.display());
+    }
+    let reading = move |path: &Path, content: &[u8]| match post(path, content)? {
+        status if status >= 500 => Err(format!("status {status}")),
+        _ => Ok(()),
     };
     Door { name: "requests", samples: bodies(), tells: true, reading: Box::new(reading) }
 }

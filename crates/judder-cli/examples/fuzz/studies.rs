@@ -35,7 +35,7 @@ quantities = ["growth_rate"]
 chunk = 2
 "#;
 
-/// A finished study that is put together anew for every input.
+/// A finished study, whole again after every input. A sample is one of its files, whose path has `,` for `/`.
 struct Stored {
     folder: TempDir,
     /// Where nothing is drawn, and the study stays as it is.
@@ -68,20 +68,21 @@ impl Stored {
 
     /// Reads the study in which the file of this name is another, with its list and without.
     fn read(&self, name: &str, content: &[u8]) -> Result<(), String> {
-        // a name stands for its path: `a/b` is written `a,b`
-        let name = PathBuf::from(name.replace(',', "/"));
+        let path = PathBuf::from(name.replace(',', "/"));
         let study = self.folder.path();
+        let put = |path: &Path, content: &[u8]| {
+            fs::write(study.join(path), content).map_err(|error| format!("{}: {error}", path.display()))
+        };
+        put(&path, content)?;
+        let list = Path::new("manifest.json");
         for listed in [true, false] {
-            for (path, own) in &self.files {
-                let content = if *path == name { content } else { own.as_slice() };
-                fs::write(study.join(path), content).map_err(|error| error.to_string())?;
-            }
             if !listed {
-                fs::remove_file(study.join("manifest.json")).map_err(|error| error.to_string())?;
+                fs::remove_file(study.join(list)).map_err(|error| error.to_string())?;
             }
             read_all(study, &self.page.path().join("page"));
         }
-        Ok(())
+        let whole = |(own, _): &&Sample| own == &path || own == list;
+        self.files.iter().filter(whole).try_for_each(|(own, content)| put(own, content))
     }
 }
 

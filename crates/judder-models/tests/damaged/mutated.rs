@@ -269,6 +269,8 @@ impl Finished {
         }
         match run_again(&self.file, &study, SweepWork::default()) {
             Ok(true) => self.is_mended(&study).unwrap_or_else(|why| believed(&format!("run: {why}"))),
+            // what is no file is refused as what it is
+            Err(why) if matches!(mutation, Mutation::Pipe) && why.contains("this is a pipe") => {}
             other => believed(&format!("run does not mend it: {other:?}")),
         }
     }
@@ -360,7 +362,7 @@ fn tried(count: usize, kinds: &[&str]) {
             }
             // every file in every way, in an order that mixes both
             let path = files[number % files.len()];
-            let mutation = MUTATIONS[(number / files.len() + number) % MUTATIONS.len()];
+            let mutation = MUTATIONS[(number / files.len() + number % files.len()) % MUTATIONS.len()];
             let what = format!("{kind}: {mutation:?} of {}, {number}", path.display());
             let began = Instant::now();
             let outcome = catch_unwind(AssertUnwindSafe(|| {

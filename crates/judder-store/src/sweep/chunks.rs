@@ -109,6 +109,9 @@ impl SweepChunks {
     /// [`StoreError::NoSuchChunk`], a failure of the file system.
     pub fn state(&self, chunk: usize) -> Result<ChunkState, StoreError> {
         let path = self.path(chunk)?;
+        if plain::is_link(&path) {
+            return Ok(ChunkState::Damaged(ChunkDamage::NoRecord));
+        }
         let content = match plain::read(&path) {
             Ok(content) => content,
             Err(source) if source.kind() == ErrorKind::NotFound => return Ok(ChunkState::Missing),

@@ -7,6 +7,7 @@ mod deformed;
 mod driven;
 mod expressions;
 mod interface_modes;
+mod interrupted_maps;
 mod joined;
 mod knocks;
 mod marches;

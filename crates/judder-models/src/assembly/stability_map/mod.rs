@@ -1,6 +1,7 @@
 //! `stability-map`: where steady sliding is stable over two keys.
 
 mod figure;
+mod kept_point;
 mod point;
 mod run;
 
@@ -90,7 +91,7 @@ impl Analysis<AssemblyCase> for AssemblyMap {
     }
 
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run(of, self, task.progress)
+        run::run(of, self, task.own, task.progress)
     }
 
     fn summary_keys(&self) -> Vec<Declared> {

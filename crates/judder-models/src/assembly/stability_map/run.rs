@@ -1,6 +1,7 @@
 //! Verdicts at the points of a map, and the boundary between them.
 
 use super::AssemblyMap;
+use super::kept_point::{DecidedPoint, KeptMapPoint};
 use super::point::{MapPoint, PointVerdict};
 use crate::assembly::AssemblySubject;
 use crate::assembly::swept::{SweptAssembly, beyond_laws};
@@ -10,9 +11,11 @@ use judder_store::{Dataset, Results, Variable};
 use judder_structure::onset::onsets_between;
 use judder_structure::quadratic::Region;
 use judder_study::axis::SweptAxis;
+use judder_study::kept::KeptLines;
 use judder_study::outcome::Outcome;
 use judder_study::{Progress, StudyError};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// What is told of a map.
 #[derive(Results)]
@@ -40,6 +43,7 @@ pub(super) struct ToldMap {
 pub(super) fn run(
     of: &AssemblySubject<'_>,
     settings: &AssemblyMap,
+    kept: KeptLines<'_>,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
     let map = SolvedMap {
@@ -49,7 +53,7 @@ pub(super) fn run(
         y: &settings.y,
     };
     let start = std::time::Instant::now();
-    let (points, reasons) = map.points(progress)?;
+    let (points, reasons) = map.points(kept, progress)?;
     let seconds = start.elapsed().as_secs_f64();
     let boundary = if settings.boundaries { map.boundary(&points, progress)? } else { Vec::new() };
     let count = |is: &dyn Fn(PointVerdict) -> bool| points.iter().filter(|point| is(point.verdict)).count();
@@ -102,10 +106,16 @@ struct SolvedMap<'a> {
 }
 
 impl SolvedMap<'_> {
-    /// All points, row by row, and why some are not known.
-    fn points(&self, progress: &dyn Progress) -> Result<(Vec<MapPoint>, Vec<String>), ModelError> {
+    /// All points, row by row, those among them that an interrupted run has kept, and why some are not known.
+    fn points(
+        &self,
+        kept: KeptLines<'_>,
+        progress: &dyn Progress,
+    ) -> Result<(Vec<MapPoint>, Vec<String>), ModelError> {
         let columns = self.x.values.len();
-        let solved: Vec<Result<MapPoint, ModelError>> = (0..columns * self.y.values.len())
+        let known = kept.known::<KeptMapPoint>().into_iter().map(|own| (own.index, own));
+        let known: BTreeMap<usize, KeptMapPoint> = known.collect();
+        let solved: Vec<DecidedPoint> = (0..columns * self.y.values.len())
             .into_par_iter()
             .map(|index| {
                 progress.go_on()?;
@@ -113,23 +123,31 @@ impl SolvedMap<'_> {
                 if index > 0 {
                     progress.advance();
                 }
-                let values = [self.x.values[index % columns], self.y.values[index / columns]];
-                let state = self.family.state(&values)?;
-                MapPoint::new(&self.family, &state, &self.region)
+                if let Some(point) = known.get(&index) {
+                    return Ok(point.solved());
+                }
+                let solved = match self.solved([index % columns, index / columns]) {
+                    Err(ModelError::Interrupted) => return Err(ModelError::Interrupted),
+                    solved => solved.map_err(|error| error.to_string()),
+                };
+                kept.add(&KeptMapPoint::new(index, &solved));
+                Ok(solved)
             })
-            .collect();
+            .collect::<Result<_, ModelError>>()?;
         let (mut points, mut reasons) = (Vec::with_capacity(solved.len()), Vec::new());
         for point in solved {
-            match point {
-                Err(ModelError::Interrupted) => return Err(ModelError::Interrupted),
-                Err(error) => {
-                    reasons.push(error.to_string());
-                    points.push(MapPoint::UNKNOWN);
-                }
-                Ok(point) => points.push(point),
-            }
+            points.push(point.unwrap_or_else(|reason| {
+                reasons.push(reason);
+                MapPoint::UNKNOWN
+            }));
         }
         Ok((points, reasons))
+    }
+
+    /// The point at a column and a row.
+    fn solved(&self, [column, row]: [usize; 2]) -> Result<MapPoint, ModelError> {
+        let state = self.family.state(&[self.x.values[column], self.y.values[row]])?;
+        MapPoint::new(&self.family, &state, &self.region)
     }
 
     /// Where stability changes between neighbours of a row or of a column.
@@ -160,24 +178,30 @@ impl SolvedMap<'_> {
         let point = |[column, row]: [usize; 2]| &points[row * self.x.values.len() + column];
         let mut ends = [one, other];
         ends.sort_by(|a, b| place(*a)[axis].total_cmp(&place(*b)[axis]));
-        let [low, high] = ends.map(|at| (place(at)[axis], point(at)));
-        if low.1.verdict.is_unstable() == high.1.verdict.is_unstable() {
+        let [low, high] = ends.map(point);
+        if low.verdict.is_unstable() == high.verdict.is_unstable() {
             return None;
         }
+        let is_rising = high.verdict.is_unstable();
+        // of a point that was kept its modes are not
+        let known = |at: [usize; 2]| {
+            let solved = || self.solved(at).ok()?.stability;
+            Some((place(at)[axis], point(at).stability.clone().or_else(solved)?))
+        };
         let at = |value: f64| {
             let mut values = place(one);
             values[axis] = value;
             values
         };
-        let known = |(value, point): (f64, &MapPoint)| Some((value, point.stability.clone()?));
-        let found = onsets_between(&known(low)?, &known(high)?, &self.region, &mut |value, within| {
+        let [low, high] = ends.map(known);
+        let found = onsets_between(&low?, &high?, &self.region, &mut |value, within| {
             progress.go_on()?;
             let state = self.family.state(&at(value))?;
             Ok::<_, ModelError>(self.family.solved_alone(&state, within)?.stability(state.pieces))
         });
         let found = found.ok()?.onsets;
         // beyond the first onset modes grow, or before the last
-        let onset = if high.1.verdict.is_unstable() { found.first() } else { found.last() };
+        let onset = if is_rising { found.first() } else { found.last() };
         onset.map(|onset| at(onset.value))
     }
 

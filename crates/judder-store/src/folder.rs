@@ -4,6 +4,7 @@
 
 mod listed;
 
+use std::collections::HashMap;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
@@ -175,7 +176,7 @@ impl StudyFolder {
         let below = format!("{}/{analysis}/", results::FOLDER);
         self.manifest().take_off(|path, _| path.starts_with(&below))?;
         results::write(&self.path, &self.publishing, analysis, hash, dataset, elsewhere)?;
-        self.manifest().list_folder(Some(analysis), &self.path.join(below))
+        self.manifest().list_folder(Some(analysis), &self.path.join(below), HashMap::new())
     }
 
     /// Reads the arrays of an analysis back.

@@ -70,8 +70,8 @@ pub use shared::SharedStudy;
 pub use stream::{StreamSlice, StreamWriter};
 pub use summary::{AnalysisRecord, Status, Summary, number};
 pub use sweep::{
-    ChunkClaim, ChunkDamage, ChunkPoints, ChunkState, ClaimAnswer, PointFailure, StoredChunk, SweepChunks,
-    SweepDimension, SweepFailure, SweepLayout, SweepQuantity, SweepStore,
+    ChunkClaim, ChunkDamage, ChunkFile, ChunkPoints, ChunkState, ClaimAnswer, PointFailure, StoredChunk,
+    SweepChunks, SweepDimension, SweepFailure, SweepLayout, SweepQuantity, SweepStore,
 };
 pub use table::{Cells, Table};
 pub use under_way::{ClosedWrites, WriteUnderWay, close_writes};

@@ -26,7 +26,7 @@ mod sampled;
 mod shard;
 mod store;
 
-pub use chunks::{ChunkState, StoredChunk, SweepChunks, SweepFailure};
+pub use chunks::{ChunkFile, ChunkState, StoredChunk, SweepChunks, SweepFailure};
 pub(crate) use claim::PREFIX;
 pub use claim::{ChunkClaim, ClaimAnswer};
 pub use damage::ChunkDamage;

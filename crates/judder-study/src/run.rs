@@ -21,7 +21,7 @@ use crate::outcome::CheckRecord;
 use crate::progress::{Progress, announced};
 use crate::registry::Registry;
 use crate::report::{self, WrittenPage};
-use crate::sweep::{Shard, SweepEstimate, SweepPlan};
+use crate::sweep::{Shard, SweepEstimate, SweepPlan, SweepReading};
 use crate::terminal_tables;
 use crate::version::{maker, version};
 use analyses::{AnalysisRunner, shared};
@@ -160,7 +160,7 @@ pub fn run(
     }
     let store = taken(folder, options.fresh)?;
     let analyses = options.sweeps == SweepWork::All;
-    let computed = compute_in(store, &asked, &prepared, &[], analyses, progress, start)?;
+    let computed = compute_in(store, &asked, &prepared, Vec::new(), analyses, progress, start)?;
     computed.reported(file.registry(), options, Vec::new(), progress)
 }
 
@@ -286,7 +286,7 @@ pub fn compute(
 ) -> Result<Computed, StudyError> {
     let start = Instant::now();
     let (asked, prepared) = prepared(file, options, progress)?;
-    compute_in(taken(folder, options.fresh)?, &asked, &prepared, &[], true, progress, start)
+    compute_in(taken(folder, options.fresh)?, &asked, &prepared, Vec::new(), true, progress, start)
 }
 
 /// The study in a folder, held alone; without earlier results where it is to be fresh.
@@ -303,7 +303,7 @@ fn compute_in(
     store: StudyFolder,
     asked: &AskedCase<'_>,
     prepared: &Prepared,
-    sweeps: &[SweepPlan],
+    sweeps: Vec<(&SweepPlan, Option<SweepReading<'_>>)>,
     analyses: bool,
     progress: &dyn Progress,
     start: Instant,
@@ -338,8 +338,8 @@ fn compute_in(
         scratch.discard()?;
     }
     runner.discard_shared()?;
-    for plan in sweeps {
-        skipped.extend(sweeps::finished(&store, &mut study, plan, progress)?);
+    for (plan, reading) in sweeps {
+        skipped.extend(sweeps::finished(&store, &mut study, plan, reading, progress)?);
     }
     study.summary.wall_time_s = start.elapsed().as_secs_f64();
     store.write_summary(&study.summary, None)?;

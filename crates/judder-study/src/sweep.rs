@@ -25,10 +25,10 @@ pub mod shard;
 mod statistics;
 mod waiting;
 
-pub(crate) use chunks::{damaged, mend, work};
+pub(crate) use chunks::{compute_anew, mend, work};
 pub use dry_run::SweepEstimate;
 pub use evaluate::Evaluator;
-pub(crate) use finish::finish;
+pub(crate) use finish::{ReadChunks, SweepReading, read};
 pub use part::{Handed, joined, missing};
 pub use plan::SweepPlan;
 pub use shard::Shard;

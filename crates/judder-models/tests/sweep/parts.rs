@@ -4,9 +4,10 @@ use super::{GRID, HEAD, file};
 use crate::run_into;
 use judder_store::StoreError;
 use judder_study::run::{RunOptions, SweepWork, run};
-use judder_study::{Silent, StudyError};
+use judder_study::{Progress, Silent, StudyError};
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Every file of the results, by its path.
 fn stored(folder: &Path) -> BTreeMap<String, Vec<u8>> {
@@ -99,6 +100,35 @@ fn a_merge_and_a_part_find_a_damaged_chunk() {
     assert_eq!(std::fs::read(&chunk).unwrap(), b"", "not of this part");
     run(&file, folder.path(), &part("3/4"), &Silent).unwrap();
     assert_eq!(stored(folder.path()), before);
+}
+
+/// Asks to stop once it has heard of the summary of a sweep.
+#[derive(Default)]
+struct StoppingAtSummary(AtomicBool);
+
+impl Progress for StoppingAtSummary {
+    fn begin(&self, name: &str, _steps: usize) {
+        self.0.fetch_or(name.ends_with(", summary"), Ordering::Relaxed);
+    }
+    fn expect(&self, _steps: usize) {}
+    fn advance(&self) {}
+    fn end(&self) {}
+    fn interrupted(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+#[test]
+fn an_interrupted_completion_goes_on_without_computing_a_chunk() {
+    let folder = tempfile::tempdir().unwrap();
+    let whole = tempfile::tempdir().unwrap();
+    let file = file(GRID);
+    run_into(whole.path(), &file, &[]);
+    let stopped = run(&file, folder.path(), &RunOptions::default(), &StoppingAtSummary::default());
+    assert!(matches!(stopped, Err(StudyError::Interrupted)), "{stopped:?}");
+    let merge = RunOptions { sweeps: SweepWork::Merge, ..RunOptions::default() };
+    assert!(run(&file, folder.path(), &merge, &Silent).unwrap().complete);
+    assert_eq!(stored(folder.path()), stored(whole.path()));
 }
 
 #[test]

@@ -186,7 +186,7 @@ fn replace(study: &Path, analysis: &str, wrong: &Variable) {
     let store = StudyFolder::open(study).unwrap();
     let summary = store.read_summary().unwrap().unwrap();
     for name in summary.analyses.keys() {
-        store.list_sweep(name).unwrap();
+        store.list_sweep(name, Vec::new()).unwrap();
     }
     store.write_summary(&summary, None).unwrap();
     store.seal("").unwrap();

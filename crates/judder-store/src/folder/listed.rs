@@ -1,11 +1,11 @@
 //! What of a study is on the list of what it holds, and how it comes there.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 use std::sync::PoisonError;
 
 use crate::manifest::{self, FileRecord, SoundFiles};
-use crate::sweep::{self, SweepLayout};
+use crate::sweep::{self, ChunkFile, SweepLayout};
 use crate::{FileDamage, Status, StoreError, StudyFolder, Summary, plain, results, staging, summary};
 
 impl StudyFolder {
@@ -30,13 +30,14 @@ impl StudyFolder {
         Ok(true)
     }
 
-    /// Lists all files of a sweep whose chunks are all there.
+    /// Lists all files of a sweep whose chunks are all there. Those of `chunks` are listed as they were read; all others are read.
     ///
     /// # Errors
     /// Failures of the file system.
-    pub fn list_sweep(&self, name: &str) -> Result<(), StoreError> {
+    pub fn list_sweep(&self, name: &str, chunks: Vec<ChunkFile>) -> Result<(), StoreError> {
         let group = self.group(name)?;
-        self.manifest().list_folder(Some(name), &group)
+        let known = chunks.into_iter().map(|ChunkFile { path, bytes, hash }| (path, (bytes, hash)));
+        self.manifest().list_folder(Some(name), &group, known.collect())
     }
 
     /// Lists all files below a folder of the study that came there by other ways than this crate's, as a part of the study as a whole.
@@ -46,7 +47,7 @@ impl StudyFolder {
     pub fn list_files(&self, below: &str) -> Result<(), StoreError> {
         let path = self.inner_place(Path::new(below))?;
         self.manifest().take_off(|listed, _| Path::new(listed).starts_with(below))?;
-        if path.is_dir() { self.manifest().list_folder(None, &path) } else { Ok(()) }
+        if path.is_dir() { self.manifest().list_folder(None, &path, HashMap::new()) } else { Ok(()) }
     }
 
     /// Takes files that belong to no result off the list at once, before they are written anew one after the other.

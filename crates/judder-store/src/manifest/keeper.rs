@@ -1,5 +1,6 @@
 //! The manifest of a study that is being written.
 
+use std::collections::HashMap;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -116,13 +117,21 @@ impl ManifestKeeper {
         self.now.files.insert(path, record);
     }
 
-    /// Lists all files of a folder of the study.
+    /// Lists all files of a folder of the study; those whose size and hash are not known are read.
     ///
     /// # Errors
     /// A failure of the file system.
-    pub(crate) fn list_folder(&mut self, of: Option<&str>, folder: &Path) -> Result<(), StoreError> {
+    pub(crate) fn list_folder(
+        &mut self,
+        of: Option<&str>,
+        folder: &Path,
+        mut known: HashMap<PathBuf, (u64, String)>,
+    ) -> Result<(), StoreError> {
         for path in files_below(folder).map_err(|source| StoreError::read(folder, source))? {
-            let (bytes, hash) = hash_of(&path).map_err(|source| StoreError::read(&path, source))?;
+            let (bytes, hash) = match known.remove(&path) {
+                Some(known) => known,
+                None => hash_of(&path).map_err(|source| StoreError::read(&path, source))?,
+            };
             if let Some(relative) = relative(&self.study, &path) {
                 let record = FileRecord { bytes, hash, of: of.map(str::to_owned), build: String::new() };
                 self.list(relative, record);
@@ -168,10 +177,7 @@ impl ManifestKeeper {
     /// What is wrong with a result: its files, and what the summary tells of it. Nothing is known of one that is not on the list.
     pub(crate) fn damages(&mut self, name: &str, summary: &Summary) -> Vec<(String, FileDamage)> {
         let Self { study, now, sound, .. } = self;
-        let mut damages: Vec<_> = now
-            .files_of(name)
-            .filter_map(|(path, record)| Some((path.clone(), sound.check(study, path, record).err()?)))
-            .collect();
+        let mut damages = sound.check_all(study, now.files_of(name).collect());
         if now.results.get(name).is_some_and(|listed| *listed != told(summary, name)) {
             damages.push((summary::FILE.to_owned(), FileDamage::Content));
         }

@@ -6,6 +6,8 @@ use std::io::{ErrorKind, Read};
 use std::path::Path;
 use std::time::SystemTime;
 
+use rayon::prelude::*;
+
 use super::FileRecord;
 use crate::plain;
 
@@ -58,17 +60,38 @@ pub(crate) fn stamp(metadata: &fs::Metadata) -> FileStamp {
 }
 
 impl SoundFiles {
-    /// Compares a file of a study with what is listed of it, by its content; one that was sound and was not written since is not read.
-    pub(crate) fn check(&mut self, study: &Path, path: &str, record: &FileRecord) -> Result<(), FileDamage> {
-        let file = study.join(path);
-        let Ok(metadata) = fs::symlink_metadata(&file) else { return check(&file, record, true) };
-        let known = (stamp(&metadata), record.hash.clone());
-        if metadata.is_file() && self.0.get(path) == Some(&known) {
-            return Ok(());
+    /// Compares files of a study with what is listed of them, by their content, on all cores; one that was sound and was not written since is not
+    /// read. Gives back what is wrong, in the order of the files.
+    pub(crate) fn check_all(
+        &mut self,
+        study: &Path,
+        files: Vec<(&String, &FileRecord)>,
+    ) -> Vec<(String, FileDamage)> {
+        let of = |(path, record): &(&String, &FileRecord)| self.check(study, path, record);
+        let looked: Vec<Result<Option<FileStamp>, FileDamage>> = files.par_iter().map(of).collect();
+        let mut damages = Vec::new();
+        for ((path, record), found) in files.into_iter().zip(looked) {
+            match found {
+                Ok(None) => {}
+                Ok(Some(stamp)) => drop(self.0.insert(path.clone(), (stamp, record.hash.clone()))),
+                Err(damage) => damages.push((path.clone(), damage)),
+            }
         }
-        check(&file, record, true)?;
-        self.0.insert(path.to_owned(), known);
-        Ok(())
+        damages
+    }
+
+    /// Compares a file; gives back its stamp where it was read.
+    fn check(&self, study: &Path, path: &str, record: &FileRecord) -> Result<Option<FileStamp>, FileDamage> {
+        let file = study.join(path);
+        let Ok(metadata) = fs::symlink_metadata(&file) else {
+            return check(&file, record, true).map(|()| None);
+        };
+        let stamp = stamp(&metadata);
+        let is_known = self.0.get(path).is_some_and(|(known, hash)| *known == stamp && *hash == record.hash);
+        if metadata.is_file() && is_known {
+            return Ok(None);
+        }
+        check(&file, record, true).map(|()| Some(stamp))
     }
 }
 

@@ -8,7 +8,7 @@ use super::damage::ChunkDamage;
 use super::layout::SweepLayout;
 use super::record::{self, ChunkEnd, PointFailure, Record, TRAILER_BYTES};
 use super::{group, shard};
-use crate::{StoreError, plain};
+use crate::{StoreError, content_hash, plain};
 
 /// The chunks of one sweep in a study, to be looked at: no lock is taken, so that chunks may be added meanwhile.
 #[derive(Debug, Clone)]
@@ -44,6 +44,15 @@ pub struct StoredChunk {
     pub values: Vec<f64>,
     /// The points that failed, by index.
     pub failures: Vec<PointFailure>,
+}
+
+/// The file of a chunk as the list of what a study holds has it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ChunkFile {
+    pub(crate) path: PathBuf,
+    pub(crate) bytes: u64,
+    /// The hash of its content.
+    pub(crate) hash: String,
 }
 
 /// A point of a sweep that has no answer, and why.
@@ -135,9 +144,24 @@ impl SweepChunks {
     /// [`StoreError::NoSuchChunk`], [`StoreError::MissingChunk`], [`StoreError::DamagedChunk`], [`StoreError::ForeignChunk`], failures of the file
     /// system.
     pub fn read(&self, chunk: usize) -> Result<StoredChunk, StoreError> {
+        self.decoded(chunk, &self.content(chunk)?)
+    }
+
+    /// Reads a chunk, and says of its file what [`StudyFolder::list_sweep`](crate::StudyFolder::list_sweep) takes.
+    ///
+    /// # Errors
+    /// As of [`read`](Self::read).
+    pub fn read_to_list(&self, chunk: usize) -> Result<(StoredChunk, ChunkFile), StoreError> {
+        let (path, content) = (self.path(chunk)?, self.content(chunk)?);
+        let file = ChunkFile { path, bytes: content.len() as u64, hash: content_hash(&content) };
+        Ok((self.decoded(chunk, &content)?, file))
+    }
+
+    /// The bytes of a chunk.
+    fn content(&self, chunk: usize) -> Result<Vec<u8>, StoreError> {
         let path = self.path(chunk)?;
         match plain::read(&path) {
-            Ok(content) => self.decoded(chunk, &content),
+            Ok(content) => Ok(content),
             Err(source) if source.kind() == ErrorKind::NotFound => Err(StoreError::MissingChunk { path }),
             Err(source) if source.kind() == ErrorKind::InvalidInput => {
                 Err(StoreError::DamagedChunk { path, damage: ChunkDamage::NoRecord })

@@ -273,6 +273,25 @@ fn whoever_begins_a_study_or_a_sweep_is_not_refused_by_another() {
 }
 
 #[test]
+fn chunks_are_listed_as_they_were_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = StudyFolder::create(folder.path()).unwrap();
+    let store = study.sweep(&sweep("h", &[("sample", 40, 3)])).unwrap();
+    write_all(&store);
+    let listed = |chunks| {
+        study.list_sweep("sweep", chunks).unwrap();
+        study.keep_manifest("build").unwrap();
+        fs::read_to_string(folder.path().join("manifest.json")).unwrap()
+    };
+    let read = (0..14).map(|chunk| store.read_to_list(chunk).unwrap());
+    let (content, files): (Vec<_>, Vec<_>) = read.unzip();
+    assert_eq!(content[13], store.read(13).unwrap());
+    let as_read = listed(files);
+    assert_eq!(as_read.matches("values/c.").count(), 14);
+    assert_eq!(as_read, listed(Vec::new()), "read once more");
+}
+
+#[test]
 fn another_case_and_another_layout_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let study = SharedStudy::join(folder.path()).unwrap();

@@ -6,8 +6,11 @@ use crate::error::StudyError;
 use crate::ledger::Study;
 use crate::model::Prepared;
 use crate::progress::{Progress, announced};
-use crate::sweep::{Shard, SweepPlan, damaged, finish, joined, mend, when_free, work};
+use crate::sweep::{
+    ReadChunks, Shard, SweepPlan, SweepReading, compute_anew, joined, mend, read, when_free, work,
+};
 use judder_store::{SharedStudy, SoundFiles, StoreError, StudyFolder, Summary, SweepChunks, SweepStore};
+use std::mem;
 use std::path::Path;
 use std::time::Instant;
 
@@ -47,12 +50,18 @@ pub(super) fn run(
         None => return Ok(unfinished(folder, Summary::default(), is_part, notes)),
     };
     let is_completed = waited && is_done(&store, plans)?;
+    let mut sweeps: Vec<(&SweepPlan, Option<SweepReading<'_>>)> = Vec::new();
     if is_whole && !is_part && !is_completed {
         for plan in plans {
-            let (note, whole) = looked_through(&store, plan, options.sweeps, progress)?;
-            notes.extend(note);
-            is_whole &= whole;
+            let looked = looked_through(&store, plan, options.sweeps, earlier.is_some(), progress)?;
+            notes.extend(looked.note);
+            is_whole &= looked.is_whole;
+            // all values for sensitivity are in memory for one sweep at a time
+            let is_kept = plans.len() == 1 || plan.sweep().sensitivity.is_none();
+            sweeps.push((plan, looked.reading.filter(|_| is_kept)));
         }
+    } else {
+        sweeps.extend(plans.iter().map(|plan| (plan, None)));
     }
     if is_part || !is_whole {
         let summary = store.read_summary()?.unwrap_or_default();
@@ -62,7 +71,7 @@ pub(super) fn run(
         store.trust(earlier.sound.clone());
     }
     let analyses = options.sweeps == SweepWork::All;
-    let mut computed = compute_in(store, asked, prepared, plans, analyses, progress, start)?;
+    let mut computed = compute_in(store, asked, prepared, sweeps, analyses, progress, start)?;
     // what this run did before it shared the study was not done before it, and what it forgot is gone
     if let Some(Earlier { done: mut names, forgotten, damages, .. }) = earlier {
         let of_sweeps = |name: &String| plans.iter().any(|plan| plan.layout().name() == name);
@@ -121,7 +130,7 @@ fn begun(
     }
     match taken(folder, options.fresh) {
         Ok(store) if options.sweeps == SweepWork::All => {
-            let computed = compute_in(store, asked, prepared, &[], true, progress, Instant::now())?;
+            let computed = compute_in(store, asked, prepared, Vec::new(), true, progress, Instant::now())?;
             let Computed { store, skipped: done, forgotten, damages, .. } = computed;
             Ok(Some(Earlier { done, forgotten, damages, sound: store.sound_files() }))
         }
@@ -202,27 +211,54 @@ fn worked(
     Ok((notes, there == all))
 }
 
-/// Reads all chunks of a sweep in a study that is held alone; computes damaged ones anew, where anything is to be computed. Says what was found,
-/// and whether all are whole now.
-fn looked_through(
+/// What became of looking at all chunks of a sweep.
+struct LookedThrough<'a> {
+    note: Option<String>,
+    reading: Option<SweepReading<'a>>,
+    is_whole: bool,
+}
+
+/// Reads all chunks of a sweep that is not done in a study that is held alone; computes damaged ones anew, where anything is to be computed. Says what
+/// was found, and whether all are whole now. Where this run has compared the study with its list, what is done is not read again.
+fn looked_through<'a>(
     study: &StudyFolder,
-    plan: &SweepPlan,
+    plan: &'a SweepPlan,
     how: SweepWork,
+    is_compared: bool,
     progress: &dyn Progress,
-) -> Result<(Option<String>, bool), StudyError> {
-    let Some(chunks) = SweepChunks::look(study.path(), plan.layout())? else { return Ok((None, true)) };
-    let name = plan.layout().name();
-    let look = || damaged(&chunks, Shard::WHOLE, progress);
-    let count = announced(progress, &format!("reading the chunks of {name}"), look)?.len();
-    match (count, how) {
-        (0, _) | (_, SweepWork::Part(_)) => Ok((None, true)),
-        (_, SweepWork::All) => {
-            Ok((mended(plan, &study.sweep(plan.layout())?, Shard::WHOLE, progress)?, true))
+) -> Result<LookedThrough<'a>, StudyError> {
+    let layout = plan.layout();
+    let whole = LookedThrough { note: None, reading: None, is_whole: true };
+    if is_compared && study.is_done(layout.name(), layout.hash())? {
+        return Ok(whole);
+    }
+    let Some(chunks) = SweepChunks::look(study.path(), layout)? else { return Ok(whole) };
+    let damaged = match read(plan, &chunks, progress)? {
+        ReadChunks::Whole(reading) => {
+            return Ok(LookedThrough { reading: Some(reading), ..whole });
         }
-        (_, SweepWork::Merge) => Ok((
-            Some(format!("{name}: {} damaged; `judder run` computes them anew", of_chunks(count))),
-            false,
-        )),
+        ReadChunks::Damaged(damaged, _) => damaged,
+    };
+    let (name, count) = (layout.name(), damaged.len());
+    if how == SweepWork::Merge {
+        let note = format!("{name}: {} damaged; `judder run` computes them anew", of_chunks(count));
+        return Ok(LookedThrough { note: Some(note), is_whole: false, ..whole });
+    }
+    compute_anew(plan, &study.sweep(layout)?, damaged, progress)?;
+    let reading = Some(read_whole(study, plan, progress)?);
+    Ok(LookedThrough { note: Some(anew(name, count)), reading, ..whole })
+}
+
+/// Reads all chunks of a sweep.
+fn read_whole<'a>(
+    study: &StudyFolder,
+    plan: &'a SweepPlan,
+    progress: &dyn Progress,
+) -> Result<SweepReading<'a>, StudyError> {
+    let chunks = study.sweep(plan.layout())?;
+    match read(plan, &chunks, progress)? {
+        ReadChunks::Whole(reading) => Ok(reading),
+        ReadChunks::Damaged(_, first) => Err(first.into()),
     }
 }
 
@@ -234,19 +270,23 @@ fn mended(
     progress: &dyn Progress,
 ) -> Result<Option<String>, StudyError> {
     let count = mend(plan, store, shard, progress)?;
-    let name = plan.layout().name();
-    Ok((count > 0).then(|| format!("{name}: {count} damaged chunks were computed anew")))
+    Ok((count > 0).then(|| anew(plan.layout().name(), count)))
+}
+
+fn anew(name: &str, count: usize) -> String {
+    format!("{name}: {count} damaged chunks were computed anew")
 }
 
 fn of_chunks(count: usize) -> String {
     if count == 1 { "1 chunk is".to_owned() } else { format!("{count} chunks are") }
 }
 
-/// Keeps what a sweep says whose chunks are all there; gives its name back where that was kept before.
+/// Keeps what a sweep says whose chunks are all there, and may have been read; gives its name back where that was kept before.
 pub(super) fn finished(
     store: &StudyFolder,
     study: &mut Study<'_>,
     plan: &SweepPlan,
+    reading: Option<SweepReading<'_>>,
     progress: &dyn Progress,
 ) -> Result<Option<String>, StudyError> {
     let layout = plan.layout();
@@ -254,10 +294,11 @@ pub(super) fn finished(
         return Ok(Some(layout.name().to_owned()));
     }
     let began = Instant::now();
-    let chunks = store.sweep(layout)?;
+    let mut reading = reading.map_or_else(|| read_whole(store, plan, progress), Ok)?;
+    let files = mem::take(&mut reading.files);
     let what = format!("what the points of {} say together", layout.name());
-    let outcome = announced(progress, &what, || finish(plan, &chunks, progress));
-    store.list_sweep(layout.name())?;
+    let outcome = announced(progress, &what, || reading.outcome(plan, progress));
+    store.list_sweep(layout.name(), files)?;
     study.keep(layout.name(), layout.hash().to_owned(), outcome, began.elapsed().as_secs_f64())?;
     store.consolidate()?;
     Ok(None)

@@ -44,8 +44,21 @@ pub(crate) fn mend(
 ) -> Result<usize, StudyError> {
     let damaged = damaged(store, shard, progress)?;
     let count = damaged.len();
-    compute(plan, store, damaged, false, progress)?;
+    compute_anew(plan, store, damaged, progress)?;
     Ok(count)
+}
+
+/// Computes these chunks anew, which are damaged.
+///
+/// # Errors
+/// As of [`work`].
+pub(crate) fn compute_anew(
+    plan: &SweepPlan,
+    store: &SweepStore,
+    damaged: Vec<usize>,
+    progress: &dyn Progress,
+) -> Result<(), StudyError> {
+    compute(plan, store, damaged, false, progress)
 }
 
 /// Computes these chunks, but for those that others have done meanwhile; where none of them was there, a chunk that is there now is not opened.

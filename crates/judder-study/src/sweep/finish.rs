@@ -1,4 +1,4 @@
-//! A finished sweep as an outcome: what its summary says, its table, what the user has to know.
+//! A finished sweep as an outcome: what its summary says, its table, what the user has to know. Every chunk is read once.
 
 use super::evaluate::DOUBTFUL;
 use super::indices::indices;
@@ -9,7 +9,8 @@ use crate::error::StudyError;
 use crate::outcome::Outcome;
 use crate::progress::Progress;
 use judder_numerics::words::plain;
-use judder_store::{StoredChunk, SweepStore, Table};
+use judder_store::{ChunkFile, StoreError, StoredChunk, SweepChunks, Table};
+use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 
@@ -18,35 +19,90 @@ const SHOWN: usize = 20;
 /// The most points that become a table.
 const ROWS: usize = 100_000;
 
-/// What a sweep says whose chunks are all there.
-///
-/// # Errors
-/// A chunk that is missing or cannot be read, [`StudyError::Interrupted`].
-pub(crate) fn finish(
-    plan: &SweepPlan,
-    store: &SweepStore,
-    progress: &dyn Progress,
-) -> Result<Outcome, StudyError> {
-    let law = told_of_law(plan, progress)?;
-    let mut read = ChunkReading::new(plan);
-    let chunks = plan.layout().chunk_count();
-    progress.begin(&format!("{}, summary", plan.layout().name()), chunks);
-    let taken = (0..chunks).try_for_each(|chunk| {
-        if progress.interrupted() {
-            return Err(StudyError::Interrupted);
-        }
-        read.take(chunk, &store.read(chunk)?)?;
-        progress.advance();
-        Ok(())
-    });
-    progress.end();
-    taken?;
-    let mut outcome = read.outcome(progress)?;
-    outcome.warnings.extend(law);
-    Ok(outcome)
+/// Chunks that are read at a time, at most, and the bytes of their values.
+const READ_AT_A_TIME: usize = 1024;
+const BYTES_AT_A_TIME: usize = 1 << 28;
+
+/// All chunks of a sweep, each read once.
+pub(crate) struct SweepReading<'a> {
+    chunks: ChunkReading<'a>,
+    /// What the list of the study has of their files.
+    pub(crate) files: Vec<ChunkFile>,
 }
 
-/// The chunks of a sweep as they are read, one after the other.
+/// What came of reading all chunks.
+pub(crate) enum ReadChunks<'a> {
+    Whole(SweepReading<'a>),
+    /// These are not as they were written, and what is wrong with the first.
+    Damaged(Vec<usize>, StoreError),
+}
+
+/// Reads all chunks of a sweep, on all cores, and takes them in one after the other.
+///
+/// # Errors
+/// A chunk that is missing or of another case, failures of the file system, [`StudyError::Interrupted`].
+pub(crate) fn read<'a>(
+    plan: &'a SweepPlan,
+    store: &SweepChunks,
+    progress: &dyn Progress,
+) -> Result<ReadChunks<'a>, StudyError> {
+    let layout = plan.layout();
+    progress.begin(&format!("{}, summary", layout.name()), layout.chunk_count());
+    let read = read_in_order(plan, store, progress);
+    progress.end();
+    read
+}
+
+fn read_in_order<'a>(
+    plan: &'a SweepPlan,
+    store: &SweepChunks,
+    progress: &dyn Progress,
+) -> Result<ReadChunks<'a>, StudyError> {
+    let count = plan.layout().chunk_count();
+    let (mut chunks, mut files) = (ChunkReading::new(plan), Vec::with_capacity(count));
+    let (mut damaged, mut first_damage) = (Vec::new(), None);
+    let bytes = plan.layout().points(0)?.count() * plan.layout().quantities().len() * size_of::<f64>();
+    let stretch = (BYTES_AT_A_TIME / bytes.max(1)).clamp(1, READ_AT_A_TIME);
+    for first in (0..count).step_by(stretch) {
+        let stretch: Vec<_> = (first..count.min(first + stretch))
+            .into_par_iter()
+            .map(|chunk| progress.go_on().map(|()| (chunk, store.read_to_list(chunk))))
+            .collect::<Result<_, _>>()?;
+        for (chunk, content) in stretch {
+            match content {
+                Ok((content, file)) => {
+                    chunks.take(chunk, &content)?;
+                    files.push(file);
+                }
+                Err(error @ StoreError::DamagedChunk { .. }) => {
+                    damaged.push(chunk);
+                    first_damage.get_or_insert(error);
+                }
+                Err(error) => return Err(error.into()),
+            }
+            progress.advance();
+        }
+    }
+    Ok(match first_damage {
+        None => ReadChunks::Whole(SweepReading { chunks, files }),
+        Some(first) => ReadChunks::Damaged(damaged, first),
+    })
+}
+
+impl SweepReading<'_> {
+    /// What the sweep says.
+    ///
+    /// # Errors
+    /// [`StudyError::Interrupted`], a table that cannot be.
+    pub(crate) fn outcome(self, plan: &SweepPlan, progress: &dyn Progress) -> Result<Outcome, StudyError> {
+        let law = told_of_law(plan, progress)?;
+        let mut outcome = self.chunks.outcome(progress)?;
+        outcome.warnings.extend(law);
+        Ok(outcome)
+    }
+}
+
+/// The chunks of a sweep as they are taken in, one after the other.
 struct ChunkReading<'a> {
     plan: &'a SweepPlan,
     columns: Vec<ColumnStatistics>,

@@ -2,6 +2,7 @@
 
 use crate::contact::settings::LawMethod;
 use crate::error::ModelError;
+use crate::made_once::MadeOnce;
 use crate::material::Material;
 use judder_contact::law::boundary_elements::{sample, sweep_accuracy};
 use judder_contact::law::sweep::{
@@ -12,8 +13,7 @@ use judder_contact::law::{LawErrors, LawIndenter, LawLayer, LawOrigin};
 use judder_contact::steady::MEMORY;
 use judder_contact::{Law, LawError};
 use judder_study::Progress;
-use std::sync::{Arc, Mutex, MutexGuard, TryLockError};
-use std::time::Duration;
+use std::sync::Arc;
 
 /// How much further than the force area and friction may be off.
 const SECONDARY: f64 = 5.0;
@@ -86,12 +86,12 @@ pub struct KnownPoints<'a> {
     pub(crate) kept: &'a (dyn Fn(&SolvedLawPoint) + Sync),
 }
 
-/// The laws that are remembered while the program runs: more than a case has, fewer than a slider passes in an hour.
-const REMEMBERED: usize = 32;
-/// Between two looks whether another thread is done with its law.
-const PAUSE: Duration = Duration::from_millis(5);
+/// Bytes of laws that are remembered while the program runs: hundreds of laws to 1e-3, more than a slider passes in an hour.
+const REMEMBERED_BYTES: usize = 64 << 20;
+/// Bytes that a solved contact takes in a law, at most: its solution, and the piece of the law that ends there.
+const BYTES_A_CONTACT: usize = 1024;
 
-/// Computes a law, or gives the one that was computed before: the last few are kept while the program runs. `known` points are not
+/// Computes a law, or gives the one that was computed before: those asked for last are kept while the program runs. `known` points are not
 /// solved again, and every new one is handed to `kept`.
 ///
 /// # Errors
@@ -101,34 +101,16 @@ pub fn compute(
     points: KnownPoints<'_>,
     progress: &dyn Progress,
 ) -> Result<ComputedLaw, ModelError> {
-    static KNOWN: Mutex<Vec<(String, ComputedLaw)>> = Mutex::new(Vec::new());
+    static KNOWN: MadeOnce<ComputedLaw> = MadeOnce::new(REMEMBERED_BYTES);
     let LawTask { material, indenter, method, velocity, indentation, accuracy, memory } = task;
     // a curve of the paraboloid knows no ranges
     let ranges = (*method == LawMethod::Sweep).then_some((velocity, indentation));
     let key = format!("{:?} {indenter:?} {method:?} {ranges:?} {accuracy} {memory}", material.of_law());
-    // held while computing: two threads shall not compute the same law
-    let mut known = taken(&KNOWN, progress)?;
-    if let Some((_, law)) = known.iter().find(|(other, _)| *other == key) {
-        return Ok(law.clone());
-    }
-    let law = compute_anew(task, points, progress)?;
-    if known.len() == REMEMBERED {
-        known.remove(0);
-    }
-    known.push((key, law.clone()));
-    Ok(law)
-}
-
-/// What another thread may hold for long, unless interrupted before it is free.
-fn taken<'a, T>(mutex: &'a Mutex<T>, progress: &dyn Progress) -> Result<MutexGuard<'a, T>, ModelError> {
-    loop {
-        match mutex.try_lock() {
-            Ok(guard) => return Ok(guard),
-            Err(TryLockError::Poisoned(poisoned)) => return Ok(poisoned.into_inner()),
-            Err(TryLockError::WouldBlock) if progress.interrupted() => return Err(ModelError::Interrupted),
-            Err(TryLockError::WouldBlock) => std::thread::sleep(PAUSE),
-        }
-    }
+    KNOWN.get(&key, progress, || {
+        let law = compute_anew(task, points, progress)?;
+        let bytes = law.points.len() * BYTES_A_CONTACT;
+        Ok((law, bytes))
+    })
 }
 
 fn compute_anew(

@@ -34,6 +34,7 @@ pub mod key_sweep;
 mod known_substrate;
 mod labels;
 pub mod law_cache;
+mod made_once;
 pub mod mass;
 pub mod material;
 mod measured_band;

@@ -23,6 +23,9 @@ pub(super) fn added(mut resolved: Resolved, file: &CaseFile) -> Result<Resolved,
         .push_str("\nsweeps: keys and quantities; `judder run --dry-run` estimates time and memory\n");
     let rows: Vec<Vec<String>> = plans.iter().flat_map(rows).collect();
     resolved.text.push_str(&columns(&rows));
+    for (plan, advice) in plans.iter().filter_map(|plan| Some((plan, plan.advice()?))) {
+        resolved.text.push_str(&format!("{}: {advice}\n", plan.layout().name()));
+    }
     resolved.document["sweeps"] = plans.iter().map(document).collect();
     Ok(resolved)
 }

@@ -34,6 +34,8 @@ pub struct SweepEstimate {
     pub memory: u64,
     /// Bytes of all values on the disk, before compression.
     pub stored: u64,
+    /// What to do about more chunks than a folder takes well.
+    pub advice: Option<String>,
 }
 
 impl SweepEstimate {
@@ -63,6 +65,7 @@ impl SweepEstimate {
             threads,
             memory,
             stored: plan.sweep().points() * row,
+            advice: plan.advice(),
         })
     }
 
@@ -100,7 +103,8 @@ impl SweepEstimate {
             let failed = format!("{} of {} points; the first: {reason}", self.failed, self.tried);
             rows.push(vec!["failed when tried".to_owned(), failed]);
         }
-        format!("{}\n{}", self.name, columns(&rows))
+        let advice = self.advice.as_ref().map(|advice| format!("  {advice}\n")).unwrap_or_default();
+        format!("{}\n{}{advice}", self.name, columns(&rows))
     }
 }
 

@@ -21,6 +21,12 @@ const POINTS_OF_SEARCHES: u64 = 1 << 12;
 const POINTS_OF_ANALYSES: u64 = 64;
 /// Into how many chunks a small sweep is cut, so that there is work for every thread.
 const PARTS: u64 = 16;
+/// The most chunks that a sweep is cut into where the case does not say: each is a file, and all lie in one folder.
+const MOST_CHUNKS: u64 = 1 << 16;
+/// Bytes of values that a chunk may have for that.
+const MOST_BYTES: u64 = 1 << 26;
+/// From so many files on many file systems take a folder badly.
+const MANY_FILES: usize = 200_000;
 /// Fewer operating points than this are not worth a file, fewer searches than a part of it.
 const FEWEST: u64 = 1 << 12;
 const FEWEST_SEARCHES: u64 = 1 << 8;
@@ -112,6 +118,14 @@ impl SweepPlan {
         self.sweep.values_of(self.number(position))
     }
 
+    /// What to do about more chunks than a folder takes well; `None` where they are fewer.
+    pub(crate) fn advice(&self) -> Option<String> {
+        let count = self.layout.chunk_count();
+        (count > MANY_FILES).then(|| {
+            format!("{count} chunks are as many files in one folder, which many file systems take badly: ask for a larger `chunk`")
+        })
+    }
+
     /// How a swept key is called.
     pub(super) fn key(&self, k: usize) -> labels::SweptQuantity {
         label(&self.file, &self.sweep, k)
@@ -180,10 +194,16 @@ fn layout(
 
 /// The points that a chunk should have: decided by the case alone, so that every process cuts alike.
 fn target(file: &CaseFile, sweep: &StudySweep, columns: &[StoredColumn]) -> usize {
-    let part = sweep.points().div_ceil(PARTS);
-    let [fewest, most] = points_of_a_chunk(file, sweep, columns);
-    let points = sweep.chunk.unwrap_or(part.clamp(fewest, most) as usize).max(1);
+    let within = points_of_a_chunk(file, sweep, columns);
+    let points = sweep.chunk.unwrap_or(chosen_points(sweep.points(), columns.len(), within) as usize).max(1);
     points.next_multiple_of(sweep.row() as usize)
+}
+
+/// The points of a chunk where the case does not say: a part of the whole, between the fewest and the most, and more where there were too many chunks.
+fn chosen_points(all: u64, columns: usize, [fewest, most]: [u64; 2]) -> u64 {
+    let row = (columns.max(1) * size_of::<f64>()) as u64;
+    let for_fewer_chunks = all.div_ceil(MOST_CHUNKS).min(MOST_BYTES / row);
+    all.div_ceil(PARTS).clamp(fewest, most).max(for_fewer_chunks)
 }
 
 /// The fewest and the most points that a chunk should have, by what a point takes.
@@ -261,6 +281,18 @@ fn coordinate(file: &CaseFile, sweep: &StudySweep, k: usize) -> Variable {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_sweep_is_cut_into_no_more_chunks_than_a_folder_takes() {
+        let of_analyses = [1, POINTS_OF_ANALYSES];
+        assert_eq!(chosen_points(10, 2, of_analyses), 1);
+        assert_eq!(chosen_points(1_000_000, 2, of_analyses), 64);
+        let many = chosen_points(1_000_000_000, 2, of_analyses);
+        assert!(1_000_000_000_u64.div_ceil(many) <= MOST_CHUNKS, "{many}");
+        assert_eq!(chosen_points(1_000_000, 2, [1, 1]), 16, "laws, too");
+        let most = chosen_points(1_000_000_000_000, 100, of_analyses);
+        assert_eq!(most, MOST_BYTES / 800, "a chunk is in memory as a whole");
+    }
 
     #[test]
     fn chunks_take_the_last_dimensions_whole() {

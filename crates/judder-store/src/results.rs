@@ -101,8 +101,8 @@ pub(crate) fn add(stage: &Stage, staged: &Path, study: &Path, name: &str) -> io:
     judder_disk::create_folders(&results)?;
     let forgetful = stage.file("forgetful", &metadata::content(&metadata::group(Map::new(), None)))?;
     staging::rename(&forgetful, &results.join(metadata::FILE))?;
-    match staging::rename(staged, &target) {
-        Ok(()) => Ok(true),
+    match judder_disk::rename(staged, &target) {
+        Ok(()) => judder_disk::sync_folder(&results).map(|()| true),
         Err(_) if target.exists() => Ok(false),
         Err(source) => Err(source),
     }

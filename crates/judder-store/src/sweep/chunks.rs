@@ -118,10 +118,7 @@ impl SweepChunks {
     /// [`StoreError::NoSuchChunk`], a failure of the file system.
     pub fn state(&self, chunk: usize) -> Result<ChunkState, StoreError> {
         let path = self.path(chunk)?;
-        if plain::is_link(&path) {
-            return Ok(ChunkState::Damaged(ChunkDamage::NoRecord));
-        }
-        let content = match plain::read(&path) {
+        let content = match content(&path) {
             Ok(content) => content,
             Err(source) if source.kind() == ErrorKind::NotFound => return Ok(ChunkState::Missing),
             // something else stands in its place
@@ -160,7 +157,7 @@ impl SweepChunks {
     /// The bytes of a chunk.
     fn content(&self, chunk: usize) -> Result<Vec<u8>, StoreError> {
         let path = self.path(chunk)?;
-        match plain::read(&path) {
+        match content(&path) {
             Ok(content) => Ok(content),
             Err(source) if source.kind() == ErrorKind::NotFound => Err(StoreError::MissingChunk { path }),
             Err(source) if source.kind() == ErrorKind::InvalidInput => {
@@ -255,4 +252,9 @@ fn read_from(file: &mut File, start: u64) -> io::Result<Vec<u8>> {
     file.seek(SeekFrom::Start(start))?;
     file.read_to_end(&mut rest)?;
     Ok(rest)
+}
+
+/// What the file of a chunk holds; a link is none, wherever it leads.
+fn content(path: &Path) -> io::Result<Vec<u8>> {
+    if plain::is_link(path) { Err(ErrorKind::InvalidInput.into()) } else { plain::read(path) }
 }

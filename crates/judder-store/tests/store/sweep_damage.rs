@@ -213,3 +213,19 @@ fn a_frame_that_was_being_mended_when_a_run_was_killed_is_mended() {
     let after = contents(&folder.path().join("results.zarr/sweep"));
     assert_eq!(before, after);
 }
+
+#[cfg(unix)]
+#[test]
+fn a_link_to_a_whole_chunk_is_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let (store, path) = whole(folder.path());
+    let before = contents(&folder.path().join("results.zarr"));
+    let aside = tempfile::tempdir().unwrap();
+    let chunk = aside.path().join("chunk");
+    fs::rename(&path, &chunk).unwrap();
+    std::os::unix::fs::symlink(&chunk, &path).unwrap();
+    check_found(&store, |damage| *damage == ChunkDamage::NoRecord, "a link");
+    compute(&store, 1);
+    assert!(fs::symlink_metadata(&path).unwrap().is_file());
+    assert_eq!(contents(&folder.path().join("results.zarr")), before);
+}

@@ -116,6 +116,12 @@ pub enum Cause {
         /// The words that are known.
         known: Vec<String>,
     },
+    /// A parameter that is varied, and that stands in no expression of the case.
+    #[error("nothing in the case follows `{path}`")]
+    UnusedParameter {
+        /// The dotted path.
+        path: String,
+    },
     /// An analysis of another model.
     #[error("the analysis kind `{name}` belongs to another model")]
     OtherModel {
@@ -335,6 +341,8 @@ pub enum Cause {
         text: String,
         /// What the quantity is.
         dimension: Dimension,
+        /// What a number without a unit is there; nothing where none may stand.
+        group: Option<&'static str>,
     },
     /// A file that the case names and that is not there.
     #[error("`{key}` names `{}`, which {what}", path.display())]

@@ -1,5 +1,9 @@
 //! The case file as a tree whose every key and value knows its place; `--set` options are grafted onto it.
 
+mod parameters;
+
+pub use parameters::PARAMETER;
+
 use toml::Spanned;
 use toml::de::{DeInteger, DeTable, DeValue};
 
@@ -98,23 +102,6 @@ impl Node {
         graft(self, "the case", &steps, leaf)
     }
 
-    /// Puts a value of a key that is varied at the end of its dotted path, as [`set`](Self::set) does: of a case whose every other key may be left out for its default, a parameter has to be
-    /// there, for one of another name stands in no expression.
-    pub fn vary(&mut self, path: &str, place: Place, leaf: Node) -> Result<(), Fault> {
-        if let Some(name) = path.strip_prefix("parameters.")
-            && self.entry("parameters").is_none_or(|own| own.entry(name).is_none())
-        {
-            let known = match self.entry("parameters").map(|own| &own.data) {
-                Some(Data::Table(table)) => {
-                    table.entries.iter().map(|own| format!("parameters.{}", own.key)).collect()
-                }
-                _ => Vec::new(),
-            };
-            return Err(Cause::UnknownName { what: PARAMETER, name: path.to_owned(), known }.at(place));
-        }
-        self.set(path, place, leaf)
-    }
-
     /// A dotted path with the items of lists by their positions.
     pub fn by_position(&self, path: &str) -> String {
         let mut node = Some(self);
@@ -169,6 +156,11 @@ pub fn parse(text: &str) -> Result<Node, Fault> {
 /// The value is read as TOML and, where it is none, as a bare string: `velocity=30 mm/s` needs no inner quotes.
 pub fn apply_override(root: &mut Node, number: usize, option: &str) -> Result<(), Fault> {
     let SetOption { steps, value } = read_option(number, option)?;
+    let (path, last) =
+        (steps.iter().map(|(step, _)| *step).collect::<Vec<_>>().join("."), steps[steps.len() - 1].1);
+    if root.is_strange_parameter(&path) {
+        return Err(root.unknown_parameter(&path).at(last));
+    }
     let place = Place { source: number, start: value.start, end: value.end };
     let value = &option[value];
     let data = match DeValue::parse(value) {
@@ -211,9 +203,6 @@ pub fn read_option(number: usize, option: &str) -> Result<SetOption<'_>, Fault> 
 
 /// The most steps of a dotted path after the first: no key of a case lies deeper, and grafting recurses.
 pub const STEPS_LIMIT: usize = 8;
-
-/// What a key that is varied and stands for none of the parameters of its case should name.
-pub const PARAMETER: &str = "parameter";
 
 /// The keys that name an item of a list: the first that it has.
 pub const NAMING: [&str; 2] = ["name", "kind"];

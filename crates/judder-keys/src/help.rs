@@ -151,8 +151,17 @@ impl Cause {
                 "a number must be finite: mind division by zero, roots and logarithms of negative numbers"
                     .to_owned()
             }
-            Self::ExpressionWithoutUnit { text, dimension, .. } => {
-                format!("write {{ expression = \"{text}\", unit = \"{}\" }}", unit_of(&dimension.example()))
+            Self::ExpressionWithoutUnit { text, dimension, group, .. } => {
+                let with_unit =
+                    format!("{{ expression = \"{text}\", unit = \"{}\" }}", unit_of(&dimension.example()));
+                match group {
+                    Some(group) => format!("write {with_unit}, or {{ expression = \"{text}\" }} for {group}"),
+                    None => format!("write {with_unit}"),
+                }
+            }
+            Self::UnusedParameter { path } => {
+                let name = path.rsplit('.').next().unwrap_or(path);
+                format!("write it into what shall follow it, as in friction_coefficient = \"0.4*{name}\"")
             }
             Self::NotFiniteEntry { .. } => {
                 "an entry must be finite: mind division by zero, roots and logarithms of negative numbers"
@@ -175,9 +184,10 @@ fn with_example(dimension: Dimension) -> String {
     format!("{dimension}, such as \"{}\"", dimension.example())
 }
 
-/// The unit of a quantity such as "10 mm".
-fn unit_of(quantity: &str) -> &str {
-    quantity.split_once(' ').map_or("", |(_, unit)| unit)
+/// The unit of an example, which is `10 mm`, or several such quantities with words between.
+fn unit_of(example: &str) -> &str {
+    let first = example.split('"').next().unwrap_or(example);
+    first.split_once(' ').map_or("", |(_, unit)| unit)
 }
 
 fn help_for_quantity(dimension: Dimension, problem: &QuantityError) -> String {

@@ -37,16 +37,20 @@ impl Allowed {
         }
     }
 
-    /// The dimension of a number that may be an expression.
-    fn expressed_dimension(&self) -> Option<Dimension> {
+    /// The dimension of a number that may be an expression, and what it is without a unit, where it may stand so.
+    fn expressed(&self) -> Option<(Dimension, Option<&'static str>)> {
         match self {
             Self::Expressed(of) => match of.as_ref() {
-                Self::Number(number) => Some(number.dimension),
-                Self::Scaled(scaled) => Some(scaled.dimension),
+                Self::Number(number) => Some((number.dimension, None)),
+                Self::Scaled(scaled) => Some((scaled.dimension, scaled.group)),
                 _ => None,
             },
             _ => None,
         }
+    }
+
+    fn expressed_dimension(&self) -> Option<Dimension> {
+        self.expressed().map(|(dimension, _)| dimension)
     }
 
     /// Whether a text there is something else than an expression.
@@ -158,13 +162,13 @@ impl ExpressionScope<'_> {
     /// Refuses a text that is an expression of parameters where nothing but a quantity may stand.
     fn refuse_without_unit(self, node: &Node, forms: &[&Allowed], path: &str) -> Result<(), Fault> {
         let Data::Text(text) = &node.data else { return Ok(()) };
-        let dimensions: Option<Vec<_>> = forms.iter().map(|form| form.expressed_dimension()).collect();
-        let Some(&[dimension]) = dimensions.as_deref() else { return Ok(()) };
+        let numbers: Option<Vec<_>> = forms.iter().map(|form| form.expressed()).collect();
+        let Some(&[(dimension, group)]) = numbers.as_deref() else { return Ok(()) };
         let names_a_parameter = Expression::compile(text, self.names)
             .is_ok_and(|own| (0..self.names.len()).any(|index| own.depends_on(index)));
         if names_a_parameter && Quantity::parse(text).is_err() {
             let (key, text) = (path.to_owned(), text.clone());
-            return Err(Cause::ExpressionWithoutUnit { key, text, dimension }.at(node.place));
+            return Err(Cause::ExpressionWithoutUnit { key, text, dimension, group }.at(node.place));
         }
         Ok(())
     }
@@ -187,11 +191,13 @@ impl ExpressionScope<'_> {
         let text = crate::section::text(path, written)?;
         let value = self.value(path, written, text)?;
         let unit = unit.map(|unit| unit_at(path, unit, dimensions)).transpose()?;
-        let unit = unit.filter(|(_, dimension)| !dimension.is_number());
-        let unit = unit.map_or(String::new(), |(unit, _)| unit);
-        let data = match unit.as_str() {
-            "" => Data::Number { value, whole: None },
-            unit => {
+        let data = match &unit {
+            None => Data::Number { value, whole: None },
+            // of a ratio of units what it multiplies by
+            Some((_, one)) if one.dimension.is_number() => {
+                Data::Number { value: value * one.number, whole: None }
+            }
+            Some((unit, _)) => {
                 let text = format!("{value:?} {unit}");
                 Quantity::parse(&text).map_err(|(problem, _)| {
                     let (key, dimension) = (path.to_owned(), dimensions[0]);
@@ -200,6 +206,7 @@ impl ExpressionScope<'_> {
                 Data::Text(text)
             }
         };
+        let unit = unit.map_or(String::new(), |(unit, _)| unit);
         Ok((data, NumberExpression { path: path.to_owned(), text: text.to_owned(), unit }))
     }
 
@@ -232,13 +239,13 @@ fn is_expression(node: &Node, forms: &[&Allowed]) -> bool {
         }
 }
 
-/// The unit at a node and its dimension, which is one of these.
-fn unit_at(path: &str, node: &Node, dimensions: &[Dimension]) -> Result<(String, Dimension), Fault> {
+/// The unit at a node and one of it, of one of these dimensions or a number.
+fn unit_at(path: &str, node: &Node, dimensions: &[Dimension]) -> Result<(String, Quantity), Fault> {
     let unit = crate::section::text(&format!("{path}.{UNIT}"), node)?;
     let (key, expected) = (path.to_owned(), dimensions[0]);
     match Quantity::parse(&format!("{ONE}{unit}")) {
-        Ok(Quantity { dimension, .. }) if dimension.is_number() || dimensions.contains(&dimension) => {
-            Ok((unit.trim().to_owned(), dimension))
+        Ok(one) if one.dimension.is_number() || dimensions.contains(&one.dimension) => {
+            Ok((unit.trim().to_owned(), one))
         }
         Ok(Quantity { dimension: found, .. }) => {
             Err(Cause::WrongDimension { key, expected, found, group: None }.at(node.place))
@@ -325,6 +332,8 @@ mod tests {
         assert_eq!(inner("mm"), "`inner.modulus` must be a stress, but this is a length");
         assert_eq!(inner("GPx"), "`inner.modulus` is not a stress: unknown unit `GPx`");
         assert!(cause("inner.modulus = { expresion = \"t\" }").contains("expresion"));
+        let ratio = evaluated("friction = { expression = \"t\", unit = \"mm/m\" }").unwrap().root;
+        assert!(matches!(ratio.entry("friction").unwrap().data, Data::Number { value: 0.02, .. }));
         let fault = evaluated("inner.modulus = \"21 - t\"").unwrap_err().into_cause();
         assert_eq!(fault.to_string(), "`inner.modulus` is an expression without a unit");
         assert_eq!(fault.help().unwrap(), "write { expression = \"21 - t\", unit = \"MPa\" }");

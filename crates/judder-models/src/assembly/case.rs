@@ -116,7 +116,7 @@ pub(crate) struct AssemblySections {
 }
 
 /// By which key the parameters are called.
-const PARAMETERS: &str = "parameters";
+pub(super) const PARAMETERS: &str = "parameters";
 
 /// The keys of a case: of all but the parameters themselves numbers may be expressions of these.
 pub(super) fn declared() -> Vec<Declaration> {

@@ -4,6 +4,7 @@ use super::at_change::{MOST, ModeInBand, ModesAtChange};
 use super::settings::AskedCures;
 use crate::assembly::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
+use crate::assembly::case::PARAMETERS;
 use crate::assembly::eigen::band;
 use crate::assembly::swept::{SWEPT, SweptAssembly};
 use crate::error::ModelError;
@@ -214,13 +215,16 @@ fn cure(of: &AssemblySubject<'_>, sweep: &KeySweep, value: f64, mode: Complex64)
     }
     let derivative = (high.re - low.re) / (2.0 * STEP);
     let [down, up] = [(mode.re - low.re) / STEP, (high.re - mode.re) / STEP];
-    let change = Some(-mode.re / derivative).filter(|change| change.is_finite() && *change > -1.0);
+    // what bodies are made of keeps its sign, a parameter, as a temperature, need not
+    let is_parameter = sweep.path.split('.').next() == Some(PARAMETERS);
+    let least = if is_parameter { f64::NEG_INFINITY } else { -1.0 };
+    let change = Some(-mode.re / derivative).filter(|change| change.is_finite() && *change > least);
     let is_smooth = (up - down).abs() <= ALIKE * up.abs().max(down.abs());
     let reason = match (is_smooth, change) {
         (false, _) => {
-            "derivatives upwards and downwards differ: contact points change, or another mode is near"
+            "derivatives upwards and downwards differ: contact points change, another mode is near, or what follows from it turns there"
         }
-        (_, None) => "it would have to fall below zero",
+        (_, None) => "it would have to change its sign",
         _ => "",
     };
     let reason = reason.to_owned();

@@ -1,0 +1,99 @@
+//! The `[parameters]` of a case, which stand in its expressions: what sets or varies one has to name one that something follows.
+
+use super::{Data, Node};
+use crate::cause::Cause;
+use crate::error::{Fault, Place};
+
+/// What a key that is varied and stands for none of the parameters of its case should name.
+pub const PARAMETER: &str = "parameter";
+
+/// By which key the parameters are called.
+const PARAMETERS: &str = "parameters";
+
+impl Node {
+    /// Puts a value of a key that is varied at the end of its dotted path, as [`set`](Self::set) does: of a case whose every other key may be left out for its default, a parameter has to be
+    /// there, and in some expression, for nothing follows one of another name.
+    pub fn vary(&mut self, path: &str, place: Place, leaf: Node) -> Result<(), Fault> {
+        if let Some(name) = parameter(path) {
+            if !self.has_parameter(name) {
+                return Err(self.unknown_parameter(path).at(place));
+            }
+            if !self.names_parameter(name) {
+                return Err(Cause::UnusedParameter { path: path.to_owned() }.at(place));
+            }
+        }
+        self.set(path, place, leaf)
+    }
+
+    /// Whether the value at a dotted path is a parameter that this case neither has nor names.
+    pub(super) fn is_strange_parameter(&self, path: &str) -> bool {
+        parameter(path).is_some_and(|name| !self.has_parameter(name) && !self.names_parameter(name))
+    }
+
+    /// That there is no parameter at this path.
+    pub(super) fn unknown_parameter(&self, path: &str) -> Cause {
+        let known = match self.entry(PARAMETERS).map(|own| &own.data) {
+            Some(Data::Table(table)) => {
+                table.entries.iter().map(|own| format!("{PARAMETERS}.{}", own.key)).collect()
+            }
+            _ => Vec::new(),
+        };
+        Cause::UnknownName { what: PARAMETER, name: path.to_owned(), known }
+    }
+
+    fn has_parameter(&self, name: &str) -> bool {
+        self.entry(PARAMETERS).is_some_and(|own| own.entry(name).is_some())
+    }
+
+    /// Whether a text beside the parameters themselves has this word.
+    fn names_parameter(&self, name: &str) -> bool {
+        match &self.data {
+            Data::Text(text) => {
+                text.split(|own: char| !own.is_alphanumeric() && own != '_').any(|word| word == name)
+            }
+            Data::List(items) => items.iter().any(|item| item.names_parameter(name)),
+            Data::Table(table) => {
+                let others = table.entries.iter().filter(|entry| entry.key != PARAMETERS);
+                others.into_iter().any(|entry| entry.node.names_parameter(name))
+            }
+            _ => false,
+        }
+    }
+}
+
+/// The parameter that a dotted path means.
+fn parameter(path: &str) -> Option<&str> {
+    path.strip_prefix(PARAMETERS)?.strip_prefix('.')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{apply_override, parse};
+
+    const CASE: &str =
+        "[parameters]\nmu = 0.3\nspare = 1.0\n[contact]\nfriction = \"2*mu\"\nkey = \"parameters.other\"\n";
+
+    #[test]
+    fn a_parameter_that_is_varied_is_one_that_something_follows() {
+        let varied = |path: &str| {
+            let mut root = parse(CASE).unwrap();
+            let (place, leaf) = (root.place, root.clone());
+            root.vary(path, place, leaf).map_err(|fault| fault.into_cause().to_string())
+        };
+        varied("parameters.mu").unwrap();
+        assert_eq!(varied("parameters.nu").unwrap_err(), "there is no parameter named `parameters.nu`");
+        assert_eq!(varied("parameters.spare").unwrap_err(), "nothing in the case follows `parameters.spare`");
+    }
+
+    #[test]
+    fn an_option_for_a_parameter_of_another_name_is_refused() {
+        let given = |option: &str| {
+            let mut root = parse(CASE).unwrap();
+            apply_override(&mut root, 1, option).map_err(|fault| fault.into_cause().to_string())
+        };
+        for option in ["parameters.mu=0.4", "parameters.spare=0.4", "contact.friction=0.1"] {
+            given(option).unwrap();
+        }
+        assert_eq!(given("parameters.nu=0.4").unwrap_err(), "there is no parameter named `parameters.nu`");
+    }
+}

@@ -81,7 +81,7 @@ mod tests {
             root.vary(path, place, leaf).map_err(|fault| fault.into_cause().to_string())
         };
         varied("parameters.mu").unwrap();
-        assert_eq!(varied("parameters.nu").unwrap_err(), "there is no parameter named `parameters.nu`");
+        assert_eq!(varied("parameters.nu").unwrap_err(), "unknown parameter `parameters.nu`");
         assert_eq!(varied("parameters.spare").unwrap_err(), "nothing in the case follows `parameters.spare`");
     }
 
@@ -94,6 +94,6 @@ mod tests {
         for option in ["parameters.mu=0.4", "parameters.spare=0.4", "contact.friction=0.1"] {
             given(option).unwrap();
         }
-        assert_eq!(given("parameters.nu=0.4").unwrap_err(), "there is no parameter named `parameters.nu`");
+        assert_eq!(given("parameters.nu=0.4").unwrap_err(), "unknown parameter `parameters.nu`");
     }
 }

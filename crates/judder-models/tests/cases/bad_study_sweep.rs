@@ -317,10 +317,11 @@ fn sensitivity_that_cannot_be() {
 /// A two-degrees case with as many parameters, all swept.
 fn wide(keys: usize, more: &str) -> String {
     let parameters: Vec<String> = (0..keys).map(|k| format!("p{k} = 1")).collect();
+    let sum: String = (0..keys).map(|k| format!(" + p{k}")).collect();
     let over: Vec<String> =
         (0..keys).map(|k| format!("{{ key = \"parameters.p{k}\", from = 0, to = 1 }}")).collect();
     format!(
-        "model = \"two-degrees\"\n[parameters]\n{}\n[matrices]\nstiffness = [[1, 0], [0, 1]]\n\
+        "model = \"two-degrees\"\n[parameters]\n{}\n[matrices]\nstiffness = [[\"1{sum}\", 0], [0, 1]]\n\
          [[sweep]]\nname = \"wide\"\nmethod = \"sobol\"\npoints = 4\n{QUANTITIES}{more}over = [{}]\n",
         parameters.join("\n"),
         over.join(", ")

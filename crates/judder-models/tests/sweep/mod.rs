@@ -309,7 +309,10 @@ fn sensitivity_finds_the_key_that_decides() {
     let text = std::fs::read_to_string(
         Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/benchmarks/minimal-mode-coupling.toml"),
     );
-    let text = text.unwrap().replace("[parameters]", "[parameters]\nidle = 1.0");
+    let text = text
+        .unwrap()
+        .replace("[parameters]", "[parameters]\nidle = 1.0")
+        .replace("4*mu/3", "4*mu/3 + 0*idle");
     let sweep = r#"
 [[sweep]]
 name = "which"

@@ -10,7 +10,10 @@ fn a_probability_is_that_of_the_known_share() {
     let text = std::fs::read_to_string(
         Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/benchmarks/minimal-mode-coupling.toml"),
     );
-    let text = text.unwrap().replace("[parameters]", "[parameters]\nidle = 1.0");
+    let text = text
+        .unwrap()
+        .replace("[parameters]", "[parameters]\nidle = 1.0")
+        .replace("4*mu/3", "4*mu/3 + 0*idle");
     let sweep = |more: &str| {
         format!(
             r#"{text}

@@ -2,7 +2,7 @@
 
 mod parameters;
 
-pub use parameters::PARAMETER;
+pub use parameters::{PARAMETER, refuse_unknown_parameters};
 
 use toml::Spanned;
 use toml::de::{DeInteger, DeTable, DeValue};
@@ -156,11 +156,6 @@ pub fn parse(text: &str) -> Result<Node, Fault> {
 /// The value is read as TOML and, where it is none, as a bare string: `velocity=30 mm/s` needs no inner quotes.
 pub fn apply_override(root: &mut Node, number: usize, option: &str) -> Result<(), Fault> {
     let SetOption { steps, value } = read_option(number, option)?;
-    let (path, last) =
-        (steps.iter().map(|(step, _)| *step).collect::<Vec<_>>().join("."), steps[steps.len() - 1].1);
-    if root.is_strange_parameter(&path) {
-        return Err(root.unknown_parameter(&path).at(last));
-    }
     let place = Place { source: number, start: value.start, end: value.end };
     let value = &option[value];
     let data = match DeValue::parse(value) {

@@ -1,6 +1,6 @@
 //! The `[parameters]` of a case, which stand in its expressions: what sets or varies one has to name one that something follows.
 
-use super::{Data, Node};
+use super::{Data, Node, read_option};
 use crate::cause::Cause;
 use crate::error::{Fault, Place};
 
@@ -25,13 +25,8 @@ impl Node {
         self.set(path, place, leaf)
     }
 
-    /// Whether the value at a dotted path is a parameter that this case neither has nor names.
-    pub(super) fn is_strange_parameter(&self, path: &str) -> bool {
-        parameter(path).is_some_and(|name| !self.has_parameter(name) && !self.names_parameter(name))
-    }
-
     /// That there is no parameter at this path.
-    pub(super) fn unknown_parameter(&self, path: &str) -> Cause {
+    fn unknown_parameter(&self, path: &str) -> Cause {
         let known = match self.entry(PARAMETERS).map(|own| &own.data) {
             Some(Data::Table(table)) => {
                 table.entries.iter().map(|own| format!("{PARAMETERS}.{}", own.key)).collect()
@@ -61,6 +56,23 @@ impl Node {
     }
 }
 
+/// Refuses options that set a parameter of another name than a case with `[parameters]` gives, which nothing names once all options are `set`; a case without may be given some.
+pub fn refuse_unknown_parameters(given: &Node, set: &Node, options: &[String]) -> Result<(), Fault> {
+    if given.entry(PARAMETERS).is_none() {
+        return Ok(());
+    }
+    for (index, option) in options.iter().enumerate() {
+        let steps = read_option(index + 1, option)?.steps;
+        if let [(PARAMETERS, _), (name, place)] = steps[..]
+            && !given.has_parameter(name)
+            && !set.names_parameter(name)
+        {
+            return Err(given.unknown_parameter(&format!("{PARAMETERS}.{name}")).at(place));
+        }
+    }
+    Ok(())
+}
+
 /// The parameter that a dotted path means.
 fn parameter(path: &str) -> Option<&str> {
     path.strip_prefix(PARAMETERS)?.strip_prefix('.')
@@ -69,6 +81,7 @@ fn parameter(path: &str) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::super::{apply_override, parse};
+    use super::refuse_unknown_parameters;
 
     const CASE: &str =
         "[parameters]\nmu = 0.3\nspare = 1.0\n[contact]\nfriction = \"2*mu\"\nkey = \"parameters.other\"\n";
@@ -87,13 +100,18 @@ mod tests {
 
     #[test]
     fn an_option_for_a_parameter_of_another_name_is_refused() {
-        let given = |option: &str| {
-            let mut root = parse(CASE).unwrap();
-            apply_override(&mut root, 1, option).map_err(|fault| fault.into_cause().to_string())
+        let given = |text: &str, options: &[&str]| {
+            let root = parse(text).unwrap();
+            let mut set = root.clone();
+            let options: Vec<String> = options.iter().map(|own| (*own).to_owned()).collect();
+            options.iter().enumerate().for_each(|(k, own)| apply_override(&mut set, k + 1, own).unwrap());
+            refuse_unknown_parameters(&root, &set, &options).map_err(|fault| fault.into_cause().to_string())
         };
         for option in ["parameters.mu=0.4", "parameters.spare=0.4", "contact.friction=0.1"] {
-            given(option).unwrap();
+            given(CASE, &[option]).unwrap();
         }
-        assert_eq!(given("parameters.nu=0.4").unwrap_err(), "unknown parameter `parameters.nu`");
+        given(CASE, &["parameters.nu=0.4", "contact.friction=\"3*nu\""]).unwrap();
+        given("model = \"structure\"", &["parameters.nu=0.4"]).unwrap();
+        assert_eq!(given(CASE, &["parameters.nu=0.4"]).unwrap_err(), "unknown parameter `parameters.nu`");
     }
 }

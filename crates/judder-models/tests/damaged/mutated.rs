@@ -172,6 +172,9 @@ struct Finished {
     read: BTreeMap<String, String>,
 }
 
+/// The files of a report, and what it says is missing.
+type Drawn = (BTreeMap<PathBuf, Vec<u8>>, Vec<String>);
+
 /// What became of all mutations.
 #[derive(Debug, Default)]
 struct Tally {
@@ -228,7 +231,7 @@ impl Finished {
     }
 
     /// What is drawn of a study elsewhere, and what that lacks; the words of the error where it is refused.
-    fn report(&self, study: &Path) -> Result<(BTreeMap<PathBuf, Vec<u8>>, Vec<String>), String> {
+    fn report(&self, study: &Path) -> Result<Drawn, String> {
         let page = tempfile::tempdir().unwrap();
         let drawn =
             stored_for(study, page.path()).and_then(|(store, summary)| write(REGISTRY, &store, &summary));

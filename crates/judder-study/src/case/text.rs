@@ -1,7 +1,7 @@
 //! The text of a case with its `--set` options: what it is called, and where in it something is wrong.
 
 use judder_keys::cause::Cause;
-use judder_keys::document::{Data, Node, apply_override, parse};
+use judder_keys::document::{Data, Node, apply_override, parse, refuse_unknown_parameters};
 use judder_keys::error::{CaseError, Fault, Place, Sources};
 use std::fs::File;
 use std::io::{ErrorKind, Read};
@@ -55,9 +55,11 @@ impl CaseText {
         if matches!(&root.data, Data::Table(table) if table.entries.is_empty()) {
             return Err(Cause::Empty { name: self.origin.clone() }.at(root.place));
         }
+        let given = root.clone();
         for (index, option) in self.overrides.iter().enumerate() {
             apply_override(&mut root, index + 1, option)?;
         }
+        refuse_unknown_parameters(&given, &root, &self.overrides)?;
         Ok(root)
     }
 

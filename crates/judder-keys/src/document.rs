@@ -2,7 +2,7 @@
 
 mod parameters;
 
-pub use parameters::{PARAMETER, refuse_unknown_parameters};
+pub use parameters::{PARAMETER, PARAMETERS, refuse_unknown_parameters};
 
 use toml::Spanned;
 use toml::de::{DeInteger, DeTable, DeValue};

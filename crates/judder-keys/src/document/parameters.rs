@@ -8,7 +8,7 @@ use crate::error::{Fault, Place};
 pub const PARAMETER: &str = "parameter";
 
 /// By which key the parameters are called.
-const PARAMETERS: &str = "parameters";
+pub const PARAMETERS: &str = "parameters";
 
 impl Node {
     /// Puts a value of a key that is varied at the end of its dotted path, as [`set`](Self::set) does: of a case whose every other key may be left out for its default, a parameter has to be
@@ -40,16 +40,15 @@ impl Node {
         self.entry(PARAMETERS).is_some_and(|own| own.entry(name).is_some())
     }
 
-    /// Whether a text beside the parameters themselves has this word.
+    /// Whether a text beside the parameters themselves has this word, as expressions do; the dotted path of one, as what varies it, has another.
     fn names_parameter(&self, name: &str) -> bool {
+        let is_of_word = |own: char| own.is_alphanumeric() || own == '_' || own == '.';
         match &self.data {
-            Data::Text(text) => {
-                text.split(|own: char| !own.is_alphanumeric() && own != '_').any(|word| word == name)
-            }
+            Data::Text(text) => text.split(|own| !is_of_word(own)).any(|word| word == name),
             Data::List(items) => items.iter().any(|item| item.names_parameter(name)),
             Data::Table(table) => {
-                let others = table.entries.iter().filter(|entry| entry.key != PARAMETERS);
-                others.into_iter().any(|entry| entry.node.names_parameter(name))
+                let mut others = table.entries.iter().filter(|entry| entry.key != PARAMETERS);
+                others.any(|entry| entry.node.names_parameter(name))
             }
             _ => false,
         }
@@ -84,7 +83,7 @@ mod tests {
     use super::refuse_unknown_parameters;
 
     const CASE: &str =
-        "[parameters]\nmu = 0.3\nspare = 1.0\n[contact]\nfriction = \"2*mu\"\nkey = \"parameters.other\"\n";
+        "[parameters]\nmu = 0.3\nspare = 1.0\n[contact]\nfriction = \"2*mu\"\nkey = \"parameters.spare\"\n";
 
     #[test]
     fn a_parameter_that_is_varied_is_one_that_something_follows() {

@@ -37,7 +37,7 @@ use judder_keys::declared::{
     Declaration, EvaluatedTree, ExpressionScope, NumberExpression, Setting, Settings as _, Several, all, both,
 };
 use judder_keys::dimension::Dimension;
-use judder_keys::document::{Data, Node};
+use judder_keys::document::{Data, Node, PARAMETERS};
 use judder_keys::error::Fault;
 use judder_keys::file_reference::FileReference;
 use judder_keys::problem::Placed;
@@ -114,9 +114,6 @@ pub(crate) struct AssemblySections {
     #[key(omitted)]
     substrate: Option<SubstrateKeys>,
 }
-
-/// By which key the parameters are called.
-pub(super) const PARAMETERS: &str = "parameters";
 
 /// The keys of a case: of all but the parameters themselves numbers may be expressions of these.
 pub(super) fn declared() -> Vec<Declaration> {

@@ -24,7 +24,8 @@ pub fn through(start: f64, start_slope: f64, middle: f64, end: f64, end_slope: f
 /// The first θ in [0, 1] from which on the polynomial is negative; `None` where it never is.
 ///
 /// A zero at θ = 0 is divided out, as often as it stands there: what starts on zero and rises has not crossed it, and
-/// what starts on zero and falls crosses at once. A zero that is touched without a change of sign is none.
+/// what starts on zero and falls crosses at once. A zero that is touched without a change of sign is none. Coefficients that are not finite, or whose
+/// sums are not, are those of no polynomial, which never is negative.
 #[must_use]
 pub fn first_descent(c: &Quartic) -> Option<f64> {
     let leading_zeros = c.iter().take_while(|c| **c == 0.0).count();
@@ -35,7 +36,9 @@ pub fn first_descent(c: &Quartic) -> Option<f64> {
     if deflated[0] < 0.0 {
         return Some(0.0);
     }
-    first_descent_between(&deflated, &bernstein(&deflated), 0.0, 1.0)
+    let b = bernstein(&deflated);
+    // halving takes sums of two, and would go on to the narrowest interval everywhere where signs are unknown
+    b.iter().all(|b| (2.0 * b).is_finite()).then(|| first_descent_between(&deflated, &b, 0.0, 1.0))?
 }
 
 /// The first θ in (0, 1] at which the polynomial passes from positive to negative, whatever its sign at the start.
@@ -157,6 +160,21 @@ mod tests {
         assert_eq!(first_descent(&[0.0; 5]), None);
         let later = first_descent(&[0.0, 1.0, -4.0, 0.0, 0.0]).unwrap();
         assert!((later - 0.25).abs() < 1e-15);
+    }
+
+    #[test]
+    fn what_is_no_polynomial_is_seen_at_once() {
+        for bad in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
+            for place in 0..5 {
+                let mut c = [0.5, -1.0, 0.3, -0.1, 0.2];
+                c[place] = bad;
+                assert!(first_descent(&c).is_none_or(|at| at == 0.0), "{c:?}");
+            }
+        }
+        // finite coefficients whose sums are not
+        let large = f64::MAX;
+        let _ = first_descent(&[1.0, -large, large, large, -large]);
+        assert_eq!(first_descent(&[large, large, -large, large, large]), None);
     }
 
     #[test]

@@ -26,13 +26,12 @@ pub(crate) fn parse(label: &str) -> Vec<TextSpan> {
     // the signs of the levels that are open, and whether symbols are being set
     let mut open: Vec<i8> = Vec::new();
     let mut symbols = false;
+    let (closed, last_dollar) = (closed(&characters), characters.iter().rposition(|sign| *sign == '$'));
     let mut index = 0;
     while index < characters.len() {
         let character = characters[index];
-        let opens = matches!(character, '_' | '^')
-            && characters.get(index + 1) == Some(&'{')
-            && closes(&characters[index + 2..]);
-        let partner = symbols || characters[index + 1..].contains(&'$');
+        let opens = closed[index];
+        let partner = symbols || last_dollar.is_some_and(|last| last > index);
         let turns = character == '$' && open.is_empty() && partner;
         let ends = character == '}' && !open.is_empty();
         if opens || turns || ends {
@@ -54,20 +53,21 @@ pub(crate) fn parse(label: &str) -> Vec<TextSpan> {
     spans
 }
 
-/// Whether the group that has just been opened is closed again.
-fn closes(rest: &[char]) -> bool {
-    let mut depth = 1_usize;
-    for (index, character) in rest.iter().enumerate() {
-        match character {
-            '{' if index > 0 && matches!(rest[index - 1], '_' | '^') => depth += 1,
-            '}' => depth -= 1,
+/// Where groups begin that are closed again: at their `_` or `^`. Found in one pass, as labels may be of any length.
+fn closed(characters: &[char]) -> Vec<bool> {
+    let (mut closed, mut open) = (vec![false; characters.len()], Vec::new());
+    for (index, pair) in characters.windows(2).enumerate() {
+        match pair {
+            ['_' | '^', '{'] => open.push(index),
+            [_, '}'] => {
+                if let Some(start) = open.pop() {
+                    closed[start] = true;
+                }
+            }
             _ => {}
         }
-        if depth == 0 {
-            return true;
-        }
     }
-    false
+    closed
 }
 
 /// Ends the piece of text that is being read.
@@ -174,6 +174,15 @@ mod tests {
         assert_eq!(html("}"), "}");
         assert_eq!(html(""), "");
         assert_eq!(plain("$τ̃_{0}$ & co"), "τ̃0 & co");
+    }
+
+    #[test]
+    fn long_labels_are_read_in_one_pass() {
+        let start = std::time::Instant::now();
+        for part in ["_{", "a", "$", "_{a}"] {
+            assert!(parse(&part.repeat(400_000 / part.len())).len() < 400_000, "{part}");
+        }
+        assert!(start.elapsed().as_secs() < 5, "{:?}", start.elapsed());
     }
 
     #[test]

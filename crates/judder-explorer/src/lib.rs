@@ -6,6 +6,7 @@
 //! In the order in which the data flows:
 //!
 //! - `server`: the listener on the loopback interface, its limits on connections, its end.
+//! - `guest`: who is at a connection, and who makes room for another.
 //! - `admission`: who is let in: Host, Origin, the token, the cookie. `secret`: the token.
 //! - `page`: the built page, embedded, with the headers that bind it to this server.
 //! - `routes`: which request is answered by what. `site`: what every answer may need. `body`: requests as JSON, within limits.
@@ -24,6 +25,7 @@ mod answers;
 mod body;
 mod error;
 mod frame;
+mod guest;
 mod limiter;
 mod limits;
 mod page;

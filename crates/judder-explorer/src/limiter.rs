@@ -1,5 +1,6 @@
 //! Short computations, a few at a time, and whether their readers are still there: answers in one piece, while the scheduler gives streams.
 
+use crate::limits::with_memory_of_answer;
 use crate::refusal::{ENDING, RequestRefusal};
 use axum::http::StatusCode;
 use judder_study::Progress;
@@ -92,7 +93,7 @@ impl Limiter {
         let room = self.take().await?;
         let working = tokio::task::spawn_blocking(move || {
             let _held = room;
-            work(&RequestWatch { left, closing, start: Instant::now() })
+            with_memory_of_answer(|| work(&RequestWatch { left, closing, start: Instant::now() }))
         });
         let broken = "the computation broke off; this is a fault of judder, please report it with the address of the page";
         working.await.map_err(|_| RequestRefusal::new(StatusCode::INTERNAL_SERVER_ERROR, broken))?

@@ -1,8 +1,20 @@
 //! How much a page may ask for, and be sent.
 
 use crate::refusal::RequestRefusal;
-use judder_store::{Variable, VariableValues};
+use judder_memory::MemoryBudget;
+use judder_store::Variable;
 use serde_json::{Map, Value};
+
+/// Requests of a pace that work at once.
+pub(crate) const RUNNING: usize = 3;
+/// Answers in one piece that are computed at once.
+pub(crate) const SHORT: usize = 8;
+/// Laws that are computed at once for such answers.
+pub(crate) const LAWS: usize = 1;
+/// Among how many streams the memory of the program is divided: three quarters are for those that may work at once, of both paces.
+const STREAM_PARTS: u64 = 2 * RUNNING as u64 * 4 / 3;
+/// The same of answers in one piece: a quarter is for all of them.
+const SHORT_PARTS: u64 = (SHORT + LAWS) as u64 * 4;
 
 /// Grid points of a map, at most.
 pub(crate) const MAP_POINTS: u64 = 4_000_000;
@@ -16,6 +28,16 @@ const COUNTED: [&str; 5] = ["points", "samples", "count", "steps", "cells"];
 const STEPS: u64 = 50_000_000;
 /// Cells along a side of a contact, at most: the memory goes with their square.
 const CELLS: u64 = 1024;
+
+/// Does the work of a stream, which may take its part of the memory of the program.
+pub(crate) fn with_memory_of_stream<T>(work: impl FnOnce() -> T) -> T {
+    MemoryBudget::shared(STREAM_PARTS, work)
+}
+
+/// The same of an answer in one piece.
+pub(crate) fn with_memory_of_answer<T>(work: impl FnOnce() -> T) -> T {
+    MemoryBudget::shared(SHORT_PARTS, work)
+}
 
 /// Whether a page may set a key of an analysis: not how much of this machine it takes.
 pub(crate) fn is_settable(key: &str) -> bool {
@@ -83,7 +105,7 @@ fn check_counts(table: &Map<String, Value>) -> Result<(), RequestRefusal> {
 /// # Errors
 /// Their size.
 pub(crate) fn check_answer(variables: &[Variable]) -> Result<(), RequestRefusal> {
-    check_bytes(variables.iter().map(|variable| width(&variable.data) * variable.data.len()).sum())
+    check_bytes(variables.iter().map(|variable| variable.data.value_size() * variable.data.len()).sum())
 }
 
 /// Refuses an answer of so many bytes where they are too many to send.
@@ -101,19 +123,24 @@ pub(crate) fn check_bytes(bytes: usize) -> Result<(), RequestRefusal> {
     )))
 }
 
-/// Bytes of a value; of a text, a guess.
-fn width(data: &VariableValues) -> usize {
-    match data {
-        VariableValues::U8(_) => 1,
-        VariableValues::F64(_) | VariableValues::I64(_) => 8,
-        VariableValues::Complex(_) | VariableValues::Text(_) => 16,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use serde_json::json;
+
+    /// What is to be had where this is called.
+    fn had() -> f64 {
+        MemoryBudget::of_process().ask(u128::MAX).unwrap_err().budget as f64
+    }
+
+    #[test]
+    fn all_that_work_at_once_have_the_memory_of_one() {
+        let whole = had();
+        let together = 2.0 * RUNNING as f64 * with_memory_of_stream(had)
+            + (SHORT + LAWS) as f64 * with_memory_of_answer(had);
+        // what is free changes between two looks
+        assert!((0.7..1.4).contains(&(together / whole)), "{together} of {whole}");
+    }
 
     fn check(analysis: Value) -> Result<(), RequestRefusal> {
         check_analysis(analysis.as_object().unwrap())

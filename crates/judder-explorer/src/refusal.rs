@@ -2,6 +2,7 @@
 
 use axum::Json;
 use axum::http::StatusCode;
+use axum::http::header::RETRY_AFTER;
 use axum::response::{IntoResponse, Response};
 use judder_keys::error::CaseError;
 use judder_models::ModelError;
@@ -10,6 +11,9 @@ use serde_json::{Value, json};
 
 /// Why a computation is given up with the program.
 pub(crate) const ENDING: &str = "`judder explore` is ending; start it again";
+
+/// After how many seconds a request may come again that found the waiting room full.
+const AGAIN_AFTER: u16 = 1;
 
 /// A request without an answer.
 #[derive(Debug)]
@@ -95,6 +99,10 @@ impl From<ModelError> for RequestRefusal {
 
 impl IntoResponse for RequestRefusal {
     fn into_response(self) -> Response {
-        (self.status, Json(json!({ "error": self.document() }))).into_response()
+        let mut response = (self.status, Json(json!({ "error": self.document() }))).into_response();
+        if self.status == StatusCode::SERVICE_UNAVAILABLE {
+            response.headers_mut().insert(RETRY_AFTER, AGAIN_AFTER.into());
+        }
+        response
     }
 }

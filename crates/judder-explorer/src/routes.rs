@@ -2,6 +2,7 @@
 
 use crate::admission::Decision;
 use crate::answers;
+use crate::guest::Guest;
 use crate::page;
 use crate::refusal::RequestRefusal;
 use crate::site::{SharedSite, Site};
@@ -40,7 +41,12 @@ pub(crate) fn router(site: Arc<Site>) -> Router {
 /// Lets a request in, and binds its answer to this server.
 async fn pass(State(site): SharedSite, request: Request, next: Next) -> Response {
     let mut response = match site.admission.admit(request.method(), request.uri(), request.headers()) {
-        Decision::Admitted => next.run(request).await,
+        Decision::Admitted => {
+            if let Some(guest) = request.extensions().get::<Arc<Guest>>() {
+                guest.is_let_in();
+            }
+            next.run(request).await
+        }
         Decision::Welcomed { cookie } => welcome(&cookie),
         Decision::Refused { status, reason } => turned_away(status, reason),
     };

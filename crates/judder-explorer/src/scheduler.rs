@@ -6,6 +6,7 @@
 
 use crate::error::ExplorerError;
 use crate::frame::FrameInTheMaking;
+use crate::limits::{RUNNING, with_memory_of_stream};
 use crate::refusal::RequestRefusal;
 use crate::reporter::Reporter;
 use axum::body::{Body, Bytes};
@@ -20,8 +21,6 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore, mpsc, watch};
 use tokio::time::timeout;
 use tokio_stream::wrappers::ReceiverStream;
 
-/// Requests of a pace that work at once.
-const RUNNING: usize = 3;
 /// Requests of a pace that wait, at most.
 const WAITING: usize = 12;
 /// How long the place of a request that was just cancelled is waited for.
@@ -159,8 +158,8 @@ impl Scheduler {
         let worked = tokio::task::spawn_blocking(move || {
             let _held = (turn, place);
             let done = match threads {
-                Some(threads) => threads.install(|| work(&reporter)),
-                None => work(&reporter),
+                Some(threads) => threads.install(|| with_memory_of_stream(|| work(&reporter))),
+                None => with_memory_of_stream(|| work(&reporter)),
             };
             let ending = match done {
                 Ok(()) => reporter.last_frame(),

@@ -2,11 +2,14 @@
 
 use crate::admission::Admission;
 use crate::error::ExplorerError;
+use crate::guest::Strangers;
 use crate::limiter::Limiter;
+use crate::limits::{LAWS, SHORT};
 use crate::routes::router;
 use crate::scheduler::Scheduler;
 use crate::site::Site;
 use crate::subject::ViewedCase;
+use axum::Extension;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
 use std::io;
@@ -14,11 +17,11 @@ use std::net::{Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::net::{TcpListener, TcpStream};
-use tokio::sync::Semaphore;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::time::{sleep, timeout};
 use tokio_io_timeout::TimeoutStream;
 
-/// Connections at a time: a browser opens six.
+/// Connections at a time: a browser opens six. Where all are taken, one that has not been let in goes for the next.
 const CONNECTIONS: usize = 128;
 /// The longest that the head of a request may take to come; an idle connection is closed after it, too.
 const HEAD: Duration = Duration::from_secs(15);
@@ -30,8 +33,6 @@ const UNREAD: Duration = Duration::from_secs(15);
 const LOOK: Duration = Duration::from_millis(50);
 /// What answers that are being sent are given at the end.
 const FAREWELL: Duration = Duration::from_millis(500);
-/// Answers in one piece that are computed at once.
-const SHORT: usize = 8;
 /// Threads of the network; the work has its own.
 const THREADS: usize = 2;
 
@@ -58,7 +59,7 @@ impl Explorer {
             admission: Admission::new(port)?,
             scheduler: Arc::new(Scheduler::new()?),
             short: Limiter::new(SHORT),
-            laws: Limiter::new(1),
+            laws: Limiter::new(LAWS),
         };
         Ok(Self { listener, site: Arc::new(site) })
     }
@@ -89,13 +90,14 @@ impl Explorer {
         let Self { listener, site } = self;
         let listener = TcpListener::from_std(listener).map_err(ExplorerError::Start)?;
         let connections = Arc::new(Semaphore::new(CONNECTIONS));
+        let strangers = Arc::new(Strangers::default());
         while !stopped() {
-            let Ok(room) = timeout(LOOK, Arc::clone(&connections).acquire_owned()).await else { continue };
             match timeout(LOOK, listener.accept()).await {
                 Ok(Ok((stream, _))) => {
-                    let site = Arc::clone(&site);
+                    let Some(room) = room(&connections, &strangers, stopped).await else { break };
+                    let (site, strangers) = (Arc::clone(&site), Arc::clone(&strangers));
                     tokio::spawn(async move {
-                        answer(stream, site).await;
+                        answer(stream, site, &strangers).await;
                         drop(room);
                     });
                 }
@@ -110,6 +112,24 @@ impl Explorer {
     }
 }
 
+/// The room of a connection, which a stranger leaves where there is no other; `None` at the end of the server.
+async fn room(
+    connections: &Arc<Semaphore>,
+    strangers: &Strangers,
+    stopped: &dyn Fn() -> bool,
+) -> Option<OwnedSemaphorePermit> {
+    while !stopped() {
+        if let Ok(room) = Arc::clone(connections).try_acquire_owned() {
+            return Some(room);
+        }
+        strangers.send_one_away();
+        if let Ok(room) = timeout(LOOK, Arc::clone(connections).acquire_owned()).await {
+            return room.ok();
+        }
+    }
+    None
+}
+
 /// Waits after an error that comes again at once, such as too many open files.
 async fn pause(error: &io::Error) {
     let of_this_connection =
@@ -120,8 +140,9 @@ async fn pause(error: &io::Error) {
 }
 
 /// Answers the requests of a connection.
-async fn answer(stream: TcpStream, site: Arc<Site>) {
-    let service = TowerToHyperService::new(router(site));
+async fn answer(stream: TcpStream, site: Arc<Site>, strangers: &Strangers) {
+    let guest = strangers.welcome();
+    let service = TowerToHyperService::new(router(site).layer(Extension(Arc::clone(&guest))));
     // small frames are sent at once: held back to be joined, a first picture comes 40 ms late
     let _ = stream.set_nodelay(true);
     let mut stream = TimeoutStream::new(stream);
@@ -131,6 +152,9 @@ async fn answer(stream: TcpStream, site: Arc<Site>) {
         .header_read_timeout(HEAD)
         .max_buf_size(HEAD_BYTES)
         .serve_connection(TokioIo::new(Box::pin(stream)), service);
-    // a client that breaks off is no news
-    let _ = connection.await;
+    tokio::select! {
+        // a client that breaks off is no news
+        _ = connection => {}
+        () = guest.sent_away() => {}
+    }
 }

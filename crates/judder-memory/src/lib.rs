@@ -7,6 +7,7 @@
 
 mod free;
 
+use std::cell::Cell;
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
 use thiserror::Error;
@@ -17,12 +18,19 @@ static TOLD: AtomicU64 = AtomicU64::new(0);
 /// The share of what is free that is taken where nothing was told: the rest is for what is not estimated, and for others.
 const SHARE: u64 = 4;
 
+thread_local! {
+    /// Among how many the work of this thread [shares](MemoryBudget::shared) the budget of the process.
+    static SHARED_BY: Cell<u64> = const { Cell::new(1) };
+}
+
 /// How much memory a piece of work may take.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MemoryBudget {
     /// In bytes; none where there is no limit.
     bytes: Option<u64>,
     origin: BudgetOrigin,
+    /// Among how many that of the process is divided.
+    shared_by: u64,
 }
 
 /// Where a budget comes from.
@@ -36,7 +44,7 @@ pub enum BudgetOrigin {
 
 /// Something would take more memory than there is for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[error("{} of memory are needed, and {} are to be had, {origin}", Amount(*needed), Amount(u128::from(*budget)))]
+#[error("{} of memory are needed, and {} are to be had, {origin}{}", Amount(*needed), Amount(u128::from(*budget)), ShareWords(*shared_by))]
 pub struct BeyondMemory {
     /// Bytes that it would take.
     pub needed: u128,
@@ -44,6 +52,8 @@ pub struct BeyondMemory {
     pub budget: u64,
     /// Where the budget comes from.
     pub origin: BudgetOrigin,
+    /// Among how many it is divided.
+    pub shared_by: u64,
 }
 
 impl MemoryBudget {
@@ -52,23 +62,35 @@ impl MemoryBudget {
         TOLD.store(bytes, Ordering::Relaxed);
     }
 
+    /// Does work that may take one part of so many of what the process may: budgets that this thread asks for meanwhile are these parts.
+    pub fn shared<T>(among: u64, work: impl FnOnce() -> T) -> T {
+        /// Gives back what was, however the work ends.
+        struct EarlierShare(u64);
+        impl Drop for EarlierShare {
+            fn drop(&mut self) {
+                SHARED_BY.set(self.0);
+            }
+        }
+        let _earlier = EarlierShare(SHARED_BY.replace(among.max(1)));
+        work()
+    }
+
     /// What was told, or three quarters of what is free now: of the machine, of the control group, of the address space, whichever is
-    /// least. Where the system does not say, there is no limit.
+    /// least; of that the part which this thread's work [shares](Self::shared). Where the system does not say, there is no limit.
     #[must_use]
     pub fn of_process() -> Self {
-        match TOLD.load(Ordering::Relaxed) {
-            0 => Self {
-                bytes: free::free_bytes().map(|free| free / SHARE * (SHARE - 1)),
-                origin: BudgetOrigin::Free,
-            },
-            told => Self::of_bytes(told),
-        }
+        let (bytes, origin) = match TOLD.load(Ordering::Relaxed) {
+            0 => (free::free_bytes().map(|free| free / SHARE * (SHARE - 1)), BudgetOrigin::Free),
+            told => (Some(told), BudgetOrigin::Told),
+        };
+        let shared_by = SHARED_BY.get();
+        Self { bytes: bytes.map(|bytes| bytes / shared_by), origin, shared_by }
     }
 
     /// So many bytes.
     #[must_use]
     pub const fn of_bytes(bytes: u64) -> Self {
-        Self { bytes: Some(bytes), origin: BudgetOrigin::Told }
+        Self { bytes: Some(bytes), origin: BudgetOrigin::Told, shared_by: 1 }
     }
 
     /// Whether so many bytes fit.
@@ -78,7 +100,7 @@ impl MemoryBudget {
     pub fn ask(&self, needed: u128) -> Result<(), BeyondMemory> {
         match self.bytes {
             Some(budget) if needed > u128::from(budget) => {
-                Err(BeyondMemory { needed, budget, origin: self.origin })
+                Err(BeyondMemory { needed, budget, origin: self.origin, shared_by: self.shared_by })
             }
             _ => Ok(()),
         }
@@ -94,7 +116,7 @@ impl BeyondMemory {
         if self.needed > NOWHERE {
             return "ask for less: no machine has that".to_owned();
         }
-        let gibibytes = self.needed.div_ceil(1 << 30);
+        let gibibytes = (self.needed * u128::from(self.shared_by)).div_ceil(1 << 30);
         format!(
             "ask for less, or give judder more with --memory \"{gibibytes} GiB\" where the machine has it"
         )
@@ -107,6 +129,15 @@ impl fmt::Display for BudgetOrigin {
             Self::Told => "as was said",
             Self::Free => "three quarters of what is free",
         })
+    }
+}
+
+/// Among how many a budget is shared, in words.
+struct ShareWords(u64);
+
+impl fmt::Display for ShareWords {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0 > 1 { write!(f, ", shared among {} that may work at once", self.0) } else { Ok(()) }
     }
 }
 
@@ -137,5 +168,19 @@ mod tests {
         assert!(beyond.remedy().contains("--memory \"15 GiB\""), "{}", beyond.remedy());
         let nowhere = budget.ask(u128::MAX).unwrap_err();
         assert!(nowhere.to_string().contains("EB") && !nowhere.remedy().contains("--memory"), "{nowhere}");
+    }
+
+    #[test]
+    fn who_shares_is_given_a_part_and_told_so() {
+        let alone = || MemoryBudget::of_process().ask(u128::MAX).unwrap_err();
+        let (whole, part) = (alone(), MemoryBudget::shared(6, alone));
+        assert_eq!((whole.shared_by, part.shared_by), (1, 6));
+        // what is free changes between two looks
+        let ratio = whole.budget as f64 / part.budget as f64;
+        assert!((4.0..9.0).contains(&ratio), "{ratio}");
+        assert!(part.to_string().ends_with("shared among 6 that may work at once"), "{part}");
+        let small = BeyondMemory { needed: 1 << 31, budget: 1 << 30, ..part };
+        assert!(small.remedy().contains("--memory \"12 GiB\""), "{}", small.remedy());
+        assert_eq!(alone().shared_by, 1, "what was is so again");
     }
 }

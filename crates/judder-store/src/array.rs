@@ -1,13 +1,37 @@
 //! What a stored array says of itself, and its values, all or a part.
 
 use std::error::Error;
+use std::sync::Arc;
 
-use zarrs::array::{Array, ArrayError, ArraySubset, ElementOwned, data_type};
+use judder_memory::MemoryBudget;
+use zarrs::array::{Array, ArrayCreateError, ArrayError, ArraySubset, ElementOwned, data_type};
 use zarrs::filesystem::FilesystemStore;
 
-use crate::{Variable, VariableValues, metadata};
+use crate::{Variable, VariableValues, bounded_zstd, metadata};
 
 pub(crate) type ReadFailure = Box<dyn Error + Send + Sync>;
+
+/// Opens an array of a group, whose values are unpacked to no more than its chunks have.
+pub(crate) fn open(
+    store: &Arc<FilesystemStore>,
+    name: &str,
+) -> Result<Array<FilesystemStore>, ArrayCreateError> {
+    bounded_zstd::bind();
+    Array::open(store.clone(), &format!("/{name}"))
+}
+
+/// Refuses what takes more memory than there is: a part of an array, and a chunk of it, packed and unpacked.
+pub(crate) fn ask_for(array: &Array<FilesystemStore>, part: &ArraySubset) -> Result<(), ReadFailure> {
+    // texts say how long they are when they are unpacked
+    let width = array.data_type().fixed_size().unwrap_or(0) as u128;
+    let count = |lengths: &mut dyn Iterator<Item = u64>| {
+        lengths.fold(1_u128, |product, length| product.saturating_mul(u128::from(length)))
+    };
+    let chunk = array.chunk_shape(&vec![0; array.dimensionality()])?;
+    let chunk = count(&mut chunk.iter().map(|length| length.get())).saturating_mul(2);
+    let needed = count(&mut part.shape().iter().copied()).saturating_add(chunk).saturating_mul(width);
+    MemoryBudget::of_process().ask(needed).map_err(|beyond| format!("{beyond}; {}", beyond.remedy()).into())
+}
 
 /// The variable of an array with these data, some or all of its own; its shape is the array's.
 pub(crate) fn with_data(
@@ -32,6 +56,9 @@ pub(crate) fn read_data(
     array: &Array<FilesystemStore>,
     part: Option<&ArraySubset>,
 ) -> Result<VariableValues, ReadFailure> {
+    if let Some(part) = part {
+        ask_for(array, part)?;
+    }
     Ok(match array.data_type() {
         kind if *kind == data_type::float64() => VariableValues::F64(values(array, part)?),
         kind if *kind == data_type::complex128() => VariableValues::Complex(values(array, part)?),

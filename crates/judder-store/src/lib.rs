@@ -16,7 +16,7 @@
 //! - [`Scratch`] (`scratch.rs`): what an analysis keeps while it runs.
 //! - [`StreamWriter`] (`stream.rs`): a dataset in the making, too long for memory, with the checkpoint from which an interrupted analysis goes on.
 //! - [`SweepLayout`], [`SweepStore`] (`sweep.rs`): many points, computed chunk by chunk by any number of processes.
-//! - `zarr.rs`, `array.rs`: one dataset as one group of the Zarr v3 store `results.zarr`, and its arrays; `metadata.rs`: the metadata of its groups,
+//! - `zarr.rs`, `array.rs`: one dataset as one group of the Zarr v3 store `results.zarr`, and its arrays; `bounded_zstd.rs`: their compression; `metadata.rs`: the metadata of its groups,
 //!   consolidated so that one read opens all; `group_store.rs`: its files as the array library writes them; `staging.rs`: the atomic write under all of the above, whose calls
 //!   are those of `judder-disk`.
 //! - `manifest.rs`: `manifest.json`, what a study was when it was written, so that damage is told from results ([`FileDamage`]); [`verify`] (`verify.rs`)
@@ -28,6 +28,7 @@
 #![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
 
 mod array;
+mod bounded_zstd;
 mod dataset;
 mod declared;
 mod error;

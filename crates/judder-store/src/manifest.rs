@@ -86,7 +86,7 @@ impl Manifest {
         if plain::is_link(&path) {
             return Err(StoreError::ManifestDamaged { path });
         }
-        let content = match plain::read(&path) {
+        let content = match plain::read_json(&path) {
             Ok(content) => content,
             Err(source) if source.kind() == ErrorKind::NotFound => return Ok(None),
             Err(source) => return Err(StoreError::read(&path, source)),

@@ -55,7 +55,7 @@ pub(crate) fn root(groups: &BTreeMap<String, PathBuf>) -> Result<Map<String, Val
 /// The metadata of the group or array in a folder.
 pub(crate) fn read(folder: &Path) -> Result<Map<String, Value>, StoreError> {
     let path = folder.join(FILE);
-    let content = plain::read(&path).map_err(|source| StoreError::read(&path, source))?;
+    let content = plain::read_json(&path).map_err(|source| StoreError::read(&path, source))?;
     serde_json::from_slice(&content).map_err(|source| StoreError::unreadable(&path, source))
 }
 

@@ -4,6 +4,8 @@ use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
+use judder_memory::MemoryBudget;
+
 /// Opens a regular file to read; anything else is refused without waiting for it.
 pub(crate) fn open(path: &Path) -> io::Result<File> {
     let mut options = fs::OpenOptions::new();
@@ -23,14 +25,36 @@ pub(crate) fn open(path: &Path) -> io::Result<File> {
     }
 }
 
-/// Reads a regular file whole.
+/// Reads a regular file whole, where there is memory for it.
 pub(crate) fn read(path: &Path) -> io::Result<Vec<u8>> {
-    let mut file = open(path)?;
-    let size = usize::try_from(file.metadata()?.len()).unwrap_or(0);
+    let file = open(path)?;
+    let size = file.metadata()?.len();
+    ask(u128::from(size))?;
     let mut content = Vec::new();
-    content.try_reserve_exact(size)?;
-    file.read_to_end(&mut content)?;
+    content.try_reserve_exact(usize::try_from(size).unwrap_or(usize::MAX))?;
+    // one that grows meanwhile is read as far as it was asked for
+    file.take(size).read_to_end(&mut content)?;
     Ok(content)
+}
+
+/// Reads a regular file of JSON, where there is memory for what it says.
+pub(crate) fn read_json(path: &Path) -> io::Result<Vec<u8>> {
+    let content = read(path)?;
+    ask(content.len() as u128 + parsed_bytes(&content))?;
+    Ok(content)
+}
+
+/// Bytes that a document takes as values, at most, while its longest list grows: each has a sign of these before it.
+fn parsed_bytes(content: &[u8]) -> u128 {
+    const VALUE: usize = 3 * size_of::<serde_json::Value>();
+    let signs = content.iter().filter(|byte| matches!(byte, b',' | b':' | b'[' | b'{')).count();
+    (content.len() + signs * VALUE) as u128
+}
+
+fn ask(bytes: u128) -> io::Result<()> {
+    MemoryBudget::of_process()
+        .ask(bytes)
+        .map_err(|beyond| io::Error::new(ErrorKind::OutOfMemory, format!("{beyond}; {}", beyond.remedy())))
 }
 
 /// Whether a link stands at a place, wherever it leads.
@@ -82,6 +106,22 @@ struct NotAFile(&'static str);
 #[cfg(all(test, target_os = "linux"))]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_there_is_no_memory_for_is_not_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("summary.json");
+        fs::File::create(&path).unwrap().set_len(1 << 42).unwrap();
+        let refused = read(&path).unwrap_err();
+        assert_eq!(refused.kind(), ErrorKind::OutOfMemory);
+        assert!(refused.to_string().contains("4.4 TB of memory are needed"), "{refused}");
+        // a short text of many values
+        fs::write(&path, format!("[{}0]", "0,".repeat(1 << 20))).unwrap();
+        let among = |parts| MemoryBudget::shared(parts, || read_json(&path));
+        assert_eq!(among(1).unwrap().len(), (1 << 21) + 3);
+        assert!(among(1 << 16).unwrap_err().to_string().contains("are needed"));
+        assert_eq!(parsed_bytes(b"[0,1]"), 5 + 2 * 3 * size_of::<serde_json::Value>() as u128);
+    }
 
     #[test]
     fn what_is_no_file_is_refused_at_once() {

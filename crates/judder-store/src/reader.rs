@@ -1,6 +1,6 @@
 //! A study that is looked at and not held.
 
-use std::fs;
+use std::fs::{self, File};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -196,17 +196,17 @@ impl StudyReader {
         Ok(found)
     }
 
-    /// The bytes of a file that [`files`](Self::files) lists under this extension.
+    /// A file to read that [`files`](Self::files) lists under this extension.
     ///
     /// # Errors
     /// [`StoreError::OutsideFolder`] for any other path, a failure of the file system.
-    pub fn read_file(&self, relative: &str, extension: &str) -> Result<Vec<u8>, StoreError> {
+    pub fn open_file(&self, relative: &str, extension: &str) -> Result<File, StoreError> {
         if !self.files(extension)?.iter().any(|(listed, _)| listed == relative) {
             return Err(StoreError::OutsideFolder { path: PathBuf::from(relative) });
         }
         let path = self.inside(&self.root.join(relative))?;
         self.manifest.check(&path)?;
-        plain::read(&path).map_err(|source| StoreError::read(&path, source))
+        plain::open(&path).map_err(|source| StoreError::read(&path, source))
     }
 
     fn group(&self, name: &str) -> Result<StoredGroup, StoreError> {
@@ -235,8 +235,8 @@ impl StudyReader {
         }
         self.manifest.check(&self.inside(&path.join(metadata::FILE))?)?;
         let store = FilesystemStore::new(group).map_err(|source| StoreError::unreadable(group, source))?;
-        let opened = Array::open(Arc::new(store), &format!("/{variable}"));
-        let array = opened.map_err(|source| StoreError::unreadable(&path, source))?;
+        let array = crate::array::open(&Arc::new(store), variable)
+            .map_err(|source| StoreError::unreadable(&path, source))?;
         zarr::check_chunk_size(&array).map_err(|source| StoreError::DatasetUnreadable { path, source })?;
         Ok(array)
     }

@@ -87,7 +87,7 @@ fn finite<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> 
 /// Reads the summary of a study; `None` where there is none yet.
 pub(crate) fn read(study: &Path) -> Result<Option<Summary>, StoreError> {
     let path = study.join(FILE);
-    match plain::read(&path) {
+    match plain::read_json(&path) {
         Ok(content) => serde_json::from_slice(&content)
             .map(Some)
             .map_err(|source| StoreError::SummaryUnreadable { path, source }),

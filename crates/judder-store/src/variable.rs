@@ -38,7 +38,8 @@ impl VariableValues {
     }
 
     /// Size of one value, in bytes; of a label, a guess.
-    pub(crate) fn value_size(&self) -> usize {
+    #[must_use]
+    pub fn value_size(&self) -> usize {
         match self {
             Self::F64(_) | Self::I64(_) => 8,
             Self::Complex(_) | Self::Text(_) => 16,

@@ -331,7 +331,7 @@ fn in_agreement(mut variables: Vec<Variable>) -> Vec<Variable> {
 }
 
 pub(crate) fn read_variable(store: &Arc<FilesystemStore>, name: &str) -> Result<Variable, ReadFailure> {
-    let array = Array::open(store.clone(), &format!("/{name}"))?;
+    let array = array::open(store, name)?;
     check_chunks(store, &array)?;
     let data = array::read_data(&array, Some(&array.subset_all()))?;
     array::with_data(name, &array, data)

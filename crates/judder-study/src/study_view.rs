@@ -8,15 +8,22 @@ pub use reported::ReportedAnalysis;
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::ledger::Keepsakes;
+use crate::progress::Progress;
 use crate::registry::Registry;
 use crate::report;
 use extremes::BinnedExtremes;
+use judder_memory::MemoryBudget;
 use judder_store::{Status, StudyReader, Summary, Variable};
 use serde_json::{Map, Value};
+use std::fs::File;
+use std::ops::Range;
 use std::path::Path;
 
 /// Values of a variable that are read at once at most; of more, extremes are.
 pub const MOST_VALUES: usize = 1 << 24;
+
+/// How often values are in memory on their way to a reader: as they are read, as what is told of them, as the bytes of an answer.
+const COPIES: u128 = 4;
 
 /// Entries that an array among the scalars has at most: longer ones are in the datasets.
 const LISTED: usize = 64;
@@ -147,35 +154,49 @@ impl StudyView {
     }
 
     /// Chosen variables of an analysis. The window is one along the first dimension of the first of them; variables without this dimension
-    /// come whole.
+    /// come whole. It ends between two files where the one who asked has gone.
     ///
     /// # Errors
-    /// [`StudyError::UnknownAnalysis`]; a variable that is not there or damaged; more than [`MOST_VALUES`] values of one variable.
+    /// [`StudyError::UnknownAnalysis`]; a variable that is not there or damaged; more than [`MOST_VALUES`] values of one variable,
+    /// [`StudyError::Memory`] for more of all of them than there is memory for; [`StudyError::Interrupted`].
     pub fn arrays(
         &self,
         analysis: &str,
         variables: &[String],
         window: &RowWindow,
+        progress: &dyn Progress,
     ) -> Result<Vec<Variable>, StudyError> {
         self.summary_with(analysis)?;
         let head = self.reader.head(analysis)?;
         let of = |name: &String| head.variables.iter().find(|variable| variable.name == *name);
         let along = variables.first().and_then(of).and_then(|variable| variable.dimensions.first());
+        let window_of = |variable: &Variable| match variable.dimensions.first() == along {
+            true => *window,
+            false => RowWindow::default(),
+        };
+        let mut bytes = 0;
+        for variable in variables.iter().filter_map(of) {
+            let shown = ShownRows::new(variable, &window_of(variable))?;
+            bytes += (shown.count * shown.width * variable.data.value_size()) as u128;
+        }
+        MemoryBudget::of_process().ask(bytes * COPIES).map_err(|source| StudyError::Memory {
+            what: format!("the variables of `{analysis}` that are asked for"),
+            source,
+        })?;
         let read = |name: &String| match of(name) {
-            Some(variable) if variable.dimensions.first() == along => self.window(analysis, variable, window),
-            Some(variable) => self.window(analysis, variable, &RowWindow::default()),
+            Some(variable) => self.window(analysis, variable, &window_of(variable), progress),
             // what is not there is told as the store does
             None => Ok(self.reader.read_rows(analysis, name, 0..0)?),
         };
         variables.iter().map(read).collect()
     }
 
-    /// The bytes of a sound of the listing.
+    /// A sound of the listing, to be read.
     ///
     /// # Errors
     /// A path that the listing does not have.
-    pub fn sound(&self, path: &str) -> Result<Vec<u8>, StudyError> {
-        Ok(self.reader.read_file(path, "wav")?)
+    pub fn sound(&self, path: &str) -> Result<File, StudyError> {
+        Ok(self.reader.open_file(path, "wav")?)
     }
 
     /// The case of the study, read from what the study kept of it. Files that it names are sought in the study folder: a case of other
@@ -214,16 +235,15 @@ impl StudyView {
         Err(StudyError::UnknownAnalysis { name: analysis.to_owned(), known })
     }
 
-    fn window(&self, analysis: &str, head: &Variable, window: &RowWindow) -> Result<Variable, StudyError> {
-        let rows = head.shape.first().copied().unwrap_or(1);
-        let to = window.to.unwrap_or(rows).min(rows);
-        let range = window.from.unwrap_or(0).min(to)..to;
-        let width: usize = head.shape.iter().skip(1).product();
-        let shown = window.most.map_or(range.len(), |most| most.max(2).min(range.len()));
-        if shown.saturating_mul(width) > MOST_VALUES {
-            let (variable, rows, most) = (head.name.clone(), shown, MOST_VALUES);
-            return Err(StudyError::TooManyValues { variable, rows, width, most });
-        }
+    fn window(
+        &self,
+        analysis: &str,
+        head: &Variable,
+        window: &RowWindow,
+        progress: &dyn Progress,
+    ) -> Result<Variable, StudyError> {
+        progress.go_on()?;
+        let ShownRows { range, width, count: shown } = ShownRows::new(head, window)?;
         if shown == range.len() {
             return Ok(self.reader.read_rows(analysis, &head.name, range)?);
         }
@@ -231,6 +251,7 @@ impl StudyView {
         let step = self.reader.rows_of_a_file(analysis, &head.name)?.max(1);
         let mut start = range.start;
         while start < range.end {
+            progress.go_on()?;
             // each file is opened once
             let end = ((start / step + 1) * step).min(range.end);
             extremes.add(start, self.reader.read_rows(analysis, &head.name, start..end)?.data);
@@ -241,6 +262,29 @@ impl StudyView {
             *first = 2 * (shown / 2);
         }
         Ok(Variable { data: extremes.finish(), shape, ..head.clone() })
+    }
+}
+
+/// Which rows of a variable are read, and how many are shown of them.
+struct ShownRows {
+    range: Range<usize>,
+    /// Values of a row.
+    width: usize,
+    count: usize,
+}
+
+impl ShownRows {
+    fn new(head: &Variable, window: &RowWindow) -> Result<Self, StudyError> {
+        let rows = head.shape.first().copied().unwrap_or(1);
+        let to = window.to.unwrap_or(rows).min(rows);
+        let range = window.from.unwrap_or(0).min(to)..to;
+        let width = head.shape.iter().skip(1).fold(1_usize, |width, length| width.saturating_mul(*length));
+        let count = window.most.map_or(range.len(), |most| most.max(2).min(range.len()));
+        if count.saturating_mul(width) > MOST_VALUES {
+            let (variable, rows, most) = (head.name.clone(), count, MOST_VALUES);
+            return Err(StudyError::TooManyValues { variable, rows, width, most });
+        }
+        Ok(Self { range, width, count })
     }
 }
 

@@ -38,12 +38,28 @@ pub(crate) async fn answer(
     JsonBody(wanted): JsonBody<WantedMap>,
 ) -> Result<Response, RequestRefusal> {
     wanted.view.check()?;
-    let kinds = wanted.boundaries.iter().map(|name| kind(name)).collect::<Result<Vec<_>, _>>()?;
+    let kinds = kinds(&wanted.boundaries)?;
     let subject = Arc::clone(&site.subject);
     let slot = wanted.view.slot.clone();
     site.scheduler
         .stream(Pace::Quick, slot, Box::new(move |reporter| draw(&subject, &wanted.view, &kinds, reporter)))
         .await
+}
+
+/// The kinds that are named, each once.
+fn kinds(names: &[String]) -> Result<Vec<BoundaryKind>, RequestRefusal> {
+    let mut kinds = Vec::new();
+    for name in names {
+        let kind = kind(name)?;
+        if kinds.contains(&kind) {
+            return Err(RequestRefusal::wrong(format!(
+                "the boundary `{}` is asked for more than once; once is enough",
+                kind.name()
+            )));
+        }
+        kinds.push(kind);
+    }
+    Ok(kinds)
 }
 
 fn kind(name: &str) -> Result<BoundaryKind, RequestRefusal> {

@@ -9,19 +9,28 @@ use crate::scheduler::Pace;
 use crate::site::{SharedSite, Site};
 use crate::subject::{Studied, ViewedCase};
 use axum::Json;
+use axum::body::{Body, Bytes};
 use axum::extract::{Path, State};
-use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE};
+use axum::http::HeaderValue;
+use axum::http::header::{CACHE_CONTROL, CONTENT_LENGTH, CONTENT_TYPE};
 use axum::response::{IntoResponse, Response};
 use judder_models::sliding_shapes::SlidingShapes;
 use judder_store::{Complex64, Status, Variable};
 use judder_study::case::compose::alone;
 use judder_study::study_view::{AnalysisListing, ReportedAnalysis, RowWindow};
+use judder_study::{Progress, StudyError};
 use serde::Deserialize;
 use serde_json::{Value, json};
+use std::io::Read;
 use std::sync::Arc;
+use tokio::sync::mpsc;
+use tokio_stream::wrappers::ReceiverStream;
 
 /// Variables that one request may ask for, at most.
 const VARIABLES: usize = 32;
+/// Bytes of a file that are read at a time, and how many such pieces wait for the network.
+const PIECE_BYTES: usize = 64 << 10;
+const PIECES: usize = 2;
 /// Modes whose shapes are sent, at most.
 const MODES: usize = 64;
 
@@ -68,12 +77,12 @@ fn variable(variable: &Variable) -> Value {
 async fn stream(
     site: &Site,
     slot: Option<String>,
-    make: impl FnOnce(&Studied) -> Result<FrameInTheMaking, RequestRefusal> + Send + 'static,
+    make: impl FnOnce(&Studied, &Reporter) -> Result<FrameInTheMaking, RequestRefusal> + Send + 'static,
 ) -> Result<Response, RequestRefusal> {
     studied(&site.subject)?;
     let subject = Arc::clone(&site.subject);
     let work = move |reporter: &Reporter| {
-        reporter.send(make(studied(&subject)?)?);
+        reporter.send(make(studied(&subject)?, reporter)?);
         Ok(())
     };
     site.scheduler.stream(Pace::Quick, slot, Box::new(work)).await
@@ -106,9 +115,10 @@ pub(crate) async fn arrays(
             wanted.variables.len()
         )));
     }
-    stream(&site, wanted.slot.clone(), move |study| {
+    stream(&site, wanted.slot.clone(), move |study, reporter| {
         let window = RowWindow { from: wanted.from, to: wanted.to, most: wanted.most };
-        let found = study.view.arrays(&wanted.analysis, &wanted.variables, &window)?;
+        let found = study.view.arrays(&wanted.analysis, &wanted.variables, &window, reporter);
+        let found = found.map_err(|error| reporter.refusal(error))?;
         check_answer(&found)?;
         Ok(found.iter().fold(FrameInTheMaking::new("arrays"), FrameInTheMaking::array))
     })
@@ -129,8 +139,11 @@ pub(crate) async fn report(
     State(site): SharedSite,
     JsonBody(wanted): JsonBody<Reported>,
 ) -> Result<Response, RequestRefusal> {
-    stream(&site, wanted.slot.clone(), move |study| {
-        let ReportedAnalysis { figure, tables } = study.view.reported(&wanted.analysis)?;
+    stream(&site, wanted.slot.clone(), move |study, reporter| {
+        let ReportedAnalysis { figure, tables } = study.view.reported(&wanted.analysis, reporter)?;
+        if reporter.interrupted() {
+            return Err(reporter.refusal(StudyError::Interrupted));
+        }
         let drawn = figure.map_err(RequestRefusal::from).and_then(|figure| {
             figure.as_ref().map_or(Ok(()), |text| check_bytes(text.len()))?;
             Ok(figure)
@@ -168,11 +181,39 @@ pub(crate) async fn sound(
     Path(path): Path<String>,
 ) -> Result<Response, RequestRefusal> {
     site.compute(move |subject, _| {
-        let missing = |_| RequestRefusal::missing("the study has no such sound; `/api/study` lists them");
-        let bytes = studied(subject)?.view.sound(&path).map_err(missing)?;
-        Ok(([(CONTENT_TYPE, "audio/wav"), (CACHE_CONTROL, "no-store")], bytes).into_response())
+        fn missing<T>(_: T) -> RequestRefusal {
+            RequestRefusal::missing("the study has no such sound; `/api/study` lists them")
+        }
+        let file = studied(subject)?.view.sound(&path).map_err(missing)?;
+        let size = file.metadata().map_err(|_| missing(())).map(|known| known.len())?;
+        let head = [
+            (CONTENT_TYPE, HeaderValue::from_static("audio/wav")),
+            (CACHE_CONTROL, HeaderValue::from_static("no-store")),
+            (CONTENT_LENGTH, size.into()),
+        ];
+        Ok((head, in_pieces(file.take(size))).into_response())
     })
     .await
+}
+
+/// A file as the body of an answer, however large: it is read as the other side takes it.
+fn in_pieces(mut file: impl Read + Send + 'static) -> Body {
+    let (sender, receiver) = mpsc::channel(PIECES);
+    tokio::task::spawn_blocking(move || {
+        loop {
+            let mut piece = vec![0; PIECE_BYTES];
+            let read = file.read(&mut piece).map(|count| {
+                piece.truncate(count);
+                Bytes::from(piece)
+            });
+            let is_last = read.as_ref().map_or(true, Bytes::is_empty);
+            // who has gone wants no more of it
+            if sender.blocking_send(read).is_err() || is_last {
+                return;
+            }
+        }
+    });
+    Body::from_stream(ReceiverStream::new(receiver))
 }
 
 /// Which shapes are wanted.
@@ -192,7 +233,7 @@ pub(crate) async fn shapes(
     State(site): SharedSite,
     JsonBody(wanted): JsonBody<Shaped>,
 ) -> Result<Response, RequestRefusal> {
-    stream(&site, wanted.slot.clone(), move |study| {
+    stream(&site, wanted.slot.clone(), move |study, _| {
         let count = wanted.count.unwrap_or(MODES).min(MODES);
         Ok(frame(study.shapes(&wanted.analysis, wanted.at, count)?))
     })

@@ -4,7 +4,7 @@ use crate::client::Served;
 use serde_json::json;
 use std::io::Write;
 use std::net::{SocketAddr, TcpStream, UdpSocket};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// A request for the session with this head in place of the usual one.
 fn with_head(served: &Served, head: &str) -> u16 {
@@ -290,6 +290,27 @@ fn who_sends_slowly_is_not_waited_for() {
     assert_eq!(body.status, 408, "{body:?}");
     let head = crate::client::Answer::read(&mut slow_head);
     assert!([0, 408].contains(&head.status), "{head:?}");
+}
+
+#[test]
+fn connections_that_say_nothing_keep_nobody_out() {
+    let served = Served::new();
+    let cookie = served.cookie();
+    // more than there are connections, none of which has been let in
+    let silent: Vec<_> = (0..140)
+        .map(|index| {
+            let mut stream = served.connect();
+            if index % 2 == 0 {
+                stream.write_all(b"GET / HTTP/1.1\r\nHost: ").unwrap();
+            }
+            stream
+        })
+        .collect();
+    let start = Instant::now();
+    let head = format!("Host: 127.0.0.1:{}\r\nCookie: {cookie}\r\n", served.port);
+    assert_eq!(with_head(&served, &head), 200);
+    assert!(start.elapsed() < Duration::from_secs(5), "{:?}", start.elapsed());
+    drop(silent);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use crate::client::{Answer, Served};
 use serde_json::{Value, json};
 use std::io::{Read, Write};
+use std::time::{Duration, Instant};
 
 /// A map whose every point is decided: the longest map that a page may ask for.
 fn map(points: u64, slot: Option<&str>) -> Value {
@@ -45,6 +46,46 @@ fn a_map_of_a_thousand_million_points_is_refused() {
 }
 
 #[test]
+fn a_boundary_is_asked_for_once() {
+    let served = Served::new();
+    let mut wanted = map(40, None);
+    wanted["boundaries"] = json!(vec!["full"; 5000]);
+    let answer = served.post("/api/map", &wanted);
+    assert_eq!(answer.status, 400);
+    assert!(answer.error().contains("`full` is asked for more than once"), "{}", answer.error());
+}
+
+#[test]
+fn an_analysis_has_its_part_of_the_memory() {
+    let served = Served::new();
+    let spectrum = |points: u64| {
+        json!({ "analysis": { "name": "spectrum", "kind": "spectrum", "sweep": {
+            "key": "operation.velocity", "from": 1e-6, "to": 1e-1, "points": points, "scale": "log",
+        }}})
+    };
+    let frames = served.post("/api/analysis", &spectrum(1_000_000)).frames();
+    let told = frames.last().unwrap().header["error"]["message"].to_string();
+    assert!(told.contains("5.5 GB of memory are needed") && told.contains("shared among 8"), "{told}");
+    assert_eq!(served.post("/api/analysis", &spectrum(100)).frames().last().unwrap().kind(), "end");
+}
+
+#[test]
+fn a_motion_beyond_all_numbers_is_answered_at_once() {
+    let served = Served::new();
+    let fast = json!({
+        "set": ["operation.velocity=1e308"],
+        "analysis": { "kind": "motion", "duration": 50, "points": 51 },
+    });
+    let start = Instant::now();
+    let answer = served.post("/api/motion", &fast);
+    assert!(start.elapsed() < Duration::from_secs(10), "{:?}", start.elapsed());
+    assert!(
+        answer.frames().last().is_some_and(|frame| ["end", "error"].contains(&frame.kind())),
+        "{answer:?}"
+    );
+}
+
+#[test]
 fn a_hundred_heavy_requests_leave_the_page_alive() {
     let served = Served::new();
     let request = served.request("/api/motion", &long_motion(None).to_string());
@@ -69,7 +110,12 @@ fn a_hundred_heavy_requests_leave_the_page_alive() {
         let mut start = [0; 12];
         stream.read_exact(&mut start).unwrap();
         match &start[9..] {
-            b"503" => refused += 1,
+            b"503" => {
+                let mut rest = String::new();
+                stream.read_to_string(&mut rest).unwrap();
+                assert!(rest.contains("retry-after: 1\r\n"), "{rest}");
+                refused += 1;
+            }
             b"200" => streams.push(stream),
             other => panic!("{other:?}"),
         }
@@ -79,7 +125,7 @@ fn a_hundred_heavy_requests_leave_the_page_alive() {
     // who goes makes room
     let short = json!({ "analysis": { "name": "motion", "kind": "motion", "duration": 1.0 } });
     let answered = (0..600).any(|_| {
-        std::thread::sleep(std::time::Duration::from_millis(100));
+        std::thread::sleep(Duration::from_millis(100));
         served.post("/api/motion", &short).frames().last().is_some_and(|frame| frame.kind() == "end")
     });
     assert!(answered);
@@ -139,7 +185,7 @@ fn who_does_not_read_holds_up_nobody() {
     };
     let unread: Vec<_> = (0..3).map(|number| send(&format!("unread/{number}"))).collect();
     // long enough to fill every buffer on the way
-    std::thread::sleep(std::time::Duration::from_secs(4));
+    std::thread::sleep(Duration::from_secs(4));
     let drawn = served.post("/api/map", &map(40, None));
     assert_eq!(drawn.frames().last().unwrap().kind(), "end");
     let short =

@@ -5,6 +5,7 @@ use judder_study::Silent;
 use judder_study::run::{RunOptions, run};
 use serde_json::{Value, json};
 use std::fs;
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
@@ -141,6 +142,74 @@ fn sounds_come_from_the_folder_alone() {
     }
     let listed = served.get("/api/study").json();
     assert_eq!(listed["sounds"].as_array().unwrap().len(), 1, "{listed}");
+}
+
+#[test]
+fn a_sound_is_handed_on_as_it_is_read() {
+    let (_place, folder) = study_beside_a_secret();
+    let size = 1_u64 << 40;
+    fs::File::create(folder.join("long.wav")).unwrap().set_len(size).unwrap();
+    let served = served(&folder);
+    let mut stream = served.connect();
+    let head = format!("Host: 127.0.0.1:{}\r\nCookie: {}\r\n", served.port, served.cookie());
+    stream.write_all(format!("GET /api/study/sound/long.wav HTTP/1.1\r\n{head}\r\n").as_bytes()).unwrap();
+    // more than any memory holds: what comes has not waited for the rest
+    let mut start = vec![0; 1 << 20];
+    stream.read_exact(&mut start).unwrap();
+    assert!(String::from_utf8_lossy(&start[..500]).contains(&format!("content-length: {size}\r\n")));
+    drop(stream);
+    assert_eq!(served.get("/api/study/sound/tone.wav").text(), "RIFF of a tone");
+}
+
+/// The folder of an array of the study.
+fn array_of(folder: &Path) -> PathBuf {
+    folder.join("results.zarr/damping/equivalent_damping")
+}
+
+#[test]
+fn what_a_chunk_unpacks_to_is_what_its_array_has() {
+    let (_place, folder) = study_beside_a_secret();
+    fs::remove_file(folder.join("manifest.json")).unwrap();
+    let chunk = array_of(&folder).join("c/0");
+    let packed = fs::read(&chunk).unwrap();
+    assert!(packed.len() < 200);
+    // a frame of seven values, in place of which another stands: half a gigabyte of zeros, run by run
+    let run = [&[0x02, 0, 0x10][..], &[0]].concat();
+    let mut bomb = vec![0x28, 0xb5, 0x2f, 0xfd, 0x00, 0x38];
+    for _ in 0..4095 {
+        bomb.extend_from_slice(&run);
+    }
+    bomb.extend_from_slice(&[0x03, 0, 0x10, 0]);
+    bomb.extend_from_slice(&crc32c(&bomb).to_le_bytes());
+    fs::write(&chunk, bomb).unwrap();
+    let wanted = json!({ "analysis": "damping", "variables": ["equivalent_damping"] });
+    let frames = served(&folder).post("/api/study/arrays", &wanted).frames();
+    let told = frames[0].header["error"]["message"].to_string();
+    assert!(told.contains("does not unpack to 56 bytes"), "{told}");
+}
+
+/// The checksum of a chunk (RFC 3720, appendix B.4), bit by bit.
+fn crc32c(bytes: &[u8]) -> u32 {
+    let of_bit = |crc: u32, _| if crc & 1 == 1 { crc >> 1 ^ 0x82f6_3b78 } else { crc >> 1 };
+    !bytes.iter().fold(!0, |crc, byte| (0..8).fold(crc ^ u32::from(*byte), of_bit))
+}
+
+#[test]
+fn arrays_and_summaries_beyond_the_memory_are_refused() {
+    let (_place, folder) = study_beside_a_secret();
+    fs::remove_file(folder.join("manifest.json")).unwrap();
+    let served = served(&folder);
+    let metadata = array_of(&folder).join("zarr.json");
+    let mut wide: Value = serde_json::from_slice(&fs::read(&metadata).unwrap()).unwrap();
+    wide["shape"] = json!([60_000_000]);
+    fs::write(&metadata, wide.to_string()).unwrap();
+    let wanted = json!({ "analysis": "damping", "variables": ["equivalent_damping"] });
+    let frames = served.post("/api/study/arrays", &wanted).frames();
+    let told = frames[0].header["error"]["message"].to_string();
+    assert!(told.contains("60000000"), "{told}");
+    fs::File::options().write(true).open(folder.join("summary.json")).unwrap().set_len(1 << 42).unwrap();
+    let listed = served.get("/api/study");
+    assert!(listed.error().contains("4.4 TB of memory are needed"), "{}", listed.error());
 }
 
 #[test]

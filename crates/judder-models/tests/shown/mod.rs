@@ -4,9 +4,9 @@ use crate::{case, number, run_into};
 use judder_models::ModelError;
 use judder_models::sliding_shapes::{ShapedPair, SlidingShapes, sliding_shapes};
 use judder_store::{Dataset, Status, StoreError, StudyFolder, Variable, VariableValues};
-use judder_study::StudyError;
 use judder_study::case::file::CaseFile;
 use judder_study::study_view::{MOST_VALUES, RowWindow, StudyView};
+use judder_study::{Silent, StudyError};
 use std::path::Path;
 
 const PAPER: &str = "beams-paper/paper.toml";
@@ -45,7 +45,7 @@ fn a_listing_tells_what_a_study_holds() {
         ("A study to be shown", env!("CARGO_PKG_VERSION"))
     );
     assert_eq!(listing.sounds, [("motion-x.wav".to_owned(), 4)]);
-    assert_eq!(view.sound("motion-x.wav").unwrap(), b"RIFF");
+    assert_eq!(std::io::read_to_string(view.sound("motion-x.wav").unwrap()).unwrap(), "RIFF");
     assert!(matches!(
         view.sound("../mine/motion-x.wav"),
         Err(StudyError::Store(StoreError::OutsideFolder { .. }))
@@ -58,8 +58,8 @@ fn a_listing_tells_what_a_study_holds() {
         assert_eq!(&analysis.attributes, stored.attributes());
         for (head, variable) in analysis.variables.iter().zip(stored.variables()) {
             assert_eq!(head, &Variable { data: head.data.clone(), ..variable.clone() });
-            let read =
-                view.arrays(&analysis.name, std::slice::from_ref(&head.name), &RowWindow::default()).unwrap();
+            let names = std::slice::from_ref(&head.name);
+            let read = view.arrays(&analysis.name, names, &RowWindow::default(), &Silent).unwrap();
             assert_eq!(bits(&read[0].data), bits(&variable.data), "{}", head.name);
         }
         // a list of a hundred stands in the arrays
@@ -95,7 +95,7 @@ fn windows_and_extremes_are_those_of_the_whole() {
     let view = StudyView::open(judder_models::REGISTRY, folder.path()).unwrap();
     let names = ["time", "signal", "other"].map(String::from);
     let window = RowWindow { from: Some(1_000_003), to: Some(2_200_000), most: Some(1000) };
-    let found = view.arrays("motion", &names, &window).unwrap();
+    let found = view.arrays("motion", &names, &window, &Silent).unwrap();
     assert_eq!(
         found.iter().map(|variable| variable.shape.clone()).collect::<Vec<_>>(),
         [vec![1000], vec![1000], vec![3]]
@@ -112,11 +112,11 @@ fn windows_and_extremes_are_those_of_the_whole() {
     }
     let few = RowWindow { from: Some(5), to: Some(8), most: Some(1000) };
     assert_eq!(
-        view.arrays("motion", &names[..1], &few).unwrap()[0].data,
+        view.arrays("motion", &names[..1], &few, &Silent).unwrap()[0].data,
         VariableValues::F64(vec![5.0, 6.0, 7.0])
     );
     let beyond = RowWindow { from: Some(usize::MAX), to: Some(3), most: Some(0) };
-    assert!(view.arrays("motion", &names[..1], &beyond).unwrap()[0].data.is_empty());
+    assert!(view.arrays("motion", &names[..1], &beyond, &Silent).unwrap()[0].data.is_empty());
     assert!(MOST_VALUES > count as usize);
 }
 
@@ -126,11 +126,11 @@ fn only_what_is_listed_is_read() {
     study(folder.path());
     let view = StudyView::open(judder_models::REGISTRY, folder.path()).unwrap();
     for analysis in ["none", "..", "../x", "spectrum/velocity", ""] {
-        let refused = view.arrays(analysis, &["velocity".to_owned()], &RowWindow::default());
+        let refused = view.arrays(analysis, &["velocity".to_owned()], &RowWindow::default(), &Silent);
         assert!(matches!(refused, Err(StudyError::UnknownAnalysis { .. })), "{analysis}");
     }
     for variable in ["none", "..", "../motion/x", "c/0", "", "zarr.json"] {
-        let refused = view.arrays("spectrum", &[variable.to_owned()], &RowWindow::default());
+        let refused = view.arrays("spectrum", &[variable.to_owned()], &RowWindow::default(), &Silent);
         assert!(matches!(refused, Err(StudyError::Store(_))), "{variable}: {refused:?}");
     }
     assert!(StudyView::open(judder_models::REGISTRY, &folder.path().join("figures")).is_err());

@@ -4,12 +4,11 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use zarrs::array::Array;
 use zarrs::filesystem::FilesystemStore;
 
 use super::layout::{QUANTITY, VALUES};
 use super::points::unravelled;
-use crate::array::ReadFailure;
+use crate::array::{self, ReadFailure};
 use crate::zarr;
 use crate::{Dataset, FileDamage, StoreError, Variable, VariableValues};
 
@@ -41,7 +40,7 @@ pub(crate) fn read_points(
 
 /// Names and lengths of the dimensions of a sweep, without that of its quantities.
 fn lengths(group: &Path) -> Result<Vec<(String, usize)>, ReadFailure> {
-    let array = Array::open(Arc::new(FilesystemStore::new(group)?), &format!("/{VALUES}"))?;
+    let array = array::open(&Arc::new(FilesystemStore::new(group)?), VALUES)?;
     let names = array.dimension_names().clone().ok_or("its dimensions have no names")?;
     let mut lengths = Vec::new();
     for (name, length) in names.into_iter().zip(array.shape()) {
@@ -57,7 +56,7 @@ fn values(
     chosen: &Chosen,
     damage_of: &dyn Fn(&Path) -> Option<FileDamage>,
 ) -> Result<Variable, ReadFailure> {
-    let array = Array::open(store.clone(), &format!("/{VALUES}"))?;
+    let array = array::open(store, VALUES)?;
     let quantities = array.shape().last().copied().unwrap_or(0) as usize;
     zarr::check_chunk_size(&array)?;
     let chunk = array.chunk_shape(&vec![0; array.dimensionality()])?;

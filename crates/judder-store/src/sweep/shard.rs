@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use zarrs::array::chunk_key_encoding::DefaultChunkKeyEncoding;
 use zarrs::array::codec::{
-    BytesCodec, Crc32cCodec, ShardingCodec, ShardingCodecBuilder, ShardingIndexLocation, ZstdCodec,
+    BytesCodec, Crc32cCodec, ShardingCodec, ShardingCodecBuilder, ShardingIndexLocation,
 };
 use zarrs::array::{
     Array, ArrayBuilder, BytesRepresentation, BytesToBytesCodecTraits, CodecError, CodecOptions,
@@ -19,6 +19,7 @@ use zarrs::array::{
 use super::layout::{SweepLayout, VALUES};
 use super::points::ChunkPoints;
 use crate::Variable;
+use crate::bounded_zstd::BoundedZstd;
 use crate::group_store::GroupStore;
 use crate::zarr::{COMPRESSION_LEVEL, WriteFailure};
 
@@ -161,8 +162,8 @@ fn codec(layout: &SweepLayout) -> ShardingCodec {
         .build()
 }
 
-fn compression() -> ZstdCodec {
-    ZstdCodec::new(COMPRESSION_LEVEL, false)
+fn compression() -> BoundedZstd {
+    BoundedZstd::new(COMPRESSION_LEVEL)
 }
 
 /// The caller computes several chunks at once; one is done by one thread.

@@ -4,6 +4,7 @@ use std::fs;
 use std::os::unix::fs::symlink;
 use std::path::Path;
 
+use judder_memory::MemoryBudget;
 use judder_store::{Dataset, StoreError, StudyFolder, StudyReader, Summary, Variable, VariableValues};
 
 /// A study with one long signal, a matrix, a scalar, labels and codes.
@@ -74,6 +75,19 @@ fn rows_are_read_alone() {
 }
 
 #[test]
+fn rows_for_which_there_is_no_memory_are_not_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let _held = study(folder.path());
+    let reader = StudyReader::open(folder.path()).unwrap();
+    let all = MemoryBudget::of_process().ask(u128::MAX).unwrap_err().budget;
+    // a part of ten megabytes, where the signal has 24
+    let read = |rows| MemoryBudget::shared(all / 10_000_000, || reader.read_rows("march", "signal", rows));
+    let refused = read(0..3_000_000).unwrap_err().to_string();
+    assert!(refused.contains("of memory are needed"), "{refused}");
+    assert_eq!(reader.read_rows("march", "signal", 0..3_000_000).unwrap().data.len(), 3_000_000);
+}
+
+#[test]
 fn no_name_leads_out() {
     let folder = tempfile::tempdir().unwrap();
     let _held = study(&folder.path().join("study"));
@@ -85,15 +99,15 @@ fn no_name_leads_out() {
         assert!(matches!(reader.head(name), Err(StoreError::InvalidName { .. })), "{name}");
         assert!(reader.read_rows("march", name, 0..1).is_err(), "{name}");
         assert!(reader.rows_of_a_file("march", name).is_err(), "{name}");
-        assert!(matches!(reader.read_file(name, "wav"), Err(StoreError::OutsideFolder { .. })), "{name}");
+        assert!(matches!(reader.open_file(name, "wav"), Err(StoreError::OutsideFolder { .. })), "{name}");
     }
     for path in
         ["../secret.wav", "/etc/passwd", "summary.json", "results.zarr/zarr.json", "sub/../a.wav", "./a.wav"]
     {
         fs::write(folder.path().join("study/a.wav"), "sound").unwrap();
-        assert!(matches!(reader.read_file(path, "wav"), Err(StoreError::OutsideFolder { .. })), "{path}");
+        assert!(matches!(reader.open_file(path, "wav"), Err(StoreError::OutsideFolder { .. })), "{path}");
     }
-    assert_eq!(reader.read_file("a.wav", "wav").unwrap(), b"sound");
+    assert_eq!(std::io::read_to_string(reader.open_file("a.wav", "wav").unwrap()).unwrap(), "sound");
 }
 
 #[test]
@@ -138,8 +152,8 @@ fn no_link_leads_out() {
     }
     let listed: Vec<String> = reader.files("wav").unwrap().into_iter().map(|(path, _)| path).collect();
     assert_eq!(listed, ["a.wav", "sounds/b.wav", "sounds/loud/c.wav"]);
-    outside(reader.read_file("secret.wav", "wav").map(drop), "sound");
-    outside(reader.read_file("up/secret.wav", "wav").map(drop), "folder of sounds");
+    outside(reader.open_file("secret.wav", "wav").map(drop), "sound");
+    outside(reader.open_file("up/secret.wav", "wav").map(drop), "folder of sounds");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use super::{MOST_VALUES, StudyView};
 use crate::error::StudyError;
 use crate::pictures::sweep::is_sweep;
+use crate::progress::Progress;
 use crate::report;
 use judder_report::json;
 use judder_report::page::PageTable;
@@ -23,14 +24,19 @@ impl StudyView {
     ///
     /// # Errors
     /// [`StudyError::UnknownAnalysis`], a damaged summary. A figure has an error of its own: damaged arrays, or [`StudyError::TooManyToDraw`]
-    /// for more than [`MOST_VALUES`] values of all arrays.
-    pub fn reported(&self, analysis: &str) -> Result<ReportedAnalysis, StudyError> {
+    /// for more than [`MOST_VALUES`] values of all arrays, [`StudyError::Interrupted`] where the one who asked has gone.
+    pub fn reported(&self, analysis: &str, progress: &dyn Progress) -> Result<ReportedAnalysis, StudyError> {
         let summary = self.summary_with(analysis)?;
         let tables = report::tables(self.registry, &summary, analysis);
-        Ok(ReportedAnalysis { figure: self.figure(&summary, analysis), tables })
+        Ok(ReportedAnalysis { figure: self.figure(&summary, analysis, progress), tables })
     }
 
-    fn figure(&self, summary: &Summary, analysis: &str) -> Result<Option<String>, StudyError> {
+    fn figure(
+        &self,
+        summary: &Summary,
+        analysis: &str,
+        progress: &dyn Progress,
+    ) -> Result<Option<String>, StudyError> {
         if !self.reader.names()?.iter().any(|stored| stored == analysis) {
             return Ok(None);
         }
@@ -38,14 +44,20 @@ impl StudyView {
         if is_sweep(&head.attributes) {
             return Ok(None);
         }
-        let dataset = self.whole(analysis, head)?;
+        let dataset = self.whole(analysis, head, progress)?;
+        progress.go_on()?;
         let model = self.registry.model_of(&summary.case);
         let figure = report::figure_of(model, self.reader.path(), analysis, &dataset)?;
         Ok(figure.map(|figure| json(&figure)).transpose()?)
     }
 
     /// All arrays of an analysis.
-    fn whole(&self, analysis: &str, head: DatasetHead) -> Result<Dataset, StudyError> {
+    fn whole(
+        &self,
+        analysis: &str,
+        head: DatasetHead,
+        progress: &dyn Progress,
+    ) -> Result<Dataset, StudyError> {
         let count =
             |shape: &[usize]| shape.iter().fold(1_usize, |product, length| product.saturating_mul(*length));
         let values = head.variables.iter().fold(0_usize, |sum, own| sum.saturating_add(count(&own.shape)));
@@ -57,6 +69,7 @@ impl StudyView {
             dataset = dataset.attribute(&name, value)?;
         }
         for own in head.variables {
+            progress.go_on()?;
             let rows = own.shape.first().copied().unwrap_or(1);
             let read = self.reader.read_rows(analysis, &own.name, 0..rows)?;
             dataset = dataset.with(Variable { is_coordinate: own.is_coordinate, ..read })?;

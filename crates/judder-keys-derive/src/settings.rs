@@ -83,7 +83,7 @@ fn of_struct(keys: &[KeyField], check: Option<&Path>) -> Parts {
     let reading = reading(keys);
     Parts {
         keys: names(keys),
-        declarations: quote!(::judder_keys::declared::joined(::std::vec![#(#declarations),*])),
+        declarations: quote!(::judder_keys::declared::beside(::std::vec![#(#declarations),*])),
         read: quote! {
             #reading
             #[allow(unused_mut, reason = "a check may fill in what depends on other keys")]
@@ -132,7 +132,7 @@ fn of_alternatives(alternatives: &[Alternative], check: Option<&Path>) -> Parts 
     for (index, Alternative { keys, pattern, read }) in alternatives.iter().enumerate() {
         lists.push(names(keys));
         let declarations = keys.iter().map(KeyField::declarations);
-        declared.push(quote!(::judder_keys::declared::joined(::std::vec![#(#declarations),*])));
+        declared.push(quote!(::judder_keys::declared::beside(::std::vec![#(#declarations),*])));
         let which = if index + 1 < alternatives.len() { quote!(#index) } else { quote!(_) };
         let reading = reading(keys);
         reads.push(quote!(#which => { #reading ::std::result::Result::Ok(#read) }));

@@ -8,6 +8,7 @@ mod described;
 mod expressed;
 mod listed;
 mod named;
+mod rows;
 mod rules;
 mod scaled;
 mod values;
@@ -18,10 +19,13 @@ use crate::section::{NOTHING, Section};
 use serde_json::{Map, Value as Json};
 
 pub use crate::numeric_key::Scaled;
-pub use allowed::{Allowed, Declaration, alternatives, declared_table, with_declared};
+pub use allowed::{
+    Allowed, AlternativePart, Declaration, alternatives, beside, declared_table, with_declared,
+};
 pub use expressed::{EvaluatedTree, ExpressionScope, NumberExpression};
 pub use listed::{Listed, listed};
 pub use named::Named;
+pub use rows::rows;
 pub use rules::{Fixed, Number, NumberPair, Several, UNLIMITED, Whole};
 pub use scaled::{Ladder, ScaledPair};
 pub use values::conflict;

@@ -1,6 +1,6 @@
 //! Pieces of the reference of the book: rows and tables of keys, as Markdown.
 
-use crate::declared::Declaration;
+use crate::declared::{Declaration, rows};
 use std::collections::HashSet;
 
 /// The keys of declared settings, under their name.
@@ -11,7 +11,7 @@ pub fn settings(name: &str, keys: &[Declaration]) -> String {
 /// The keys of declared settings, those of their tables below them.
 pub fn table(keys: &[Declaration]) -> String {
     let head = "| key | symbol | may be | where left out | what it is |\n| --- | --- | --- | --- | --- |\n";
-    keys.iter().fold(head.to_owned(), |rows, key| rows + &key.rows(""))
+    head.to_owned() + &rows(keys)
 }
 
 /// Leaves out the keys of a table that stand further above, as those of a sweep do.

@@ -8,6 +8,7 @@ use crate::schema;
 use judder_numerics::words::plain;
 use serde_json::{Map, Value as Json, json};
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 /// A key and what is said of it.
 #[derive(Debug, Clone)]
@@ -22,27 +23,65 @@ pub struct Declaration {
     pub default: Option<Json>,
     /// Whether it must be given; among alternatives, with those of its own.
     pub is_required: bool,
-    /// To which of the alternatives of its table it belongs; those of another are refused beside it.
-    pub alternative: Option<usize>,
+    /// To which of the alternatives of its table it belongs; keys of others are refused beside it.
+    pub alternative: Option<AlternativePart>,
     /// What its value may be.
     pub form: Allowed,
 }
 
-/// The keys of alternatives, which may be alternatives of their own.
+/// To which alternatives a key belongs.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct AlternativePart {
+    /// Of which choice: a table may have several, each for itself.
+    pub choice: usize,
+    /// One of them, or several in a row.
+    pub of: Range<usize>,
+}
+
+/// The keys of alternatives, which may be alternatives of their own, of one choice: what stands beside those belongs to each of them.
 pub fn alternatives(variants: Vec<Vec<Declaration>>) -> Vec<Declaration> {
-    let mut next = 0;
+    let mut first = 0;
     let mut all = Vec::new();
     for mut keys in variants {
-        let first = next;
+        let inner = keys.iter().filter_map(|key| key.alternative.as_ref());
+        debug_assert!(inner.clone().all(|own| own.choice == 0), "an alternative of several choices");
+        let next = first + inner.map(|own| own.of.end).max().unwrap_or(1);
         for key in &mut keys {
-            let own = first + key.alternative.unwrap_or(0);
-            key.alternative = Some(own);
-            next = next.max(own);
+            let own = key.alternative.take().map(|own| first + own.of.start..first + own.of.end);
+            key.alternative = Some(AlternativePart { choice: 0, of: own.unwrap_or(first..next) });
         }
-        next += 1;
+        first = next;
         all.extend(keys);
     }
     all
+}
+
+/// The keys of parts of a table, whose choices are independent of each other.
+pub fn beside(parts: Vec<Vec<Declaration>>) -> Vec<Declaration> {
+    let mut choices = 0;
+    let mut all = Vec::new();
+    for mut keys in parts {
+        let before = choices;
+        for own in keys.iter_mut().filter_map(|key| key.alternative.as_mut()) {
+            own.choice += before;
+            choices = choices.max(own.choice + 1);
+        }
+        all.extend(keys);
+    }
+    all
+}
+
+/// The keys of each of the alternatives of each choice of a table.
+pub(super) fn choices(keys: &[Declaration]) -> Vec<Vec<Vec<&Declaration>>> {
+    let parts = || keys.iter().filter_map(|key| Some((key, key.alternative.as_ref()?)));
+    let count = parts().map(|(_, own)| own.choice + 1).max().unwrap_or(0);
+    let of_choice = |choice: usize| {
+        let own = || parts().filter(move |(_, own)| own.choice == choice);
+        let count = own().map(|(_, own)| own.of.end).max().unwrap_or(0);
+        let of = |index: usize| own().filter(move |(_, own)| own.of.contains(&index)).map(|(key, _)| key);
+        (0..count).map(|index| of(index).collect()).collect()
+    };
+    (0..count).map(of_choice).collect()
 }
 
 /// What a value may be.
@@ -177,20 +216,32 @@ pub fn with_declared(
     let own = keys.iter().filter(|key| key.must_stand()).map(|key| key.name);
     let required: Vec<&str> = required.iter().copied().chain(own).collect();
     let mut json = schema::table(description, properties, &required);
-    let of_alternative = |index: usize| keys.iter().filter(move |key| key.alternative == Some(index));
     // where no key of any is given, the first alternative is meant
-    if of_alternative(0).any(|key| key.is_required) {
-        let last = keys.iter().filter_map(|key| key.alternative).max().unwrap_or(0);
-        json["oneOf"] = (0..=last).map(|index| given(of_alternative(index))).collect();
+    let is_needed = |own: &Vec<Vec<&Declaration>>| own.first().is_some_and(|first| must_be_given(first));
+    let mut one_of = choices(keys).into_iter().filter(is_needed).map(|own| {
+        let each: Vec<Json> = own.iter().map(|keys| given(keys)).collect();
+        json!({ "oneOf": each })
+    });
+    match (one_of.next(), one_of.next()) {
+        (Some(mut only), None) => json["oneOf"] = only["oneOf"].take(),
+        (Some(first), Some(second)) => {
+            json["allOf"] = [first, second].into_iter().chain(one_of).collect();
+        }
+        (None, _) => {}
     }
     json
 }
 
+/// Whether any of the keys of an alternative must be given.
+pub(super) fn must_be_given(keys: &[&Declaration]) -> bool {
+    keys.iter().any(|key| key.is_required)
+}
+
 /// That all of these keys are given which must be, or one where none must.
-fn given<'a>(keys: impl Iterator<Item = &'a Declaration>) -> Json {
-    let (required, others): (Vec<_>, Vec<_>) = keys.partition(|key| key.is_required);
+fn given(keys: &[&Declaration]) -> Json {
+    let (required, others): (Vec<_>, Vec<_>) = keys.iter().partition(|key| key.is_required);
     if required.is_empty() {
-        let one = |key: &Declaration| json!({ "required": [key.name] });
+        let one = |key: &&Declaration| json!({ "required": [key.name] });
         return json!({ "anyOf": others.into_iter().map(one).collect::<Vec<_>>() });
     }
     json!({ "required": required.iter().map(|key| key.name).collect::<Vec<_>>() })
@@ -249,30 +300,6 @@ impl Declaration {
         }
         json
     }
-
-    /// The row of the reference, and below it those of the keys of its table.
-    pub fn rows(&self, prefix: &str) -> String {
-        let Self { name, symbol, doc, form, .. } = self;
-        let absent = match &self.default {
-            Some(default) => format!("`{}`", form.line(&as_written(default))),
-            None if self.must_stand() => "must be given".to_owned(),
-            None => String::new(),
-        };
-        let path = format!("{prefix}{name}");
-        let row = format!("| `{path}` | {symbol} | {} | {absent} | {doc} |\n", form.words());
-        let inner =
-            if matches!(form, Allowed::Named(_)) { format!("{path}.NAME.") } else { format!("{path}.") };
-        let mut rows = vec![row];
-        // of several tables that a key may be, the keys of each; one that more than one has is one
-        for key in form.alternatives().iter().flat_map(Allowed::keys) {
-            let mut has_path = rows.iter().filter_map(|row| row.split('|').nth(1));
-            let own = format!(" `{inner}{}` ", key.name);
-            if !has_path.any(|path| path == own) {
-                rows.extend(key.rows(&inner).split_inclusive('\n').map(str::to_owned));
-            }
-        }
-        rows.concat()
-    }
 }
 
 impl Allowed {
@@ -295,7 +322,7 @@ impl Allowed {
     }
 
     /// A value as a case file says it in one line, the keys of a table in the order in which they are declared.
-    fn line(&self, value: &Json) -> String {
+    pub(super) fn line(&self, value: &Json) -> String {
         let Json::Object(table) = value else { return value.to_string() };
         let place = |name: &str| self.keys().iter().position(|key| key.name == name).unwrap_or(usize::MAX);
         let mut entries: Vec<_> = table.iter().filter(|(_, value)| !value.is_null()).collect();

@@ -28,7 +28,7 @@ impl Declaration {
     pub fn document(&self) -> Json {
         json!({
             "name": self.name, "doc": self.doc, "symbol": self.symbol, "required": self.is_required,
-            "default": self.default.as_ref().map(as_written), "alternative": self.alternative,
+            "default": self.default.as_ref().map(as_written), "alternative": self.alternative.as_ref().map(|own| own.of.start),
             "words": self.form.words(), "form": self.form.document(),
         })
     }

@@ -99,6 +99,13 @@ fn the_schema_asks_for_one_of_the_alternatives() {
         point["oneOf"],
         json!([{ "required": ["set"] }, { "required": ["nodes"] }, { "required": ["at"] }])
     );
+    let assembly = table_of(&schema, "what acts on the nodes of a set");
+    let one_of = |keys: &[&str]| {
+        let each: Vec<Value> = keys.iter().map(|key| json!({ "required": [key] })).collect();
+        json!({ "oneOf": each })
+    };
+    let expected = [one_of(&["set", "nodes"]), one_of(&["force", "pressure", "displacement"])];
+    assert_eq!(assembly["allOf"], json!(expected));
     let locus = table_of(
         &schema,
         "complex eigenvalues against the position of the contact, or against any key, with located unstable zones",

@@ -2,6 +2,7 @@
 //! or in a file.
 
 use crate::number_columns::ColumnFile;
+use crate::written_column::WrittenColumn;
 use judder_contact::friction::{FallingFriction, Friction, FrictionError, TableInterpolation};
 use judder_keys::Settings;
 use judder_keys::declared::{Allowed, Number, Scaled, Setting, Settings, Several};
@@ -75,16 +76,18 @@ impl Problem for FrictionProblem {
 
     fn label(&self) -> &'static str {
         match self.0 {
-            FrictionError::Coefficient { .. } | FrictionError::Number { .. } => "out of range",
-            FrictionError::Speeds { .. } => "not ascending",
+            FrictionError::Coefficient { .. }
+            | FrictionError::Number { .. }
+            | FrictionError::Speeds { .. } => "out of range",
             FrictionError::Columns { .. } => "of another length",
         }
     }
 
     fn help(&self) -> Option<String> {
         let help = match self.0 {
-            FrictionError::Coefficient { .. } | FrictionError::Number { .. } => return None,
-            FrictionError::Speeds { .. } => "list the speeds from the slowest to the fastest",
+            FrictionError::Coefficient { .. }
+            | FrictionError::Number { .. }
+            | FrictionError::Speeds { .. } => return None,
             FrictionError::Columns { .. } => {
                 "as in { velocity = [\"0 mm/s\", \"10 mm/s\"], coefficient = [0.4, 0.3] }, as many of one as of the other"
             }
@@ -151,6 +154,14 @@ impl<const HAS_GROUPS: bool> FrictionCurve<HAS_GROUPS> {
                 ([speed(HAS_GROUPS), Number::any(Dimension::NUMBER).scaled()], header),
             )?;
         }
+        let (speeds, _) = self.columns();
+        let what = "the speeds of the table of friction";
+        let column = match &self.columns {
+            FrictionColumns::Lists { .. } => WrittenColumn::of_list(section, "velocity", what, &speeds),
+            FrictionColumns::File(own) => WrittenColumn::of_file(section, own, 0, what),
+        };
+        column.check_not_negative()?;
+        column.check_ascending()?;
         let refused = |error: FrictionError| {
             let key = match error {
                 FrictionError::Coefficient { .. } | FrictionError::Columns { .. } => "coefficient",

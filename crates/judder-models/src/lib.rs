@@ -58,6 +58,7 @@ pub mod template;
 pub mod two_degrees;
 mod within_law;
 mod written;
+mod written_column;
 
 pub use error::ModelError;
 pub use oscillator::operating_points::arrays as point_arrays;

@@ -15,6 +15,15 @@ use serde_json::Value as Json;
 use std::path::Path;
 use thiserror::Error;
 
+/// The numbers of a column and the unit in which the file has them.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct NumberColumn {
+    /// The numbers.
+    pub(crate) values: Vec<Value>,
+    /// The unit; of plain numbers none.
+    pub(crate) unit: Option<String>,
+}
+
 /// Two columns; `rules` say what each may be, `header` is what the file could begin with.
 ///
 /// # Errors
@@ -23,13 +32,15 @@ pub(crate) fn number_columns(
     path: &Path,
     rules: [Scaled; 2],
     header: &str,
-) -> Result<[Vec<Value>; 2], StudyError> {
+) -> Result<[NumberColumn; 2], StudyError> {
     let found: [TableColumn; 2] =
         read_number_table(&text(path)?, header).map_err(|error| unusable(path, &error))?;
     let mut columns = found.into_iter().zip(rules).map(|(column, rule)| {
-        values(column, &rule).map_err(|reason| unusable(path, &format!("{reason}, as in `{header}`")))
+        let unit = column.unit.clone();
+        let found = values(column, &rule).map(|values| NumberColumn { values, unit });
+        found.map_err(|reason| unusable(path, &format!("{reason}, as in `{header}`")))
     });
-    let mut next = || columns.next().unwrap_or(Ok(Vec::new()));
+    let mut next = || columns.next().unwrap_or_else(|| Ok(NumberColumn::default()));
     Ok([next()?, next()?])
 }
 
@@ -66,6 +77,8 @@ pub struct ColumnFile {
     pub columns: [Vec<f64>; 2],
     /// Whether those are plain numbers or in SI units, each.
     pub forms: [Form; 2],
+    /// The units in which the file has them.
+    pub units: [Option<String>; 2],
 }
 
 /// What is wrong with a file of columns.
@@ -101,8 +114,9 @@ impl ColumnFile {
         self.file = read_file_reference(section, key, folder)?;
         let columns = number_columns(&self.file.path, rules, header)
             .map_err(|error| UnusableColumns { reason: error.to_string() }.at(section.place_of(&[key])))?;
-        self.forms = [0, 1].map(|k: usize| columns[k].first().map_or(Form::Group, |value| value.form));
-        self.columns = columns.map(|own| own.into_iter().map(|value| value.number).collect());
+        self.forms = [0, 1].map(|k: usize| columns[k].values.first().map_or(Form::Group, |value| value.form));
+        self.units = columns.each_ref().map(|own| own.unit.clone());
+        self.columns = columns.map(|own| own.values.into_iter().map(|value| value.number).collect());
         Ok(())
     }
 }
@@ -116,7 +130,7 @@ impl Setting for ColumnFile {
 
     fn read(section: &Section<'_>, key: &str, node: &Node, (): &()) -> Result<Self, Fault> {
         let file = FileReference::read(section, key, node, &())?;
-        Ok(Self { file, columns: [Vec::new(), Vec::new()], forms: [Form::Group; 2] })
+        Ok(Self { file, columns: [Vec::new(), Vec::new()], forms: [Form::Group; 2], units: [None, None] })
     }
 
     fn write(&self, (): &()) -> Json {

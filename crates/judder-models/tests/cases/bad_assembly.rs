@@ -51,12 +51,28 @@ fn springs_of_ones_own_that_cannot_be() {
             "has no force at closures below zero",
         ),
         (
-            "normal = { point_table = { closure = [\"0 mm\", \"1 mm\"], force = [\"1 N\", \"2 N\"] } }",
-            "the force of a contact point at the closure zero",
+            "normal = { point_table = { closure = [\"0 mm\", \"1 mm\"], force = [\"1 kN\", \"2 kN\"] } }",
+            "the forces of the table must be zero at 0 mm, but are 1 kN",
         ),
         (
-            "normal = { point_table = { closure = [\"0 mm\", \"1 mm\", \"2 mm\"], force = [\"0 N\", \"2 N\", \"1 N\"] } }",
-            "the forces of a table of forces",
+            "normal = { point_table = { closure = [\"20 um\", \"1 mm\"], force = [\"1 N\", \"2 N\"] } }",
+            "the closures of the table must have zero among them, but the first is 20 um",
+        ),
+        (
+            "normal = { point_table = { closure = [\"0 mm\", \"1 mm\", \"20 um\"], force = [\"0 N\", \"2 N\", \"3 N\"] } }",
+            "the closures of the table must ascend, but 20 um follows 1 mm",
+        ),
+        (
+            "normal = { point_table = { closure = [\"0 mm\", \"1 mm\", \"2 mm\"], force = [\"0 N\", \"2 kN\", \"100 N\"] } }",
+            "the forces of the table must ascend, but 100 N follows 2 kN",
+        ),
+        (
+            "normal = { table = { closure = [\"0 um\", \"1 um\", \"2 um\"], pressure = [\"0 MPa\", \"2 MPa\", \"90 kPa\"] } }",
+            "the pressures of the table must ascend, but 90 kPa follows 2 MPa",
+        ),
+        (
+            "normal = { table = { closure = [\"0 um\", \"1 um\"], pressure = [\"1 kPa\", \"2 MPa\"] } }",
+            "the pressures of the table must be zero at 0 um, but are 1 kPa",
         ),
         ("normal = { file = \"nothing.csv\" }", "nothing.csv"),
     ];
@@ -66,6 +82,39 @@ fn springs_of_ones_own_that_cannot_be() {
     }
     let pulling = "normal = { point_table = { closure = [\"-1 mm\", \"0 mm\", \"1 mm\"], force = [\"-1 N\", \"0 N\", \"2 N\"] } }\nall_closed = true";
     assert!(parse("case.toml", &spring(pulling), &[]).is_ok());
+}
+
+#[test]
+fn springs_in_files_are_said_in_the_units_of_their_heads() {
+    let folder = tempfile::tempdir().unwrap();
+    let refused = |content: &str| {
+        std::fs::write(folder.path().join("spring.csv"), content).unwrap();
+        let path = folder.path().join("case.toml");
+        std::fs::write(&path, spoilt(BLOCK, "normal = \"rigid\"", "normal = { file = \"spring.csv\" }"))
+            .unwrap();
+        judder_models::read(&path, &[]).map(|_| ()).unwrap_err().to_string()
+    };
+    for (content, said) in [
+        (
+            "closure [mm],force [kN]\n0,0\n0.3,2\n0.2,3\n",
+            "the closures of the table must ascend, but 0.2 mm follows 0.3 mm",
+        ),
+        (
+            "closure [mm],force [kN]\n0,0\n0.3,2\n0.4,2\n",
+            "the forces of the table must ascend, but 2 kN follows 2 kN",
+        ),
+        (
+            "closure [um],force [kN]\n-3,0\n3,2\n",
+            "the closures of the table must have zero among them, but the first is -3 um",
+        ),
+        (
+            "closure [um],force [kN]\n0,0.7\n3,2\n",
+            "the forces of the table must be zero at 0 um, but are 0.7 kN",
+        ),
+    ] {
+        let message = refused(content);
+        assert!(message.contains(said), "{message}");
+    }
 }
 
 #[test]

@@ -199,7 +199,7 @@ fn friction_of_a_belt_that_cannot_be() {
         &belt("velocity = [1, 0]\ncoefficient = [1.0, 0.5]"),
         "the speeds of the table of friction must ascend, but 0 follows 1",
         "[1, 0]",
-        "list the speeds from the slowest to the fastest",
+        "list them from the smallest to the largest, none twice",
     );
     refused(&belt("exponent = 0.5"), "`friction.exponent` must be from 1 to 10, but is 0.5", "0.5", "");
     let sweep = "sweep = { key = \"friction.at_rest\", from = 0.5, to = 2, points = 5 }";
@@ -307,7 +307,10 @@ fn friction_in_a_file_that_cannot_be_used() {
         ),
         ("speed,coefficient\n0,1\n0,0.5\n", "the speeds of the table of friction must ascend"),
         ("speed,coefficient\n0,-1\n", "a friction coefficient is -1: it must be finite and not negative"),
-        ("speed,coefficient\n-1,1\n", "the speed of a friction coefficient is -1"),
+        (
+            "speed [mm/s],coefficient\n-30,1\n",
+            "the speeds of the table of friction must be zero or positive, but one is -30 mm/s",
+        ),
         ("speed,coefficient\n0,x\n", "`x` in line 2 is no finite number"),
     ] {
         let message = message(content);

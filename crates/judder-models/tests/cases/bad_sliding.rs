@@ -130,9 +130,9 @@ fn friction_that_cannot_be() {
     changed(
         "friction_coefficient = 0.3",
         "friction_coefficient = { velocity = [\"10 mm/s\", \"10 mm/s\"], coefficient = [0.4, 0.3] }",
-        "the speeds of the table of friction must ascend, but 0.01 follows 0.01",
+        "the speeds of the table of friction must ascend, but 10 mm/s follows 10 mm/s",
         "[\"10 mm/s\", \"10 mm/s\"]",
-        "list the speeds from the slowest to the fastest",
+        "list them from the smallest to the largest, none twice",
     );
     changed(
         "friction_coefficient = 0.3",

@@ -9,6 +9,7 @@ use crate::friction::FrictionSettings;
 use crate::number_columns::ColumnFile;
 use crate::sliding::case::plain_name::{PlainName, find_structure};
 use crate::structure::case::reduction::KeptNodes;
+use crate::written_column::WrittenColumn;
 use judder_assembly::friction::TableInterpolation;
 use judder_assembly::pressure::{ForceTable, Pressure};
 use judder_keys::Settings;
@@ -210,6 +211,7 @@ impl ContactInterface {
     fn check(&mut self, section: &Section<'_>) -> Result<(), Fault> {
         match &self.forces {
             ContactForceSettings::Coulomb { normal: NormalLaw::Compliant(law), all_closed, .. } => {
+                check_lists(law, section)?;
                 check_pressure(law, *all_closed, section)
             }
             // that of a file when it has been found
@@ -319,8 +321,31 @@ impl NormalLaw {
         let Some(inner) = section.inner("normal")? else { return Ok(()) };
         let rules = [Dimension::LENGTH, Dimension::FORCE].map(|dimension| Number::any(dimension).scaled());
         own.file.find(&inner, "file", folder, (rules, "closure [mm],force [N]"))?;
+        let column = |number, what| WrittenColumn::of_file(&inner, &own.file, number, what);
+        check_columns(&column(0, CLOSURES), &column(1, FORCES))?;
         check_pressure(&own.pressure(), all_closed, section)
     }
+}
+
+/// Refuses columns that are no force or pressure which rises from zero with the closure.
+fn check_columns(closures: &WrittenColumn<'_>, values: &WrittenColumn<'_>) -> Result<(), Fault> {
+    closures.check_ascending()?;
+    values.check_ascending()?;
+    closures.check_zero(values)
+}
+
+/// Refuses columns of the case that are none.
+fn check_lists(law: &Pressure, section: &Section<'_>) -> Result<(), Fault> {
+    let (table, closures, (key, what, values)) = match law {
+        Pressure::Table(own) => ("table", &own.closure, ("pressure", PRESSURES, &own.pressure)),
+        Pressure::PointTable(own) => ("point_table", &own.closure, ("force", FORCES, &own.force)),
+        _ => return Ok(()),
+    };
+    let Some(normal) = section.inner("normal")? else { return Ok(()) };
+    normal.inner(table)?.map_or(Ok(()), |inner| {
+        let closures = WrittenColumn::of_list(&inner, "closure", CLOSURES, closures);
+        check_columns(&closures, &WrittenColumn::of_list(&inner, key, what, values))
+    })
 }
 
 /// Refuses numbers that make no normal law, and forces of a contact that has opened.
@@ -351,6 +376,11 @@ impl SurfaceOf {
         KeptNodes::admit(section, &structures[*self.structure].source)
     }
 }
+
+/// The columns of tables of normal laws, in messages.
+const CLOSURES: &str = "the closures of the table";
+const FORCES: &str = "the forces of the table";
+const PRESSURES: &str = "the pressures of the table";
 
 /// The word for bodies that do not pass into each other.
 const RIGID: &str = "rigid";

@@ -179,7 +179,7 @@ fn columns(
     header: &str,
 ) -> Result<[Vec<f64>; 2], ModelError> {
     let found = number_columns(&file.path, dimensions.map(|own| Number::any(own).scaled()), header)?;
-    Ok(found.map(|column| column.into_iter().map(|value| value.number).collect()))
+    Ok(found.map(|column| column.values.into_iter().map(|value| value.number).collect()))
 }
 
 impl DrivenSettings {

@@ -24,7 +24,7 @@ pub(crate) fn key<K: Keys>(key: K, form: Form) -> SweptQuantity {
 pub(crate) fn parameter(name: &str) -> SweptQuantity {
     SweptQuantity {
         name: name.to_owned(),
-        label: format!("Parameter {name}"),
+        label: format!("Parameter {name} (−)"),
         symbol: name.to_owned(),
         unit: "1".to_owned(),
     }

@@ -55,6 +55,14 @@ pub(crate) fn parameter_head(axis: &Value) -> String {
     labels::parameter(word(&axis["key"]).trim_start_matches("parameters.")).label
 }
 
+/// A head of values of the key that `swept` is the head of, with the unit at its end.
+pub(crate) fn in_unit_of(swept: &str, head: &str) -> String {
+    match swept.strip_suffix(')').and_then(|own| own.rsplit_once(" (")) {
+        Some((_, unit)) => format!("{head} ({unit})"),
+        None => head.to_owned(),
+    }
+}
+
 /// A word, nothing where it is none.
 pub(crate) fn word(value: &Value) -> &str {
     value.as_str().unwrap_or_default()
@@ -119,6 +127,12 @@ pub(crate) fn table(caption: String, head: &[&str], rows: Vec<Vec<String>>) -> P
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn heads_have_the_unit_of_the_swept_key() {
+        assert_eq!(in_unit_of("Speed $v$ (mm/s)", "from"), "from (mm/s)");
+        assert_eq!(in_unit_of("Speed over $R/τ$", "from"), "from");
+    }
 
     #[test]
     fn runs_are_told_with_what_is_known_of_their_ends() {

@@ -63,10 +63,14 @@ impl ShownValues {
         own.iter().map(|own| self.0.value(*own)).collect()
     }
 
-    /// A key with the unit.
+    /// A key with the unit, a dash of plain numbers; of values that are shown as they are kept alone.
     #[must_use]
     pub fn head(&self, key: &str) -> String {
-        self.unit().map_or_else(|| key.to_owned(), |unit| format!("{key} ({unit})"))
+        match self.0.name.as_str() {
+            "" => key.to_owned(),
+            "1" => format!("{key} (−)"),
+            unit => format!("{key} ({unit})"),
+        }
     }
 
     /// The label of an axis, which ends in the unit in which values are kept.
@@ -90,5 +94,6 @@ mod tests {
         let kept = ShownValues::called(None);
         assert_eq!((kept.label("Speed (mm/s)"), kept.number(0.03)), ("Speed (mm/s)".to_owned(), 0.03));
         assert_eq!(ShownValues::called(Some("1")).label("factor (−)"), "factor (−)");
+        assert_eq!(ShownValues::called(Some("1")).head("factor"), "factor (−)");
     }
 }

@@ -19,7 +19,14 @@ fn list<'a>(analysis: ToldAnalysis<'a>, key: &str) -> Option<&'a Vec<Value>> {
 /// The fitted coefficients beside the paper's.
 pub(crate) fn fit(analysis: ToldAnalysis<'_>) -> Vec<PageTable> {
     const NUMBERS: [&str; 5] = ["value", "standard_error", "paper", "deviation", "relative_deviation"];
-    let head = ["coefficient", "fitted", "standard error", "the paper's", "deviation", "relative"];
+    let head = [
+        "coefficient",
+        "fitted (−)",
+        "standard error (−)",
+        "the paper's (−)",
+        "deviation (−)",
+        "deviation (relative)",
+    ];
     let of = |items: &Vec<Value>| {
         listed("Coefficients beside the paper's", &head, items, |_, own| {
             let numbers = NUMBERS.iter().map(|key| number(own, key));

@@ -1,6 +1,6 @@
 //! The tables of motions: energy, multipliers, diagrams, fates.
 
-use crate::swept_tables::{numbers, table, told, word};
+use crate::swept_tables::{in_unit_of, numbers, table, told, word};
 use judder_report::page::PageTable;
 use judder_study::registry::ToldAnalysis;
 use serde_json::Value;
@@ -37,8 +37,8 @@ const QUANTITIES: [(&str, &str, &str, f64, &str); 6] = [
     ("mean of x", "mean", "mean_m", 1e6, "µm"),
     ("period", "period", "period_s", 1.0, "s"),
     ("frequency", "", "frequency_hz", 1.0, "Hz"),
-    ("share of the time in stick", "stick_fraction", "", 1.0, ""),
-    ("share of the time off the ground", "lift_off_fraction", "", 1.0, ""),
+    ("share of the time in stick (−)", "stick_fraction", "", 1.0, ""),
+    ("share of the time off the ground (−)", "lift_off_fraction", "", 1.0, ""),
 ];
 
 /// A motion in groups, and in SI where its case is written in SI.
@@ -61,7 +61,11 @@ fn multipliers(multipliers: &Value) -> PageTable {
         let [re, im] = [0, 1].map(|k| parts.get(k).copied().unwrap_or(f64::NAN));
         [re, im, libm::hypot(re, im)].map(told).to_vec()
     });
-    table("Floquet multipliers".to_owned(), &["real part", "imaginary part", "magnitude"], rows.collect())
+    table(
+        "Floquet multipliers".to_owned(),
+        &["real part (−)", "imaginary part (−)", "magnitude (−)"],
+        rows.collect(),
+    )
 }
 
 /// What motions become along the swept key, range by range; where steady sliding loses its stability; the branches of cycles.
@@ -81,7 +85,8 @@ pub(crate) fn diagram(analysis: ToldAnalysis<'_>, swept: &str) -> Vec<PageTable>
     });
     let branches = list("branches").map(|branches| {
         let rows = branches.iter().map(branch).collect();
-        let head = ["branch", "from", "to", "largest rms (−)", "folds at", "ends because"];
+        let [from, to, folds] = ["from", "to", "folds at"].map(|head| in_unit_of(swept, head));
+        let head = ["branch", &from, &to, "largest rms (−)", &folds, "ends because"];
         table(format!("Branches of cycles along: {swept}"), &head, rows)
     });
     settled.into_iter().chain(hopf).chain(branches).collect()
@@ -139,7 +144,8 @@ fn settled(analysis: ToldAnalysis<'_>, swept: &str) -> Option<PageTable> {
         rows.push(row);
         first = last + 1;
     }
-    let mut head = vec!["direction", "from", "to", "motions become", "rms (−)", "period (−)"];
+    let [from, to] = ["from", "to"].map(|head| in_unit_of(swept, head));
+    let mut head = vec!["direction", &from, &to, "motions become", "rms (−)", "period (−)"];
     head.extend(in_si.iter().map(|(head, _)| *head));
     (!rows.is_empty()).then(|| table(format!("What motions become along: {swept}"), &head, rows))
 }

@@ -203,19 +203,19 @@ fn table(changes: &[ChangedMap]) -> PageTable {
         row
     };
     PageTable {
-        caption: "Shares of the maps' points in per cent: unstable with each law; verdict that changes between two laws; verdict or mechanism that changes \
+        caption: "Shares of the maps' points: unstable with each law; verdict that changes between two laws; verdict or mechanism that changes \
                   from the printed to the computed law."
             .to_owned(),
         head: [
             "map",
             "friction",
-            "unstable, printed",
-            "unstable, corrected",
-            "unstable, computed",
-            "printed → computed",
-            "printed → corrected",
-            "corrected → computed",
-            "with mechanism, printed → computed",
+            "unstable, printed (%)",
+            "unstable, corrected (%)",
+            "unstable, computed (%)",
+            "printed → computed (%)",
+            "printed → corrected (%)",
+            "corrected → computed (%)",
+            "with mechanism, printed → computed (%)",
         ]
         .map(str::to_owned)
         .to_vec(),

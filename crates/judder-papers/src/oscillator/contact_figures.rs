@@ -265,7 +265,7 @@ fn coefficients(summary: &Summary) -> Option<PageTable> {
         caption: "The coefficients on the corrected axis, beside the paper's. The intervals say how well the points determine them, not how well the \
                   functions describe the contact."
             .to_owned(),
-        head: ["coefficient", "paper", "ours", "95 % interval", "difference", "difference, %"]
+        head: ["coefficient", "paper (−)", "ours (−)", "95 % interval (−)", "difference (−)", "difference (%)"]
             .map(str::to_owned)
             .to_vec(),
         rows: lines.iter().zip(&intervals).map(row).collect(),

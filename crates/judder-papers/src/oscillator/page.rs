@@ -154,12 +154,13 @@ fn areas(summary: &Summary) -> PageTable {
             rows.push(row);
         }
     }
-    let head = ["map", "reading"].into_iter().chain(CLASSES).chain(["neither, of the unstable"]);
+    let shares = CLASSES.into_iter().chain(["neither, of the unstable"]);
+    let shares = shares.map(|share| format!("{} (%)", share.replace('-', " ")));
     PageTable {
-        caption: "Shares of the maps in per cent, by mechanism; the last column is the part of the unstable area that is neither flutter nor \
+        caption: "Shares of the maps, by mechanism; the last column is the part of the unstable area that is neither flutter nor \
                   negative damping."
             .to_owned(),
-        head: head.map(|h| h.replace('-', " ")).collect(),
+        head: ["map", "reading"].map(str::to_owned).into_iter().chain(shares).collect(),
         rows,
     }
 }
@@ -179,4 +180,18 @@ fn cases() -> Vec<PageBlock> {
         PageBlock::Details(Details { summary: caption, blocks: vec![code] })
     };
     cases.into_iter().map(block).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_of_maps_have_their_unit_in_the_head() {
+        let table = areas(&Summary::default());
+        assert!(
+            table.head.len() == 9 && table.head[2..].iter().all(|head| head.ends_with(" (%)")),
+            "{table:?}"
+        );
+    }
 }

@@ -7,6 +7,7 @@ use judder_store::{StudyFolder, content_hash};
 use judder_study::Silent;
 use judder_study::case::file::CaseFile;
 use judder_study::run::{RunOptions, RunReport, run};
+use judder_study::study_view::StudyView;
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -118,6 +119,30 @@ fn declared_otherwise(file: &CaseFile, report: &RunReport) -> Vec<String> {
     misfits.flatten().collect()
 }
 
+/// Columns of numbers of tables of analyses whose head has no unit, neither has the row's; `unit` is a column of its own.
+fn bare_heads(report: &RunReport) -> Vec<String> {
+    let view = StudyView::open(judder_models::REGISTRY, &report.folder).unwrap();
+    let is_number = |cell: &String| cell.replace('−', "-").parse::<f64>().is_ok_and(|own| own.fract() != 0.0);
+    let bare = |caption: &str, head: &[String], rows: &[Vec<String>]| {
+        let has_unit = |text: &String| text.contains('(');
+        let lacks = |column: usize| {
+            let lack = |row: &Vec<String>| is_number(&row[column]) && !has_unit(&row[0]);
+            rows.iter().any(lack) && !has_unit(&head[column.min(head.len() - 1)])
+        };
+        let columns = rows.first().map_or(0, Vec::len);
+        let lacking = (0..columns).filter(|column| !head.contains(&"unit".to_owned()) && lacks(*column));
+        lacking.map(|column| format!("{caption}: {:?}", head.get(column))).collect::<Vec<_>>()
+    };
+    let of_analysis = |name: &String| {
+        let tables = view.reported(name).unwrap().tables;
+        tables.iter().flat_map(|own| bare(&own.caption, &own.head, &own.rows)).collect::<Vec<_>>()
+    };
+    let names = report.summary.analyses.keys().filter(|name| {
+        report.summary.results.get(*name).is_some_and(|results| !results.contains_key("quantities"))
+    });
+    names.flat_map(of_analysis).collect()
+}
+
 /// A small case that was run.
 struct Compared {
     /// Model and kind of its analyses.
@@ -126,6 +151,8 @@ struct Compared {
     difference: Option<String>,
     /// How its results differ from what is declared of them.
     misfits: Vec<String>,
+    /// Heads of tables that lack a unit.
+    bare_heads: Vec<String>,
 }
 
 fn compared(path: &Path) -> Compared {
@@ -135,7 +162,12 @@ fn compared(path: &Path) -> Compared {
     let name = format!("studies/{}.json", case.name);
     let difference = file::difference(&name, &frozen(&case, &report), Numbers::Close);
     let kinds = kinds_of(&report.summary.case).collect();
-    Compared { kinds, difference, misfits: declared_otherwise(&case, &report) }
+    Compared {
+        kinds,
+        difference,
+        misfits: declared_otherwise(&case, &report),
+        bare_heads: bare_heads(&report),
+    }
 }
 
 #[test]
@@ -148,4 +180,6 @@ fn studies_of_small_cases_hold_what_they_held() {
     assert!(differences.is_empty(), "{}", differences.join("\n"));
     let misfits: Vec<&str> = compared.iter().flat_map(|own| own.misfits.iter().map(String::as_str)).collect();
     assert!(misfits.is_empty(), "{}", misfits.join("\n"));
+    let bare: Vec<&str> = compared.iter().flat_map(|own| own.bare_heads.iter().map(String::as_str)).collect();
+    assert!(bare.is_empty(), "heads of numbers without a unit:\n{}", bare.join("\n"));
 }

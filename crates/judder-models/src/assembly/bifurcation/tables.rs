@@ -14,11 +14,12 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     };
     let shown = ShownValues::called(results.get(SHOWN_UNIT).and_then(Value::as_str));
     let key = shown.head(told("key"));
+    let [error, between] = ["may be off", "between"].map(|own| shown.head(own));
     let heads = [
         "",
         &key,
-        "may be off",
-        "between",
+        &error,
+        &between,
         "frequency (Hz)",
         "velocity along the slip, rms (m/s)",
         "what motions become",

@@ -24,7 +24,7 @@ fn beyond_laws(results: &Map<String, Value>) -> Option<PageTable> {
     (!beyond.is_empty()).then(|| PageTable {
         caption: "Modes that are too fast for the law of a sphere: figures that are to be small against 1"
             .to_owned(),
-        head: ["mode", "contact", "ω τ", "of the longest time", "ω T"].map(String::from).to_vec(),
+        head: ["mode", "contact", "ω τ (−)", "of the longest time (−)", "ω T (−)"].map(String::from).to_vec(),
         rows: beyond.iter().map(row).collect(),
     })
 }
@@ -32,14 +32,14 @@ fn beyond_laws(results: &Map<String, Value>) -> Option<PageTable> {
 /// What each damping and each contact adds to the growth rate of a mode, and of which modes of frictionless contact it is made.
 fn grows(told: &Value) -> PageTable {
     let growth = told["growth"].as_object().into_iter().flatten();
-    let adds = growth.map(|(name, growth)| vec![format!("{name} (1/s)"), short(growth)]);
+    let adds = growth.map(|(name, growth)| vec![name.clone(), short(growth)]);
     let parents = told["parents"].as_array().into_iter().flatten().map(|parent| {
         let of = format!("mode of frictionless contact at {} Hz: share", short(&parent["frequency_hz"]));
         vec![of, short(&parent["share"])]
     });
     PageTable {
         caption: format!("Why mode {} grows", told["mode"]),
-        head: ["what", "growth, or share"].map(String::from).to_vec(),
+        head: ["what", "growth (1/s), or share (−)"].map(String::from).to_vec(),
         rows: adds.chain(parents).collect(),
     }
 }

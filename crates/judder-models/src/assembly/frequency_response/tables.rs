@@ -33,7 +33,7 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
         "at (Hz)",
         "largest magnitude (m)",
         "at (Hz)",
-        "left out of the swing of the forces",
+        "left out of the swing of the forces (−)",
         "off the laws between samples (N)",
     ];
     let folds = results.get("folds").and_then(Value::as_array).into_iter().flatten();

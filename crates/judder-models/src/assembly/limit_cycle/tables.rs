@@ -28,17 +28,17 @@ fn cycle(results: &Map<String, Value>) -> Option<PageTable> {
     let rows = [
         ("frequency (Hz)", "frequency_hz"),
         ("of the mode (Hz)", "mode_frequency_hz"),
-        ("shift, over that", "frequency_shift"),
+        ("shift, over that (−)", "frequency_shift"),
         ("growth rate of the mode (1/s)", "mode_growth_rate"),
         ("motions of this shape are drawn to it", "attracts"),
         ("motions nearby, by the Floquet multipliers", "stability"),
         ("what they become", "motion"),
         ("Floquet multipliers, second opinion", "second_opinion"),
-        ("largest multipliers apart by both", "multipliers_apart"),
+        ("largest multipliers apart by both (−)", "multipliers_apart"),
         ("converged", "converged"),
         ("harmonics", "harmonics"),
-        ("left out of the swing of the forces", "left_out"),
-        ("largest difference from a contact law, over the largest normal force", "between_samples"),
+        ("left out of the swing of the forces (−)", "left_out"),
+        ("largest difference from a contact law, over the largest normal force (−)", "between_samples"),
     ];
     let of = |key: &str| results.get(key).unwrap_or(&Value::Null);
     let row = |(name, key): (&str, &str)| {
@@ -72,9 +72,9 @@ fn contacts(results: &Map<String, Value>) -> Option<PageTable> {
     let heads = [
         "contact",
         "points",
-        "stick",
-        "slip",
-        "lift-off",
+        "stick (−)",
+        "slip (−)",
+        "lift-off (−)",
         "normal force (N)",
         "friction (N)",
         "largest rms velocity (m/s)",
@@ -86,7 +86,7 @@ fn contacts(results: &Map<String, Value>) -> Option<PageTable> {
 fn power(results: &Map<String, Value>) -> Option<PageTable> {
     let power = results.get("power").and_then(Value::as_object).into_iter().flatten();
     let rows = power.map(|(name, value)| vec![name.clone(), short(value)]).collect();
-    table("Power into the bodies over a period, on average", &["from", "W"], rows)
+    table("Power into the bodies over a period, on average", &["from", "power (W)"], rows)
 }
 
 /// Of which modes the cycle is made up; those with a hundredth of a per cent or less stay in the arrays.
@@ -100,7 +100,7 @@ fn modes(results: &Map<String, Value>) -> Option<PageTable> {
     let rows = shown.map(row).chain(left_over.map(|own| vec!["left over".to_owned(), short(own)]));
     table(
         "Modes of frictionless contact that make up the cycle, by their shares in the kinetic energy of its swing",
-        &["mode (Hz)", "share"],
+        &["mode (Hz)", "share (−)"],
         rows.collect(),
     )
 }
@@ -112,7 +112,7 @@ fn levels(results: &Map<String, Value>) -> Option<PageTable> {
     };
     table(
         "Accelerations of the observed points",
-        &["point", "rms (m/s²)", "dB re 1 µm/s²"],
+        &["point", "rms (m/s²)", "level (dB re 1 µm/s²)"],
         levels.map(row).collect(),
     )
 }

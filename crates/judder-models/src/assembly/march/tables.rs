@@ -9,10 +9,10 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     let heads = [
         "contact",
         "points",
-        "stick",
-        "slip",
-        "lift-off",
-        "largest error of a share",
+        "stick (−)",
+        "slip (−)",
+        "lift-off (−)",
+        "largest error of a share (−)",
         "normal force (N)",
         "largest rms velocity (m/s)",
     ];
@@ -49,7 +49,8 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
         heads.map(String::from).to_vec(),
         rows,
     );
-    let powers = table("Power into the bodies, on average", vec!["from".to_owned(), "W".to_owned()], powers);
+    let powers =
+        table("Power into the bodies, on average", vec!["from".to_owned(), "power (W)".to_owned()], powers);
     shares
         .into_iter()
         .chain(averages(results))
@@ -96,8 +97,10 @@ fn levels(results: &Map<String, Value>) -> Option<PageTable> {
         std::iter::once(short(band)).chain(own).collect()
     };
     Some(PageTable {
-        caption: "Accelerations after the transient, in dB re 1 µm/s² in octaves".to_owned(),
-        head: std::iter::once("octave about (Hz)".to_owned()).chain(levels.keys().cloned()).collect(),
+        caption: "Levels of the accelerations after the transient in octaves".to_owned(),
+        head: std::iter::once("octave about (Hz)".to_owned())
+            .chain(levels.keys().map(|name| format!("{name} (dB re 1 µm/s²)")))
+            .collect(),
         rows: bands.iter().enumerate().map(row).collect(),
     })
 }

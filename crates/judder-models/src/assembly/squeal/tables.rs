@@ -35,11 +35,11 @@ fn modes(results: &Map<String, Value>) -> Vec<PageTable> {
         "growth rate (1/s)",
         "cycle (Hz)",
         "level (dB re 1 µm/s²)",
-        "stick",
-        "slip",
-        "lift-off",
+        "stick (−)",
+        "slip (−)",
+        "lift-off (−)",
         "motions nearby",
-        "left out",
+        "left out (−)",
         "converged",
     ];
     let row = |mode: &&Value| {
@@ -87,17 +87,19 @@ fn margins(results: &Map<String, Value>) -> Option<PageTable> {
     };
     let row = |own: &&Value| keys.map(|key| cell(own, key)).to_vec();
     let along = shown.head(margins["key"].as_str().unwrap_or_default());
+    let [onset, fold, fold_error, reaches] =
+        ["onset", "fold", "fold may be off", "cycles reach"].map(|own| shown.head(own));
     let heads = [
         "place",
         "not told from so many others",
-        "onset",
+        &onset,
         "frequency (Hz)",
         "mode",
-        "fold",
-        "fold may be off",
-        "cycles reach",
-        "margin",
-        "margin may be off",
+        &fold,
+        &fold_error,
+        &reaches,
+        "margin (−)",
+        "margin may be off (−)",
         "knock in the case",
         "the branch",
         "motions near its cycles",
@@ -201,9 +203,9 @@ fn knocks(results: &Map<String, Value>) -> Option<PageTable> {
         ("settle to steady sliding", words(&knocks["settle"])),
         ("keep vibrating", words(&knocks["vibrate"])),
         ("undecided", words(&knocks["undecided"])),
-        ("share that keeps vibrating", words(&knocks["share"])),
+        ("share that keeps vibrating (−)", words(&knocks["share"])),
         (
-            "its 95 % interval",
+            "its 95 % interval (−)",
             format!("{} … {}", words(&knocks["interval"][0]), words(&knocks["interval"][1])),
         ),
         ("smallest that keeps vibrating (N s)", words(&knocks["smallest_that_vibrates"])),

@@ -47,9 +47,16 @@ fn spheres(results: &Map<String, Value>) -> Option<PageTable> {
     };
     (!spheres.is_empty()).then(|| PageTable {
         caption: "Spheres on the substrate".to_owned(),
-        head: ["contact", "speed v τ/R", "indentation y/R", "area (m²)", "μ_visc", "load F_n (N)"]
-            .map(String::from)
-            .to_vec(),
+        head: [
+            "contact",
+            "speed v τ/R (−)",
+            "indentation y/R (−)",
+            "area (m²)",
+            "μ_visc (−)",
+            "load F_n (N)",
+        ]
+        .map(String::from)
+        .to_vec(),
         rows: spheres.iter().map(row).collect(),
     })
 }

@@ -198,8 +198,8 @@ pub(super) fn table(results: &Map<String, Value>) -> Option<PageTable> {
     };
     let head = [
         "what begins as friction grows",
-        "times the friction",
-        "friction coefficient",
+        "times the friction (−)",
+        "friction coefficient (−)",
         "contact",
         "place (m)",
     ];

@@ -3,7 +3,7 @@
 use super::run::label;
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::settings::SoughtThresholds;
-use crate::swept_tables::{ToldCurve, curves, form_of, key_head, numbers, table, told, word};
+use crate::swept_tables::{ToldCurve, curves, form_of, in_unit_of, key_head, numbers, table, told, word};
 use judder_report::page::PageTable;
 use judder_study::registry::ToldAnalysis;
 use serde_json::Value;
@@ -19,9 +19,11 @@ pub(crate) fn report(sought: SoughtThresholds, analysis: ToldAnalysis<'_>) -> Ve
 
 fn of_curve(curve: &ToldCurve<'_>, swept: &str, threshold: &str) -> PageTable {
     let has_margin = curve.results.contains_key("reaches");
-    let mut head = vec![swept, threshold, "without damping", "onset", "stable side"];
+    let [undamped, fold, reaches] =
+        ["without damping", "least known fold", "motions known to"].map(|head| in_unit_of(threshold, head));
+    let mut head = vec![swept, threshold, &undamped, "onset", "stable side"];
     if has_margin {
-        head.extend(["least known fold", "motions known to"]);
+        head.extend([fold.as_str(), &reaches]);
     }
     let of = |key: &str, value: usize| curve.results.get(key).map_or(&Value::Null, |all| &all[value]);
     let mut rows = Vec::new();

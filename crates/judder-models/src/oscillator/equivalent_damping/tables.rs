@@ -1,7 +1,7 @@
 //! The table of the equivalent damping: where it is negative.
 
 use crate::oscillator::keys::OscillatorKey;
-use crate::swept_tables::{along, curves, ends, key_head, or_none, runs, table, told};
+use crate::swept_tables::{along, curves, ends, in_unit_of, key_head, or_none, runs, table, told};
 use judder_report::page::PageTable;
 use judder_study::registry::ToldAnalysis;
 
@@ -18,7 +18,8 @@ pub(crate) fn report(analysis: ToldAnalysis<'_>) -> Vec<PageTable> {
         });
         let rows: Vec<Vec<String>> = rows.collect();
         let caption = format!("Negative equivalent damping along: {swept}{}", curve.of_family);
-        let head = ["begins", "ends", "least $ξ_{eq}$ (−)", "at"];
+        let [begins, ends, at] = ["begins", "ends", "at"].map(|head| in_unit_of(&swept, head));
+        let head = [begins.as_str(), &ends, "least $ξ_{eq}$ (−)", &at];
         table(caption, &head, or_none(rows, values.len(), head.len()))
     });
     of_curve.collect()

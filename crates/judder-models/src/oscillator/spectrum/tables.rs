@@ -1,7 +1,7 @@
 //! The table of a spectrum: where along the swept key steady sliding grows.
 
 use crate::oscillator::curves::SpectrumLabels;
-use crate::swept_tables::{ToldCurve, along, curves, ends, numbers, or_none, runs, table, told};
+use crate::swept_tables::{ToldCurve, along, curves, ends, in_unit_of, numbers, or_none, runs, table, told};
 use judder_report::page::PageTable;
 use judder_study::registry::ToldAnalysis;
 use serde_json::Value;
@@ -29,7 +29,8 @@ fn of_curve(curve: &ToldCurve<'_>, swept: &str, heads: &SpectrumLabels) -> PageT
     });
     let rows: Vec<Vec<String>> = rows.collect();
     let caption = format!("Unstable ranges along: {swept}{}", curve.of_family);
-    let mut head = vec!["begins", "ends", heads.growth, "at", heads.frequency];
+    let [begins, ends, at] = ["begins", "ends", "at"].map(|head| in_unit_of(swept, head));
+    let mut head = vec![begins.as_str(), &ends, heads.growth, &at, heads.frequency];
     if in_si.iter().all(Option::is_some) {
         head.extend(["growth rate (1/s)", "frequency (Hz)"]);
     }

@@ -9,10 +9,10 @@ const BURSTS: [(&str, &str); 7] = [
     ("time_s", "time (s)"),
     ("position_m", "position (m)"),
     ("frequency_hz", "frequency (Hz)"),
-    ("peak", "peak"),
+    ("peak", "peak (m/s²)"),
     ("duration_s", "duration (s)"),
-    ("measured_amplification", "growth of its mode, ln"),
-    ("expected_amplification", "∫ $σ$ d$t$ of its zone"),
+    ("measured_amplification", "growth of its mode, ln (−)"),
+    ("expected_amplification", "∫ $σ$ d$t$ of its zone (−)"),
 ];
 
 /// Its bursts, where it has any.

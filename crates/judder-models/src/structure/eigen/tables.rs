@@ -10,9 +10,9 @@ const NUMBERS: [(&str, &str); 6] = [
     ("re", "Re $λ$ (1/s)"),
     ("im", "Im $λ$ (1/s)"),
     ("frequency_hz", "frequency (Hz)"),
-    ("damping_ratio", "damping ratio"),
+    ("damping_ratio", "damping ratio (−)"),
     ("error", "error (1/s)"),
-    ("residual", "residual"),
+    ("residual", "residual (−)"),
 ];
 
 /// Eigenvalues, and why those grow that were diagnosed.
@@ -27,7 +27,7 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
 fn shape(told: &Value) -> PageTable {
     let freedoms = told["freedoms"].as_array().map_or(&[][..], Vec::as_slice);
     let caption = format!("Shape of mode {} at {} Hz", told["mode"], short(&told["frequency_hz"]));
-    listed(&caption, &["freedom", "modulus, of the largest", "phase (°)"], freedoms, |number, name| {
+    listed(&caption, &["freedom", "modulus, of the largest (−)", "phase (°)"], freedoms, |number, name| {
         let part = |key: &str| short(&told[key][number - 1]);
         vec![word(name).to_owned(), part("modulus"), part("phase_deg")]
     })
@@ -63,7 +63,7 @@ fn diagnosis(told: &Value) -> PageTable {
         );
         row(name, short(&own["share"]), String::new());
     }
-    let head = ["what", "growth (1/s), or share", "change of the growth rate per unit (1/s)"];
+    let head = ["what", "growth (1/s), or share (−)", "change of the growth rate per unit (1/s)"];
     PageTable {
         caption: format!("Why mode {} at {} Hz grows", told["mode"], short(&told["frequency_hz"])),
         head: head.map(String::from).to_vec(),

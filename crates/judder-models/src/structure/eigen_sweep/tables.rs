@@ -7,7 +7,8 @@ use serde_json::{Map, Value};
 
 /// Where modes begin or cease to grow: of the one curve, or of each; of contacts as they are, and with every point held closed.
 pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
-    let shown = ShownValues::called(results.get(SHOWN_UNIT).and_then(Value::as_str));
+    // a structure alone has parameters, plain numbers
+    let shown = ShownValues::called(results.get(SHOWN_UNIT).map_or(Some("1"), Value::as_str));
     let of_curves = results.get("curves").and_then(Value::as_array).into_iter().flatten().enumerate();
     let curves = of_curves.map(|(curve, told)| {
         let family = &results["family"];

@@ -211,19 +211,19 @@ impl Distance {
 pub(super) fn table(moved: &[MovedThresholds]) -> PageTable {
     PageTable {
         caption: "The threshold of the full system (Fig. 7: the lowest, Fig. 8: the highest) with one law over that with another, the larger over the smaller: \
-                  median and largest over the speeds; and the share of the speeds, in per cent, at which one law has a threshold and the other none. \
+                  median and largest over the speeds; and the share of the speeds at which one law has a threshold and the other none. \
                   Factors of thousands stand where a branch ends at another speed and a threshold far from it takes its place."
             .to_owned(),
         head: [
             "figure",
             "friction",
             "curve",
-            "printed → computed, median",
-            "largest",
-            "only one, %",
-            "corrected → computed, median",
-            "largest",
-            "only one, %",
+            "printed → computed, median (−)",
+            "largest (−)",
+            "only one (%)",
+            "corrected → computed, median (−)",
+            "largest (−)",
+            "only one (%)",
         ]
         .map(str::to_owned)
         .to_vec(),

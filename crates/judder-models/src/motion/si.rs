@@ -13,6 +13,33 @@ pub(crate) struct SiUnits {
     pub(crate) second: f64,
     /// That of displacements, in m: x0 = F_n/k_x of the oscillator.
     pub(crate) metre: f64,
+    /// That of energies, in J: k_x x0² of the oscillator.
+    pub(crate) joule: f64,
+}
+
+/// Where energy came from and went: the works after the transient and the change of what is stored.
+#[derive(Debug, Clone, Copy, PartialEq, Results)]
+pub(crate) struct EnergyFlow {
+    pub(crate) substrate: f64,
+    pub(crate) sliding: f64,
+    pub(crate) friction: f64,
+    pub(crate) normal: f64,
+    pub(crate) damping: f64,
+    pub(crate) change: f64,
+}
+
+impl EnergyFlow {
+    /// All times a unit.
+    fn times(self, unit: f64) -> Self {
+        Self {
+            substrate: unit * self.substrate,
+            sliding: unit * self.sliding,
+            friction: unit * self.friction,
+            normal: unit * self.normal,
+            damping: unit * self.damping,
+            change: unit * self.change,
+        }
+    }
 }
 
 /// What is told of a motion in SI.
@@ -30,6 +57,8 @@ pub(crate) struct MotionInSi {
     /// its inverse
     #[result(unit = "Hz")]
     frequency_hz: Option<f64>,
+    /// where energy came from and went, in J
+    energy_j: EnergyFlow,
 }
 
 /// What is measured by what, of the arrays of motions.
@@ -76,26 +105,30 @@ const VELOCITIES: [&str; 4] = ["event_velocity_x", "event_velocity_y", "path_vel
 
 impl SiUnits {
     /// A motion in SI.
-    pub(crate) fn motion(self, rms: f64, mean: f64, period: Option<f64>) -> MotionInSi {
+    pub(crate) fn motion(self, [rms, mean]: [f64; 2], period: Option<f64>, energy: EnergyFlow) -> MotionInSi {
         let period_s = period.map(|period| period * self.second);
         MotionInSi {
             rms_m: rms * self.metre,
             mean_m: mean * self.metre,
             period_s,
             frequency_hz: period_s.map(f64::recip),
+            energy_j: energy.times(self.joule),
         }
     }
 
     /// Says what the units of an array are.
     pub(crate) fn told_in(self, dataset: Dataset) -> Result<Dataset, ModelError> {
-        Ok(dataset.attribute("si_units", json!({ "second": self.second, "metre": self.metre }))?)
+        Ok(dataset.attribute(
+            "si_units",
+            json!({ "second": self.second, "metre": self.metre, "joule": self.joule }),
+        )?)
     }
 
     /// The units that the attributes of a dataset tell; none where its case is written in groups.
     pub(crate) fn of(attributes: &Map<String, Value>) -> Option<Self> {
         let told = attributes.get("si_units")?;
         let number = |name: &str| told.get(name).and_then(Value::as_f64).filter(|own| *own > 0.0);
-        Some(Self { second: number("second")?, metre: number("metre")? })
+        Some(Self { second: number("second")?, metre: number("metre")?, joule: number("joule")? })
     }
 
     /// What a number is multiplied by to be shown, and the unit in which it is then.
@@ -167,7 +200,7 @@ mod tests {
                 .and_then(|own| own.with(Variable::new("x", &["time"], &[2], vec![1.0, 3.0]).units("1")))
                 .unwrap()
         };
-        let units = SiUnits { second: 0.025, metre: 4e-3 };
+        let units = SiUnits { second: 0.025, metre: 4e-3, joule: 8e-4 };
         let told = units.told_in(dataset()).unwrap();
         let shown_in_si = shown(&told);
         let values = |name: &str| match &shown_in_si.variable(name).unwrap().data {
@@ -177,7 +210,10 @@ mod tests {
         assert_eq!((values("time"), values("x")), (vec![0.0, 0.05], vec![4e3, 1.2e4]));
         assert_eq!(shown_in_si.variable("x").unwrap().units, "µm");
         assert!(matches!(shown(&dataset()), Cow::Borrowed(_)));
-        let motion = units.motion(0.5, 1.0, Some(6.0));
+        let [substrate, sliding, friction, normal, damping, change] = [3.0, -1.0, 2.0, 0.5, -2.0, 0.5];
+        let energy = EnergyFlow { substrate, sliding, friction, normal, damping, change };
+        let motion = units.motion([0.5, 1.0], Some(6.0), energy);
+        assert_eq!((motion.energy_j.friction, motion.energy_j.change), (1.6e-3, 4e-4));
         assert_eq!(motion.rms_m, 2e-3);
         assert!((motion.period_s.unwrap() - 0.15).abs() < 1e-15);
         assert!((motion.frequency_hz.unwrap() - 1.0 / 0.15).abs() < 1e-12);

@@ -18,17 +18,24 @@ const WORKS: [(&str, &str); 7] = [
 
 /// What a motion is, where its energy came from and went; of a cycle its multipliers too. `unit` is that of energies.
 pub(crate) fn motion(analysis: ToldAnalysis<'_>, unit: &str) -> Vec<PageTable> {
-    let energy = analysis.results.get("energy").map(|energy| {
-        let rows = WORKS
-            .iter()
-            .map(|(key, words)| vec![(*words).to_owned(), told(energy[*key].as_f64().unwrap_or(f64::NAN))]);
-        table("Energy".to_owned(), &["what", unit], rows.collect())
-    });
     [quantities(analysis)]
         .into_iter()
-        .chain(energy)
+        .chain(energies(analysis, unit))
         .chain(analysis.results.get("floquet_multipliers").map(multipliers))
         .collect()
+}
+
+/// Works in groups, and in mJ where the case is written in SI; what is left is relative.
+fn energies(analysis: ToldAnalysis<'_>, unit: &str) -> Option<PageTable> {
+    let energy = analysis.results.get("energy")?;
+    let in_si = analysis.results.get("energy_j");
+    let rows = WORKS.iter().map(|(key, words)| {
+        let in_mj = in_si.map(|own| own[*key].as_f64().map_or_else(String::new, |own| told(1e3 * own)));
+        let row = [(*words).to_owned(), told(energy[*key].as_f64().unwrap_or(f64::NAN))];
+        row.into_iter().chain(in_mj).collect()
+    });
+    let head = ["what", unit, "in SI (mJ)"];
+    Some(table("Energy".to_owned(), &head[..if in_si.is_some() { 3 } else { 2 }], rows.collect()))
 }
 
 /// What a motion is, its key in groups and in SI, what that is multiplied by, and its unit then.

@@ -95,7 +95,7 @@ impl OscillatorInputs {
         }
     }
 
-    /// 1/ω_nx in s and x0 = F_n/k_x in m, where speed or load are given in SI.
+    /// 1/ω_nx in s, x0 = F_n/k_x in m and k_x x0² in J, where speed or load are given in SI.
     pub(crate) fn si_units(&self) -> Option<SiUnits> {
         let is_si = |key: OscillatorKey| self.get(key).form == Form::Si;
         let Scales { reduced_modulus, radius, natural_frequency } = self.scales();
@@ -104,10 +104,8 @@ impl OscillatorInputs {
             Form::Si => load.number,
             Form::Group => load.number * reduced_modulus * radius * radius,
         };
-        let units = SiUnits {
-            second: 1.0 / natural_frequency,
-            metre: newtons / self.number(OscillatorKey::StiffnessX),
-        };
+        let metre = newtons / self.number(OscillatorKey::StiffnessX);
+        let units = SiUnits { second: 1.0 / natural_frequency, metre, joule: newtons * metre };
         (is_si(OscillatorKey::NormalLoad) || is_si(OscillatorKey::Velocity)).then_some(units)
     }
 

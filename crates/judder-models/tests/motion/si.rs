@@ -1,6 +1,6 @@
 //! Motions of cases that are written in SI.
 
-use crate::{number, run_into};
+use crate::{case, number, run_into};
 use judder_store::StudyFolder;
 use serde_json::{Map, Value};
 
@@ -70,4 +70,38 @@ fn a_spectrum_in_si_tells_hertz() {
     }
     let dataset = StudyFolder::open(folder.path()).unwrap().read_dataset("spectrum").unwrap();
     assert_eq!(dataset.attributes()["si_units"]["second"], 0.025);
+}
+
+/// Over a cycle of the belt in SI the damper of 1 N s/m takes ∮ c v² dt, summed here over the samples of the table in m/s; what friction feeds in is lost there.
+#[test]
+fn energies_of_a_belt_in_si_are_in_joules() {
+    let folder = tempfile::tempdir().unwrap();
+    let report = run_into(folder.path(), &case("benchmarks/belt-in-si.toml", &[]), &["cycle"]);
+    let told = &report.summary.results["cycle"];
+    let energy = |key: &str| number(&told["energy_j"][key]);
+    let table = std::fs::read_to_string(folder.path().join("cycle.csv")).unwrap();
+    let head: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+    let column = |name: &str| -> Vec<f64> {
+        let place = head.iter().position(|own| *own == name).unwrap();
+        table.lines().skip(1).map(|row| row.split(',').nth(place).unwrap().parse().unwrap()).collect()
+    };
+    let (time, velocity) = (column("time [s]"), column("velocity_x [m/s]"));
+    let pieces = time.windows(2).zip(velocity.windows(2));
+    let lost: f64 = pieces.map(|(t, v)| 0.5 * (t[1] - t[0]) * (v[0] * v[0] + v[1] * v[1])).sum();
+    assert!((energy("damping") / -lost - 1.0).abs() < 1e-5, "{} {lost}", energy("damping"));
+    assert!((energy("friction") + energy("damping")).abs() < 1e-5 * lost, "{} {lost}", energy("friction"));
+    let page = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
+    assert!(page.contains("in SI (mJ)") && page.contains("energy (−)"));
+}
+
+/// The unit of energy of the oscillator is k_x x0² = 50 N/m (8/3 µm)².
+#[test]
+fn energies_of_an_oscillator_in_si_are_those_in_groups_times_their_unit() {
+    let folder = tempfile::tempdir().unwrap();
+    let told = results(folder.path(), IN_SI, "kind = \"motion\"\nduration = 100.0\npoints = 512", "motion");
+    let unit = 50.0 * (8e-6_f64 / 3.0).powi(2);
+    for key in ["substrate", "friction", "damping", "change"] {
+        let (group, joules) = (number(&told["energy"][key]), number(&told["energy_j"][key]));
+        assert!((joules / group / unit - 1.0).abs() < 1e-12, "{key}: {joules} {group}");
+    }
 }

@@ -6,7 +6,7 @@ use crate::error::ModelError;
 use crate::motion::amplitude_spectrum::amplitude_spectrum;
 use crate::motion::history::HistoryAnalysis;
 use crate::motion::model::{ContactMemory, Coordinate, Moving, Operating};
-use crate::motion::si::{MotionInSi, SiUnits};
+use crate::motion::si::{EnergyFlow, MotionInSi, SiUnits};
 use judder_oscillator::motion::attractor::{distance, repetition};
 use judder_oscillator::motion::history::{
     MotionHistory, Oscillation, StateSample, TimeWindow, follow, follow_watched,
@@ -96,21 +96,17 @@ pub(crate) struct ToldMotion {
 }
 
 impl ToldMotion {
-    /// Tells rms, mean and period in SI as well.
+    /// Tells rms, mean, period and energies in SI as well.
     pub(crate) fn tell_si(&mut self, units: Option<SiUnits>) {
-        self.si = units.map(|units| units.motion(self.rms, self.mean, self.period));
+        self.si = units.map(|units| units.motion([self.rms, self.mean], self.period, self.energy.flow));
     }
 }
 
-/// Where energy came from and went, in units of k_x x0².
+/// Where energy came from and went, in units of k_x x0², of a belt of its stiffness times 1 m²; what is left over the largest of them.
 #[derive(Results)]
 struct EnergyBalance {
-    substrate: f64,
-    sliding: f64,
-    friction: f64,
-    normal: f64,
-    damping: f64,
-    change: f64,
+    #[result(flatten)]
+    flow: EnergyFlow,
     residual: f64,
 }
 
@@ -179,15 +175,15 @@ fn period<const N: usize>(
 
 fn energy<const N: usize>(history: &MotionHistory<N>) -> EnergyBalance {
     let work = &history.measures.work;
-    EnergyBalance {
+    let flow = EnergyFlow {
         substrate: work.substrate,
         sliding: work.friction - work.substrate,
         friction: work.friction,
         normal: work.normal,
         damping: work.damping,
         change: history.energy_change,
-        residual: history.energy_residual(),
-    }
+    };
+    EnergyBalance { flow, residual: history.energy_residual() }
 }
 
 /// That of the work; `None` where so little moved that the steps do not resolve it.

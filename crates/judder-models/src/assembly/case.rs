@@ -15,6 +15,7 @@ pub mod contact;
 pub mod joint;
 pub mod load;
 mod named_list;
+pub mod normal_law;
 pub mod problem;
 pub mod rotation;
 pub mod structure;

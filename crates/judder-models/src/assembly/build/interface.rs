@@ -6,10 +6,10 @@ use super::turning::sliding_warning;
 use super::{BuiltBody, Unassembled};
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::contact::{
-    ContactForceSettings, ContactInterface, NormalLaw, PlaneSettings, SurfaceOf, TrackMotion, TrackOf,
-    TrackSettings,
+    ContactForceSettings, ContactInterface, PlaneSettings, SurfaceOf, TrackMotion, TrackOf, TrackSettings,
 };
 use crate::assembly::case::joint::SpringEnd;
+use crate::assembly::case::normal_law::NormalLaw;
 use crate::assembly::case::problem::{AssemblyProblem, PlacedSet};
 use crate::assembly::case::rotation::BodyRotation;
 use crate::structure::build::{Structure, points_of};

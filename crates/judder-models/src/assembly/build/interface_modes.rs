@@ -2,7 +2,8 @@
 
 use super::Unassembled;
 use crate::assembly::case::AssemblyCase;
-use crate::assembly::case::contact::{ContactForceSettings, ContactInterface, NormalLaw, TrackSettings};
+use crate::assembly::case::contact::{ContactForceSettings, ContactInterface, TrackSettings};
+use crate::assembly::case::normal_law::NormalLaw;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::case::structure::{BodyReduction, ReducedBody};
 

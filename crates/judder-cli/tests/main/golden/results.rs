@@ -134,7 +134,7 @@ fn bare_heads(report: &RunReport) -> Vec<String> {
         lacking.map(|column| format!("{caption}: {:?}", head.get(column))).collect::<Vec<_>>()
     };
     let of_analysis = |name: &String| {
-        let tables = view.reported(name).unwrap().tables;
+        let tables = view.reported(name, &Silent).unwrap().tables;
         tables.iter().flat_map(|own| bare(&own.caption, &own.head, &own.rows)).collect::<Vec<_>>()
     };
     let names = report.summary.analyses.keys().filter(|name| {

@@ -8,11 +8,11 @@ import { homeWindow } from "../src/chart/frame";
 import { drawLegend, legendEntries } from "../src/chart/legend";
 import { classOf, colourAt, hex, lineStyle, rgb } from "../src/chart/palette";
 import { cellsOf, letterPlaces, pixelsOf, valueRange } from "../src/chart/raster";
-import { widthOf } from "../src/chart/markup";
+import { plainText, widthOf } from "../src/chart/markup";
 import { readings } from "../src/chart/readout";
 import type { Window } from "../src/chart/scale";
-import type { Shape } from "../src/chart/scene";
-import { SMALL_SIZE } from "../src/chart/text";
+import { type Shape, markupOf } from "../src/chart/scene";
+import { SMALL_SIZE, label } from "../src/chart/text";
 import type { ChartSpec, ClassesLayer, Layer, ValuesLayer } from "../src/chart/spec";
 
 const axis = (label: string, scale: "log" | "linear" = "linear") => ({ label, scale });
@@ -282,6 +282,26 @@ describe("axis labels", () => {
     expect(onPaper(long, 94, 300)).toBeGreaterThan(94);
     expect(onPaper(long, 280, 300)).toBeLessThan(200);
     expect(onPaper(long, 94, 100)).toBe(50);
+  });
+});
+
+describe("labels of any length", () => {
+  it("are drawn in part and told whole, and read in no time", () => {
+    for (const part of ["word ", "_{", "$", "_{a}", "$x$"]) {
+      const text = part.repeat(100_000 / part.length);
+      const start = performance.now();
+      const long = { ...axis(text), label: text };
+      const spec: ChartSpec = { title: "", x: long, y: long, layers: [{ kind: "line", label: text, x: [0, 1], y: [0, 1], role: { series: 0 } }] };
+      const { over, under } = draw(spec, homeWindow(spec), { width: 600, height: 400 }, "light", "p");
+      plainText(text);
+      expect(performance.now() - start, part).toBeLessThan(1000);
+      const svg = [...under, ...over].map(markupOf).join("");
+      expect(svg.length, part).toBeLessThan(100_000);
+    }
+    const long = markupOf(label(`$τ$ ${"a".repeat(500)}`, { x: 0, y: 0, size: 12, colour: "#000" }));
+    expect(long).toContain(`${"a".repeat(196)}…</tspan>`);
+    expect(long).toContain(`<title>τ ${"a".repeat(500)}</title>`);
+    expect(markupOf(label("short", { x: 0, y: 0, size: 12, colour: "#000" }))).not.toContain("title");
   });
 });
 

@@ -55,6 +55,39 @@ describe("requests", () => {
     expect(found).toEqual(["coarse"]);
   });
 
+  it("are asked again where the waiting room is full, as often as is told, and no more once they are given up", async () => {
+    vi.useFakeTimers();
+    const full = () => Response.json({ error: { message: "12 requests wait already" } }, { status: 503, headers: { "Retry-After": "2" } });
+    const times: number[] = [];
+    const answers = (count: number) => {
+      times.length = 0;
+      const start = Date.now();
+      vi.stubGlobal("fetch", async () => {
+        times.push((Date.now() - start) / 1000);
+        return times.length > count ? Response.json({ point: 1 }) : full();
+      });
+    };
+    answers(2);
+    const point = postJson("/api/point", {});
+    await vi.runAllTimersAsync();
+    expect(await point).toEqual({ point: 1 });
+    expect(times).toEqual([0, 2, 6]);
+    answers(100);
+    const never = postJson("/api/point", {}).catch((error: unknown) => error);
+    await vi.runAllTimersAsync();
+    expect(await never).toMatchObject({ status: 503, message: "12 requests wait already (asked 5 times)" });
+    expect(times).toEqual([0, 2, 6, 14, 24]);
+    answers(100);
+    const abort = new AbortController();
+    const left = postJson("/api/point", {}, abort.signal).catch((error: unknown) => error);
+    await vi.advanceTimersByTimeAsync(3000);
+    abort.abort();
+    expect(await left).toMatchObject({ name: "AbortError" });
+    await vi.runAllTimersAsync();
+    expect(times).toEqual([0, 2]);
+    vi.useRealTimers();
+  });
+
   it("share a tab's id between purposes", () => {
     expect(slot("map").split("/")[0]).toBe(slot("point").split("/")[0]);
     expect(slot("map")).toMatch(/^[0-9a-f]{16}\/map$/);

@@ -9,12 +9,34 @@ export interface Span {
 
 const DEEPEST = 2;
 
+/** Characters of a label that are drawn, and of one that is told beside it, at most: what is stored may be of any length. */
+const LONGEST = 200;
+const LONGEST_TOLD = 4000;
+
+/** A label as it is drawn: one that is too long for any picture ends in an ellipsis. */
+export function drawn(label: string): string {
+  return cut(label, LONGEST);
+}
+
+/** The whole of a label of which a part is drawn, as plain text; nothing where all of it is. */
+export function undrawn(label: string): string | undefined {
+  return label.length > LONGEST ? plainText(cut(label, LONGEST_TOLD)) : undefined;
+}
+
+function cut(label: string, longest: number): string {
+  if (label.length <= longest) return label;
+  // half of a character is none
+  return `${label.slice(0, longest).replace(/[\ud800-\udbff]$/, "")}…`;
+}
+
 export function spans(label: string): readonly Span[] {
   const found: Span[] = [];
   const open: number[] = [];
   let symbols = false;
   let text = "";
   const characters = [...label];
+  // looked for once: a label of nothing but openings would be read again for each
+  const [lastEnd, lastTurn] = [characters.lastIndexOf("}"), characters.lastIndexOf("$")];
   const flush = () => {
     if (text !== "") found.push(...set(text, open, symbols));
     text = "";
@@ -22,14 +44,14 @@ export function spans(label: string): readonly Span[] {
   for (let index = 0; index < characters.length; index += 1) {
     const character = characters[index] as string;
     const next = characters[index + 1];
-    if ((character === "_" || character === "^") && next === "{" && characters.indexOf("}", index) > 0) {
+    if ((character === "_" || character === "^") && next === "{" && lastEnd > index) {
       flush();
       open.push(character === "_" ? -1 : 1);
       index += 1;
     } else if (character === "}" && open.length > 0) {
       flush();
       open.pop();
-    } else if (character === "$" && open.length === 0 && (symbols || characters.indexOf("$", index + 1) > 0)) {
+    } else if (character === "$" && open.length === 0 && (symbols || lastTurn > index)) {
       flush();
       symbols = !symbols;
     } else {
@@ -69,7 +91,7 @@ export function spanRise(level: number): number {
 
 /** About how wide a label is, in sizes of its letters: fonts are not measured, so that pictures do not depend on them. */
 export function widthOf(label: string): number {
-  return spans(label).reduce((sum, span) => {
+  return spans(drawn(label)).reduce((sum, span) => {
     const marks = span.text.match(/\p{M}/gu)?.length ?? 0;
     return sum + 0.57 * spanSize(span.level) * ([...span.text].length - marks);
   }, 0);

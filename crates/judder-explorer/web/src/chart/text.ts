@@ -1,6 +1,6 @@
 /** Labels with their markup, as SVG texts. */
 
-import { spanRise, spanSize, spans } from "./markup";
+import { drawn, spanRise, spanSize, spans, undrawn } from "./markup";
 import { type Shape, round, shape } from "./scene";
 
 /** Families to ask for; the first one is bundled with the page. */
@@ -23,7 +23,7 @@ export interface TextPlace {
 
 export function label(markup: string, place: TextPlace): Shape {
   let height = 0;
-  const children = spans(markup).map((span) => {
+  const children = spans(drawn(markup)).map((span) => {
     const rise = spanRise(span.level) * place.size;
     const move = height - rise;
     height = rise;
@@ -37,6 +37,7 @@ export function label(markup: string, place: TextPlace): Shape {
       span.text,
     );
   });
+  const whole = undrawn(markup);
   const rim = place.rim ? { stroke: place.rim, "stroke-width": 3, "stroke-linejoin": "round", "paint-order": "stroke" } : {};
   return shape(
     "text",
@@ -51,6 +52,7 @@ export function label(markup: string, place: TextPlace): Shape {
       ...(place.turn ? { transform: `rotate(${place.turn} ${round(place.x)} ${round(place.y)})` } : {}),
       ...rim,
     },
+    ...(whole === undefined ? [] : [shape("title", {}, whole)]),
     ...children,
   );
 }

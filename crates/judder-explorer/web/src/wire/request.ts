@@ -61,6 +61,40 @@ function errorOf(error: Partial<RequestError> | undefined, status: number): Requ
   return new RequestError(message, status, error?.place ?? null, error?.help ?? lost, error?.others?.map((other) => errorOf(other, status)) ?? []);
 }
 
+/** The status of a server whose waiting room is full. */
+const FULL = 503;
+/** How often such a server is asked again, after how many seconds where it does not say, and after how many at most. */
+const AGAIN = 4;
+const SECONDS = 1;
+const MOST_SECONDS = 10;
+
+/** Asks, and asks again where the waiting room is full: after as long as the server says, then after twice as long each time. */
+async function ask(path: string, options: RequestInit): Promise<Response> {
+  for (let before = 0; ; before += 1) {
+    const response = await fetch(path, options);
+    if (response.status !== FULL || before === AGAIN) return response;
+    void response.body?.cancel().catch(() => undefined);
+    const told = Number(response.headers.get("Retry-After") ?? SECONDS);
+    await pause(Math.min((told >= 0 ? told : SECONDS) * 2 ** before, MOST_SECONDS), options.signal);
+  }
+}
+
+/** Waits, unless the request is given up. */
+function pause(seconds: number, signal: AbortSignal | null | undefined): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const stop = () => {
+      clearTimeout(timer);
+      reject(signal?.reason);
+    };
+    const timer = setTimeout(() => {
+      signal?.removeEventListener("abort", stop);
+      resolve();
+    }, seconds * 1000);
+    if (signal?.aborted) stop();
+    else signal?.addEventListener("abort", stop, { once: true });
+  });
+}
+
 async function respond(path: string, body: unknown, signal?: AbortSignal): Promise<Response> {
   const options: RequestInit = {
     credentials: "same-origin",
@@ -69,9 +103,11 @@ async function respond(path: string, body: unknown, signal?: AbortSignal): Promi
       ? {}
       : { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) }),
   };
-  const response = await fetch(path, options);
+  const response = await ask(path, options);
   if (response.ok) return response;
-  throw errorFrom(await response.json().catch(() => null), response.status);
+  const error = errorFrom(await response.json().catch(() => null), response.status);
+  if (error.status !== FULL) throw error;
+  throw new RequestError(`${error.message} (asked ${AGAIN + 1} times)`, error.status, error.place, error.help);
 }
 
 export async function getJson<T>(path: string, signal?: AbortSignal): Promise<T> {

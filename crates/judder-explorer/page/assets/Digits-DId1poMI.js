@@ -1,1 +1,0 @@
-import{D as e}from"./Value-C0Onsw7N.js";import{K as t}from"./index-sCkTrqUx.js";function n({dataKey:n,value:r}){let i=r!=null;return t(`span`,{"data-key":n,"data-value":i?r:``,title:i?String(r):void 0,children:i?e(r):`—`})}export{n as t};

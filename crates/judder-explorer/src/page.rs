@@ -4,6 +4,7 @@ use axum::body::Body;
 use axum::http::header::{self, HeaderMap, HeaderName, HeaderValue};
 use axum::response::Response;
 use rust_embed::RustEmbed;
+use std::borrow::Cow;
 
 /// Everything comes from this server, nothing runs that is not a file of it, and no other page shows it.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; \
@@ -35,10 +36,13 @@ pub(crate) fn bind(headers: &mut HeaderMap) {
     }
 }
 
-/// A file of the page; names are looked up in a table, never on a disk.
+/// A file of the page, or a font of the pictures; names are looked up in a table, never on a disk.
 pub(crate) fn file(name: &str) -> Option<Response> {
-    let found = Built::get(name)?;
-    let mut response = Response::new(Body::from(found.data.into_owned()));
+    let content = match name.strip_prefix("fonts/") {
+        Some(font) => Cow::Borrowed(judder_report::web_font(font)?),
+        None => Built::get(name)?.data,
+    };
+    let mut response = Response::new(Body::from(content.into_owned()));
     let kept = if name.starts_with("assets/") { "private, max-age=31536000, immutable" } else { "no-store" };
     for (name, value) in [(header::CONTENT_TYPE, kind(name)), (header::CACHE_CONTROL, kept)] {
         response.headers_mut().insert(name, HeaderValue::from_static(value));

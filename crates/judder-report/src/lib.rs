@@ -47,4 +47,5 @@ pub use page::{Page, PageBlock, PageSection, UndrawnFigure, html};
 pub use palette::{Role, Style};
 pub use png::png;
 pub use svg::svg;
+pub use typeface::web_font;
 pub use wire::json;

@@ -10,10 +10,20 @@ use skrifa::{FontRef, MetadataProvider};
 pub(crate) const REGULAR: &[u8] = include_bytes!("../assets/fonts/NotoSans-Regular.ttf");
 pub(crate) const ITALIC: &[u8] = include_bytes!("../assets/fonts/NotoSans-Italic.ttf");
 pub(crate) const BOLD: &[u8] = include_bytes!("../assets/fonts/NotoSans-Bold.ttf");
-/// The same fonts for the page.
+/// The same fonts for a browser.
 pub(crate) const REGULAR_WEB: &[u8] = include_bytes!("../assets/fonts/NotoSans-Regular.woff2");
 pub(crate) const BOLD_WEB: &[u8] = include_bytes!("../assets/fonts/NotoSans-Bold.woff2");
 pub(crate) const ITALIC_WEB: &[u8] = include_bytes!("../assets/fonts/NotoSans-Italic.woff2");
+
+/// The bundled font of this file name as a browser reads it (WOFF 2), none for other names.
+pub fn web_font(name: &str) -> Option<&'static [u8]> {
+    match name {
+        "NotoSans-Regular.woff2" => Some(REGULAR_WEB),
+        "NotoSans-Bold.woff2" => Some(BOLD_WEB),
+        "NotoSans-Italic.woff2" => Some(ITALIC_WEB),
+        _ => None,
+    }
+}
 
 /// Families to ask for where the bundled files are not at hand, the most alike first.
 pub(crate) const FAMILIES: &str = "Noto Sans, Open Sans, Segoe UI, DejaVu Sans, Arial, sans-serif";

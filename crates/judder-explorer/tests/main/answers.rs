@@ -26,6 +26,27 @@ fn map() -> Value {
     })
 }
 
+/// All that the page and its styles ask this server for is there, fonts among it.
+#[test]
+fn what_the_page_asks_for_is_served() {
+    let served = Served::new();
+    let asked = |text: &str, before: &str, after: char| -> Vec<String> {
+        text.split(before).skip(1).map(|rest| rest.split(after).next().unwrap().to_owned()).collect()
+    };
+    let index = served.get("/").text();
+    let styles: Vec<String> =
+        asked(&index, "href=\"", '"').into_iter().filter(|name| name.ends_with(".css")).collect();
+    assert_eq!(styles.len(), 1, "{index}");
+    let fonts = asked(&served.get(&styles[0]).text(), "url(", ')');
+    assert_eq!(fonts.len(), 3, "{fonts:?}");
+    for font in fonts {
+        let answer = served.get(&font);
+        assert_eq!((answer.status, answer.header("content-type")), (200, Some("font/woff2")), "{font}");
+        assert!(answer.body.starts_with(b"wOF2"), "{font}");
+    }
+    assert_eq!(served.get("/fonts/secret.woff2").status, 404);
+}
+
 #[test]
 fn the_session_has_the_case_and_its_keys() {
     let served = Served::new();

@@ -1,0 +1,1 @@
+import{D as e}from"./Value-BB4GotEG.js";import{J as t}from"./index-CjeV9JzB.js";function n({dataKey:n,value:r}){let i=r!=null;return t(`span`,{"data-key":n,"data-value":i?r:``,title:i?String(r):void 0,children:i?e(r):`—`})}export{n as t};

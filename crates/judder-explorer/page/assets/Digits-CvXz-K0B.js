@@ -1,1 +1,0 @@
-import{D as e}from"./Value-inpxvn65.js";import{J as t}from"./index-CwTf4QcZ.js";function n({dataKey:n,value:r}){let i=r!=null;return t(`span`,{"data-key":n,"data-value":i?r:``,title:i?String(r):void 0,children:i?e(r):`—`})}export{n as t};

@@ -8,10 +8,10 @@ use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::point::{self, AnalysedPoint};
 use judder_contact::{ContactLaw, LawPoint};
+use judder_numerics::parallel;
 use judder_oscillator::Contact;
 use judder_study::Progress;
 use judder_study::input_file::KnownFile;
-use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};
 
 /// Entries of a cache: a page, what was before, and as much again for another page.
@@ -167,7 +167,7 @@ pub fn law_surface(contact: &Contact, velocities: &[f64], indentations: &[f64]) 
         [response.force.value, response.area.value, response.friction.value]
     };
     let row = |y: &f64| velocities.iter().map(|v| at(*y, *v)).collect::<Vec<_>>();
-    let rows: Vec<[f64; 3]> = indentations.par_iter().flat_map_iter(row).collect();
+    let rows: Vec<[f64; 3]> = parallel::each(indentations, row).concat();
     let column = |k: usize| rows.iter().map(|values| values[k]).collect();
     LawSurface { force: column(0), area: column(1), friction: column(2) }
 }

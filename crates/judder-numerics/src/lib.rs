@@ -11,6 +11,7 @@
 //! - [`contact_state`]: stick, slip, lift-off, and their numbers in results.
 //! - [`counter`]: even random numbers, each computed from its place alone.
 //! - [`piecewise`]: motion whose equations change from mode to mode, with located events.
+//! - [`parallel`]: the same work on many things, over all threads.
 //! - [`ramp`]: from value to value: straight between places, half a cosine.
 //! - [`sampling`]: points that fill a cube evenly: Sobol' sequences, Latin hypercubes.
 //! - [`sensitivity`]: Sobol' indices of first order and total, with confidence intervals.
@@ -31,6 +32,7 @@ pub mod decade;
 pub mod dense;
 pub mod elementary;
 pub mod gmres;
+pub mod parallel;
 pub mod piecewise;
 pub mod polynomial;
 pub mod quadrature;

@@ -6,7 +6,7 @@ use crate::freedom::{Direction, Numbering};
 use crate::material::{Elastic, ElementSection};
 use crate::mesh::Mesh;
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
-use rayon::prelude::*;
+use judder_numerics::parallel;
 use std::collections::BTreeMap;
 
 /// A sparse matrix by columns.
@@ -81,15 +81,12 @@ pub(crate) fn assembled_of<const N: usize>(
     let pattern = Pattern::new(&tasks, numbering);
     let mut values: [Vec<f64>; N] = std::array::from_fn(|_| vec![0.0; pattern.rows.len()]);
     for (batch, tasks) in tasks.chunks(BATCH).enumerate() {
-        let matrices: Vec<[Vec<f64>; N]> = tasks
-            .par_iter()
-            .enumerate()
-            .map(|(k, task)| {
-                let places = task.nodes.iter().map(|node| mesh.nodes[*node]).collect();
-                let (elements, number) = (&kinds[task.elements], batch * BATCH + k);
-                of_element(&OneElement { elements, number, nodes: task.nodes, places })
-            })
-            .collect::<Result<_, _>>()?;
+        let matrices: Vec<[Vec<f64>; N]> = parallel::try_each_place(tasks.len(), |k| {
+            let task = &tasks[k];
+            let places = task.nodes.iter().map(|node| mesh.nodes[*node]).collect();
+            let (elements, number) = (&kinds[task.elements], batch * BATCH + k);
+            of_element(&OneElement { elements, number, nodes: task.nodes, places })
+        })?;
         for (task, matrices) in tasks.iter().zip(&matrices) {
             pattern.add(&mut values, task, numbering, matrices);
         }
@@ -207,16 +204,13 @@ impl Pattern {
                 }
             }
         }
-        let columns: Vec<Vec<usize>> = touching
-            .par_iter()
-            .map(|elements| {
-                let own = |k: &usize| numbering.of_element(tasks[*k].nodes).flatten();
-                let mut rows: Vec<usize> = elements.iter().flat_map(own).collect();
-                rows.sort_unstable();
-                rows.dedup();
-                rows
-            })
-            .collect();
+        let columns: Vec<Vec<usize>> = parallel::each(&touching, |elements| {
+            let own = |k: &usize| numbering.of_element(tasks[*k].nodes).flatten();
+            let mut rows: Vec<usize> = elements.iter().flat_map(own).collect();
+            rows.sort_unstable();
+            rows.dedup();
+            rows
+        });
         let mut starts = Vec::with_capacity(count + 1);
         starts.push(0);
         for column in &columns {

@@ -38,7 +38,7 @@ use accuracy::Accuracy;
 pub(crate) use accuracy::left_by_residuals;
 use cover::{Cover, cover};
 use faer::c64;
-use rayon::prelude::*;
+use judder_numerics::parallel;
 use refine::Neighbourhood;
 use whole::whole;
 
@@ -189,16 +189,14 @@ fn refined(
 ) -> Result<Vec<RefinedEigenvalue>, StructureError> {
     let neighbourhoods: Vec<Neighbourhood<'_>> =
         cover.discs.iter().map(|disc| Neighbourhood::new(problem, &disc.factor, &disc.triples)).collect();
-    let members = cover.members.par_iter();
-    let each = members.map(|(disc, place)| {
+    parallel::try_each(&cover.members, |(disc, place)| {
         let triple = &cover.discs[*disc].triples[*place];
         // no less than rounding may move it
         match region.contains(triple.value, SAME * region.radius()) {
             true => neighbourhoods[*disc].refined_to_rounding(*place),
             false => Ok(RefinedEigenvalue::measured(problem, triple.clone())),
         }
-    });
-    each.collect()
+    })
 }
 
 /// The modes in a region, or so near to it that rounding cannot tell, by rising imaginary part, with what each is known to; the method leaves open so much of each, times d.

@@ -10,6 +10,7 @@ use crate::statics::symmetric_product;
 use faer::linalg::matmul::matmul;
 use faer::sparse::Triplet;
 use faer::{Accum, Mat, Par};
+use judder_numerics::parallel;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -74,11 +75,10 @@ impl CraigBampton {
         let shapes = fixed_interface.iter().map(|mode| parts.outspread(&mode.shape));
         let columns: Vec<Vec<f64>> = constraints.into_iter().chain(shapes).collect();
         let images = |matrix: &Sparse| -> Vec<Vec<f64>> {
-            columns.par_iter().map(|column| symmetric_product(matrix, column)).collect()
+            parallel::each(&columns, |column| symmetric_product(matrix, column))
         };
         let with_mass = images(mass);
-        let loads: Vec<Vec<f64>> =
-            with_mass[..kept.len()].par_iter().map(|load| parts.of_inner(load)).collect();
+        let loads = parallel::each(&with_mass[..kept.len()], |load| parts.of_inner(load));
         let inertia = match from.is_finite() {
             true => left_out_inertia(loads, &fixed_interface, &inner_mass, &factor),
             false => Mat::zeros(kept.len(), kept.len()),
@@ -133,8 +133,7 @@ fn left_out_inertia(
     inner_mass: &Sparse,
     factor: &SymmetricFactor,
 ) -> Mat<f64> {
-    let with_mass: Vec<Vec<f64>> =
-        fixed_interface.par_iter().map(|mode| symmetric_product(inner_mass, &mode.shape)).collect();
+    let with_mass = parallel::each(fixed_interface, |mode| symmetric_product(inner_mass, &mode.shape));
     loads.par_iter_mut().for_each(|load| {
         for (mode, with_mass) in fixed_interface.iter().zip(&with_mass) {
             let share: f64 = load.iter().zip(&mode.shape).map(|(m, u)| m * u).sum();
@@ -143,14 +142,11 @@ fn left_out_inertia(
             }
         }
     });
-    let moved: Vec<Vec<f64>> = loads
-        .par_iter()
-        .map(|load| {
-            let mut moved = load.clone();
-            factor.solve(&mut moved);
-            moved
-        })
-        .collect();
+    let moved: Vec<Vec<f64>> = parallel::each(&loads, |load| {
+        let mut moved = load.clone();
+        factor.solve(&mut moved);
+        moved
+    });
     symmetric_gram(&loads, &moved)
 }
 
@@ -170,7 +166,7 @@ fn symmetric_gram(a: &[Vec<f64>], b: &[Vec<f64>]) -> Mat<f64> {
     let mut sum = Mat::<f64>::zeros(count, count);
     let chunks: Vec<usize> = (0..rows.div_ceil(CHUNK)).collect();
     for group in chunks.chunks(8) {
-        let partials: Vec<Mat<f64>> = group.par_iter().map(|chunk| partial(*chunk)).collect();
+        let partials: Vec<Mat<f64>> = parallel::each(group, |chunk| partial(*chunk));
         for partial in &partials {
             sum += partial;
         }
@@ -247,6 +243,6 @@ impl<'a> FreedomParts<'a> {
             all[*freedom] = 1.0;
             all
         };
-        self.kept.par_iter().map(of).collect()
+        parallel::each(self.kept, of)
     }
 }

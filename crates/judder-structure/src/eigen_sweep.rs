@@ -18,8 +18,8 @@ use crate::complex_modes::{
 use crate::onset::StabilityAt;
 use faer::c64;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::parallel;
 use projection::Projection;
-use rayon::prelude::*;
 use samples::FullSamples;
 use std::fmt::{self, Display, Formatter};
 use std::ops::Range;
@@ -268,9 +268,9 @@ pub fn followed<E: Send>(
     let mut sweep = SweptEigenvalues::empty();
     let numbers: Vec<usize> = curve.collect();
     for batch in numbers.chunks(BATCH) {
-        let solved: Vec<Result<SolvedPoint, E>> = batch.par_iter().map(|number| solve(*number)).collect();
+        let solved = parallel::try_each(batch, |number| solve(*number))?;
         for point in solved {
-            let SolvedPoint { modes, gaps, full } = point?;
+            let SolvedPoint { modes, gaps, full } = point;
             let branches = tracker.next(&modes);
             let eigenvalues = modes
                 .iter()

@@ -19,7 +19,7 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::perm::PermRef;
 use faer::sparse::utils::{permute_self_adjoint_scratch, permute_self_adjoint_to_unsorted};
 use front::{Front, FrontAssembly};
-use rayon::prelude::*;
+use judder_numerics::parallel;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use tree::{Subtree, Tree};
@@ -176,7 +176,7 @@ fn over_tree<F, U: Send, T: Send>(
         let update = branch.blocks.last().map(|root| taken_update(&mut updates, *root));
         Ok((kept, update.unwrap_or_default()))
     };
-    let of_branches: Vec<_> = tree.branches.par_iter().map(branch).collect::<Result<_, _>>()?;
+    let of_branches = parallel::try_each(&tree.branches, branch)?;
     let mut updates = BTreeMap::new();
     let mut kept: Vec<Option<T>> = (0..tree.blocks()).map(|_| None).collect();
     for (branch, (own, update)) in tree.branches.iter().zip(of_branches) {

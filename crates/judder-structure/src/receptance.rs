@@ -4,7 +4,7 @@ use crate::StructureError;
 use crate::complex_modes::ShiftedFactor;
 use crate::quadratic::{MatrixSide, Quadratic};
 use faer::{Mat, c64};
-use rayon::prelude::*;
+use judder_numerics::parallel;
 
 /// The receptance at one frequency, found twice.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,7 +32,7 @@ pub fn receptances(
     observed: usize,
     frequencies: &[f64],
 ) -> Result<Vec<Receptance>, StructureError> {
-    frequencies.par_iter().map(|frequency| at(problem, excited, observed, *frequency)).collect()
+    parallel::try_each(frequencies, |frequency| at(problem, excited, observed, *frequency))
 }
 
 fn at(

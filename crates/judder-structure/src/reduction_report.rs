@@ -8,7 +8,7 @@ use crate::modes::{Mode, WantedModes, modes};
 use crate::statics::sum;
 use faer::linalg::solvers::{Lblt, Solve};
 use faer::{Mat, Side};
-use rayon::prelude::*;
+use judder_numerics::parallel;
 use std::f64::consts::TAU;
 
 /// The tolerance of the limit that a report names.
@@ -95,7 +95,7 @@ fn full_compliance(
         factor.solve(&mut u);
         kept.iter().map(|read| u[*read]).collect()
     };
-    let columns: Vec<Vec<f64>> = kept.par_iter().map(column).collect();
+    let columns: Vec<Vec<f64>> = parallel::each(kept, column);
     Ok(Mat::from_fn(kept.len(), kept.len(), |i, j| columns[j][i]))
 }
 

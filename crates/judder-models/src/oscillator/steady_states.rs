@@ -6,12 +6,12 @@ use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::sweep::Sweep;
 use judder_contact::{ContactLaw, ValidityConcern};
+use judder_numerics::parallel;
 use judder_oscillator::equilibrium::{Equilibrium, equilibrium};
 use judder_oscillator::linearisation::Linearisation;
 use judder_oscillator::{Coefficients, Contact, OscillatorError};
 use judder_study::Progress;
 use judder_study::text::short;
-use rayon::prelude::*;
 
 /// Steady sliding at one point of a sweep.
 #[derive(Debug, Clone, Copy)]
@@ -37,20 +37,16 @@ pub(crate) fn along(
     sweep: &Sweep<OscillatorKey>,
     progress: &dyn Progress,
 ) -> Result<Vec<Result<SteadyState, OscillatorError>>, ModelError> {
-    sweep
-        .values()
-        .into_par_iter()
-        .map(|value| {
-            if progress.interrupted() {
-                return Err(ModelError::Interrupted);
-            }
-            let mut here = *inputs;
-            sweep.set(&mut here, value);
-            let state = SteadyState::new(contact, &here);
-            progress.advance();
-            Ok(state)
-        })
-        .collect()
+    parallel::try_each(&sweep.values(), |value| {
+        if progress.interrupted() {
+            return Err(ModelError::Interrupted);
+        }
+        let mut here = *inputs;
+        sweep.set(&mut here, *value);
+        let state = SteadyState::new(contact, &here);
+        progress.advance();
+        Ok(state)
+    })
 }
 
 /// A warning for each way in which points lie outside the law's range of validity: how many, and one of them.

@@ -7,13 +7,13 @@ use crate::sliding::locus::settings::{Along, LocusAnalysis};
 use crate::sliding::system::ReducedPair;
 use faer::Mat;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::parallel;
 use judder_sliding::locus::{Conditions, Configuration, contact, spectrum};
 use judder_sliding::shape::{gap_residual, mode_shape};
 use judder_sliding::spectrum::WantedEigenvalues;
 use judder_study::StudyError;
 use judder_study::case::file::CaseFile;
 use num_complex::Complex64;
-use rayon::prelude::*;
 
 /// The pair of a sliding case with the shapes of its structures on all their points: made once, asked at many positions.
 pub struct ShapedPair {
@@ -96,15 +96,11 @@ impl ShapedPair {
         let (coupling, _) = contact(pair, &conditions, position)?;
         let damping = if conditions.is_damped { pair.damping() } else { vec![0.0; pair.modes()] };
         let own = pair.eigenvalues();
-        let shapes: Vec<(Vec<[Complex64; 3]>, f64)> = eigenvalues
-            .par_iter()
-            .map(|s| {
-                let shape = mode_shape(&coupling, &own, &damping, *s);
-                let shape =
-                    if shape.iter().all(|q| q.is_finite()) { shape } else { pole(&own, &damping, *s) };
-                (self.displacements(&shape), gap_residual(&coupling, &shape))
-            })
-            .collect();
+        let shapes: Vec<(Vec<[Complex64; 3]>, f64)> = parallel::each(&eigenvalues, |s| {
+            let shape = mode_shape(&coupling, &own, &damping, *s);
+            let shape = if shape.iter().all(|q| q.is_finite()) { shape } else { pole(&own, &damping, *s) };
+            (self.displacements(&shape), gap_residual(&coupling, &shape))
+        });
         let (shapes, gap_residuals) = shapes.into_iter().unzip();
         let (points, slider_points, lines) = self.picture(position);
         Ok(SlidingShapes { position, points, slider_points, lines, eigenvalues, shapes, gap_residuals })

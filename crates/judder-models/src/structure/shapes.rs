@@ -2,10 +2,10 @@
 
 use crate::error::ModelError;
 use crate::structure::build::StructureLayout;
+use judder_numerics::parallel;
 use judder_store::{Dataset, Variable};
 use judder_structure::modes::Mode;
 use num_complex::Complex64;
-use rayon::prelude::*;
 
 /// What the shapes of an analysis may take in `results.zarr`, bytes.
 const SHAPE_BYTES: usize = 128 << 20;
@@ -14,14 +14,10 @@ const SHAPE_BYTES: usize = 128 << 20;
 pub(super) fn mac(modes: &[Mode]) -> Vec<f64> {
     let dot = |a: &Mode, b: &Mode| a.shape.iter().zip(&b.shape).map(|(a, b)| a * b).sum::<f64>();
     let own: Vec<f64> = modes.iter().map(|mode| dot(mode, mode)).collect();
-    let rows: Vec<Vec<f64>> = modes
-        .par_iter()
-        .enumerate()
-        .map(|(i, mode)| {
-            modes.iter().enumerate().map(|(j, other)| dot(mode, other).powi(2) / (own[i] * own[j])).collect()
-        })
-        .collect();
-    rows.concat()
+    let row = |i: usize| -> Vec<f64> {
+        modes.iter().enumerate().map(|(j, other)| dot(&modes[i], other).powi(2) / (own[i] * own[j])).collect()
+    };
+    parallel::each_place(modes.len(), row).concat()
 }
 
 /// The same of complex shapes, |φᵢᴴφⱼ|²/((φᵢᴴφᵢ)(φⱼᴴφⱼ)).

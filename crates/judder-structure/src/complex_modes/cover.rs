@@ -6,8 +6,8 @@ use crate::StructureError;
 use crate::quadratic::{Quadratic, Region};
 use faer::c64;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::parallel;
 use judder_numerics::words::{plain, plain_complex};
-use rayon::prelude::*;
 use std::fmt;
 
 /// Why the eigenvalues of a region may not be all.
@@ -110,10 +110,8 @@ pub(super) fn cover(problem: &Quadratic, region: &Region) -> Result<Cover, Struc
     let (mut discs, mut gaps, mut searches) = (Vec::new(), Vec::new(), 0);
     let mut parts = region.halves().to_vec();
     for halving in 0..=HALVINGS {
-        let searched: Vec<SearchedDisc> = parts
-            .par_iter()
-            .map(|part| SearchedDisc::search(problem, part.centre(), MARGIN * part.radius()))
-            .collect::<Result<_, _>>()?;
+        let search = |part: &Region| SearchedDisc::search(problem, part.centre(), MARGIN * part.radius());
+        let searched: Vec<SearchedDisc> = parallel::try_each(&parts, search)?;
         searches += parts.len();
         let mut smaller = Vec::new();
         for (part, disc) in parts.iter().zip(searched) {

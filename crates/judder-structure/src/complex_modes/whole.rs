@@ -18,7 +18,7 @@ use crate::quadratic::{MatrixSide, Quadratic, Region};
 use faer::{Mat, c64};
 use judder_dense::general::complex_eigen;
 use judder_numerics::complex::ElementaryComplex;
-use rayon::prelude::*;
+use judder_numerics::parallel;
 
 /// Problems of at most so many freedoms are solved whole.
 pub(super) const LARGEST: usize = 200;
@@ -106,7 +106,7 @@ fn refined(
         let stayed = (refined.triple.value - triples[k].value).modulus() <= own(k);
         Ok(if stayed { refined } else { RefinedEigenvalue::measured(problem, triples[k].clone()) })
     };
-    (0..triples.len()).into_par_iter().map(one).collect()
+    parallel::try_each_place(triples.len(), one)
 }
 
 /// Where a determinant is not that of the eigenvalues.
@@ -133,7 +133,7 @@ fn unproved(
         // so too where the rest is not a number
         Ok(!(rest.re.abs() <= TOLERANCE && phase.abs() <= TOLERANCE))
     };
-    let differing: Vec<bool> = places.par_iter().map(differs).collect::<Result<_, _>>()?;
+    let differing: Vec<bool> = parallel::try_each(&places, differs)?;
     let first = differing.iter().position(|differs| *differs);
     Ok(first.map(|k| Gap::Unproved { found, place: places[k] }).into_iter().collect())
 }

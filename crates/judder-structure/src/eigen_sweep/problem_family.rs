@@ -7,7 +7,7 @@ use crate::quadratic::Quadratic;
 use crate::statics;
 use faer::{Mat, MatRef};
 use judder_dense::product::product;
-use rayon::prelude::*;
+use judder_numerics::parallel;
 use std::array;
 
 /// Problems of one size over parameters.
@@ -173,8 +173,7 @@ fn projected_entries(entries: &[PlacedEntry], basis: MatRef<'_, f64>) -> Mat<f64
 #[must_use]
 fn projected(matrix: &Sparse, basis: MatRef<'_, f64>) -> Mat<f64> {
     let vector = |k: usize| (0..basis.nrows()).map(|row| basis[(row, k)]).collect::<Vec<f64>>();
-    let columns: Vec<Vec<f64>> =
-        (0..basis.ncols()).into_par_iter().map(|k| statics::product(matrix, &vector(k))).collect();
+    let columns = parallel::each_place(basis.ncols(), |k| statics::product(matrix, &vector(k)));
     let image = Mat::from_fn(basis.nrows(), basis.ncols(), |row, k| columns[k][row]);
     product(basis.transpose(), image.as_ref())
 }

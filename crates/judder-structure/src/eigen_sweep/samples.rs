@@ -8,7 +8,7 @@ use crate::complex_modes::{
     ComplexMode, ComplexModeSettings, Gap, Region, SearchedRegion, finished, left_by_residuals, searched,
 };
 use crate::quadratic::Quadratic;
-use rayon::prelude::*;
+use judder_numerics::parallel;
 
 /// Points solved in full, each with the region's surroundings.
 pub(super) struct FullSamples<'a, F: ProblemFamily> {
@@ -63,10 +63,9 @@ impl<'a, F: ProblemFamily> FullSamples<'a, F> {
     /// Solves points in full and makes the basis anew.
     fn take(&mut self, numbers: &[usize]) -> Result<(), F::Error> {
         let wide = self.region.widened(SURROUNDINGS);
-        let solved: Vec<SearchedRegion> = numbers
-            .par_iter()
-            .map(|number| Ok(searched(&self.family.at(self.points[*number])?, &wide)?))
-            .collect::<Result<_, F::Error>>()?;
+        let search =
+            |number: &usize| Ok::<_, F::Error>(searched(&self.family.at(self.points[*number])?, &wide)?);
+        let solved: Vec<SearchedRegion> = parallel::try_each(numbers, search)?;
         let before = self.projection.take().map(Projection::into_basis);
         let mut basis = Some(before.unwrap_or_else(|| SnapshotBasis::empty(self.tolerance)));
         for sample in solved.iter().filter(|sample| !sample.refined.is_empty()) {

@@ -9,6 +9,7 @@ use super::{Elimination, SymmetricFactor};
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::solve_unit_lower_triangular_in_place;
 use faer::{Accum, Mat, MatMut, Par};
+use judder_numerics::parallel;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -41,19 +42,15 @@ impl SymmetricFactor {
     pub fn compliance(&self, forms: &[&[(usize, f64)]], count: usize) -> Mat<f64> {
         let Elimination { tree, inverse, .. } = &*self.pattern.shared;
         let entries = by_block(tree, inverse, forms);
-        let of_branches: Vec<OfBranch> = tree
-            .branches
-            .par_iter()
-            .map(|branch| {
-                let (mut passing, mut added) = (BTreeMap::new(), Vec::new());
-                for block in &branch.blocks {
-                    let own = self.passed(*block, &entries[*block], &mut passing, count);
-                    added.extend(own);
-                }
-                let root = branch.blocks.last().and_then(|root| Some((*root, passing.remove(root)?)));
-                (root, added)
-            })
-            .collect();
+        let of_branches: Vec<OfBranch> = parallel::each(&tree.branches, |branch| {
+            let (mut passing, mut added) = (BTreeMap::new(), Vec::new());
+            for block in &branch.blocks {
+                let own = self.passed(*block, &entries[*block], &mut passing, count);
+                added.extend(own);
+            }
+            let root = branch.blocks.last().and_then(|root| Some((*root, passing.remove(root)?)));
+            (root, added)
+        });
         let mut sums = Mat::zeros(count, forms.len());
         let mut passing = BTreeMap::new();
         for (root, added) in of_branches {

@@ -12,7 +12,7 @@ use faer::sparse::linalg::cholesky::simplicial::{
     prefactorize_symbolic_cholesky, prefactorize_symbolic_cholesky_scratch,
 };
 use feral_scotch::{CscPattern, ScotchOptions, scotch_order_full};
-use rayon::prelude::*;
+use judder_numerics::parallel;
 
 /// Factorisations of fewer operations are done before a dissection is.
 const WORTH_DISSECTING: f64 = 5e8;
@@ -35,7 +35,7 @@ pub(super) fn order(matrix: &Sparse) -> Result<Vec<usize>, StructureError> {
         let dissected = |seed: &u64| -> Result<_, StructureError> {
             dissection(&graph, *seed).map(|order| Ok((operations(&graph, &order)?, order))).transpose()
         };
-        let dissected: Vec<_> = SEEDS.par_iter().map(dissected).collect::<Result<_, _>>()?;
+        let dissected = parallel::try_each(&SEEDS, dissected)?;
         for (operations, order) in dissected.into_iter().flatten() {
             // of equals the first
             if operations < fewest {

@@ -7,7 +7,7 @@ use faer::linalg::triangular_solve::{
     solve_unit_lower_triangular_in_place, solve_unit_upper_triangular_in_place,
 };
 use faer::{MatRef, Par};
-use rayon::prelude::*;
+use judder_numerics::parallel;
 use std::ops::Range;
 
 /// Rows that are worked together.
@@ -25,7 +25,7 @@ impl SymmetricFactor {
         let shared = !tree.branches.is_empty();
         let mut x = right.each_ref().map(|right| order.iter().map(|row| right[*row]).collect::<Vec<f64>>());
         let forward = |branch: &Subtree| self.forward_branch(branch, &x);
-        let solved: Vec<[Vec<f64>; N]> = tree.branches.par_iter().map(forward).collect();
+        let solved: Vec<[Vec<f64>; N]> = parallel::each(&tree.branches, forward);
         for (branch, solved) in tree.branches.iter().zip(&solved) {
             let (columns, rows) = branch.places.split_at(branch.columns);
             for (x, solved) in x.iter_mut().zip(solved) {
@@ -56,7 +56,7 @@ impl SymmetricFactor {
             }
         }
         let backward = |branch: &Subtree| self.backward_branch(branch, &x);
-        let solved: Vec<[Vec<f64>; N]> = tree.branches.par_iter().map(backward).collect();
+        let solved: Vec<[Vec<f64>; N]> = parallel::each(&tree.branches, backward);
         for (branch, solved) in tree.branches.iter().zip(&solved) {
             for (x, solved) in x.iter_mut().zip(solved) {
                 for (place, value) in branch.places.iter().zip(&solved[..branch.columns]) {
@@ -200,7 +200,7 @@ fn pieces<T: Send>(rows: usize, shared: bool, work: impl Fn(Range<usize>) -> T +
     let piece = |k: usize| work(k * CHUNK..rows.min((k + 1) * CHUNK));
     let count = rows.div_ceil(CHUNK);
     match shared {
-        true => (0..count).into_par_iter().map(piece).collect(),
+        true => parallel::each_place(count, piece),
         false => (0..count).map(piece).collect(),
     }
 }

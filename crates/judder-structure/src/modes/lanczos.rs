@@ -7,6 +7,7 @@ use crate::statics::{dot, symmetric_product};
 use faer::Mat;
 use judder_dense::symmetric::{Eigen, symmetric};
 use judder_numerics::counter::uniform;
+use judder_numerics::parallel;
 use rayon::prelude::*;
 use std::collections::VecDeque;
 
@@ -191,7 +192,7 @@ impl<'a> Lanczos<'a> {
             return total;
         }
         for _ in 0..2 {
-            let shares: Vec<f64> = with_mass.par_iter().map(|with_mass| dot(vector, with_mass)).collect();
+            let shares: Vec<f64> = parallel::each(with_mass, |with_mass| dot(vector, with_mass));
             vector.par_chunks_mut(CHUNK).enumerate().for_each(|(k, chunk)| {
                 for (basis, share) in basis.iter().zip(&shares) {
                     for (v, b) in chunk.iter_mut().zip(&basis[k * CHUNK..]) {

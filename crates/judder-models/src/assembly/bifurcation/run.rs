@@ -11,15 +11,14 @@ use crate::assembly::limit_cycle::stability::KnownStability;
 use crate::assembly::meant_mode::{fastest, near_frequency};
 use crate::assembly::swept::{SlidingState, SweptAssembly};
 use crate::error::ModelError;
-use judder_cycles::CyclesError;
 use judder_cycles::backbone::BackboneSettings;
 use judder_cycles::balance::HarmonicBalance;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey, CycleBranchEnd};
 use judder_cycles::cycle::points;
+use judder_numerics::parallel;
 use judder_study::Progress;
 use judder_study::outcome::Outcome;
 use num_complex::Complex64;
-use rayon::prelude::*;
 
 /// Values at which a first cycle is sought.
 const TRIED: usize = 5;
@@ -184,13 +183,11 @@ fn fold_errors(
 ) -> Result<[Vec<f64>; 2], ModelError> {
     let [down, up] = ways.map(|way| {
         along.progress.expect(way.folds.len());
-        let errors = (0..way.folds.len()).into_par_iter().map(|place| {
+        parallel::try_each_place(way.folds.len(), |place| {
             let error = along.fold_error(balance, way, place);
             along.progress.advance();
             error
-        });
-        // all of them, so that of several errors the first is told
-        errors.collect::<Vec<Result<f64, CyclesError>>>().into_iter().collect::<Result<Vec<f64>, _>>()
+        })
     });
     Ok([down?, up?])
 }

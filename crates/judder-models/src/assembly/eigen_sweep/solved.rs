@@ -3,11 +3,11 @@
 use crate::assembly::swept::{SlidingState, SweptAssembly};
 use crate::error::ModelError;
 use crate::structure::eigen_sweep::onsets::LocatedOnsets;
+use judder_numerics::parallel;
 use judder_structure::complex_modes::{ComplexModeSettings, Region};
 use judder_structure::eigen_sweep::{PreparedSweep, SolvedPoint, SweepMethod, SweptEigenvalues, followed};
 use judder_structure::onset::StabilityAt;
 use judder_study::{Progress, StudyError};
-use rayon::prelude::*;
 
 /// Eigenvalues at all values, followed, and where modes begin or cease to grow.
 pub(in crate::assembly) struct SolvedSweep {
@@ -25,13 +25,10 @@ impl SolvedSweep {
         region: &Region,
         progress: &dyn Progress,
     ) -> Result<Self, ModelError> {
-        let states: Vec<Result<SlidingState, String>> = values
-            .par_iter()
-            .map(|value| {
-                progress.go_on()?;
-                Ok(family.state(&[*value]).map_err(|error| error.to_string()))
-            })
-            .collect::<Result<_, StudyError>>()?;
+        let states = parallel::try_each(values, |value| {
+            progress.go_on()?;
+            Ok::<_, StudyError>(family.state(&[*value]).map_err(|error| error.to_string()))
+        })?;
         let groups = HeldGroup::of_states(&states);
         let prepared = groups
             .iter()

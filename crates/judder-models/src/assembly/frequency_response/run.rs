@@ -14,10 +14,10 @@ use judder_cycles::balance::HarmonicBalance;
 use judder_cycles::cycle::points;
 use judder_cycles::forced::{ForcedResponse, ResponseEnd, forced_response};
 use judder_cycles::power::power;
+use judder_numerics::parallel;
 use judder_store::Results;
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
-use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// Instants at which the energy over a period is looked at, at least.
@@ -46,8 +46,7 @@ pub(super) fn run(
         KnownStability::of(&balance, motion, asked.stability, progress)?
             .and_by_hill(&balance, motion, ROWS, progress)
     };
-    let stabilities: Vec<Result<_, ModelError>> = found.motions.par_iter().map(of_motion).collect();
-    let stabilities = stabilities.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let stabilities = parallel::try_each(&found.motions, of_motion)?;
     let coordinates = FollowedCoordinate::all(&of.built.watched, &balance, &found)?;
     let (mut peaks, mut disagreement) = (Vec::new(), Disagreement::default());
     for own in &coordinates {

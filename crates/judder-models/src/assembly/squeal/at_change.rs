@@ -6,12 +6,12 @@ use crate::assembly::swept::SweptAssembly;
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::parallel;
 use judder_structure::complex_modes::{Eigenvalue, Verdict};
 use judder_structure::eigen_sweep::{SolvedPoint, SweptEigenvalues, followed};
 use judder_study::Progress;
 use judder_study::text::short;
 use num_complex::Complex64;
-use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// Changes on the way at which the mode is looked for, at most, the whole one among them, and by how much of itself the number changes from one to the next where these suffice.
@@ -75,8 +75,7 @@ impl ModeInBand {
                 solved => Ok(solved.map_err(|error| error.to_string())),
             }
         };
-        let solved = (0..=steps).into_par_iter().map(solve).collect::<Vec<_>>();
-        let solved = solved.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let solved = parallel::try_each_place(steps + 1, solve)?;
         if let Err(reason) = &solved[steps] {
             return Ok(ModesAtChange::unknown(reason));
         }

@@ -12,12 +12,12 @@ use judder_keys::dimension::Dimension;
 use judder_keys::document::PARAMETERS;
 use judder_keys::quantity::WrittenUnit;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::parallel;
 use judder_store::Results;
 use judder_study::Progress;
 use judder_study::case::scale::Spacing;
 use judder_study::labels::any_key;
 use num_complex::Complex64;
-use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// By how much of itself a number is changed for its derivative.
@@ -106,10 +106,7 @@ pub(super) fn cures(
         let then = leading.at_change(of, &sweep, (value, change), progress)?;
         Ok(Some(found.with_change(then)))
     };
-    // all of them, so that of several errors the first is told
-    let found: Vec<Result<Option<ToldCure>, ModelError>> = paths.par_iter().map(sought).collect();
-    let mut keys: Vec<ToldCure> =
-        found.into_iter().filter_map(Result::transpose).collect::<Result<_, _>>()?;
+    let mut keys: Vec<ToldCure> = parallel::try_each(&paths, sought)?.into_iter().flatten().collect();
     let place = |own: &ToldCure| {
         let is_short = own.growth_rate_at_change.is_none_or(|growth| growth > LEFT * mode.re);
         (own.change.is_none(), is_short, own.smooth != Some(true))

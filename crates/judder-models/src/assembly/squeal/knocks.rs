@@ -11,12 +11,12 @@ use judder_nonsmooth::contact_problem::PointMotion;
 use judder_nonsmooth::energy::{EnergyAboutSliding, EnergyWindows};
 use judder_nonsmooth::march::NonsmoothMarch;
 use judder_numerics::counter::uniform;
+use judder_numerics::parallel;
 use judder_numerics::share::wilson;
 use judder_store::{Dataset, Results, Variable};
 use judder_structure::factor::SymmetricFactor;
 use judder_study::Progress;
 use judder_study::kept::KeptLines;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -97,19 +97,15 @@ pub(super) fn knocked(
     let follower = KnockFollower { asked, steady, sliding, unit, energy, small, progress };
     let known: BTreeMap<usize, KnockedMotion> =
         kept.known::<KnockedMotion>().into_iter().map(|motion| (motion.sample, motion)).collect();
-    // all of them, so that of several errors the first is told
-    let motions: Vec<Result<KnockedMotion, ModelError>> = (0..asked.samples)
-        .into_par_iter()
-        .map(|sample| match known.get(&sample) {
-            Some(motion) => Ok(*motion),
-            None => {
-                let motion = follower.follow(&mut march.clone(), sample)?;
-                kept.add(&motion);
-                Ok(motion)
-            }
-        })
-        .collect();
-    Ok(SampledKnocks { motions: motions.into_iter().collect::<Result<_, _>>()? })
+    let motions = parallel::try_each_place(asked.samples, |sample| match known.get(&sample) {
+        Some(motion) => Ok(*motion),
+        None => {
+            let motion = follower.follow(&mut march.clone(), sample)?;
+            kept.add(&motion);
+            Ok::<_, ModelError>(motion)
+        }
+    })?;
+    Ok(SampledKnocks { motions })
 }
 
 /// Whether the forces of a contact point that is closed in steady sliding bend about it.

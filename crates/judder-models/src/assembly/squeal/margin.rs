@@ -18,12 +18,12 @@ use judder_cycles::backbone::BackboneSettings;
 use judder_cycles::balance::HarmonicBalance;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey, CycleBranchEnd};
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::parallel;
 use judder_structure::complex_modes::Verdict;
 use judder_structure::eigen_sweep::{SweepMethod, SweptEigenvalues};
 use judder_structure::onset::{Onset, OnsetKind};
 use judder_study::{Progress, Untold};
 use num_complex::Complex64;
-use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// Margins of all onsets of a band.
@@ -81,16 +81,11 @@ pub(super) fn margins(
     let flutter = solved.onsets.onsets.iter().filter(|own| own.kind == OnsetKind::Flutter);
     let onsets: Vec<(&Onset, Option<usize>)> =
         flutter.map(|onset| (onset, branches.mode_of(onset))).collect();
-    // all of them, so that of several errors the first is told
-    let onsets: Vec<Result<MarginOfOnset, ModelError>> = onsets
-        .par_iter()
-        .map(|(onset, mode)| {
-            progress.go_on()?;
-            let reach = along.reach(onset, mode.map(|mode| modes[mode]))?;
-            Ok(MarginOfOnset::new(onset, *mode, reach, own))
-        })
-        .collect();
-    let onsets = onsets.into_iter().collect::<Result<_, _>>()?;
+    let onsets = parallel::try_each(&onsets, |(onset, mode)| {
+        progress.go_on()?;
+        let reach = along.reach(onset, mode.map(|mode| modes[mode]))?;
+        Ok::<_, ModelError>(MarginOfOnset::new(onset, *mode, reach, own))
+    })?;
     Ok(SoughtMargins { own, onsets, doubt: solved.onsets.warning(&|value| sweep.text(value)) })
 }
 

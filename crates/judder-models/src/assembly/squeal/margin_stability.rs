@@ -5,7 +5,7 @@ use crate::assembly::limit_cycle::stability::KnownStability;
 use crate::error::ModelError;
 use judder_cycles::balance::HarmonicBalance;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey};
-use rayon::prelude::*;
+use judder_numerics::parallel;
 
 /// The most cycles that are looked at on either side of an onset: multipliers of all would take longer than the branch.
 pub(super) const LOOKED_AT: usize = 2;
@@ -49,9 +49,7 @@ impl StabilityOnBranch {
             let (value, is_beyond) = (cycle.parameter, beyond(cycle.parameter) > 0.0);
             Ok(CycleOnBranch { value, is_beyond, stable: stability.is_stable() })
         };
-        // all of them, so that of several errors the first is told
-        let cycles: Vec<Result<CycleOnBranch, ModelError>> = chosen.par_iter().map(known).collect();
-        Ok(Self { cycles: cycles.into_iter().collect::<Result<_, _>>()? })
+        Ok(Self { cycles: parallel::try_each(&chosen, known)? })
     }
 
     /// Those where steady sliding is stable.

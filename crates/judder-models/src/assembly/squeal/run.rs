@@ -19,13 +19,13 @@ use crate::error::ModelError;
 use crate::structure::eigen::run::found;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::SteadySliding;
+use judder_numerics::parallel;
 use judder_structure::complex_modes::{ComplexMode, Verdict};
 use judder_study::Progress;
 use judder_study::kept::KeptLines;
 use judder_study::outcome::{CheckRecord, Outcome};
 use judder_study::text::short;
 use num_complex::Complex64;
-use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 pub(super) fn run(
@@ -123,9 +123,7 @@ fn sought(
         };
         Ok((*value, cycle))
     };
-    // all of them, so that of several errors the first is told
-    let found: Vec<Result<SoughtMode, ModelError>> = modes.par_iter().map(sought).collect();
-    found.into_iter().collect()
+    parallel::try_each(modes, sought)
 }
 
 /// What is checked of all cycles that were found.

@@ -7,14 +7,14 @@ use crate::assembly::AssemblySubject;
 use crate::assembly::swept::{SweptAssembly, beyond_laws};
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
+use judder_numerics::parallel;
 use judder_store::{Dataset, Results, Variable};
 use judder_structure::onset::onsets_between;
 use judder_structure::quadratic::Region;
+use judder_study::Progress;
 use judder_study::axis::SweptAxis;
 use judder_study::kept::KeptLines;
 use judder_study::outcome::Outcome;
-use judder_study::{Progress, StudyError};
-use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// What is told of a map.
@@ -115,25 +115,23 @@ impl SolvedMap<'_> {
         let columns = self.x.values.len();
         let known = kept.known::<KeptMapPoint>().into_iter().map(|own| (own.index, own));
         let known: BTreeMap<usize, KeptMapPoint> = known.collect();
-        let solved: Vec<DecidedPoint> = (0..columns * self.y.values.len())
-            .into_par_iter()
-            .map(|index| {
-                progress.go_on()?;
-                // who runs analyses takes the last step of each
-                if index > 0 {
-                    progress.advance();
-                }
-                if let Some(point) = known.get(&index) {
-                    return Ok(point.solved());
-                }
-                let solved = match self.solved([index % columns, index / columns]) {
-                    Err(ModelError::Interrupted) => return Err(ModelError::Interrupted),
-                    solved => solved.map_err(|error| error.to_string()),
-                };
-                kept.add(&KeptMapPoint::new(index, &solved));
-                Ok(solved)
-            })
-            .collect::<Result<_, ModelError>>()?;
+        let count = columns * self.y.values.len();
+        let solved: Vec<DecidedPoint> = parallel::try_each_place(count, |index| {
+            progress.go_on()?;
+            // who runs analyses takes the last step of each
+            if index > 0 {
+                progress.advance();
+            }
+            if let Some(point) = known.get(&index) {
+                return Ok(point.solved());
+            }
+            let solved = match self.solved([index % columns, index / columns]) {
+                Err(ModelError::Interrupted) => return Err(ModelError::Interrupted),
+                solved => solved.map_err(|error| error.to_string()),
+            };
+            kept.add(&KeptMapPoint::new(index, &solved));
+            Ok::<_, ModelError>(solved)
+        })?;
         let (mut points, mut reasons) = (Vec::with_capacity(solved.len()), Vec::new());
         for point in solved {
             points.push(point.unwrap_or_else(|reason| {
@@ -161,8 +159,7 @@ impl SolvedMap<'_> {
             let found = self.between(points, *pair, progress);
             progress.go_on().map(|()| found)
         };
-        let found: Vec<Option<[f64; 2]>> =
-            pairs.par_iter().map(between).collect::<Result<_, StudyError>>()?;
+        let found: Vec<Option<[f64; 2]>> = parallel::try_each(&pairs, between)?;
         Ok(found.into_iter().flatten().collect())
     }
 

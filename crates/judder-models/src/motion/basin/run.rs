@@ -5,6 +5,7 @@ use crate::motion::becomes::{BECOMES, LOST, STEADY_SLIDING, UNCONFIRMED, becomes
 use crate::motion::model::{Moving, Operating};
 use crate::motion::settings::Following;
 use judder_numerics::counter::uniform;
+use judder_numerics::parallel;
 use judder_numerics::piecewise::MarchError;
 use judder_numerics::share::wilson;
 use judder_oscillator::cycle::{Confirmed, settle_confirmed};
@@ -14,7 +15,6 @@ use judder_store::{ByName, Dataset, Declared, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::kept::KeptLines;
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -67,21 +67,18 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     let operating = model.operating(None)?;
     let known: BTreeMap<usize, SampledStart> =
         kept.known::<SampledStart>().into_iter().map(|sample| (sample.sample, sample)).collect();
-    let samples: Vec<SampledStart> = (0..draw.samples)
-        .into_par_iter()
-        .map(|index| {
-            let sample = match known.get(&index) {
-                Some(sample) => *sample,
-                None => {
-                    let sample = follow(&operating, draw, following, index, progress)?;
-                    kept.add(&sample);
-                    sample
-                }
-            };
-            progress.advance();
-            Ok::<_, ModelError>(sample)
-        })
-        .collect::<Result<_, _>>()?;
+    let samples: Vec<SampledStart> = parallel::try_each_place(draw.samples, |index| {
+        let sample = match known.get(&index) {
+            Some(sample) => *sample,
+            None => {
+                let sample = follow(&operating, draw, following, index, progress)?;
+                kept.add(&sample);
+                sample
+            }
+        };
+        progress.advance();
+        Ok::<_, ModelError>(sample)
+    })?;
     let basin = SampledBasin { samples: &samples, draw, operating: &operating };
     let lost = basin.count(LOST);
     let warning = basin.first_lost().map(|sample| {
@@ -153,13 +150,10 @@ fn repeated<S: SlidingSystem<N>, const N: usize>(
 ) -> Result<CheckRecord, ModelError> {
     let finer = Following { tolerance: (FINER * following.tolerance).max(1e-12), ..*following };
     let some: Vec<&SampledStart> = samples.iter().take(REPEATED).collect();
-    let changed: Vec<bool> = some
-        .par_iter()
-        .map(|sample| {
-            let again = follow(operating, draw, &finer, sample.sample, progress)?;
-            Ok(again.fate != sample.fate)
-        })
-        .collect::<Result<_, ModelError>>()?;
+    let changed: Vec<bool> = parallel::try_each(&some, |sample| {
+        let again = follow(operating, draw, &finer, sample.sample, progress)?;
+        Ok::<_, ModelError>(again.fate != sample.fate)
+    })?;
     Ok(CheckRecord::new(
         "the fates stay when the motions are followed more exactly",
         format!("share of {} samples whose fate changes at a hundredth of the tolerance", some.len()),

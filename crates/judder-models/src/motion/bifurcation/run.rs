@@ -10,6 +10,7 @@ use crate::motion::model::Moving;
 use crate::motion::settings::{Following, MotionStart};
 use crate::sweep::Sweep;
 use judder_keys::numeric_key::Value as CaseValue;
+use judder_numerics::parallel;
 use judder_numerics::piecewise::MarchError;
 use judder_oscillator::cycle::settle_confirmed;
 use judder_oscillator::motion::attractor::Patience;
@@ -17,7 +18,6 @@ use judder_store::{Declared, Results};
 use judder_study::Progress;
 use judder_study::kept::KeptLines;
 use judder_study::outcome::{CheckRecord, Outcome};
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -54,11 +54,9 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     kept: KeptLines<'_>,
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
-    let sweeps: Vec<Vec<SettledPoint>> = direction
-        .sweeps()
-        .par_iter()
-        .map(|direction| along(model, settings, *direction, kept, progress))
-        .collect::<Result<_, _>>()?;
+    let sweeps: Vec<Vec<SettledPoint>> = parallel::try_each(direction.sweeps(), |direction| {
+        along(model, settings, *direction, kept, progress)
+    })?;
     let values = settings.sweep.values();
     let units = values.iter().map(|value| model.operating(Some((settings.sweep, *value))).ok()?.si);
     let diagram = SweptDiagram {
@@ -185,14 +183,11 @@ fn repeated<M: Moving<N>, const N: usize>(
     let following =
         Following { tolerance: (FINER * settings.following.tolerance).max(1e-12), ..*settings.following };
     let finer = DiagramSettings { following: &following, ..*settings };
-    let figures: Vec<f64> = cycles
-        .par_iter()
-        .step_by(cycles.len().div_ceil(REPEATED))
-        .map(|(value, settling)| {
-            let again = settled(model, &finer, *value, Some(settling), progress)?;
-            Ok(again.map_or(f64::INFINITY, |again| (again.rms / settling.rms - 1.0).abs()))
-        })
-        .collect::<Result<_, ModelError>>()?;
+    let some: Vec<_> = cycles.iter().step_by(cycles.len().div_ceil(REPEATED)).collect();
+    let figures: Vec<f64> = parallel::try_each(&some, |(value, settling)| {
+        let again = settled(model, &finer, *value, Some(settling), progress)?;
+        Ok::<_, ModelError>(again.map_or(f64::INFINITY, |again| (again.rms / settling.rms - 1.0).abs()))
+    })?;
     Ok(Some(CheckRecord::new(
         "the cycles stay when they are followed more exactly",
         format!("rms of {} cycles at a hundredth of the tolerance, relative", figures.len()),

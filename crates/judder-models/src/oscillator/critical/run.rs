@@ -11,6 +11,7 @@ use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::margins::{MarginCrossing, MarginOnset, fold_check};
 use crate::oscillator::settings::{CriticalThresholds, SoughtThresholds};
 use judder_keys::numeric_key::{Form, Value};
+use judder_numerics::parallel;
 use judder_oscillator::Contact;
 use judder_oscillator::critical::{ParameterRange, RangeScale, Thresholds, thresholds};
 use judder_oscillator::undecided::undecided;
@@ -18,7 +19,6 @@ use judder_store::{Dataset, Declared, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::axis::SweptAxis;
 use judder_study::outcome::Outcome;
-use rayon::prelude::*;
 
 /// Samples of the search a decade of its range.
 const SAMPLES_PER_DECADE: f64 = 40.0;
@@ -51,15 +51,12 @@ pub(super) fn run(
             })
         })
         .collect();
-    let found: Vec<FoundThresholds> = points
-        .par_iter()
-        .map(|inputs| {
-            let found = at_point(contact, settings, *inputs, progress);
-            progress.advance();
-            // a branch that was interrupted has only ended early
-            if progress.interrupted() { Err(ModelError::Interrupted) } else { Ok(found) }
-        })
-        .collect::<Result<_, _>>()?;
+    let found: Vec<FoundThresholds> = parallel::try_each(&points, |inputs| {
+        let found = at_point(contact, settings, *inputs, progress);
+        progress.advance();
+        // a branch that was interrupted has only ended early
+        if progress.interrupted() { Err(ModelError::Interrupted) } else { Ok(found) }
+    })?;
     let mut outcome = assemble(settings, &axis, &curves, &found)?;
     if !contact.law.is_formula() {
         within_law::add(

@@ -7,6 +7,7 @@ use crate::motion::limit_cycle::shooting;
 use crate::motion::model::{Moving, Operating, OscillatorModel};
 use crate::oscillator::engines::settings::EnginesSettings;
 use judder_keys::numeric_key::Value as CaseValue;
+use judder_numerics::parallel;
 use judder_numerics::piecewise::StepSettings;
 use judder_oscillator::cycle::shooting::{Cycle, from_simulation};
 use judder_oscillator::motion::attractor::Patience;
@@ -18,7 +19,6 @@ use judder_oscillator::{Contact, OscillatorError};
 use judder_store::{Complex64, Dataset, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::outcome::Outcome;
-use rayon::prelude::*;
 
 /// How many times longer than they should take they may take.
 const SLACK: f64 = 2.0;
@@ -136,14 +136,11 @@ fn all(
     points: &[(Engine, f64)],
     progress: &dyn Progress,
 ) -> Result<Vec<EngineReached>, ModelError> {
-    points
-        .par_iter()
-        .map(|(engine, value)| {
-            let reached = comparison.reached(*engine, *value, &|| progress.interrupted())?;
-            progress.advance();
-            if progress.interrupted() { Err(ModelError::Interrupted) } else { Ok(reached) }
-        })
-        .collect()
+    parallel::try_each(points, |(engine, value)| {
+        let reached = comparison.reached(*engine, *value, &|| progress.interrupted())?;
+        progress.advance();
+        if progress.interrupted() { Err(ModelError::Interrupted) } else { Ok(reached) }
+    })
 }
 
 fn outcome(

@@ -2,13 +2,13 @@
 
 use super::own_branch::inside;
 use super::{MarginCrossing, MarginOnset, STEPS};
+use judder_numerics::parallel;
 use judder_numerics::piecewise::StepSettings;
 use judder_oscillator::cycle::shoot;
 use judder_oscillator::motion::attractor::{Attractor, Patience, Settled, settle};
 use judder_oscillator::motion::{Interrupted, StickSlip};
 use judder_study::Progress;
 use judder_study::outcome::{CheckRecord, Disagreement};
-use rayon::prelude::*;
 
 /// Folds of a result that are looked at by simulation, at most.
 const LOOKED_AT: usize = 6;
@@ -95,13 +95,11 @@ pub(crate) fn fold_check(
 ) -> (Option<CheckRecord>, Option<String>) {
     let known: Vec<_> = onsets.iter().filter_map(|(crossing, onset)| OwnFold::of(*crossing, onset)).collect();
     let some: Vec<_> = known.iter().step_by(known.len().div_ceil(LOOKED_AT).max(1)).collect();
-    let motions: Vec<(bool, [Fate; 2])> = some
-        .par_iter()
-        .filter_map(|OwnFold { crossing, threshold, fold, large, is_limit }| {
-            let place = crossing.place(*threshold, *fold);
-            Some((*is_limit, crossing.fates_about(*threshold, place, *large, progress)?))
-        })
-        .collect();
+    let motions = parallel::each(&some, |OwnFold { crossing, threshold, fold, large, is_limit }| {
+        let place = crossing.place(*threshold, *fold);
+        Some((*is_limit, crossing.fates_about(*threshold, place, *large, progress)?))
+    });
+    let motions: Vec<(bool, [Fate; 2])> = motions.into_iter().flatten().collect();
     let count = motions.len();
     let is_wrong = |(_, [within, beyond]): &(bool, [Fate; 2])| {
         matches!(within, Fate::Lost | Fate::AtRest) || *beyond == Fate::Lost || within.is_like(*beyond)

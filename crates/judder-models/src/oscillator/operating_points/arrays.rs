@@ -3,11 +3,11 @@
 use super::quantities::{OperatingState, QUANTITIES};
 use crate::error::ModelError;
 use crate::oscillator::inputs::OscillatorInputs;
+use judder_numerics::parallel;
 use judder_oscillator::Contact;
 use judder_study::Progress;
 use judder_study::model::OperatingQuantity;
 use num_complex::Complex64;
-use rayon::prelude::*;
 
 /// Points that are solved between two looks at whether to end.
 const STRETCH: usize = 1 << 10;
@@ -62,22 +62,19 @@ pub fn point_arrays(
 ) -> Result<PointArrays, ModelError> {
     const NONE: [Complex64; 4] = [Complex64::new(f64::NAN, f64::NAN); 4];
     progress.begin("operating points", count.div_ceil(STRETCH));
-    let stretches: Vec<Vec<_>> = (0..count.div_ceil(STRETCH))
-        .into_par_iter()
-        .map(|stretch| {
-            if progress.interrupted() {
-                return Err(ModelError::Interrupted);
-            }
-            let points = stretch * STRETCH..count.min((stretch + 1) * STRETCH);
-            let found = points.map(|index| {
-                OperatingState::new(contact, &inputs(index))
-                    .map(|state| (state.eigenvalues(), state.values(&quantities), state.concern()))
-            });
-            let found = found.collect();
-            progress.advance();
-            Ok(found)
-        })
-        .collect::<Result<_, ModelError>>()?;
+    let stretches: Vec<Vec<_>> = parallel::try_each_place(count.div_ceil(STRETCH), |stretch| {
+        if progress.interrupted() {
+            return Err(ModelError::Interrupted);
+        }
+        let points = stretch * STRETCH..count.min((stretch + 1) * STRETCH);
+        let found = points.map(|index| {
+            OperatingState::new(contact, &inputs(index))
+                .map(|state| (state.eigenvalues(), state.values(&quantities), state.concern()))
+        });
+        let found = found.collect();
+        progress.advance();
+        Ok(found)
+    })?;
     progress.end();
     let mut told = PointArrays {
         values: Vec::with_capacity(count),

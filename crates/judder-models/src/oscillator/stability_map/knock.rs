@@ -9,6 +9,7 @@ use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::sweep::{StabilityMapAnalysis, Sweep};
+use judder_numerics::parallel;
 use judder_oscillator::Contact;
 use judder_oscillator::critical::{ParameterRange, RangeScale, thresholds};
 use judder_oscillator::map::StabilityMap;
@@ -17,7 +18,6 @@ use judder_store::{Results, Variable};
 use judder_study::Progress;
 use judder_study::axis::SweptAxis;
 use judder_study::outcome::Outcome;
-use rayon::prelude::*;
 
 /// Lines of a map along which branches are followed, at most; between them the margin is interpolated.
 const FOLLOWED: usize = 30;
@@ -169,17 +169,14 @@ impl<'a> Lines<'a> {
     fn all(&self, progress: &dyn Progress) -> Result<Vec<MapLine>, ModelError> {
         let followed = self.followed();
         progress.expect(followed.len());
-        (0..self.count())
-            .into_par_iter()
-            .map(|index| {
-                let is_followed = followed.contains(&index);
-                let line = self.line(index, is_followed, progress);
-                if is_followed {
-                    progress.advance();
-                }
-                if progress.interrupted() { Err(ModelError::Interrupted) } else { Ok(line) }
-            })
-            .collect()
+        parallel::try_each_place(self.count(), |index| {
+            let is_followed = followed.contains(&index);
+            let line = self.line(index, is_followed, progress);
+            if is_followed {
+                progress.advance();
+            }
+            if progress.interrupted() { Err(ModelError::Interrupted) } else { Ok(line) }
+        })
     }
 
     /// What is known beside the thresholds of a line: its own margins, or those between its followed neighbours.

@@ -3,6 +3,7 @@
 use super::traced::Traced;
 use crate::sliding::locus::settings::LocusAnalysis;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::parallel;
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::PairCharacteristic;
 use judder_sliding::coupling::Coupling;
@@ -10,7 +11,6 @@ use judder_sliding::dense_forms::ThreeField;
 use judder_sliding::spectrum::{Spectrum, WantedEigenvalues};
 use judder_study::outcome::{CheckRecord, Disagreement};
 use num_complex::Complex64;
-use rayon::prelude::*;
 
 /// The coupling of the pair at a value, λ and d of its modes.
 type CouplingAt<'a> = &'a (dyn Fn(f64) -> Result<(Coupling, Vec<f64>, Vec<f64>), SlidingError> + Sync);
@@ -34,9 +34,7 @@ pub(super) fn doubted(
     let fastest = traced.zones.iter().max_by(|a, b| a.growth_rate.total_cmp(&b.growth_rate));
     let chosen = [1, 4].map(|fifths| there.get(fifths * there.len() / 5).copied());
     let chosen: Vec<f64> = chosen.into_iter().flatten().chain(fastest.map(|zone| zone.peak)).collect();
-    let compared: Vec<Result<ComparedValue, SlidingError>> =
-        chosen.par_iter().map(|value| ComparedValue::new(contact, settings, *value)).collect();
-    let compared = compared.into_iter().collect::<Result<Vec<ComparedValue>, SlidingError>>()?;
+    let compared = parallel::try_each(&chosen, |value| ComparedValue::new(contact, settings, *value))?;
     let all = |pick: &dyn Fn(&ComparedValue) -> Vec<f64>| -> Disagreement {
         compared.iter().flat_map(pick).collect()
     };

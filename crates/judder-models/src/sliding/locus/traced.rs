@@ -1,6 +1,7 @@
 //! Eigenvalues and unstable zones of a family of pairs, with what could not be.
 
 use crate::error::ModelError;
+use judder_numerics::parallel;
 use judder_numerics::words::plain;
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::PairCharacteristic;
@@ -13,7 +14,6 @@ use judder_sliding::zones::{Zone, ZoneEnd};
 use judder_study::Progress;
 use judder_study::axis::SweptAxis;
 use num_complex::Complex64;
-use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A pair for each value of a parameter.
@@ -153,11 +153,13 @@ pub(super) fn trace(
     count: usize,
     progress: &dyn Progress,
 ) -> Result<Traced, ModelError> {
-    let states: Vec<Option<RestState>> = range
-        .values
-        .par_iter()
-        .map(|value| if progress.interrupted() { None } else { family.state(*value).ok() })
-        .collect();
+    let states: Vec<Option<RestState>> =
+        parallel::each(
+            range.values,
+            |value| {
+                if progress.interrupted() { None } else { family.state(*value).ok() }
+            },
+        );
     let mut rows: Vec<FamilyRow> = states
         .into_iter()
         .map(|state| FamilyRow {
@@ -265,11 +267,9 @@ fn piecewise(
     progress: &dyn Progress,
     error: SlidingError,
 ) -> Result<(), ModelError> {
-    let spectra: Vec<Result<Spectrum, SlidingError>> = range
-        .values
-        .par_iter()
-        .map(|value| Spectrum::new(&family.at(*value)?, *value, WantedEigenvalues::Lowest(count)))
-        .collect();
+    let spectra: Vec<Result<Spectrum, SlidingError>> = parallel::each(range.values, |value| {
+        Spectrum::new(&family.at(*value)?, *value, WantedEigenvalues::Lowest(count))
+    });
     if spectra.iter().all(Result::is_err) {
         return Err(error.into());
     }

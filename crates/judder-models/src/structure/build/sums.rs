@@ -7,9 +7,9 @@ use judder_exchange::freedom_table::read_freedoms;
 use judder_exchange::matrix::{Matrix, Triangle, read_matrix, read_stored_matrix};
 use judder_exchange::system::{NamedMatrix, SystemParts};
 use judder_keys::cause::Cause;
+use judder_numerics::parallel;
 use judder_structure::affine::{AffineFamily, Factors, Term};
 use judder_structure::freedom::Freedom;
-use rayon::prelude::*;
 
 /// Reads the files of all terms and makes sums of them.
 pub(super) fn structure(sums: &MatrixSums) -> Result<Structure, Unbuilt> {
@@ -41,7 +41,8 @@ pub(super) fn factors(sums: &MatrixSums, values: &[f64]) -> Result<Factors, Caus
 }
 
 fn read(name: &str, terms: &[MatrixTerm]) -> Result<Vec<Matrix>, Unbuilt> {
-    let read = |(index, term): (usize, &MatrixTerm)| {
+    parallel::try_each_place(terms.len(), |index| {
+        let term = &terms[index];
         let path = &term.file.path;
         let mirrored = |triangle| read_stored_matrix(path).and_then(|matrix| matrix.mirrored(triangle));
         let matrix = match term.triangle() {
@@ -54,8 +55,7 @@ fn read(name: &str, terms: &[MatrixTerm]) -> Result<Vec<Matrix>, Unbuilt> {
             let reason = error.to_string();
             Unbuilt::new(format!("matrices.{name}.{index}.file"), StructureProblem::File { reason })
         })
-    };
-    terms.par_iter().enumerate().map(read).collect()
+    })
 }
 
 /// Whether the matrices make one structure.

@@ -304,8 +304,8 @@ def test_large_packages_go_once_to_each_process(quick, tmp_path, monkeypatch):
         monkeypatch.setattr(executor, "submit", counted)
         study = judder.distributed.run_with(quick[0], executor, output=tmp_path / "study", chunks_per_task=2)
     assert files(study.folder / "results.zarr" / "quick_map") == quick[1]
-    # those that were on their way to a process before it had the case
-    assert 1 <= sent.count(False) <= 6 and sent.count(True) >= 31
+    # those that were on their way to a process before it had the case: more of them where one of the processes is slow to start
+    assert 1 <= sent.count(False) <= 15 and sent.count(True) >= 31
 
 
 def test_a_class_makes_an_executor(quick, tmp_path):

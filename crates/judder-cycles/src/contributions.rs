@@ -7,6 +7,7 @@ use crate::CyclesError;
 use crate::cycle::AssemblyCycle;
 use faer::c64;
 use judder_assembly::linearised::Linearised;
+use judder_numerics::order::sort_by_number;
 use judder_structure::StructureError;
 use judder_structure::assembly::Sparse;
 use judder_structure::modes::{Mode, WantedModes, modes};
@@ -66,9 +67,9 @@ impl ModeContributions {
         };
         let mut told: Vec<ModeContribution> = found.iter().map(share).collect();
         // stable: of equal shares the lower modes
-        told.sort_by(|a, b| b.share.total_cmp(&a.share));
+        sort_by_number(&mut told, |own| -own.share);
         told.truncate(TOLD);
-        told.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+        sort_by_number(&mut told, |own| own.frequency_hz);
         let left_over = 1.0 - told.iter().map(|own| own.share).sum::<f64>();
         let left_over = if left_over > ROUNDING { left_over } else { 0.0 };
         Ok(Ok(Self { modes: told, left_over }))

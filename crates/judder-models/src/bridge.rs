@@ -13,6 +13,7 @@ use judder_contact::law::material::{LawMaterial, LawTerm};
 use judder_contact::law::{LawIndenter, LawLayer};
 use judder_contact::{FittedLaw, HertzLaw, Law};
 use judder_keys::numeric_key::Form;
+use judder_numerics::order::sort_by_number;
 use judder_numerics::words::plain;
 use judder_oscillator::groups::Scales;
 use judder_oscillator::{Coefficients, Contact, Groups};
@@ -246,7 +247,7 @@ fn difference_of_terms(made_for: &LawMaterial, own: &LawMaterial) -> Option<(Str
     const SAME: f64 = 1e-6;
     let ascending = |material: &LawMaterial| {
         let mut terms = material.terms.clone();
-        terms.sort_by(|a, b| a.retardation_time.total_cmp(&b.retardation_time));
+        sort_by_number(&mut terms, |own| own.retardation_time);
         terms
     };
     let (made_for, own) = (ascending(made_for), ascending(own));

@@ -11,6 +11,7 @@
 //! - [`contact_state`]: stick, slip, lift-off, and their numbers in results.
 //! - [`counter`]: even random numbers, each computed from its place alone.
 //! - [`piecewise`]: motion whose equations change from mode to mode, with located events.
+//! - [`order`]: things in the order of their numbers.
 //! - [`parallel`]: the same work on many things, over all threads.
 //! - [`ramp`]: from value to value: straight between places, half a cosine.
 //! - [`sampling`]: points that fill a cube evenly: Sobol' sequences, Latin hypercubes.
@@ -32,6 +33,7 @@ pub mod decade;
 pub mod dense;
 pub mod elementary;
 pub mod gmres;
+pub mod order;
 pub mod parallel;
 pub mod piecewise;
 pub mod polynomial;

@@ -8,6 +8,7 @@ use crate::critical::ParameterRange;
 use crate::equilibrium::equilibrium;
 use crate::groups::Coefficients;
 use crate::within_law::WithinLaw;
+use judder_numerics::order::sort_by_number;
 
 /// Ranges of a quantity, ascending, each from where to where.
 pub type Ranges = Vec<[f64; 2]>;
@@ -53,7 +54,7 @@ pub fn undecided(
         let mut places: Vec<(f64, bool)> = even.iter().map(|(value, is)| (*value, is[system])).collect();
         // a threshold lies where the law does not decide, however well it is known
         places.extend(thresholds[system].iter().map(|threshold| (*threshold, false)));
-        places.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut places, |own| own.0);
         ranges(&places, |value| decided(value)[system])
     });
     Undecided { full, conservative }

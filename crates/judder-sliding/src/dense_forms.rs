@@ -10,6 +10,7 @@ use crate::SlidingError;
 use crate::coupling::Coupling;
 use faer::Mat;
 use judder_dense::general::{real_eigenvalues, solve as solved_in_place};
+use judder_numerics::order::{sort_by_number, sort_by_numbers};
 use num_complex::Complex64;
 
 /// The matrices of two structures, n × n, and the rows that couple them, 1 × n, in any coordinates.
@@ -146,10 +147,10 @@ fn spectrum_of_inverse(
     });
     let failure = SlidingError::DenseFailure { reason: "the iteration for the eigenvalues did not end" };
     let mut inverses = real_eigenvalues(&matrix).ok_or(failure)?;
-    inverses.sort_by(|a, b| b.norm_sqr().total_cmp(&a.norm_sqr()));
+    sort_by_number(&mut inverses, |own| -own.norm_sqr());
     let mut values: Vec<Complex64> =
         inverses.iter().take(count).map(|inverse| shift + 1.0 / (unit * inverse)).collect();
-    values.sort_by(|a, b| a.im.total_cmp(&b.im).then(a.re.total_cmp(&b.re)));
+    sort_by_numbers(&mut values, |own| [own.im, own.re]);
     Ok(values)
 }
 

@@ -11,6 +11,7 @@ use crate::SlidingError;
 use crate::characteristic::{PRECISION, PairCharacteristic};
 use crate::tracking::reach;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::{sort_by_number, sort_by_numbers};
 use num_complex::Complex64;
 use simultaneous::{EigenIterate, Regular};
 use std::f64::consts::TAU;
@@ -82,7 +83,7 @@ impl Spectrum {
     #[must_use]
     pub fn lowest(&self, count: usize) -> (Vec<Complex64>, Vec<f64>) {
         let mut ranks: Vec<usize> = (0..self.eigenvalues.len()).collect();
-        ranks.sort_by(|a, b| reach(self.eigenvalues[*a]).total_cmp(&reach(self.eigenvalues[*b])));
+        sort_by_number(&mut ranks, |own| reach(self.eigenvalues[*own]));
         ranks.truncate(count);
         ranks.sort_unstable();
         ranks.into_iter().map(|rank| (self.eigenvalues[rank], self.errors[rank])).unzip()
@@ -123,7 +124,7 @@ impl Spectrum {
         }
         let mut both: Vec<(Complex64, f64)> = known.into_iter().zip(errors).collect();
         both.retain(|(s, _)| s.im <= limit && s.re.abs() <= limit);
-        both.sort_by(|(a, _), (b, _)| a.im.total_cmp(&b.im).then(a.re.total_cmp(&b.re)));
+        sort_by_numbers(&mut both, |(own, _)| [own.im, own.re]);
         let (eigenvalues, errors) = both.into_iter().unzip();
         Ok(Self { eigenvalues, errors, limit })
     }
@@ -258,7 +259,7 @@ fn settle(function: &PairCharacteristic, zeros: &mut [EigenIterate], scale: f64)
     if function.is_conservative() {
         mirror(zeros);
     }
-    zeros.sort_by(|a, b| a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re)));
+    sort_by_numbers(zeros, |own| [own.value.im, own.value.re]);
 }
 
 /// Of a conservative pair s and −s̄ are eigenvalues together: those off the imaginary axis are paired, the others put on it.

@@ -19,6 +19,7 @@ use crate::tracking::continued;
 use branch::EigenvaluePath;
 use follow::{is_on, onward};
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_numbers;
 use num_complex::Complex64;
 use piece::{PieceSearch, SearchedPiece};
 use rayon::prelude::*;
@@ -192,7 +193,7 @@ pub fn zones(
         kept.into_par_iter().map(|branch| branch.zone(family)).collect();
     let mut zones = zones.into_iter().collect::<Result<Vec<Zone>, SlidingError>>()?;
     zones.retain(|zone| zone.growth_rate > zone.error);
-    zones.sort_by(|a, b| a.from.total_cmp(&b.from).then(a.frequency_hz.total_cmp(&b.frequency_hz)));
+    sort_by_numbers(&mut zones, |own| [own.from, own.frequency_hz]);
     // beside an eigenvalue that is nearly the same a branch may have been found by both
     zones.dedup_by(|next, kept| next.is_same(kept));
     Ok(Zones { zones, samples })

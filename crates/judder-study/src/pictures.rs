@@ -11,6 +11,7 @@ use crate::case::analysis::Picture;
 use crate::error::WrongArray;
 use crate::registry::ModelKind;
 use crate::shown::ShownValues;
+use judder_numerics::order::sort_by_number;
 use judder_report::{Axis, Figure, Panel, Role};
 use judder_store::{Dataset, Variable, VariableValues};
 use std::borrow::Cow;
@@ -57,7 +58,7 @@ pub(crate) const DRAWN_SIDE: usize = 400;
 /// Which of these coordinates are drawn, in ascending order, whichever way they were swept.
 pub fn ascending_order(values: &[f64]) -> Vec<usize> {
     let mut indices: Vec<usize> = (0..values.len()).collect();
-    indices.sort_by(|a, b| at(values, *a).total_cmp(&at(values, *b)));
+    sort_by_number(&mut indices, |own| at(values, *own));
     let drawn = indices.len().min(DRAWN_SIDE);
     let last = indices.len().saturating_sub(1);
     (0..drawn).filter_map(|k| indices.get(k * last / (drawn - 1).max(1)).copied()).collect()

@@ -2,6 +2,7 @@
 
 use super::layer::BondedLayer;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_number;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
@@ -101,7 +102,7 @@ impl SlidingSubstrate {
             layer: self.layer.as_ref().map(|layer| layer.in_units(cell)),
         };
         let mut terms = self.terms.clone();
-        terms.sort_by(|a, b| a.length.total_cmp(&b.length));
+        sort_by_number(&mut terms, |own| own.length);
         for term in terms {
             let length = rounded(term.length / cell);
             match scaled.terms.last_mut() {

@@ -5,6 +5,7 @@ use super::creep::{CreepSpectrum, CreepTerm};
 use super::error::{MaterialError, positive};
 use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::decade::power_of_ten;
+use judder_numerics::order::sort_by_number;
 use judder_numerics::quadrature::gauss_legendre;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use std::f64::consts::LN_10;
@@ -311,6 +312,6 @@ fn rule_of(diagonal: &[f64], off: &[f64], total: f64) -> (Vec<f64>, Vec<f64>) {
     let eigen = SymmetricEigen::new(jacobi);
     let weight = |k: usize| total * eigen.eigenvectors[(0, k)].powi(2);
     let mut pairs: Vec<(f64, f64)> = (0..diagonal.len()).map(|k| (eigen.eigenvalues[k], weight(k))).collect();
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by_number(&mut pairs, |own| own.0);
     pairs.into_iter().unzip()
 }

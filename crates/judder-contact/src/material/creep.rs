@@ -4,6 +4,7 @@ use super::error::{MaterialError, positive};
 use crate::kernel::substrate::{SlidingSubstrate, WakeTerm};
 #[cfg(feature = "keys")]
 use judder_keys::{declared::Number, dimension::Dimension};
+use judder_numerics::order::sort_by_number;
 use num_complex::Complex64;
 
 /// A term of the creep compliance, C (1 − e^{−t/τ}).
@@ -48,7 +49,7 @@ impl CreepSpectrum {
                 return Err(MaterialError::Term { index: index + 1, name, value });
             }
         }
-        terms.sort_by(|a, b| a.retardation_time.total_cmp(&b.retardation_time));
+        sort_by_number(&mut terms, |own| own.retardation_time);
         terms.dedup_by(|later, kept| {
             let equal = later.retardation_time == kept.retardation_time;
             kept.compliance += if equal { later.compliance } else { 0.0 };

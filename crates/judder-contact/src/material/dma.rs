@@ -2,6 +2,7 @@
 
 use super::error::{DmaError, MaterialError, positive};
 use super::shift::TemperatureShift;
+use judder_numerics::order::sort_by_number;
 
 /// Moduli measured at one frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -133,7 +134,7 @@ impl DmaSweeps {
         if points.is_empty() {
             return Err(DmaError::Empty.into());
         }
-        points.sort_by(|a, b| a.angular_frequency.total_cmp(&b.angular_frequency));
+        sort_by_number(&mut points, |own| own.angular_frequency);
         Ok(DmaData { points })
     }
 }

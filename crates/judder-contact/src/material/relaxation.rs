@@ -3,6 +3,7 @@
 use super::error::{MaterialError, positive};
 #[cfg(feature = "keys")]
 use judder_keys::{declared::Number, dimension::Dimension};
+use judder_numerics::order::sort_by_number;
 use num_complex::Complex64;
 
 /// A term of the relaxation modulus, E e^{−t/ρ}.
@@ -48,7 +49,7 @@ impl RelaxationSpectrum {
                 return Err(MaterialError::Term { index: index + 1, name, value });
             }
         }
-        terms.sort_by(|a, b| a.relaxation_time.total_cmp(&b.relaxation_time));
+        sort_by_number(&mut terms, |own| own.relaxation_time);
         terms.dedup_by(|later, kept| {
             let equal = later.relaxation_time == kept.relaxation_time;
             kept.modulus += if equal { later.modulus } else { 0.0 };

@@ -7,6 +7,7 @@ use crate::balance::HarmonicBalance;
 use judder_nonsmooth::contact::ContactPoints;
 use judder_nonsmooth::contact_problem::{FrictionCondition, PointMotion};
 use judder_nonsmooth::march::NonsmoothMarch;
+use judder_numerics::order::sort_by_number;
 
 /// What a point does in a step.
 #[derive(Debug, Clone, Copy)]
@@ -119,7 +120,7 @@ impl ShotCourse {
         }
         let steps = self.steps() as f64;
         changes.iter_mut().for_each(|own| own.at = own.at.rem_euclid(steps));
-        changes.sort_by(|a, b| a.at.total_cmp(&b.at));
+        sort_by_number(&mut changes, |own| own.at);
         Some(changes)
     }
 
@@ -207,7 +208,7 @@ impl ShotCourse {
             .map(|own| (own as f64, self.step(point, own - 1).slip.abs()))
             .chain(stuck.into_iter().chain(caught).map(|own| (own, 0.0)))
             .collect();
-        nodes.sort_by(|a, b| (a.0 - instant).abs().total_cmp(&(b.0 - instant).abs()));
+        sort_by_number(&mut nodes, |own| (own.0 - instant).abs());
         nodes.truncate(NODES);
         if grows {
             nodes.iter_mut().for_each(|own| own.1 = own.1.sqrt());

@@ -3,6 +3,7 @@
 use super::{CycleStability, FloquetMultipliers};
 use faer::c64;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_number;
 
 /// Which multipliers cross the unit circle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,7 +60,7 @@ fn crossing(more: &FloquetMultipliers, fewer: &FloquetMultipliers, count: usize)
     let next = |of: &FloquetMultipliers, outside: bool| {
         let mut own: Vec<c64> =
             of.values.iter().copied().filter(|own| (own.modulus() > 1.0) == outside).collect();
-        own.sort_by(|a, b| off(a).total_cmp(&off(b)));
+        sort_by_number(&mut own, off);
         own.truncate(count);
         own
     };

@@ -9,6 +9,7 @@ use crate::path::GoOn;
 use faer::{Mat, c64};
 use judder_dense::general::{PickedEigenvalues, real_eigen};
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_numbers;
 
 /// Multipliers of a motion, with by how much they changed as its steps were doubled last for an error.
 pub(super) struct DoubledSteps<'s, 'a> {
@@ -82,5 +83,5 @@ pub(super) fn multipliers_of(
 
 /// The largest first.
 pub(super) fn sort(values: &mut [c64]) {
-    values.sort_by(|a, b| b.modulus().total_cmp(&a.modulus()).then(a.im.total_cmp(&b.im)));
+    sort_by_numbers(values, |own| [-own.modulus(), own.im]);
 }

@@ -21,6 +21,7 @@ use faer::{Mat, c64};
 use judder_dense::general::{PickedEigenvalues, real_eigen, solve};
 use judder_nonsmooth::contact_problem::PointMotion;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_numbers;
 use std::f64::consts::TAU;
 use thiserror::Error;
 
@@ -220,7 +221,7 @@ impl SmallMotions {
             .map(|k| (mean_harmonic(&vector(k), coefficients), values[k], vector(k)))
             .filter(|own| own.0.abs() < ABOUT)
             .collect();
-        all.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()).then(b.1.im.total_cmp(&a.1.im)));
+        sort_by_numbers(&mut all, |own| [own.0.abs(), -own.1.im]);
         let mut found = Exponents { values: Vec::new(), vectors: Vec::new(), coefficients };
         for (_, value, vector) in all {
             let is_shifted = |other: &c64| {

@@ -4,6 +4,7 @@ use super::build::StructureLayout;
 use super::shapes::kept;
 use crate::error::ModelError;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_number;
 use judder_store::{Dataset, Results, Variable};
 use judder_structure::freedom::Direction;
 use num_complex::Complex64;
@@ -113,7 +114,7 @@ impl ImportedFreedoms {
     /// The shapes of the fastest growing modes in words, for those that no picture shows.
     pub(crate) fn told(&self, modes: &[ModeVectors]) -> Option<Vec<ToldShape>> {
         let mut order: Vec<&ModeVectors> = modes.iter().collect();
-        order.sort_by(|a, b| b.eigenvalue.re.total_cmp(&a.eigenvalue.re));
+        sort_by_number(&mut order, |own| -own.eigenvalue.re);
         let told = order.into_iter().take(TOLD_MODES).map(|mode| self.told_of(mode));
         (!modes.is_empty() && !self.indices.is_empty()).then(|| told.collect())
     }
@@ -121,7 +122,7 @@ impl ImportedFreedoms {
     fn told_of(&self, mode: &ModeVectors) -> ToldShape {
         let values: Vec<Complex64> = self.of(&mode.right).collect();
         let mut places: Vec<usize> = (0..values.len()).collect();
-        places.sort_by(|a, b| values[*b].modulus().total_cmp(&values[*a].modulus()));
+        sort_by_number(&mut places, |own| -values[*own].modulus());
         places.truncate(TOLD_FREEDOMS);
         places.sort_unstable();
         ToldShape {

@@ -3,6 +3,7 @@
 use crate::spectrum::Spectrum;
 use crate::tracking::{Tracker, reach};
 use crate::zones::SpectrumSample;
+use judder_numerics::order::sort_by_number;
 use num_complex::Complex64;
 
 /// Eigenvalues by branch, with how far each may be off.
@@ -29,7 +30,7 @@ impl LocusBranches {
             let numbers = tracker.step(at, &eigenvalues, limit);
             let Some(errors) = errors else { continue };
             let mut lowest: Vec<usize> = (0..count.min(numbers.len())).collect();
-            lowest.sort_by(|a, b| eigenvalues[*a].im.total_cmp(&eigenvalues[*b].im));
+            sort_by_number(&mut lowest, |own| eigenvalues[*own].im);
             let mut row = Vec::with_capacity(lowest.len());
             for rank in lowest {
                 let column = columns.iter().position(|own| *own == numbers[rank]).unwrap_or_else(|| {
@@ -62,7 +63,7 @@ impl LocusBranches {
 fn sample_of(at: f64, spectrum: Spectrum) -> (SpectrumSample, Option<Vec<f64>>) {
     let Spectrum { eigenvalues, errors, limit } = spectrum;
     let mut both: Vec<(Complex64, f64)> = eigenvalues.into_iter().zip(errors).collect();
-    both.sort_by(|a, b| reach(a.0).total_cmp(&reach(b.0)));
+    sort_by_number(&mut both, |own| reach(own.0));
     let (eigenvalues, errors) = both.into_iter().unzip();
     (SpectrumSample { at, eigenvalues, limit }, Some(errors))
 }

@@ -8,6 +8,7 @@ use crate::SlidingError;
 use crate::spectrum::Spectrum;
 use crate::tracking::{continued, reach};
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_number;
 use num_complex::Complex64;
 
 /// What a search over a piece leaves.
@@ -47,7 +48,7 @@ impl<'a, F: PairFamily> PieceSearch<'a, F> {
             samples.push(search.sample(from + share * (to - from))?);
         }
         search.part(&samples)?;
-        search.done.samples.sort_by(|a, b| a.at.total_cmp(&b.at));
+        sort_by_number(&mut search.done.samples, |own| own.at);
         Ok(search.done)
     }
 
@@ -55,7 +56,7 @@ impl<'a, F: PairFamily> PieceSearch<'a, F> {
     fn sample(&mut self, at: f64) -> Result<usize, SlidingError> {
         let function = self.family.at(at)?;
         let Spectrum { mut eigenvalues, limit, .. } = Spectrum::with_more(&function, at, self.count)?;
-        eigenvalues.sort_by(|a, b| reach(*a).total_cmp(&reach(*b)));
+        sort_by_number(&mut eigenvalues, |own| reach(*own));
         self.done.samples.push(SpectrumSample { at, eigenvalues, limit });
         Ok(self.done.samples.len() - 1)
     }

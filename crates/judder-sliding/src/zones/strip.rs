@@ -5,6 +5,7 @@ use super::branch::{Bound, EigenvaluePath, PartBranch, TooCoarse};
 use super::highest::highest;
 use super::meeting::StabilityMargin;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_number;
 use judder_numerics::root::bracketed_root;
 use num_complex::Complex64;
 
@@ -92,7 +93,7 @@ fn with_extremes(
         }
         knots.push((at, extreme));
     }
-    knots.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by_number(&mut knots, |own| own.0);
     Ok(knots)
 }
 

@@ -10,6 +10,7 @@ use faer::{Accum, Mat, MatRef, Par, c64};
 use judder_dense::general::complex_eigen;
 use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::counter::uniform;
+use judder_numerics::order::sort_by_number;
 
 /// Vectors that are taken through the operator together: solving for four costs little more than for one.
 const WIDTH: usize = 4;
@@ -208,7 +209,7 @@ impl<'a> Basis<'a> {
         let (values, vectors) = complex_eigen(self.projected.submatrix(0, 0, done, done))
             .ok_or(StructureError::NoDenseEigenvalues { rows: done })?;
         let mut order: Vec<usize> = (0..done).collect();
-        order.sort_by(|a, b| values[*b].modulus().total_cmp(&values[*a].modulus()));
+        sort_by_number(&mut order, |own| -values[*own].modulus());
         let open = self.projected.submatrix(done, 0, self.filled - done, done);
         let mut rests = Mat::zeros(open.nrows(), done);
         matmul(rests.as_mut(), Accum::Replace, open, vectors.as_ref(), c64::new(1.0, 0.0), Par::Seq);

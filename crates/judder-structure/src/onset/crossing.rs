@@ -3,6 +3,7 @@
 use super::StabilityAt;
 use crate::complex_modes::{Eigenvalue, Region, Verdict};
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_number;
 use std::f64::consts::TAU;
 
 /// A function of the eigenvalues that vanishes at an onset.
@@ -98,7 +99,7 @@ impl Vanishing {
 /// The eigenvalue of the so many-th largest growth rate.
 fn ranked(stability: &StabilityAt, rank: usize) -> Option<&Eigenvalue> {
     let mut all: Vec<&Eigenvalue> = stability.eigenvalues.iter().collect();
-    all.sort_by(|a, b| b.value.re.total_cmp(&a.value.re));
+    sort_by_number(&mut all, |own| -own.value.re);
     all.get(rank.checked_sub(1)?).copied()
 }
 
@@ -106,7 +107,7 @@ fn ranked(stability: &StabilityAt, rank: usize) -> Option<&Eigenvalue> {
 pub(super) fn nearest(stability: &StabilityAt, frequency: f64, count: usize) -> Vec<&Eigenvalue> {
     let mut all: Vec<&Eigenvalue> = stability.eigenvalues.iter().collect();
     let distance = |own: &Eigenvalue| (own.value.im / TAU - frequency).abs();
-    all.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+    sort_by_number(&mut all, |own| distance(own));
     all.truncate(count);
     all
 }

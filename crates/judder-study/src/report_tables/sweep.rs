@@ -1,6 +1,7 @@
 //! Tables of a sweep: what its quantities are, what decides them, which points have no answer.
 
 use super::short;
+use judder_numerics::order::sort_by_number;
 use judder_report::page::PageTable;
 use serde_json::{Map, Value};
 
@@ -77,7 +78,7 @@ fn indices(quantity: &str, told: &Value) -> PageTable {
     let mut keys: Vec<&String> =
         told["total"].as_object().into_iter().flatten().map(|(key, _)| key).collect();
     let total = |key: &str| told["total"][key]["value"].as_f64().unwrap_or(f64::NEG_INFINITY);
-    keys.sort_by(|a, b| total(b).total_cmp(&total(a)));
+    sort_by_number(&mut keys, |own| -total(own));
     let with_interval = |own: &Value| [short_index(&own["value"]), interval(own)];
     let row = |key: &&String| {
         let [first, first_interval] = with_interval(&told["first"][key.as_str()]);

@@ -7,6 +7,7 @@ use crate::assembly::case::contact::{ContactInterface, TrackMotion, TrackSetting
 use judder_assembly::contact_point::ContactPoint;
 use judder_assembly::row::Row;
 use judder_nonsmooth::travel::{EdgeNode, TravellingContact};
+use judder_numerics::order::sort_by_number;
 use judder_sliding::plane::{PlaneVector, along_chord, dot, length};
 use judder_structure::freedom::Direction;
 
@@ -88,7 +89,7 @@ fn edge(contact: &ContactInterface, track: &BuiltBody, points: &[usize]) -> Vec<
     let node = |point: &usize| EdgeNode { place: place(track, *point), rows: rows(track, *point) };
     let mut nodes: Vec<EdgeNode> = points.iter().map(node).collect();
     let along = |node: &EdgeNode| dot(node.place, [towards[0], towards[1]]);
-    nodes.sort_by(|a, b| along(a).total_cmp(&along(b)));
+    sort_by_number(&mut nodes, along);
     nodes
 }
 

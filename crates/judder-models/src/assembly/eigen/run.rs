@@ -11,6 +11,7 @@ use crate::structure::vectors::ImportedFreedoms;
 use judder_assembly::linearised::{ContactTerm, Linearised, LinearisedTerms};
 use judder_assembly::work::{GrowthShares, Worker, growth_shares};
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_number;
 use judder_store::{ByName, Results};
 use judder_structure::asked_region::AskedRegion;
 use judder_structure::complex_modes::{ComplexMode, ComplexModes, Verdict};
@@ -212,7 +213,7 @@ fn parents(about: &Linearised, region: &Region) -> Result<Vec<Mode>, ModelError>
 fn made_of(about: &Linearised, parents: &[Mode], mode: &ComplexMode, shape: Vec<Complex64>) -> Vec<Parent> {
     let of_all = ComplexMode { eigenvalue: mode.eigenvalue, right: shape, left: Vec::new() };
     let mut shares = participations(&about.structures[0], parents, &of_all);
-    shares.sort_by(|a, b| b.share.total_cmp(&a.share));
+    sort_by_number(&mut shares, |own| -own.share);
     let told = shares.into_iter().take(PARENTS);
     told.map(|own| Parent { frequency_hz: parents[own.component].frequency_hz(), share: own.share }).collect()
 }

@@ -7,6 +7,7 @@ use crate::assembly::AssemblySubject;
 use crate::assembly::swept::{SweptAssembly, beyond_laws};
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
+use judder_numerics::order::sort_by_number;
 use judder_numerics::parallel;
 use judder_store::{Dataset, Results, Variable};
 use judder_structure::onset::onsets_between;
@@ -174,7 +175,7 @@ impl SolvedMap<'_> {
         let axis = usize::from(one[0] == other[0]);
         let point = |[column, row]: [usize; 2]| &points[row * self.x.values.len() + column];
         let mut ends = [one, other];
-        ends.sort_by(|a, b| place(*a)[axis].total_cmp(&place(*b)[axis]));
+        sort_by_number(&mut ends, |own| place(*own)[axis]);
         let [low, high] = ends.map(point);
         if low.verdict.is_unstable() == high.verdict.is_unstable() {
             return None;

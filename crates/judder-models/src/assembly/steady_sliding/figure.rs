@@ -5,6 +5,7 @@
 use super::faces::CORNERS;
 use super::filled::{Filled, faces, filled};
 use crate::structure::shape_panels::still;
+use judder_numerics::order::sort_by_number;
 use judder_report::figure::ValueMap;
 use judder_report::palette::{ColourMap, Marker};
 use judder_report::{Axis, Layer, Legend, Panel, Role, Style};
@@ -86,7 +87,7 @@ impl Points<'_> {
         };
         let mut axes = self.places;
         // of equally long ones in the order x, y, z
-        axes.sort_by(|a, b| length(b).total_cmp(&length(a)));
+        sort_by_number(&mut axes, |own| -length(own));
         let [long, wide, _] = axes;
         if length(&wide) > LINE * length(&long) {
             let axes = [long, wide];

@@ -1,6 +1,7 @@
 //! The tables of a map: how much of it is what, and its boundaries.
 
 use crate::swept_tables::{numbers, table, told};
+use judder_numerics::order::sort_by_number;
 use judder_report::page::PageTable;
 use judder_study::registry::ToldAnalysis;
 use serde_json::{Map, Value};
@@ -17,7 +18,7 @@ fn classes(fractions: &Map<String, Value>) -> PageTable {
     let mut shares: Vec<(&String, f64)> =
         fractions.iter().map(|(name, share)| (name, share.as_f64().unwrap_or(f64::NAN))).collect();
     shares.retain(|(_, share)| *share != 0.0);
-    shares.sort_by(|a, b| b.1.total_cmp(&a.1));
+    sort_by_number(&mut shares, |own| -own.1);
     let rows = shares.into_iter().map(|(name, share)| vec![name.replace('-', " "), told(100.0 * share)]);
     table("Zones".to_owned(), &["zone", "share of the map (%)"], rows.collect())
 }

@@ -4,6 +4,7 @@
 
 use crate::structure::eigen::figure::frequency_axis;
 use crate::structure::shape_panels::significant;
+use judder_numerics::order::sort_by_number;
 use judder_report::figure::ShadedRegion;
 use judder_report::palette::{Dash, Style};
 use judder_report::runs::{alone, apart, thinned};
@@ -363,7 +364,7 @@ impl<'a> DrawnLocus<'a> {
         let ends = [zone.from, zone.to].into_iter().zip(zone.is_root);
         let roots = ends.filter(|(_, is_root)| *is_root).map(|(end, _)| (end, 0.0));
         let mut profile: Vec<(f64, f64)> = roots.chain([(zone.peak, zone.growth)]).chain(inside).collect();
-        profile.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut profile, |own| own.0);
         profile
     }
 }

@@ -3,6 +3,7 @@
 use super::nodes::SystemNodes;
 use super::{Uncoupled, part};
 use crate::structure::build::Structure;
+use judder_numerics::order::sort_by_number;
 use judder_numerics::words::plain;
 use judder_sliding::plane::PlaneVector;
 
@@ -80,7 +81,7 @@ fn sort_along(points: &mut [usize], track: &Structure) {
         let [x, y] = part::place(track, *at);
         sign * (x * cos + y * sin)
     };
-    points.sort_by(|a, b| along(a).total_cmp(&along(b)));
+    sort_by_number(points, along);
 }
 
 fn mean(places: impl Iterator<Item = PlaneVector>) -> PlaneVector {

@@ -4,6 +4,7 @@ use super::super::undamped::Undamped;
 use crate::error::ModelError;
 use crate::structure::build::{Structure, factors};
 use crate::structure::case::StructureCase;
+use judder_numerics::order::sort_by_number;
 use judder_store::Results;
 use judder_structure::StructureError;
 use judder_structure::affine::Factors;
@@ -116,7 +117,7 @@ pub(super) fn of_growing(
     if growing.is_empty() {
         return Ok(None);
     }
-    growing.sort_by(|a, b| b.1.eigenvalue.value.re.total_cmp(&a.1.eigenvalue.value.re));
+    sort_by_number(&mut growing, |own| -own.1.eigenvalue.value.re);
     growing.truncate(MODES);
     let at = factors(case, &case.values())?;
     let undamped = Undamped::new(case, structure)?;
@@ -270,7 +271,7 @@ impl Fed {
 /// The undamped modes with the largest shares.
 fn taking_part(undamped: &Undamped, components: &[Mode], mode: &ComplexMode) -> Vec<TakingPart> {
     let mut shares = participations(&undamped.mass, components, mode);
-    shares.sort_by(|a, b| b.share.total_cmp(&a.share));
+    sort_by_number(&mut shares, |own| -own.share);
     let entry = |own: &judder_structure::diagnosis::Participation| TakingPart {
         mode: own.component + 1,
         frequency_hz: components[own.component].frequency_hz(),

@@ -4,6 +4,7 @@
 
 use super::super::shape_panels::{mac, panels as shape_panels, significant};
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_number;
 use judder_report::{Axis, Layer, Panel, Role};
 use judder_study::pictures::{StoredArrays, at, codes, complexes};
 use num_complex::Complex64;
@@ -31,7 +32,7 @@ pub(crate) fn eigen(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     let (values, verdicts) = (complexes(dataset, "eigenvalue")?, codes(dataset, "verdict")?);
     let mut panels = vec![plane(values, verdicts), bubbles(values, verdicts)];
     let mut order: Vec<(usize, &Complex64)> = values.iter().enumerate().collect();
-    order.sort_by(|a, b| b.1.re.total_cmp(&a.1.re));
+    sort_by_number(&mut order, |own| -own.1.re);
     let title = |k: usize| {
         let value = values.get(k).copied().unwrap_or(Complex64::new(f64::NAN, f64::NAN));
         let ratio = -value.re / value.modulus();

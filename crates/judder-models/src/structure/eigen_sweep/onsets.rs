@@ -1,6 +1,7 @@
 //! Where along a parameter modes begin or cease to grow, and what is told of it.
 
 use crate::error::ModelError;
+use judder_numerics::order::sort_by_number;
 use judder_store::Results;
 use judder_structure::asked_region::AskedRegion;
 use judder_structure::complex_modes::Region;
@@ -89,7 +90,7 @@ impl LocatedOnsets {
     ) -> Result<Self, ModelError> {
         let known = known.iter().cloned();
         let mut sorted: Vec<(f64, Option<StabilityAt>)> = values.iter().copied().zip(known).collect();
-        sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut sorted, |own| own.0);
         // no interval knows of another
         let each = sorted.par_windows(2).map(|pair| match pair {
             [low, high] => Self::between(low, high, region, at),

@@ -4,6 +4,7 @@ use super::column::PointColumn;
 use super::{DRAWN_POINTS, Drawn, DrawnSweep, PANELS, evenly, left_out};
 use crate::labels::short_number;
 use crate::pictures::{DRAWN_SIDE, ascending_order, at, axis, picked, reals, text};
+use judder_numerics::order::sort_by_number;
 use judder_report::figure::{Class, ClassMap, ValueMap};
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
@@ -86,7 +87,7 @@ fn zero(column: &PointColumn) -> Option<Layer> {
 /// A line through ascending abscissae, whichever way they were swept; with its points where they are few.
 fn curve(label: &str, x: &[f64], y: Vec<f64>, role: Role) -> Vec<Layer> {
     let mut points: Vec<(f64, f64)> = x.iter().copied().zip(y).collect();
-    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by_number(&mut points, |own| own.0);
     let (x, y): (Vec<f64>, Vec<f64>) = points.into_iter().unzip();
     let points = (x.len() <= FEW_POINTS).then(|| Layer::points("", x.clone(), y.clone(), role));
     std::iter::once(Layer::line(label, x, y, role.solid())).chain(points).collect()
@@ -118,7 +119,7 @@ fn family(
 pub(super) fn strip(x: Axis, places: &[f64], column: &PointColumn) -> Panel {
     let mut order: Vec<(usize, f64)> =
         places.iter().copied().enumerate().filter(|(_, place)| place.is_finite()).collect();
-    order.sort_by(|a, b| a.1.total_cmp(&b.1));
+    sort_by_number(&mut order, |own| own.1);
     order.dedup_by(|b, a| b.1 <= a.1);
     let (codes, classes) = drawn_classes(column, order.iter().map(|(point, _)| *point));
     let map = ClassMap { x: order.iter().map(|(_, place)| *place).collect(), y: vec![0.0], codes, classes };

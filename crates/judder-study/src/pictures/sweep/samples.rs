@@ -3,6 +3,7 @@
 use super::column::{KeyColumn, PointColumn};
 use super::grid::strip;
 use super::{Drawn, DrawnSweep, PANELS, left_out, part};
+use judder_numerics::order::sort_by_number;
 use judder_report::{Axis, Layer, Panel, Role, Style};
 
 /// Keys that stand beside each other.
@@ -47,7 +48,7 @@ fn shown_keys<'a>(sweep: &'a DrawnSweep<'_>) -> Vec<&'a KeyColumn> {
         indices.filter_map(of).fold(0.0, f64::max)
     };
     let mut order: Vec<(usize, &KeyColumn)> = sweep.keys.iter().enumerate().collect();
-    order.sort_by(|a, b| total(b.1).total_cmp(&total(a.1)));
+    sort_by_number(&mut order, |own| -total(own.1));
     order.truncate(KEYS);
     order.sort_by_key(|(k, _)| *k);
     order.into_iter().map(|(_, key)| key).collect()

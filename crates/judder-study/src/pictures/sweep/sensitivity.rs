@@ -1,6 +1,7 @@
 //! Which swept key decides what: first-order and total Sobol' indices with their confidence intervals.
 
 use super::{DrawnSweep, PANELS, left_out, part};
+use judder_numerics::order::sort_by_number;
 use judder_report::{Axis, Figure, Layer, Legend, Panel, Role};
 use serde_json::Value;
 
@@ -37,7 +38,7 @@ pub(super) fn figure(name: &str, sweep: &DrawnSweep<'_>) -> Option<Figure> {
 fn panel(sweep: &DrawnSweep<'_>, quantity: &str, indices: &Value) -> Panel {
     let total = |path: &str| part(indices, &["total", path, "value"]).as_f64().unwrap_or(f64::NEG_INFINITY);
     let mut keys: Vec<&super::KeyColumn> = sweep.keys.iter().collect();
-    keys.sort_by(|a, b| total(&b.path).total_cmp(&total(&a.path)));
+    sort_by_number(&mut keys, |own| -total(&own.path));
     keys.truncate(KEYS);
     // the largest stands above
     keys.reverse();

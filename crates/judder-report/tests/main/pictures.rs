@@ -2,6 +2,7 @@
 
 use crate::samples::{HOSTILE, every_layer, one_line};
 use judder_report::figure::ClassMap;
+use judder_report::palette::Colour;
 use judder_report::{Axis, Figure, Layer, Panel, ReportError, Role, Scale, png, svg};
 use proptest::prelude::*;
 use roxmltree::Document;
@@ -71,6 +72,10 @@ fn cells_are_not_blended() {
     let colours: std::collections::BTreeSet<&[u8]> =
         row.chunks(samples).skip(40).take(info.width as usize - 60).collect();
     assert!(colours.len() <= 3, "two classes and at most one seam: {colours:?}");
+    for role in [Role::Stable, Role::Both] {
+        let Colour(red, green, blue) = role.colour();
+        assert!(colours.iter().any(|own| own[..3] == [red, green, blue]), "{role:?} among {colours:?}");
+    }
 }
 
 #[test]

@@ -9,6 +9,7 @@ use judder_assembly::assembly::Assembly;
 use judder_assembly::friction::check_table;
 use judder_assembly::interface::{Asperity, ForceAt, InterfaceLaw, PointForces};
 use judder_assembly::row::Row;
+use judder_numerics::order::sort_by_number;
 use judder_numerics::ramp::{half_cosine, straight};
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -162,7 +163,7 @@ impl TimeFactor {
                 .filter(|(place, _)| passed(place))
                 .map(|(place, factor)| (from + (to - from) * ((place - before) / (after - before)), *factor))
                 .collect();
-            corners.sort_by(|a, b| a.0.total_cmp(&b.0));
+            sort_by_number(&mut corners, |own| own.0);
             for (time, factor) in corners {
                 // one that rounding puts on another is no corner
                 if made.times.last().is_some_and(|before| *before < time) && time < to {

@@ -1,6 +1,7 @@
 //! All roots of a small real polynomial.
 
 use crate::complex::ElementaryComplex;
+use crate::order::{sort_by_number, sort_by_numbers};
 use crate::words::plain;
 use num_complex::Complex64;
 use thiserror::Error;
@@ -62,7 +63,7 @@ pub fn real_polynomial_roots(coefficients: &[f64]) -> Result<Vec<Complex64>, Pol
     let mut roots = simultaneous_iteration(&reduced)?;
     roots.extend(std::iter::repeat_n(Complex64::ZERO, zeros));
     make_conjugates_exact(coefficients, &mut roots);
-    roots.sort_by(|a, b| a.im.total_cmp(&b.im).then(a.re.total_cmp(&b.re)));
+    sort_by_numbers(&mut roots, |own| [own.im, own.re]);
     Ok(roots)
 }
 
@@ -133,7 +134,7 @@ fn simultaneous_iteration(coefficients: &[f64]) -> Result<Vec<Complex64>, Polyno
 fn make_conjugates_exact(coefficients: &[f64], roots: &mut [Complex64]) {
     let mut paired = vec![false; roots.len()];
     let mut by_height: Vec<usize> = (0..roots.len()).collect();
-    by_height.sort_by(|a, b| roots[*b].im.abs().total_cmp(&roots[*a].im.abs()));
+    sort_by_number(&mut by_height, |own| -roots[*own].im.abs());
     for &i in &by_height {
         if paired[i] {
             continue;

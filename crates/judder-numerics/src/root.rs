@@ -1,5 +1,6 @@
 //! Roots of scalar functions: one in a bracket, or all of them over an interval.
 
+use crate::order::sort_numbers;
 use thiserror::Error;
 
 /// Why no root came out.
@@ -134,7 +135,7 @@ pub fn all_roots_from_values(
             }
         }
     }
-    search.roots.sort_by(f64::total_cmp);
+    sort_numbers(&mut search.roots);
     search.roots.dedup();
     search
 }

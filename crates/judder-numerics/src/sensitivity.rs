@@ -15,6 +15,7 @@
 use thiserror::Error;
 
 use crate::counter;
+use crate::order::sort_numbers;
 
 /// What the confidence intervals of indices are made with.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -208,7 +209,7 @@ impl ScaledRows {
             }
         }
         let index = |(value, mut drawn): (&f64, Vec<f64>)| {
-            drawn.sort_by(f64::total_cmp);
+            sort_numbers(&mut drawn);
             let tail = 0.5 * (1.0 - bootstrap.confidence);
             let [lower, upper] = [tail, 1.0 - tail].map(|share| quantile(&drawn, share));
             Index { value: *value, lower, upper }

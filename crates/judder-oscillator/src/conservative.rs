@@ -6,6 +6,7 @@ use crate::FrictionLoad;
 use crate::groups::Coefficients;
 use judder_contact::ContactResponse;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_numbers;
 use num_complex::Complex64;
 
 /// 4 k12 k21 + (k11 − k22)², the radicand of (24), (25): negative where the two modes have merged into flutter.
@@ -43,7 +44,7 @@ pub fn conservative_eigenvalues(stiffness: &[[f64; 2]; 2]) -> [Complex64; 4] {
         Complex64::ZERO
     };
     let mut all = [outer, -outer, inner, -inner];
-    all.sort_by(|a, b| a.im.total_cmp(&b.im).then(a.re.total_cmp(&b.re)));
+    sort_by_numbers(&mut all, |own| [own.im, own.re]);
     all
 }
 

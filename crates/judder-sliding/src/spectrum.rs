@@ -11,7 +11,7 @@ use crate::SlidingError;
 use crate::characteristic::{PRECISION, PairCharacteristic};
 use crate::tracking::reach;
 use judder_numerics::complex::ElementaryComplex;
-use judder_numerics::order::{sort_by_number, sort_by_numbers};
+use judder_numerics::order::{sort_by_number, sort_by_numbers, sort_numbers};
 use num_complex::Complex64;
 use simultaneous::{EigenIterate, Regular};
 use std::f64::consts::TAU;
@@ -210,7 +210,7 @@ fn moved(first_order: f64, gap: f64) -> f64 {
 /// Imaginary parts of the upper poles, ascending.
 fn pole_heights(function: &PairCharacteristic) -> Vec<f64> {
     let mut heights: Vec<f64> = (0..function.modes()).map(|mode| function.poles(mode)[0].im).collect();
-    heights.sort_by(f64::total_cmp);
+    sort_numbers(&mut heights);
     heights
 }
 
@@ -292,7 +292,7 @@ fn mirror(zeros: &mut [EigenIterate]) {
 /// By the imaginary part alone a large real zero, as friction near sprag-slip has, would count among the lowest and yet lie outside.
 fn border(zeros: &[EigenIterate], wanted: WantedEigenvalues, scale: f64) -> f64 {
     let mut reaches: Vec<f64> = zeros.iter().map(|zero| reach(zero.value)).collect();
-    reaches.sort_by(f64::total_cmp);
+    sort_numbers(&mut reaches);
     let (first, at_least) = match wanted {
         WantedEigenvalues::Lowest(count) => (count, 0.0),
         WantedEigenvalues::Below(limit) => (reaches.partition_point(|reach| *reach <= limit), limit),

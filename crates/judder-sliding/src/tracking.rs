@@ -1,6 +1,7 @@
 //! Which eigenvalue continues which, from one value of a parameter to the next.
 
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_number;
 use num_complex::Complex64;
 
 /// For each of `foretold` the index of the eigenvalue of `found` that continues it: nearest first, each once; `None` where too few are
@@ -18,7 +19,7 @@ fn matched(own: usize, others: usize, distance: impl Fn(usize, usize) -> f64) ->
     for i in 0..own {
         distances.extend((0..others).map(|j| (distance(i, j), i, j)));
     }
-    distances.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
+    sort_by_number(&mut distances, |own| own.0);
     let (mut matched, mut is_taken) = (vec![None; own], vec![false; others]);
     for (_, i, j) in distances {
         if matched[i].is_none() && !is_taken[j] {

@@ -38,6 +38,7 @@ use accuracy::Accuracy;
 pub(crate) use accuracy::left_by_residuals;
 use cover::{Cover, cover};
 use faer::c64;
+use judder_numerics::order::sort_by_numbers;
 use judder_numerics::parallel;
 use refine::Neighbourhood;
 use whole::whole;
@@ -220,10 +221,7 @@ pub(crate) fn finished(
     let mut modes: Vec<ComplexMode> = inside
         .map(|(k, known)| mode(&refined[*k].triple, known.eigenvalue(left_open[*k], settings)))
         .collect();
-    modes.sort_by(|a, b| {
-        let (a, b) = (a.eigenvalue.value, b.eigenvalue.value);
-        a.im.total_cmp(&b.im).then(a.re.total_cmp(&b.re))
-    });
+    sort_by_numbers(&mut modes, |own| [own.eigenvalue.value.im, own.eigenvalue.value.re]);
     modes
 }
 

@@ -2,6 +2,7 @@
 
 use super::quadrature::{panels, product_weights, tail};
 use super::substrate::SlidingSubstrate;
+use judder_numerics::order::sort_numbers;
 use judder_numerics::quadrature::gauss_legendre;
 use std::ops::Range;
 use std::sync::LazyLock;
@@ -90,7 +91,7 @@ impl<F: Fn(f64) -> f64> WakeRow<F> {
             }
         }
         breaks.retain(|at| (0.0..=1.0).contains(at));
-        breaks.sort_by(f64::total_cmp);
+        sort_numbers(&mut breaks);
         breaks.windows(2).map(|pair| panels(rate, pair[0], pair[1], |t| (self.displacement)(x + t))).sum()
     }
 }

@@ -1,5 +1,7 @@
 //! How far every knot is from the polynomial through its neighbours.
 
+use judder_numerics::order::sort_numbers;
+
 /// Knots to each side whose differences count for a knot: one difference alone may be small by chance.
 const REACH: usize = 2;
 
@@ -18,7 +20,7 @@ pub(crate) fn differences(places: &[f64], values: &[f64]) -> Option<Vec<f64>> {
     };
     let all: Vec<f64> = inner.clone().map(of).collect();
     let mut sorted = all.clone();
-    sorted.sort_by(f64::total_cmp);
+    sort_numbers(&mut sorted);
     let median = sorted[sorted.len() / 2];
     let about = |k: usize| {
         // what stands nearer to an end than any difference takes those nearest to it

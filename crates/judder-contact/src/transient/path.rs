@@ -3,6 +3,7 @@
 use super::error::TransientError;
 use super::substrate::positive;
 use crate::unilateral::Loading;
+use judder_numerics::order::sort_numbers;
 use std::f64::consts::TAU;
 
 /// Steps in a period of an oscillation, at least.
@@ -252,7 +253,7 @@ impl IndenterPath {
         times.extend(self.normal_course().corners(duration));
         times.extend(given.iter().copied().filter(|time| *time > 0.0));
         times.push(duration);
-        times.sort_by(f64::total_cmp);
+        sort_numbers(&mut times);
         times.dedup_by(|later, earlier| *later - *earlier <= SAME * duration);
         times
     }

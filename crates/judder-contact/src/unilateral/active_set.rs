@@ -5,6 +5,7 @@ use super::problem::{
 };
 use crate::surface::operator::SurfaceOperator;
 use judder_numerics::gmres::{GmresError, GmresLimits, PreconditionedOperator, gmres};
+use judder_numerics::order::sort_numbers;
 
 /// Directions kept by the linear solver.
 const RESTART: usize = 60;
@@ -237,7 +238,7 @@ impl<'a> ActiveSetIterate<'a> {
     fn change(&mut self, violations: &[Violation], share: f64) {
         let threshold = if share < 1.0 {
             let mut sizes: Vec<f64> = violations.iter().map(|violation| violation.size).collect();
-            sizes.sort_by(f64::total_cmp);
+            sort_numbers(&mut sizes);
             let keep = ((share * sizes.len() as f64).ceil() as usize).clamp(1, sizes.len());
             sizes[sizes.len() - keep]
         } else {

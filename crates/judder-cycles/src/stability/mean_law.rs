@@ -8,6 +8,7 @@ use crate::balance::{HarmonicBalance, PointSignals, ProjectedForces};
 use crate::point_law::{COMPONENTS, ProjectedForce, projected};
 use crate::series::Series;
 use judder_nonsmooth::contact_problem::PointMotion;
+use judder_numerics::order::sort_numbers;
 use judder_numerics::quadrature::gauss_legendre;
 use std::f64::consts::TAU;
 
@@ -107,7 +108,7 @@ impl<'s, 'b, 'a> MeanLaws<'s, 'b, 'a> {
         let amid = |own: &&f64| (from..to).contains(*own);
         let mut cuts: Vec<f64> = self.touches.iter().flatten().filter(amid).copied().collect();
         cuts.extend([from, to]);
-        cuts.sort_by(f64::total_cmp);
+        sort_numbers(&mut cuts);
         cuts.windows(2).filter(|own| own[1] > own[0]).map(|own| [own[0], own[1]]).collect()
     }
 

@@ -6,6 +6,7 @@ use super::becomes::{BECOMES, CYCLE, IRREGULAR, UNCONFIRMED};
 use super::bifurcation::branch_layers as branches;
 use super::si;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_numbers;
 use judder_oscillator::motion::ContactState;
 use judder_report::figure::ShadedRegion;
 use judder_report::palette::Style;
@@ -416,7 +417,7 @@ fn largest(dataset: &StoredArrays<'_>, directions: &[String], along: Axis) -> Op
     let label =
         text(dataset.variable("section_x")?, "label").unwrap_or("x").replace("Displacement", "Largest");
     let mut sizes: Vec<f64> = x.iter().map(|x| x.abs()).collect();
-    sizes.sort_by(f64::total_cmp);
+    sort_numbers(&mut sizes);
     let usual = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
     let up = match sizes.last() {
         Some(largest) if usual > 0.0 && *largest > WIDE * usual => Axis::symmetric_log(label, usual),

@@ -4,6 +4,7 @@
 
 use super::settings::SPECTRA;
 use crate::sliding::march::figure::positions;
+use judder_numerics::order::sort_by_number;
 use judder_report::figure::ValueMap;
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
@@ -155,7 +156,7 @@ impl Levels {
         let rise = |level: f64| (level.clamp(low, high) - low) / (high - low) * HEIGHT * distance;
         let mut order: Vec<(usize, (&f64, &[f64]))> =
             places.iter().zip(spectra.chunks(lines.max(1))).enumerate().collect();
-        order.sort_by(|(_, (a, _)), (_, (b, _))| a.total_cmp(b));
+        sort_by_number(&mut order, |own| *own.1.0);
         let mut skyline = vec![f64::NEG_INFINITY; lines];
         let mut layers = Vec::new();
         for (k, (place, levels)) in order {

@@ -8,6 +8,7 @@ use crate::motion::attractor::{Patience, Settled, distance, settle};
 use crate::motion::{ContactState, Interrupted, SlidingSystem};
 use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::dense::eigenvalues;
+use judder_numerics::order::sort_by_numbers;
 use judder_numerics::piecewise::tangent::SquareMatrix;
 use num_complex::Complex64;
 use std::array::from_fn;
@@ -124,13 +125,12 @@ pub(super) fn finished<const N: usize>(
 /// The eigenvalues of the return map's derivative; the zero that belongs to the section's normal makes room for the 1 of
 /// the cycle's own direction, which is exact.
 fn multipliers<const N: usize>(derivative: &SquareMatrix<N>) -> Result<Vec<Complex64>, CycleError> {
-    let by_magnitude =
-        |a: &Complex64, b: &Complex64| b.modulus().total_cmp(&a.modulus()).then(b.im.total_cmp(&a.im));
+    let falling = |own: &Complex64| [-own.modulus(), -own.im];
     let mut values = eigenvalues(derivative)?;
-    values.sort_by(by_magnitude);
+    sort_by_numbers(&mut values, falling);
     if let Some(smallest) = values.last_mut() {
         *smallest = Complex64::ONE;
     }
-    values.sort_by(by_magnitude);
+    sort_by_numbers(&mut values, falling);
     Ok(values)
 }

@@ -1,6 +1,7 @@
 //! Eigenvalues that D cannot show: those of modes that the contact does not move, and of modes that are equal but for their shapes.
 
 use super::PairCharacteristic;
+use judder_numerics::order::sort_by_number;
 use num_complex::Complex64;
 
 /// Modes whose frequency and damping differ by no more than this share of the frequency are equal.
@@ -17,7 +18,7 @@ impl PairCharacteristic {
     /// as if alone.
     pub(crate) fn without_uncoupled(&self) -> Option<(Self, Vec<Complex64>)> {
         let mut order: Vec<usize> = (0..self.modes).collect();
-        order.sort_by(|a, b| self.frequencies[*a].total_cmp(&self.frequencies[*b]).then(a.cmp(b)));
+        sort_by_number(&mut order, |mode| self.frequencies[*mode]);
         let mut groups: Vec<Vec<usize>> = Vec::new();
         for mode in order {
             let own = groups.iter_mut().rev().take_while(|group| self.is_near(group[0], mode));

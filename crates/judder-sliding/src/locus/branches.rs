@@ -3,7 +3,7 @@
 use crate::spectrum::Spectrum;
 use crate::tracking::{Tracker, reach};
 use crate::zones::SpectrumSample;
-use judder_numerics::order::sort_by_number;
+use judder_numerics::order::{sort_by_number, sort_by_numbers};
 use num_complex::Complex64;
 
 /// Eigenvalues by branch, with how far each may be off.
@@ -22,7 +22,7 @@ impl LocusBranches {
         let mut all: Vec<(SpectrumSample, Option<Vec<f64>>)> =
             samples.into_iter().map(|sample| (sample, None)).collect();
         all.extend(shown.into_iter().map(|(at, spectrum)| sample_of(at, spectrum)));
-        all.sort_by(|a, b| a.0.at.total_cmp(&b.0.at).then(a.1.is_some().cmp(&b.1.is_some())));
+        sort_by_numbers(&mut all, |own| [own.0.at, f64::from(own.1.is_some())]);
         let mut tracker = Tracker::default();
         let mut columns: Vec<usize> = Vec::new();
         let mut rows = Vec::new();

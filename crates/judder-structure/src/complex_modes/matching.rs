@@ -2,6 +2,7 @@
 
 use faer::c64;
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_number;
 
 /// Pairs of places in two lists, nearest first, each place at most once and none further apart than the tolerance.
 pub(crate) fn one_to_one(a: &[c64], b: &[c64], tolerance: f64) -> Vec<(usize, usize)> {
@@ -10,7 +11,7 @@ pub(crate) fn one_to_one(a: &[c64], b: &[c64], tolerance: f64) -> Vec<(usize, us
         let within = b.iter().enumerate().map(|(j, right)| ((left - right).modulus(), i, j));
         near.extend(within.filter(|(distance, ..)| *distance <= tolerance));
     }
-    near.sort_by(|x, y| x.0.total_cmp(&y.0).then((x.1, x.2).cmp(&(y.1, y.2))));
+    sort_by_number(&mut near, |own| own.0);
     let (mut taken_a, mut taken_b) = (vec![false; a.len()], vec![false; b.len()]);
     let mut pairs = Vec::new();
     for (_, i, j) in near {

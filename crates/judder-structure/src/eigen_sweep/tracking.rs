@@ -3,6 +3,7 @@
 use crate::complex_modes::{ComplexMode, vectors::assurances};
 use faer::{Mat, c64};
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_number;
 
 /// Follows branches from point to point.
 #[derive(Default)]
@@ -48,7 +49,7 @@ impl SweepTracker {
                 .map(|(k, mode)| (branch.distance(mode, right[(row, k)] * left[(row, k)]), *number, k));
             candidates.extend(costs.filter(|(cost, ..)| *cost < STRANGER));
         }
-        candidates.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        sort_by_number(&mut candidates, |own| own.0);
         let mut of_mode: Vec<Option<usize>> = vec![None; modes.len()];
         for branch in &mut self.branches {
             branch.alive = false;

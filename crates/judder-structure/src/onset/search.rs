@@ -5,6 +5,7 @@ mod smooth;
 use super::{Onset, OnsetDoubt, OnsetKind, OnsetsBetween, StabilityAt};
 use crate::complex_modes::{Eigenvalue, Region, Verdict};
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_by_number;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -132,7 +133,7 @@ impl StabilitySample {
                 .filter(|(_, other)| (*other - own).abs() <= SAME_MODE * own.max(**other));
             pairs.extend(alike.map(|(j, other)| ((other - own).abs(), i, j)));
         }
-        pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+        sort_by_number(&mut pairs, |own| own.0);
         let mut paired = [vec![false; here.len()], vec![false; there.len()]];
         let mut alike = Vec::new();
         for (_, i, j) in pairs {

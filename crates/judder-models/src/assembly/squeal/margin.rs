@@ -18,6 +18,7 @@ use judder_cycles::backbone::BackboneSettings;
 use judder_cycles::balance::HarmonicBalance;
 use judder_cycles::branch::{AssemblyCycleBranch, CycleAtKey, CycleBranchEnd};
 use judder_numerics::complex::ElementaryComplex;
+use judder_numerics::order::sort_numbers;
 use judder_numerics::parallel;
 use judder_structure::complex_modes::Verdict;
 use judder_structure::eigen_sweep::{SweepMethod, SweptEigenvalues};
@@ -59,7 +60,7 @@ pub(super) fn margins(
 ) -> Result<SoughtMargins, ModelError> {
     let own = own_value(of, sweep).unwrap_or(f64::NAN);
     let mut values = sweep.values.clone();
-    values.sort_by(f64::total_cmp);
+    sort_numbers(&mut values);
     let range = [values[0], values[values.len() - 1]];
     if range[0] < own && own < range[1] && !values.contains(&own) {
         values.insert(values.partition_point(|value| *value < own), own);

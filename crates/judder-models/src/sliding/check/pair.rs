@@ -3,6 +3,7 @@
 use crate::sliding::case::SlidingCase;
 use crate::sliding::march::settings::{CUT_OFF, MarchAnalysis};
 use crate::sliding::system::{self, ReducedPair};
+use judder_numerics::order::sort_numbers;
 use judder_sliding::SlidingError;
 use judder_sliding::coupling::{Coupling, SteadyFriction};
 use judder_sliding::march::ContactMethod;
@@ -106,7 +107,7 @@ fn locked(system: &ReducedPair, sliding: SteadyFriction) -> Option<SlidingError>
     let mut places: Vec<f64> =
         nodes.iter().copied().chain(between).filter(|place| *place > from && *place < to).collect();
     places.extend([from, to]);
-    places.sort_by(f64::total_cmp);
+    sort_numbers(&mut places);
     places.into_iter().find_map(|position| {
         let touch = pair.undeformed(position).ok()?;
         Coupling::new(pair, &touch, sliding).check(position, sliding.friction).err()

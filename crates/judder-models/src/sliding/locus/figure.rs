@@ -4,7 +4,7 @@
 
 use crate::structure::eigen::figure::frequency_axis;
 use crate::structure::shape_panels::significant;
-use judder_numerics::order::sort_by_number;
+use judder_numerics::order::{sort_by_number, sort_numbers};
 use judder_report::figure::ShadedRegion;
 use judder_report::palette::{Dash, Style};
 use judder_report::runs::{alone, apart, thinned};
@@ -343,7 +343,7 @@ impl<'a> DrawnLocus<'a> {
     /// One frequency for all zones that lie about it, ascending.
     fn frequencies_of_zones(&self) -> Vec<f64> {
         let mut all: Vec<f64> = self.zones.iter().map(|zone| zone.frequency).collect();
-        all.sort_by(f64::total_cmp);
+        sort_numbers(&mut all);
         all.dedup_by(|next, kept| are_alike(*next, *kept));
         all
     }

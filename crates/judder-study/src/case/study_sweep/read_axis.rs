@@ -1,5 +1,6 @@
 //! Reading of the swept keys of a `[[sweep]]`.
 
+use judder_numerics::order::sort_by_number;
 use judder_numerics::sampling::sobol::DIMENSIONS_LIMIT;
 
 use super::design::POINTS_LIMIT;
@@ -106,7 +107,7 @@ fn refuse_repeated_values(
     dimension: Dimension,
 ) -> Result<(), Fault> {
     let mut order: Vec<usize> = (0..values.len()).collect();
-    order.sort_by(|first, second| values[*first].total_cmp(&values[*second]).then(first.cmp(second)));
+    sort_by_number(&mut order, |own| values[*own]);
     match order.windows(2).find(|pair| values[pair[0]] == values[pair[1]]) {
         None => Ok(()),
         Some(pair) => {

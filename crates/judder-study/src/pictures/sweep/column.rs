@@ -3,6 +3,7 @@
 use crate::pictures::{StoredArrays, words};
 use crate::registry::ModelKind;
 use judder_numerics::decade::power_of_ten;
+use judder_numerics::order::sort_numbers;
 use judder_report::figure::Class;
 use judder_report::{Axis, Role};
 use serde_json::Value;
@@ -135,7 +136,7 @@ impl PointColumn {
             .map(|value| value.abs())
             .filter(|size| size.is_finite() && *size > 0.0)
             .collect();
-        sizes.sort_by(f64::total_cmp);
+        sort_numbers(&mut sizes);
         let (Some(small), Some(large)) = (sizes.get(sizes.len() / 20), sizes.last()) else {
             return Axis::linear(&self.label);
         };

@@ -6,12 +6,12 @@ use crate::interface::FramedPoint;
 use crate::row::Row;
 use faer::Mat;
 use faer::sparse::Triplet;
+use judder_numerics::parallel;
 use judder_structure::assembly::Sparse;
 use judder_structure::factor::SymmetricFactor;
 use judder_structure::modes::{WantedModes, below, modes};
 use judder_structure::rigid::{largest_ratio, rigid_limit};
 use judder_structure::statics::{GeneralStatics, product};
-use rayon::prelude::*;
 use std::sync::Arc;
 
 /// The compliance of an assembly on its contact points, which no friction coefficient enters.
@@ -163,7 +163,7 @@ impl Factor {
                     let of_point = |point: &FramedPoint<'_>| {
                         opened(if which == 0 { &point.frame.normal } else { &point.frame.slip })
                     };
-                    let columns: Vec<Vec<f64>> = points.par_iter().map(of_point).collect();
+                    let columns: Vec<Vec<f64>> = parallel::each(points, of_point);
                     Mat::from_fn(count, count, |i, j| columns[j][i])
                 })
             }

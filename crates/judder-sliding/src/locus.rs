@@ -14,8 +14,8 @@ use crate::spectrum::{Spectrum, WantedEigenvalues};
 use crate::statics::PairEquilibrium;
 use crate::zones::{PairFamily, Zone, Zones, zones};
 use branches::LocusBranches;
+use judder_numerics::parallel;
 use num_complex::Complex64;
-use rayon::prelude::*;
 
 /// The geometry in which the contact is linear.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -120,9 +120,8 @@ pub fn locus_until(
         false => characteristic(pair, conditions, position),
     };
     let followed = follow(&family, positions, &pieces, *count, RESOLUTION * segment)?;
-    let forces: Vec<Result<f64, SlidingError>> =
-        positions.par_iter().map(|position| Ok(contact(pair, conditions, *position)?.1)).collect();
-    let normal_forces = forces.into_iter().collect::<Result<_, _>>()?;
+    let force = |position: &f64| Ok::<f64, SlidingError>(contact(pair, conditions, *position)?.1);
+    let normal_forces = parallel::try_each(positions, force)?;
     Ok(Locus { positions: positions.clone(), followed, normal_forces })
 }
 
@@ -185,7 +184,7 @@ pub fn contact(pair: &Pair, conditions: &Conditions, position: f64) -> Result<(C
 /// Those of the family; [`SlidingError::Incomplete`]; [`SlidingError::InvalidNumber`] as [`zones`] has it, and for parameters that do not
 /// ascend.
 pub fn follow(
-    family: &impl PairFamily,
+    family: &dyn PairFamily,
     parameters: &[f64],
     pieces: &[[f64; 2]],
     count: usize,
@@ -193,7 +192,7 @@ pub fn follow(
 ) -> Result<Followed, SlidingError> {
     check_ascending(parameters)?;
     let shown: Vec<Result<Spectrum, SlidingError>> =
-        parameters.par_iter().map(|at| Spectrum::with_more(&family.at(*at)?, *at, count)).collect();
+        parallel::each(parameters, |at| Spectrum::with_more(&family.at(*at)?, *at, count));
     let Zones { zones, samples } = zones(family, pieces, count, resolution)?;
     let shown = parameters.iter().zip(shown).map(|(at, spectrum)| Ok((*at, spectrum?)));
     let shown = shown.collect::<Result<Vec<_>, SlidingError>>()?;
@@ -215,17 +214,12 @@ pub fn smooth_pieces(
     let [start, end] = [touched(pair, conditions, from)?, touched(pair, conditions, to)?];
     let segment = nodes.last().copied().unwrap_or_default() / (nodes.len() - 1) as f64;
     let inner: Vec<f64> = nodes.iter().copied().filter(|node| *node > start && *node < end).collect();
-    let breaks: Vec<Result<f64, SlidingError>> = inner
-        .par_iter()
-        .map(|node| match conditions.configuration {
-            Configuration::Undeformed => Ok(*node),
-            Configuration::Deformed => passes(pair, conditions, *node, segment, [from, to]),
-        })
-        .collect();
+    let breaks = parallel::try_each(&inner, |node| match conditions.configuration {
+        Configuration::Undeformed => Ok(*node),
+        Configuration::Deformed => passes(pair, conditions, *node, segment, [from, to]),
+    })?;
     let mut bounds = vec![from];
-    for position in breaks {
-        bounds.push(position?);
-    }
+    bounds.extend(breaks);
     bounds.push(to);
     let aside = ASIDE * segment;
     let last = bounds.len() - 2;

@@ -20,9 +20,9 @@ use branch::EigenvaluePath;
 use follow::{is_on, onward};
 use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::order::sort_by_numbers;
+use judder_numerics::parallel;
 use num_complex::Complex64;
-use piece::{PieceSearch, SearchedPiece};
-use rayon::prelude::*;
+use piece::PieceSearch;
 use std::f64::consts::TAU;
 use strip::Strip;
 
@@ -123,7 +123,7 @@ impl Zone {
 
     /// Its own eigenvalue at a value of the parameter, polished from where its path has it; as the path has it where it is not found so near.
     #[must_use]
-    pub fn eigenvalue_at(&self, family: &impl PairFamily, at: f64) -> Complex64 {
+    pub fn eigenvalue_at(&self, family: &dyn PairFamily, at: f64) -> Complex64 {
         let within = at.clamp(self.from, self.to);
         follow::on_path(family, &self.path, within)
             .or_else(|| follow::foretold(&self.path, within))
@@ -149,7 +149,7 @@ const CONTINUED: f64 = 1e-3;
 /// Those of the family; [`SlidingError::Incomplete`]; [`SlidingError::InvalidNumber`] for a resolution that is not positive, a piece that
 /// ends before it starts, or a count that is zero or not less than the modes of the pair.
 pub fn zones(
-    family: &impl PairFamily,
+    family: &dyn PairFamily,
     pieces: &[[f64; 2]],
     count: usize,
     resolution: f64,
@@ -163,11 +163,9 @@ pub fn zones(
     if let Some([_, to]) = pieces.iter().find(|[from, to]| !(to.is_finite() && to > from)) {
         return refuse("the end of a piece of the range", *to, "finite and above its start");
     }
-    let searched: Vec<Result<SearchedPiece, SlidingError>> =
-        pieces.par_iter().map(|piece| PieceSearch::over(family, count, *piece, resolution)).collect();
+    let searched = parallel::try_each(pieces, |piece| PieceSearch::over(family, count, *piece, resolution))?;
     let (mut samples, mut parts, mut seeds) = (Vec::new(), Vec::new(), Vec::new());
     for searched in searched {
-        let searched = searched?;
         samples.extend(searched.samples);
         parts.extend(searched.strips);
         seeds.extend(searched.seeds);
@@ -175,7 +173,7 @@ pub fn zones(
     let mut chains = joined(parts);
     chains.retain(|chain| chain.iter().any(|strip| strip.is_counted));
     let mut branches: Vec<ZoneBranch> =
-        chains.par_iter().map(|chain| ZoneBranch::of_chain(family, pieces, chain)).collect();
+        parallel::each(&chains, |chain| ZoneBranch::of_chain(family, pieces, chain));
     // those that are whole first: a torn one may be a part of them
     branches.sort_by_key(|branch| branch.ends.iter().filter(|end| **end == ZoneEnd::Lost).count());
     let mut kept: Vec<ZoneBranch> = Vec::new();
@@ -189,9 +187,7 @@ pub fn zones(
             kept.push(ZoneBranch::of_seed(family, pieces, seed));
         }
     }
-    let zones: Vec<Result<Zone, SlidingError>> =
-        kept.into_par_iter().map(|branch| branch.zone(family)).collect();
-    let mut zones = zones.into_iter().collect::<Result<Vec<Zone>, SlidingError>>()?;
+    let mut zones = parallel::try_each(&kept, |branch| branch.zone(family))?;
     zones.retain(|zone| zone.growth_rate > zone.error);
     sort_by_numbers(&mut zones, |own| [own.from, own.frequency_hz]);
     // beside an eigenvalue that is nearly the same a branch may have been found by both
@@ -210,7 +206,7 @@ struct ZoneBranch {
 
 impl ZoneBranch {
     /// Of strips that continue each other, gone on with where a part ended and not the instability.
-    fn of_chain(family: &impl PairFamily, pieces: &[[f64; 2]], chain: &[Strip]) -> Self {
+    fn of_chain(family: &dyn PairFamily, pieces: &[[f64; 2]], chain: &[Strip]) -> Self {
         let mut path: EigenvaluePath = chain.iter().flat_map(|strip| strip::path(family, strip)).collect();
         let best =
             (1..chain.len()).fold(0, |best, k| if chain[k].peak.1 > chain[best].peak.1 { k } else { best });
@@ -225,15 +221,16 @@ impl ZoneBranch {
     }
 
     /// Of one place at which an eigenvalue is unstable.
-    fn of_seed(family: &impl PairFamily, pieces: &[[f64; 2]], seed: (f64, Complex64)) -> Self {
+    fn of_seed(family: &dyn PairFamily, pieces: &[[f64; 2]], seed: (f64, Complex64)) -> Self {
         let mut path = vec![seed];
         let ends = extended(family, pieces, &mut path, [true; 2]);
         let peak = follow::peak(family, &path);
         Self { path, ends, origin: seed, peak }
     }
 
-    fn zone(self, family: &impl PairFamily) -> Result<Zone, SlidingError> {
-        let Self { mut path, ends, peak, .. } = self;
+    fn zone(&self, family: &dyn PairFamily) -> Result<Zone, SlidingError> {
+        let Self { ends, peak, .. } = *self;
+        let mut path = self.path.clone();
         let error = family.at(peak.0)?.evaluator().error(peak.1);
         if let Err(place) = path.binary_search_by(|point| point.0.total_cmp(&peak.0)) {
             path.insert(place, peak);
@@ -253,7 +250,7 @@ impl ZoneBranch {
 
 /// Goes on with a path at the ends that are cut; what its ends then are.
 fn extended(
-    family: &impl PairFamily,
+    family: &dyn PairFamily,
     pieces: &[[f64; 2]],
     path: &mut EigenvaluePath,
     cut: [bool; 2],

@@ -11,6 +11,7 @@ use super::{CycleError, shoot};
 use crate::hopf::growth_rate;
 use crate::motion::attractor::{Attractor, Patience, Settled, settle};
 use crate::motion::{Interrupted, SlidingSystem};
+use judder_numerics::parallel;
 use judder_numerics::piecewise::StepSettings;
 use judder_numerics::sampling::SobolSequence;
 use rayon::prelude::*;
@@ -265,13 +266,10 @@ impl<S: SlidingSystem<N>, F: Fn(f64) -> Result<S, CycleError> + Sync, const N: u
         let Ok((system, patience)) = self.stable(place)? else { return Ok(None) };
         let starts = Self::starts(&system, BEYOND.len(), warm);
         let settings = self.settings();
-        let fates: Vec<Option<bool>> = starts
-            .par_iter()
-            .map(|start| {
-                let settled = settle(&system, *start, settings, &patience, self.interrupted).ok()?;
-                Some(settled.settled != Settled::SteadySliding)
-            })
-            .collect();
+        let fates: Vec<Option<bool>> = parallel::each(&starts, |start| {
+            let settled = settle(&system, *start, settings, &patience, self.interrupted).ok()?;
+            Some(settled.settled != Settled::SteadySliding)
+        });
         let count = |fate: Option<bool>| fates.iter().filter(|f| **f == fate).count();
         Ok(Some(Look {
             parameter: place,

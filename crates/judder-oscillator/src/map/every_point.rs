@@ -4,6 +4,7 @@ use super::{OperatingPlane, StabilityMap};
 use crate::Contact;
 use crate::block::{LANES, PointBlock};
 use crate::mechanism::StabilityClass;
+use judder_numerics::parallel;
 use rayon::prelude::*;
 
 /// Rows that one task decides: each tile starts afresh, so its size is fixed, whatever the number of threads, and a map may be decided
@@ -18,19 +19,16 @@ pub fn every_point(contact: &Contact, plane: &impl OperatingPlane) -> StabilityM
     classes.par_chunks_mut((TILE_ROWS * columns).max(1)).enumerate().for_each(|(band, classes)| {
         let first_row = band * TILE_ROWS;
         let height = classes.len() / columns;
-        let tiles: Vec<(usize, Vec<u8>)> = (0..columns)
-            .into_par_iter()
-            .step_by(LANES)
-            .map(|column| {
-                let width = LANES.min(columns - column);
-                let mut codes = Vec::with_capacity(width * height);
-                let at = |lane: usize, row: usize| plane.coefficients(column + lane, first_row + row);
-                sweep_rows(contact, width, height, at, |_, block| {
-                    codes.extend((0..width).map(|lane| block.class(lane) as u8));
-                });
-                (column, codes)
-            })
-            .collect();
+        let tiles: Vec<(usize, Vec<u8>)> = parallel::each_place(columns.div_ceil(LANES), |tile| {
+            let column = tile * LANES;
+            let width = LANES.min(columns - column);
+            let mut codes = Vec::with_capacity(width * height);
+            let at = |lane: usize, row: usize| plane.coefficients(column + lane, first_row + row);
+            sweep_rows(contact, width, height, at, |_, block| {
+                codes.extend((0..width).map(|lane| block.class(lane) as u8));
+            });
+            (column, codes)
+        });
         for (column, codes) in tiles {
             let width = codes.len() / height;
             for (row, codes) in codes.chunks(width).enumerate() {

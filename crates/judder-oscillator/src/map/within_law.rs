@@ -9,7 +9,7 @@ use crate::Contact;
 use crate::equilibrium::equilibrium;
 use crate::mechanism::StabilityClass;
 use crate::within_law::WithinLaw;
-use rayon::prelude::*;
+use judder_numerics::parallel;
 
 /// What the errors of the law leave of the verdict at a point; the number is that in stored results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -98,7 +98,7 @@ impl<P: OperatingPlane> LawMap<'_, P> {
         points.sort_unstable();
         points.dedup();
         let code = |point: &usize| (!interrupted()).then(|| self.code(*point));
-        let codes: Vec<u8> = points.par_iter().map(code).collect::<Option<_>>()?;
+        let codes: Vec<u8> = parallel::each(&points, code).into_iter().collect::<Option<_>>()?;
         for (point, code) in points.into_iter().zip(codes) {
             self.codes[point] = Some(code);
         }

@@ -32,7 +32,7 @@ impl PartBranch {
     }
 
     /// As it is; `None` where the pair does not exist there or has other eigenvalues.
-    pub(super) fn found(&self, family: &impl PairFamily, share: f64) -> Option<StabilityMargin> {
+    pub(super) fn found(&self, family: &dyn PairFamily, share: f64) -> Option<StabilityMargin> {
         let function = family.at(self.place(share)).ok()?;
         self.group.found(share, self.sheet, &function)
     }

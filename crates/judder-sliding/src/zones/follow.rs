@@ -30,7 +30,7 @@ const SAME: f64 = 1e-6;
 ///
 /// The last point is the end; points are in the order in which they were met.
 pub(super) fn onward(
-    family: &impl PairFamily,
+    family: &dyn PairFamily,
     pieces: &[[f64; 2]],
     start: (f64, Complex64),
     sign: f64,
@@ -63,7 +63,7 @@ pub(super) fn onward(
 
 /// To the end of a piece, `None`, or to where the branch ends before.
 fn through(
-    family: &impl PairFamily,
+    family: &dyn PairFamily,
     [from, to]: [f64; 2],
     sign: f64,
     path: &mut EigenvaluePath,
@@ -102,7 +102,7 @@ fn through(
 
 /// The end of a branch between a place where it is unstable and one where it is not.
 fn root(
-    family: &impl PairFamily,
+    family: &dyn PairFamily,
     unstable: (f64, Complex64),
     stable: (f64, Complex64),
     path: &mut EigenvaluePath,
@@ -125,7 +125,7 @@ fn root(
 }
 
 /// The eigenvalue near one that is foretold, with what decides on its stability.
-fn found(family: &impl PairFamily, at: f64, foretold: Complex64) -> Option<(Complex64, f64)> {
+fn found(family: &dyn PairFamily, at: f64, foretold: Complex64) -> Option<(Complex64, f64)> {
     let function = family.at(at).ok()?;
     let [found] = polished(&function, [foretold])?;
     let is_near = (found - foretold).modulus() <= NEAR * foretold.modulus();
@@ -135,7 +135,7 @@ fn found(family: &impl PairFamily, at: f64, foretold: Complex64) -> Option<(Comp
 /// Why a branch is not found again a thousand-millionth of the piece farther on.
 ///
 /// So near, even two eigenvalues that meet are where they are foretold: where the pair is there and the eigenvalue is not, it has jumped.
-fn ended(family: &impl PairFamily, next: f64, value: Complex64) -> ZoneEnd {
+fn ended(family: &dyn PairFamily, next: f64, value: Complex64) -> ZoneEnd {
     match family.at(next) {
         Ok(_) if is_meeting(family, next, value) => ZoneEnd::Meeting,
         Ok(_) => ZoneEnd::Jump,
@@ -144,7 +144,7 @@ fn ended(family: &impl PairFamily, next: f64, value: Complex64) -> ZoneEnd {
 }
 
 /// Whether beyond a place a real eigenvalue goes on as a conjugate pair, or a pair as two real ones.
-fn is_meeting(family: &impl PairFamily, next: f64, value: Complex64) -> bool {
+fn is_meeting(family: &dyn PairFamily, next: f64, value: Complex64) -> bool {
     let aside = if value.im == 0.0 { ASIDE * value.modulus() } else { 0.0 };
     let Ok(function) = family.at(next) else { return false };
     polished(&function, [Complex64::new(value.re, aside)]).is_some_and(|[other]| {
@@ -153,12 +153,12 @@ fn is_meeting(family: &impl PairFamily, next: f64, value: Complex64) -> bool {
 }
 
 /// Whether an eigenvalue at a place is that of a branch there.
-pub(super) fn is_on(family: &impl PairFamily, path: &EigenvaluePath, at: f64, value: Complex64) -> bool {
+pub(super) fn is_on(family: &dyn PairFamily, path: &EigenvaluePath, at: f64, value: Complex64) -> bool {
     on_path(family, path, at).is_some_and(|found| (found - value).modulus() <= SAME * value.modulus())
 }
 
 /// The eigenvalue of a branch at a place on its path.
-pub(super) fn on_path(family: &impl PairFamily, path: &[(f64, Complex64)], at: f64) -> Option<Complex64> {
+pub(super) fn on_path(family: &dyn PairFamily, path: &[(f64, Complex64)], at: f64) -> Option<Complex64> {
     found(family, at, foretold(path, at)?).map(|(found, _)| found)
 }
 
@@ -175,7 +175,7 @@ pub(super) fn foretold(path: &[(f64, Complex64)], at: f64) -> Option<Complex64> 
 }
 
 /// Where a branch grows fastest, by the eigenvalue itself.
-pub(super) fn peak(family: &impl PairFamily, path: &EigenvaluePath) -> (f64, Complex64) {
+pub(super) fn peak(family: &dyn PairFamily, path: &EigenvaluePath) -> (f64, Complex64) {
     let best = (0..path.len()).fold(0, |best, k| if path[k].1.re > path[best].1.re { k } else { best });
     let (left, right) = (path[best.saturating_sub(1)], path[(best + 1).min(path.len() - 1)]);
     let middle = path[best];

@@ -23,8 +23,8 @@ pub(super) struct SearchedPiece {
 }
 
 /// A search over one piece.
-pub(super) struct PieceSearch<'a, F> {
-    family: &'a F,
+pub(super) struct PieceSearch<'a> {
+    family: &'a dyn PairFamily,
     count: usize,
     /// A part so short is not halved any more.
     resolution: f64,
@@ -34,9 +34,9 @@ pub(super) struct PieceSearch<'a, F> {
 /// Two eigenvalues may meet where they come nearer than this share of what their distance changes from sample to sample.
 const MEETING: f64 = 1.2;
 
-impl<'a, F: PairFamily> PieceSearch<'a, F> {
+impl<'a> PieceSearch<'a> {
     pub(super) fn over(
-        family: &'a F,
+        family: &'a dyn PairFamily,
         count: usize,
         [from, to]: [f64; 2],
         resolution: f64,

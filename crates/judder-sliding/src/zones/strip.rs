@@ -31,7 +31,7 @@ const BOUND: f64 = 1e-9;
 const POINTS: usize = 8;
 
 /// All ranges of a part in which the branch is unstable.
-pub(super) fn strips(family: &impl PairFamily, branch: &PartBranch) -> Result<Vec<Strip>, TooCoarse> {
+pub(super) fn strips(family: &dyn PairFamily, branch: &PartBranch) -> Result<Vec<Strip>, TooCoarse> {
     let share = |k: usize| k as f64 / KNOTS as f64;
     let even: Vec<(f64, StabilityMargin)> =
         (0..=KNOTS).map(|k| (share(k), branch.foretold(share(k)))).collect();
@@ -98,11 +98,7 @@ fn with_extremes(
 }
 
 /// The share at which stability changes between two, by the eigenvalue itself.
-fn crossing(
-    family: &impl PairFamily,
-    branch: &PartBranch,
-    [left, right]: [f64; 2],
-) -> Result<f64, TooCoarse> {
+fn crossing(family: &dyn PairFamily, branch: &PartBranch, [left, right]: [f64; 2]) -> Result<f64, TooCoarse> {
     // at the ends of a part the samples are the eigenvalues
     let itself = |share: f64| {
         let is_sample = share == 0.0 || share == 1.0;
@@ -128,7 +124,7 @@ fn strip(branch: &PartBranch, [from, to]: [f64; 2], knots: &[(f64, StabilityMarg
 }
 
 /// Where the strip's growth rate is highest, by the eigenvalue itself: the parameter and the eigenvalue; `None` where it is not found.
-pub(super) fn peak(family: &impl PairFamily, strip: &Strip) -> Option<(f64, Complex64)> {
+pub(super) fn peak(family: &dyn PairFamily, strip: &Strip) -> Option<(f64, Complex64)> {
     let Strip { from, to, peak, branch, .. } = strip;
     let width = branch.ends[1] - branch.ends[0];
     let share = |at: f64| (at - branch.ends[0]) / width;
@@ -140,7 +136,7 @@ pub(super) fn peak(family: &impl PairFamily, strip: &Strip) -> Option<(f64, Comp
 }
 
 /// Places of a strip from its start to its end, with the eigenvalues there.
-pub(super) fn path(family: &impl PairFamily, strip: &Strip) -> EigenvaluePath {
+pub(super) fn path(family: &dyn PairFamily, strip: &Strip) -> EigenvaluePath {
     let Strip { from, to, branch, .. } = strip;
     let width = branch.ends[1] - branch.ends[0];
     let share = |k: usize| (from.at + (to.at - from.at) * k as f64 / POINTS as f64 - branch.ends[0]) / width;

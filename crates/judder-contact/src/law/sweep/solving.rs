@@ -4,7 +4,7 @@ use super::{LawSample, SolvedLawPoint, SweepObserver};
 use crate::law::error::{FailedPoint, LawError};
 use crate::law::limits::LawIndenter;
 use crate::law::quantities::{KnotValues, PerQuantity};
-use rayon::prelude::*;
+use judder_numerics::parallel;
 use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -48,20 +48,17 @@ where
             points.iter().copied().filter(|(v, y)| !self.solved.contains_key(&key(*v, *y))).collect();
         self.observer.begins(missing.len());
         let done = AtomicUsize::new(0);
-        let attempts: Vec<SolveAttempt> = missing
-            .par_iter()
-            .map(|&(velocity, indentation)| {
-                if self.observer.interrupted() {
-                    return SolveAttempt::Interrupted;
-                }
-                let attempt = attempt(self.sampler, velocity, indentation);
-                if let SolveAttempt::Solved(point) = &attempt {
-                    let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-                    self.observer.finished(point, done, missing.len());
-                }
-                attempt
-            })
-            .collect();
+        let attempts: Vec<SolveAttempt> = parallel::each(&missing, |&(velocity, indentation)| {
+            if self.observer.interrupted() {
+                return SolveAttempt::Interrupted;
+            }
+            let attempt = attempt(self.sampler, velocity, indentation);
+            if let SolveAttempt::Solved(point) = &attempt {
+                let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+                self.observer.finished(point, done, missing.len());
+            }
+            attempt
+        });
         let (mut failures, mut is_interrupted) = (Vec::new(), false);
         for attempt in attempts {
             match attempt {

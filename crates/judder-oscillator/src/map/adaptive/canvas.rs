@@ -5,6 +5,7 @@ use crate::block::{LANES, PointBlock};
 use crate::map::every_point::sweep_rows;
 use crate::map::{OperatingPlane, StabilityMap};
 use crate::mechanism::StabilityClass;
+use judder_numerics::parallel;
 use rayon::prelude::*;
 
 /// Marks a point that was not decided; beside it stands the class that it was filled with.
@@ -98,18 +99,16 @@ impl<'a, P: OperatingPlane> Canvas<'a, P> {
     /// Decides the points of the grid of these lines.
     pub(super) fn decide_grid(&mut self, across: &[usize], up: &[usize]) {
         let (contact, plane) = (self.contact, self.plane);
-        let strips: Vec<Vec<(u8, f32)>> = across
-            .par_chunks(LANES)
-            .map(|strip| {
-                let mut decided = Vec::with_capacity(strip.len() * up.len());
-                let at = |lane: usize, row: usize| plane.coefficients(strip[lane], up[row]);
-                sweep_rows(contact, strip.len(), up.len(), at, |_, block| {
-                    decided.extend((0..strip.len()).map(|lane| result(block, lane)));
-                });
-                decided
-            })
-            .collect();
-        for (strip, decided) in across.chunks(LANES).zip(strips) {
+        let strips: Vec<&[usize]> = across.chunks(LANES).collect();
+        let found = parallel::each(&strips, |strip| {
+            let mut decided: Vec<(u8, f32)> = Vec::with_capacity(strip.len() * up.len());
+            let at = |lane: usize, row: usize| plane.coefficients(strip[lane], up[row]);
+            sweep_rows(contact, strip.len(), up.len(), at, |_, block| {
+                decided.extend((0..strip.len()).map(|lane| result(block, lane)));
+            });
+            decided
+        });
+        for (strip, decided) in strips.into_iter().zip(found) {
             let points = up.iter().flat_map(|&row| strip.iter().map(move |&column| (column, row)));
             for ((column, row), (class, ln_indentation)) in points.zip(decided) {
                 self.record(self.index(column, row), class, ln_indentation);

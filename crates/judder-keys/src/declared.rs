@@ -25,7 +25,7 @@ pub use allowed::{
 pub use expressed::{EvaluatedTree, ExpressionScope, NumberExpression};
 pub use listed::{Listed, listed};
 pub use named::Named;
-pub use rows::rows;
+pub use rows::{ToldKey, rows, told};
 pub use rules::{Fixed, Number, NumberPair, Several, UNLIMITED, Whole};
 pub use scaled::{Ladder, ScaledPair};
 pub use values::conflict;

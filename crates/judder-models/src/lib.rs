@@ -65,7 +65,7 @@ pub use oscillator::operating_points::arrays as point_arrays;
 pub use oscillator::{key_plane, point, quasi_steady};
 pub use sliding::{coupled_pair, shapes as sliding_shapes};
 
-use judder_keys::declared::Listed;
+use judder_keys::declared::{Declaration, Listed};
 use judder_keys::error::CaseError;
 use judder_study::Registry;
 use judder_study::case::analysis::KindEntry;
@@ -125,6 +125,13 @@ pub fn schema() -> Value {
 /// The kinds of analyses of the model of this name; none where there is no such model.
 pub fn kinds_of(model: &str) -> impl Iterator<Item = KindEntry> {
     REGISTRY.kinds_of(model)
+}
+
+/// What cases of the model of this name say beside their analyses; nothing where there is no such model.
+#[must_use]
+pub fn declared_of(model: &str) -> Vec<Declaration> {
+    let found = REGISTRY.models().iter().find(|own| own.name == model);
+    found.map_or_else(Vec::new, |own| (own.declared)())
 }
 
 /// Every key of the cases of a model as data, as of [`keys::keys`].

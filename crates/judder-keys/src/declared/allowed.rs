@@ -332,7 +332,7 @@ impl Allowed {
     }
 
     /// What may stand there, as the reference says it.
-    pub(super) fn words(&self) -> String {
+    pub fn words(&self) -> String {
         match self {
             Self::Number(number) if number.dimension.is_number() => {
                 format!("a number, {}", number.range.signs())

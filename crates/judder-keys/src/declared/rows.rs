@@ -1,10 +1,40 @@
-//! Rows of the reference of keys: what each may be, and what it is where it is left out.
+//! Keys as docs tell them: what each may be, what it is where it is left out; rows of the reference.
 
 use super::allowed::{Allowed, Declaration, as_written, choices, must_be_given};
 
+/// A key as docs tell it.
+pub struct ToldKey<'a> {
+    /// As it is declared.
+    pub key: &'a Declaration,
+    /// Its default as a case file says it; empty where it has none.
+    pub default: String,
+    /// Of a key without a default whether it must be given, in place of which keys or beside which; empty where it need not be.
+    pub needed: String,
+    /// The keys of its table; of several tables that it may be the keys of each, one that more than one has once.
+    pub keys: Vec<ToldKey<'a>>,
+}
+
+/// The keys of a table as docs tell them.
+pub fn told(keys: &[Declaration]) -> Vec<ToldKey<'_>> {
+    KeyTables { one: keys, others: Vec::new() }.told()
+}
+
 /// The rows of a table, and below each those of the keys of its own table.
 pub fn rows(keys: &[Declaration]) -> String {
-    KeyTables { one: keys, others: Vec::new() }.rows("")
+    rows_of(&told(keys), "")
+}
+
+fn rows_of(keys: &[ToldKey<'_>], prefix: &str) -> String {
+    let row = |own: &ToldKey<'_>| {
+        let Declaration { name, symbol, doc, form, .. } = own.key;
+        let path = format!("{prefix}{name}");
+        let absent = if own.default.is_empty() { own.needed.clone() } else { format!("`{}`", own.default) };
+        let inner =
+            if matches!(form, Allowed::Named(_)) { format!("{path}.NAME.") } else { format!("{path}.") };
+        let row = format!("| `{path}` | {symbol} | {} | {absent} | {doc} |\n", form.words());
+        row + &rows_of(&own.keys, &inner)
+    };
+    keys.iter().map(row).collect()
 }
 
 /// A table that a key may be, and the others that it may be in its place.
@@ -13,40 +43,28 @@ struct KeyTables<'a> {
     others: Vec<&'a [Declaration]>,
 }
 
-impl KeyTables<'_> {
-    fn rows(&self, prefix: &str) -> String {
-        self.one.iter().map(|key| self.rows_of(key, prefix)).collect()
+impl<'a> KeyTables<'a> {
+    fn told(&self) -> Vec<ToldKey<'a>> {
+        self.one.iter().map(|key| self.told_of(key)).collect()
     }
 
-    fn rows_of(&self, key: &Declaration, prefix: &str) -> String {
-        let Declaration { name, symbol, doc, form, .. } = key;
-        let path = format!("{prefix}{name}");
-        let row = format!("| `{path}` | {symbol} | {} | {} | {doc} |\n", form.words(), self.left_out(key));
-        let inner =
-            if matches!(form, Allowed::Named(_)) { format!("{path}.NAME.") } else { format!("{path}.") };
-        let mut rows = vec![row];
+    fn told_of(&self, key: &'a Declaration) -> ToldKey<'a> {
         let tables: Vec<&[Declaration]> =
-            form.alternatives().iter().map(Allowed::keys).filter(|keys| !keys.is_empty()).collect();
-        // of several tables that a key may be, the keys of each; one that more than one has is one
+            key.form.alternatives().iter().map(|form| form.keys()).filter(|keys| !keys.is_empty()).collect();
+        let mut keys = Vec::new();
         for (number, one) in tables.iter().enumerate() {
             let others = tables.iter().enumerate().filter(|(other, _)| *other != number);
             let own = KeyTables { one, others: others.map(|(_, other)| *other).collect() };
-            for row in own.rows(&inner).split_inclusive('\n') {
-                let is_same = |above: &String| above.split('|').nth(1) == row.split('|').nth(1);
-                if !rows.iter().any(is_same) {
-                    rows.push(row.to_owned());
-                }
-            }
+            merge(&mut keys, own.told());
         }
-        rows.concat()
+        let default =
+            key.default.as_ref().map(|default| key.form.line(&as_written(default))).unwrap_or_default();
+        ToldKey { key, needed: self.needed(key), default, keys }
     }
 
-    /// What a key is where it is left out; of one that must be given, in place of which keys.
-    fn left_out(&self, key: &Declaration) -> String {
-        if let Some(default) = &key.default {
-            return format!("`{}`", key.form.line(&as_written(default)));
-        }
-        if !key.is_required {
+    /// Of a key that must be given, in place of which keys.
+    fn needed(&self, key: &Declaration) -> String {
+        if key.default.is_some() || !key.is_required {
             return String::new();
         }
         let own = match &key.alternative {
@@ -72,6 +90,16 @@ impl KeyTables<'_> {
         match listed("", instead.filter(|other| *other != key.name)) {
             none if none.is_empty() => "must be given".to_owned(),
             instead => format!("must be given, or {instead}"),
+        }
+    }
+}
+
+/// Adds the keys of one more table that a key may be.
+fn merge<'a>(keys: &mut Vec<ToldKey<'a>>, others: Vec<ToldKey<'a>>) {
+    for other in others {
+        match keys.iter_mut().find(|own| own.key.name == other.key.name) {
+            Some(own) => merge(&mut own.keys, other.keys),
+            None => keys.push(other),
         }
     }
 }
@@ -110,7 +138,7 @@ mod tests {
         Declaration { name, doc: "", symbol: "", default: None, is_required, alternative: None, form }
     }
 
-    fn told(keys: &[Declaration]) -> Vec<String> {
+    fn absent(keys: &[Declaration]) -> Vec<String> {
         rows(keys).lines().map(|row| row.split('|').nth(4).unwrap().trim().to_owned()).collect()
     }
 
@@ -126,16 +154,16 @@ mod tests {
             "must be given, or `plane`, `nodes`",
             "must be given, or `plane`, `set`",
         ];
-        assert_eq!(told(&own), expected);
+        assert_eq!(absent(&own), expected);
         let optional =
             alternatives(vec![vec![key("count", false)], vec![key("from", true), key("to", true)]]);
-        assert_eq!(told(&optional), ["", "must be given beside `to`", "must be given beside `from`"]);
+        assert_eq!(absent(&optional), ["", "must be given beside `to`", "must be given beside `from`"]);
         let places = alternatives(vec![vec![key("set", true)], vec![key("nodes", true)]]);
         let amounts = alternatives(vec![vec![key("force", true)], vec![key("pressure", true)]]);
         let expected =
             ["`nodes`", "`set`", "`pressure`", "`force`"].map(|own| format!("must be given, or {own}"));
-        assert_eq!(told(&beside(vec![places, amounts])), expected);
-        assert_eq!(told(&[key("alone", true)]), ["must be given"]);
+        assert_eq!(absent(&beside(vec![places, amounts])), expected);
+        assert_eq!(absent(&[key("alone", true)]), ["must be given"]);
     }
 
     #[test]
@@ -154,6 +182,6 @@ mod tests {
             "must be given, or `stiffness`, `cubic`",
             "",
         ];
-        assert_eq!(told(&[law]), expected);
+        assert_eq!(absent(&[law]), expected);
     }
 }

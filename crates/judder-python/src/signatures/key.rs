@@ -1,6 +1,6 @@
 //! A key as docstrings tell it: what it is, what it may be, what it is where it is left out, the keys of its table.
 
-use judder_keys::declared::Declaration;
+use judder_keys::declared::{Declaration, ToldKey};
 use serde_json::Value as Json;
 
 /// The columns of a line.
@@ -28,20 +28,30 @@ pub(crate) struct KeyDocumentation {
 
 impl SignatureKey {
     /// A key as it is declared.
-    pub(crate) fn declared(declaration: &Declaration) -> Self {
+    pub(crate) fn declared(told: &ToldKey<'_>) -> Self {
         Self {
-            name: declaration.name.to_owned(),
-            is_required: declaration.must_stand(),
-            schema: declaration.schema(),
-            told: KeyDocumentation::declared(&declaration.document()),
+            name: told.key.name.to_owned(),
+            is_required: told.key.must_stand(),
+            schema: told.key.schema(),
+            told: KeyDocumentation::declared(told),
         }
     }
 
-    /// A key of a table of which only the schema is known.
-    pub(crate) fn of_schema(name: &str, schema: &Json, table: &Json, definitions: &Json) -> Self {
+    /// A key of a case, by its schema where it is none of those that its model declares.
+    pub(crate) fn of_case(
+        name: &str,
+        schema: &Json,
+        case: &Json,
+        definitions: &Json,
+        declared: &[ToldKey<'_>],
+    ) -> Self {
         let schema = resolved(schema, definitions).clone();
-        let told = KeyDocumentation::of_schema(name, &schema, definitions);
-        Self { name: name.to_owned(), is_required: is_required(name, table), schema, told }
+        let found = declared.iter().find(|own| own.key.name == name);
+        let told = found.map_or_else(
+            || KeyDocumentation::of_schema(name, &schema, definitions),
+            KeyDocumentation::declared,
+        );
+        Self { name: name.to_owned(), is_required: is_required(name, case), schema, told }
     }
 
     /// Its name as a parameter of Python.
@@ -73,18 +83,14 @@ fn resolved<'a>(schema: &'a Json, definitions: &'a Json) -> &'a Json {
 }
 
 impl KeyDocumentation {
-    fn declared(document: &Json) -> Self {
-        let text = |key: &str| document[key].as_str().unwrap_or_default();
-        let doc = match (text("symbol"), text("doc")) {
-            ("", doc) => doc.to_owned(),
-            (symbol, doc) => format!("{symbol}: {doc}"),
-        };
-        // of alternatives one must be given
-        let is_needed = document["required"] == true && document["alternative"].is_null();
+    fn declared(told: &ToldKey<'_>) -> Self {
+        let Declaration { name, symbol, doc, form, .. } = told.key;
+        let doc = if symbol.is_empty() { (*doc).to_owned() } else { format!("{symbol}: {doc}") };
+        let absent = where_left_out(&told.default);
         Self {
-            name: text("name").to_owned(),
-            words: sentence(&doc, text("words"), &document["default"], is_needed),
-            keys: keys(&document["form"]).iter().map(Self::declared).collect(),
+            name: (*name).to_owned(),
+            words: sentence(&[&doc, &form.words(), &absent, &told.needed]),
+            keys: told.keys.iter().map(Self::declared).collect(),
         }
     }
 
@@ -105,9 +111,13 @@ impl KeyDocumentation {
             ("", Some("string")) => "a text",
             _ => doc,
         };
+        let default = match &schema["default"] {
+            Json::Null => String::new(),
+            own => where_left_out(&own.to_string()),
+        };
         Self {
             name: name.to_owned(),
-            words: sentence(doc, &examples(schema), &schema["default"], false),
+            words: sentence(&[doc, &examples(schema), &default]),
             keys: keys.collect(),
         }
     }
@@ -129,33 +139,14 @@ fn table_in<'a>(schema: &'a Json, definitions: &'a Json) -> &'a Json {
     found.into_iter().find(|form| form["properties"].is_object()).unwrap_or(&Json::Null)
 }
 
-/// The keys of a form, or of what its lists and names hold.
-fn keys(form: &Json) -> &[Json] {
-    match form["kind"].as_str() {
-        Some("table") => form["keys"].as_array().map_or(&[], Vec::as_slice),
-        Some("list" | "named") => keys(&form["of"]),
-        Some("either") => {
-            let forms = form["forms"].as_array().into_iter().flatten();
-            forms.map(keys).find(|keys| !keys.is_empty()).unwrap_or(&[])
-        }
-        _ => &[],
-    }
+/// That a key has this value where it is left out; nothing where it has none.
+fn where_left_out(default: &str) -> String {
+    if default.is_empty() { String::new() } else { format!("`{default}` where left out") }
 }
 
 /// What is said of a key in one line.
-fn sentence(doc: &str, may_be: &str, default: &Json, is_required: bool) -> String {
-    let absent = match default {
-        Json::Null if is_required => "must be given".to_owned(),
-        Json::Null => String::new(),
-        Json::Object(table) => {
-            let entries = table.iter().filter(|(_, value)| !value.is_null());
-            let entries: Vec<String> = entries.map(|(key, value)| format!("{key} = {value}")).collect();
-            format!("`{{ {} }}` where left out", entries.join(", "))
-        }
-        own => format!("`{own}` where left out"),
-    };
-    let parts = [doc, may_be, &absent];
-    let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+fn sentence(parts: &[&str]) -> String {
+    let parts: Vec<&str> = parts.iter().copied().filter(|part| !part.is_empty()).collect();
     parts.join("; ").replace('`', "``")
 }
 

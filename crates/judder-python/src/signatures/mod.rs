@@ -4,7 +4,8 @@
 pub(crate) mod annotation;
 pub(crate) mod key;
 
-use judder_models::{kinds_of, schema};
+use judder_keys::declared::told as told_keys;
+use judder_models::{declared_of, kinds_of, schema};
 use judder_study::case::analysis::KindEntry;
 use key::{SignatureKey, capitalised, wrapped};
 use serde_json::{Value as Json, json};
@@ -50,8 +51,11 @@ const CASE: &str = "        case: what the case begins with: a path, the text of
 fn class(case: &Json, definitions: &Json) -> Callable {
     let model = case["properties"]["model"]["const"].as_str().unwrap_or_default();
     let properties = case["properties"].as_object().into_iter().flatten().filter(|(key, _)| *key != "model");
-    let sections: Vec<SignatureKey> =
-        properties.map(|(key, schema)| SignatureKey::of_schema(key, schema, case, definitions)).collect();
+    let declared = declared_of(model);
+    let keys = told_keys(&declared);
+    let sections: Vec<SignatureKey> = properties
+        .map(|(key, schema)| SignatureKey::of_case(key, schema, case, definitions, &keys))
+        .collect();
     let told: String = sections.iter().map(|section| section.entry(8)).collect();
     let summary = format!("{}.", capitalised(case["description"].as_str().unwrap_or_default()));
     Callable {
@@ -65,7 +69,8 @@ fn class(case: &Json, definitions: &Json) -> Callable {
 }
 
 fn method(kind: &KindEntry, definitions: &Json) -> Callable {
-    let keys: Vec<SignatureKey> = (kind.declared)().iter().map(SignatureKey::declared).collect();
+    let declared = (kind.declared)();
+    let keys: Vec<SignatureKey> = told_keys(&declared).iter().map(SignatureKey::declared).collect();
     let told: String = keys.iter().map(|key| key.entry(12)).collect();
     let summary = format!("{}.", capitalised(kind.doc));
     let head = wrapped(&summary, 8, 8);

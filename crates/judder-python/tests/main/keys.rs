@@ -51,7 +51,7 @@ pub(super) fn module() -> String {
     let numbers = SECTIONS.iter().flat_map(of_section);
     let fields: String = numbers
         .map(|(name, schema)| {
-            let key = SignatureKey::of_schema(name, schema, &Json::Null, definitions);
+            let key = SignatureKey::of_case(name, schema, &Json::Null, definitions, &[]);
             let doc = format!("\"\"\"{}.\"\"\"", key.told.words);
             format!("    {name}: {}\n{}", annotation::of(&key.schema, definitions), wrapped(&doc, 4, 4))
         })

@@ -12,6 +12,7 @@ use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::law_name::LawName;
 use crate::substrate::blame::moduli_place;
+use crate::substrate::time_unit::time_unit;
 use crate::substrate::{RelaxationSource, Substrate, SubstrateKeys, refuse_conflicts};
 use judder_contact::kernel::layer::BondedLayer;
 use judder_contact::steady::SteadyError;
@@ -24,6 +25,7 @@ use judder_keys::file_reference::FileReference;
 use judder_keys::keys::Numbers;
 use judder_keys::memory::Memory;
 use judder_keys::problem::Placed;
+use judder_keys::quantity::WrittenUnit;
 use judder_keys::section::Section;
 use judder_study::case::analysis::{Planned, read_analyses};
 use judder_study::case::root::{document, read_root};
@@ -41,6 +43,8 @@ pub struct ContactCase {
     pub substrate: Substrate,
     /// The shape of the indenter.
     pub shape: ShapeSettings,
+    /// In which unit the case has the times of the substrate.
+    pub time_unit: WrittenUnit,
     /// L in m, across the sliding, of a cylinder.
     pub length: Option<f64>,
     /// The analyses in the order of the case file.
@@ -116,7 +120,8 @@ impl ContactCase {
             let refused = |section: &str, key: &'static str| line_key(root, section, key, shape.name());
             both(refused("substrate", "thickness"), refused("indenter", "length"))?;
         }
-        let case = Self { title, inputs, substrate, shape, length, analyses: Vec::new() };
+        let time_unit = time_unit(root);
+        let case = Self { title, inputs, substrate, shape, time_unit, length, analyses: Vec::new() };
         if case.knows_moduli() {
             // an elastic substrate is in order: it is the limit
             inputs.check(LawName::Hertz).map_err(|cause| cause.at(moduli_place(root)))?;

@@ -4,6 +4,7 @@ use crate::swept_tables::{table, told, word};
 use judder_report::page::PageTable;
 use judder_study::registry::ToldAnalysis;
 use judder_study::report_tables::listed;
+use judder_study::shown::{SHOWN_UNIT, ShownValues};
 use serde_json::Value;
 
 /// A number of a row.
@@ -38,9 +39,11 @@ pub(crate) fn fit(analysis: ToldAnalysis<'_>) -> Vec<PageTable> {
 
 /// The terms of the creep form.
 pub(crate) fn modulus(analysis: ToldAnalysis<'_>) -> Vec<PageTable> {
+    let shown = ShownValues::called(analysis.results.get(SHOWN_UNIT).and_then(Value::as_str));
+    let head = [&*shown.head("retardation time"), "compliance (1/Pa)"];
     let of = |items: &Vec<Value>| {
-        listed("Terms of the creep form", &["retardation time (s)", "compliance (1/Pa)"], items, |_, own| {
-            ["time_second", "compliance_per_pascal"].map(|key| number(own, key)).to_vec()
+        listed("Terms of the creep form", &head, items, |_, own| {
+            vec![shown.value(&own["time_second"]), number(own, "compliance_per_pascal")]
         })
     };
     list(analysis, "prony").map(of).into_iter().collect()

@@ -3,6 +3,7 @@
 pub(crate) mod blame;
 pub mod continuous;
 pub mod temperature;
+pub(crate) mod time_unit;
 
 use std::path::Path;
 

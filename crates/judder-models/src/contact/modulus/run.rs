@@ -46,7 +46,7 @@ pub(super) fn run(case: &ContactCase, frequency: Option<&Span>) -> Result<Outcom
         dataset = with_data(dataset, data, fit)?;
     }
     let mut outcome = Outcome {
-        scalars: told(&scales, &frequencies, &tangent).scalars(),
+        scalars: told(case, &scales, &frequencies, &tangent).scalars(),
         dataset,
         table: Some(
             Table::new()
@@ -141,15 +141,19 @@ fn with_data(dataset: Dataset, data: &DmaData, fit: &PronyFit) -> Result<Dataset
 pub(super) struct ToldModulus {
     rubbery_modulus_pascal: f64,
     glassy_modulus_pascal: f64,
+    #[result(unit = "1")]
     contrast: f64,
     terms: usize,
     mean_retardation_time_second: f64,
+    #[result(unit = "1")]
     largest_loss_tangent: f64,
     frequency_of_largest_loss_tangent: f64,
+    /// the unit in which the case has its times, in which tables show them
+    shown_unit: String,
     /// the terms of the creep form
     prony: Vec<ToldTerm>,
     /// what the temperature multiplies times by
-    #[result(optional)]
+    #[result(unit = "1", optional)]
     time_factor: Option<f64>,
     #[result(flatten)]
     fit: Option<ToldSeries>,
@@ -165,13 +169,17 @@ struct ToldTerm {
 #[derive(Results)]
 struct ToldSeries {
     measurements: usize,
+    #[result(unit = "1")]
     storage_r2: f64,
+    #[result(unit = "1")]
     loss_r2: f64,
+    #[result(unit = "1")]
     storage_deviation: f64,
+    #[result(unit = "1")]
     loss_deviation: f64,
 }
 
-fn told(scales: &ContactScales, frequencies: &[f64], tangent: &[f64]) -> ToldModulus {
+fn told(case: &ContactCase, scales: &ContactScales, frequencies: &[f64], tangent: &[f64]) -> ToldModulus {
     let spectrum = &scales.material.spectrum;
     let peak = frequencies.iter().zip(tangent).max_by(|a, b| a.1.total_cmp(b.1));
     let terms = spectrum.terms().iter();
@@ -186,6 +194,7 @@ fn told(scales: &ContactScales, frequencies: &[f64], tangent: &[f64]) -> ToldMod
         mean_retardation_time_second: scales.time,
         largest_loss_tangent: peak.map_or(0.0, |(_, tangent)| *tangent),
         frequency_of_largest_loss_tangent: peak.map_or(f64::NAN, |(at, _)| *at),
+        shown_unit: case.time_unit.name.clone(),
         prony: prony.collect(),
         time_factor: (factor != 1.0).then_some(factor),
         fit: scales.material.fit.as_ref().map(|(data, fit)| ToldSeries {

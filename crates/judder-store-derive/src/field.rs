@@ -67,14 +67,15 @@ impl ResultField {
 
     /// Declares what the summary has of it.
     pub(crate) fn declared(&self) -> Option<TokenStream> {
-        let Self { ty, is_optional, .. } = self;
+        let Self { ty, is_optional, unit, .. } = self;
         let name = self.summary.as_ref()?;
+        let unit = unit.as_ref().map(|unit| quote!(unit: #unit.to_owned(),));
         Some(match self.is_flat {
             true => quote!(declared.extend(<#ty as ::judder_store::Results>::declared());),
             false => quote!(declared.push(::judder_store::Declared {
-                name: #name.to_owned(),
-                kind: <#ty as ::judder_store::Told>::kind(),
                 is_optional: #is_optional,
+                #unit
+                ..::judder_store::Declared::new(#name, <#ty as ::judder_store::Told>::kind())
             });),
         })
     }

@@ -15,6 +15,8 @@ use serde_json::{Map, Value};
 pub enum ValueKind {
     /// A number; `null` where it is not finite.
     Number,
+    /// A whole number: how many there are, or which one.
+    Count,
     /// Whether something is so.
     Truth,
     /// A word or a sentence.
@@ -52,15 +54,19 @@ pub struct Declared {
     pub name: String,
     /// What stands under it.
     pub kind: ValueKind,
+    /// Unit symbol of the numbers under it that have none of their own, `1` of plain ones, empty where none is declared: of words, and of what has the unit of a key.
+    pub unit: String,
     /// Whether it may be left out.
     pub is_optional: bool,
 }
 
 impl Declared {
-    /// A key that is always there.
+    /// A key that is always there, with the unit that its name ends in.
     #[must_use]
     pub fn new(name: impl Into<String>, kind: ValueKind) -> Self {
-        Self { name: name.into(), kind, is_optional: false }
+        let name = name.into();
+        let unit = unit_of(&name, &kind).to_owned();
+        Self { name, kind, unit, is_optional: false }
     }
 
     /// These keys without those of some names, wherever they are: what settings leave out of all that may be there.
@@ -80,6 +86,43 @@ impl Declared {
             }
         }
         keys
+    }
+}
+
+/// Endings of names of results and the unit that they say, longer ones before those that they end in.
+const UNIT_ENDINGS: [(&str, &str); 21] = [
+    ("_newton_second_per_metre", "N s/m"),
+    ("_newton_per_metre", "N/m"),
+    ("_metre_per_second", "m/s"),
+    ("_square_metre", "m²"),
+    ("_per_pascal", "1/Pa"),
+    ("_m_per_n", "m/N"),
+    ("_per_s", "1/s"),
+    ("_newton", "N"),
+    ("_pascal", "Pa"),
+    ("_metre", "m"),
+    ("_second", "s"),
+    ("_joule", "J"),
+    ("_hz", "Hz"),
+    ("_db", "dB"),
+    ("_deg", "°"),
+    ("_s", "s"),
+    ("_m", "m"),
+    ("_fraction", "1"),
+    ("_fractions", "1"),
+    ("_share", "1"),
+    ("_ratio", "1"),
+];
+
+/// The unit of what is called so; that of counts and of truths, as 1 and 0, is known without.
+fn unit_of(name: &str, kind: &ValueKind) -> &'static str {
+    match kind {
+        ValueKind::Count | ValueKind::Truth => "1",
+        ValueKind::List(own) | ValueKind::ByName(own) => unit_of(name, own),
+        ValueKind::Number => {
+            UNIT_ENDINGS.iter().find(|(ending, _)| name.ends_with(ending)).map_or("", |(_, unit)| unit)
+        }
+        ValueKind::Word | ValueKind::Object(_) => "",
     }
 }
 

@@ -20,10 +20,9 @@ pub struct SweptQuantity {
 /// How any number of a case is called, by its dotted path.
 pub fn any_key(path: &str, dimension: Dimension) -> SweptQuantity {
     let unit = if dimension.is_number() { "1".to_owned() } else { dimension.unit() };
-    let shown = if unit == "1" { "−" } else { &unit };
     SweptQuantity {
         name: path.to_owned(),
-        label: format!("{path} ({shown})"),
+        label: with_unit(path, &unit),
         symbol: path.rsplit('.').next().unwrap_or(path).to_owned(),
         unit,
     }
@@ -32,6 +31,15 @@ pub fn any_key(path: &str, dimension: Dimension) -> SweptQuantity {
 /// A label without the markup of figures.
 pub fn plain(label: &str) -> String {
     label.replace("_{", "").replace(['$', '{', '}'], "")
+}
+
+/// A name with its unit, a dash of plain numbers; alone where it has none.
+pub fn with_unit(name: &str, unit: &str) -> String {
+    match unit {
+        "" => name.to_owned(),
+        "1" => format!("{name} (−)"),
+        unit => format!("{name} ({unit})"),
+    }
 }
 
 /// A number to four digits, for a legend: powers of ten as such, others short.

@@ -1,5 +1,6 @@
 //! Values of a swept key as tables and figures show them: in the unit in which the case has them.
 
+use crate::labels::with_unit;
 use crate::pictures::text;
 use crate::report_tables::short;
 use judder_keys::dimension::Dimension;
@@ -66,11 +67,7 @@ impl ShownValues {
     /// A key with the unit, a dash of plain numbers; of values that are shown as they are kept alone.
     #[must_use]
     pub fn head(&self, key: &str) -> String {
-        match self.0.name.as_str() {
-            "" => key.to_owned(),
-            "1" => format!("{key} (−)"),
-            unit => format!("{key} ({unit})"),
-        }
+        with_unit(key, &self.0.name)
     }
 
     /// The label of an axis, which ends in the unit in which values are kept.

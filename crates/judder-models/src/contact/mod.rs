@@ -214,6 +214,7 @@ pub(crate) fn usual_contacts(method: LawMethod) -> usize {
 #[derive(Results)]
 struct ToldTerms {
     spectrum_terms: usize,
+    #[result(unit = "1")]
     spectrum_error: f64,
 }
 

@@ -34,8 +34,11 @@ pub(crate) struct SlidingTimes {
 /// What is told of eq. (3) at the operating points of a case.
 #[derive(Results)]
 pub(crate) struct ToldCondition {
+    #[result(unit = "1")]
     quasi_steady_figure: f64,
+    #[result(unit = "1")]
     quasi_steady_longest: f64,
+    #[result(unit = "1")]
     quasi_steady_memory: f64,
 }
 

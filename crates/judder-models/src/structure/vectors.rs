@@ -45,6 +45,7 @@ pub(crate) struct ToldShape {
     /// the freedoms that move most
     freedoms: Vec<String>,
     /// by how much they move, over the largest displacement
+    #[result(unit = "1")]
     modulus: Vec<f64>,
     /// and with which phase, in degrees
     phase_deg: Vec<f64>,

@@ -28,7 +28,8 @@ macro_rules! told {
     )*)*};
 }
 told! {
-    Number: f64, i64, u32, u64, usize;
+    Number: f64;
+    Count: i64, u32, u64, usize;
     Truth: bool;
 }
 

@@ -38,6 +38,7 @@ struct All {
 #[results(along = "mode", arrays(error))]
 struct Own {
     /// how far it is off
+    #[result(unit = "s")]
     error: Vec<f64>,
 }
 
@@ -80,7 +81,7 @@ fn arrays_and_columns_are_those_that_are_named() {
             ("shape", "mode point".to_owned(), "1", "shapes of modes"),
             ("burst_time", burst.clone(), "s", "time of the peak"),
             ("burst_frequency", burst, "Hz", "frequency"),
-            ("error", "mode".to_owned(), "1", "how far it is off"),
+            ("error", "mode".to_owned(), "s", "how far it is off"),
         ]
     );
     assert_eq!(dataset.attributes()["method"], "film");
@@ -106,10 +107,13 @@ fn what_is_declared_is_what_is_told() {
         key("frequency", number().list()),
         key("bursts", burst.list()),
         optional("ended", ValueKind::Word),
-        key("fates", ValueKind::ByName(Box::new(number()))),
-        optional("error", number().list()),
+        key("fates", ValueKind::ByName(Box::new(ValueKind::Count))),
+        Declared { unit: "s".to_owned(), ..optional("error", number().list()) },
     ];
     assert_eq!(declared, expected);
+    let units: Vec<&str> = declared.iter().map(|key| key.unit.as_str()).collect();
+    assert_eq!(units, ["", "", "", "", "1", "s"], "as declared, of counts plain, of others unknown");
+    assert_eq!(["peak_m", "growth_per_s", "peak"].map(|name| key(name, number()).unit), ["m", "1/s", ""]);
     assert_eq!(All::kind(), ValueKind::Object(declared));
     assert_eq!((true.told(), <[bool; 1]>::kind()), (json!(true), ValueKind::Truth.list()));
 }
@@ -123,6 +127,6 @@ fn settings_leave_out_keys_and_give_names() {
     let ValueKind::Object(keys) = &**burst else { panic!() };
     assert_eq!(keys.iter().map(|key| key.name.as_str()).collect::<Vec<_>>(), ["frequency_hz", "word"]);
     let named = Declared::named(left, "fates", &["cycle", "lost"]);
-    let fates = ["cycle", "lost"].map(|name| Declared::new(name, ValueKind::Number));
+    let fates = ["cycle", "lost"].map(|name| Declared::new(name, ValueKind::Count));
     assert_eq!(named[1].kind, ValueKind::Object(fates.to_vec()));
 }

@@ -1,6 +1,7 @@
 //! Tables of a sweep: what its quantities are, what decides them, which points have no answer.
 
 use super::short;
+use crate::labels::with_unit;
 use judder_numerics::order::sort_by_number;
 use judder_report::page::PageTable;
 use serde_json::{Map, Value};
@@ -32,7 +33,8 @@ fn of_numbers(quantities: &[ToldScalar<'_>]) -> PageTable {
     let head = ["quantity", "points", "smallest", "largest", "mean", "standard deviation"];
     let row = |(name, told): &ToldScalar<'_>| {
         let numbers = ["count", "min", "max", "mean", "standard_deviation"];
-        std::iter::once((*name).clone()).chain(numbers.iter().map(|key| short(&told[*key]))).collect()
+        let name = with_unit(name, told["units"].as_str().unwrap_or_default());
+        std::iter::once(name).chain(numbers.iter().map(|key| short(&told[*key]))).collect()
     };
     PageTable {
         caption: "Quantities over all points that have them".to_owned(),
@@ -154,7 +156,7 @@ mod tests {
         let told = rows(json!({
             "points": 8, "failed": 1, "doubtful": 30,
             "quantities": {
-                "growth_rate": { "count": 7, "min": -1e-9, "max": 2.0, "mean": 0.5, "standard_deviation": null },
+                "growth_rate": { "count": 7, "min": -1e-9, "max": 2.0, "mean": 0.5, "standard_deviation": null, "units": "1/s" },
                 "verdict": { "count": 8, "of": { "stable": 6, "unstable": 2 } },
             },
             "sensitivity": {
@@ -166,7 +168,7 @@ mod tests {
             },
             "failures": [{ "at": { "a": 0.1, "b": 1e-9 }, "reason": "no steady sliding" }],
         }));
-        assert_eq!(told[0], [["growth_rate", "7", "−1e−9", "2", "0.5", "–"]]);
+        assert_eq!(told[0], [["growth_rate (1/s)", "7", "−1e−9", "2", "0.5", "–"]]);
         assert_eq!(told[1][1], ["verdict", "unstable", "2", "25.00 %"]);
         assert_eq!(told[2][0], ["b", "0.200", "0.100 … 0.300", "0.700", "0.600 … 0.800"]);
         assert_eq!(told[2][1][1], "−0.050");

@@ -259,8 +259,7 @@ impl<'a> ChunkReading<'a> {
         let columns = self.plan.layout().quantities().iter().zip(&self.plan.columns).zip(&self.kept);
         for ((quantity, column), values) in columns {
             if !matches!(column, StoredColumn::Key(_)) {
-                let unit = if quantity.units.is_empty() { "1" } else { &quantity.units };
-                table = table.column(&quantity.name, unit, values.clone())?;
+                table = table.column(&quantity.name, &quantity.units, values.clone())?;
             }
         }
         Ok(table)

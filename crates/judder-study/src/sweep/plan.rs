@@ -42,7 +42,7 @@ pub(super) enum StoredColumn {
     /// A quantity of the operating point.
     Point(OperatingQuantity),
     /// A scalar of an analysis, by the position of the analysis in the case.
-    Scalar { index: usize, name: String, steps: Vec<QuantityStep> },
+    Scalar { index: usize, name: String, steps: Vec<QuantityStep>, unit: String },
 }
 
 /// A sweep of a case with the layout of its results.
@@ -146,8 +146,9 @@ fn check_memory(sweep: &StudySweep, budget: MemoryBudget) -> Result<(), StudyErr
 
 fn column(quantity: &QuantityPath) -> StoredColumn {
     match &quantity.source {
-        QuantitySource::Analysis { index, name, steps } => {
-            StoredColumn::Scalar { index: *index, name: name.clone(), steps: steps.clone() }
+        QuantitySource::Analysis { index, name, steps, unit } => {
+            let (name, steps, unit) = (name.clone(), steps.clone(), unit.clone());
+            StoredColumn::Scalar { index: *index, name, steps, unit }
         }
         QuantitySource::Point { quantity } => StoredColumn::Point(*quantity),
     }
@@ -254,9 +255,11 @@ fn described(file: &CaseFile, sweep: &StudySweep, column: &StoredColumn, text: &
             let codes: Vec<(u8, &str)> = (0..).zip(own.flags.iter().copied()).collect();
             SweepQuantity::new(text, own.units, own.long_name).flags(&codes)
         }
-        StoredColumn::Scalar { name, .. } => {
-            SweepQuantity::new(text, "", &format!("{} of `{name}`", text[name.len() + 1..].replace('_', " ")))
-        }
+        StoredColumn::Scalar { name, unit, .. } => SweepQuantity::new(
+            text,
+            unit,
+            &format!("{} of `{name}`", text[name.len() + 1..].replace('_', " ")),
+        ),
     }
 }
 

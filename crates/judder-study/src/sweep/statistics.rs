@@ -50,7 +50,7 @@ impl ColumnStatistics {
         let known = |value: f64| if self.count > 0 { json!(value) } else { Value::Null };
         json!({
             "count": self.count, "min": known(self.min), "max": known(self.max), "mean": known(self.mean),
-            "standard_deviation": known(deviation),
+            "standard_deviation": known(deviation), "units": quantity.units,
         })
     }
 }
@@ -67,7 +67,7 @@ mod tests {
             statistics.take(value);
         }
         let told = statistics.told(&quantity);
-        assert_eq!(told["count"], 4);
+        assert_eq!((&told["count"], &told["units"]), (&json!(4), &json!("1")));
         assert_eq!(told["mean"], 1e9 + 10.0);
         // NIST's example of a shifted sample: variance 30
         assert_eq!(told["standard_deviation"], 30f64.sqrt());

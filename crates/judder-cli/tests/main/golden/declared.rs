@@ -8,7 +8,7 @@ pub(super) fn misfits(place: &str, declared: &[Declared], table: &Map<String, Va
     let is_declared = |key: &str| declared.iter().any(|own| own.name == key);
     let undeclared = table.keys().filter(|key| !is_declared(key));
     let undeclared = undeclared.map(|key| format!("{place}.{key} is not declared"));
-    let of_declared = declared.iter().flat_map(|Declared { name, kind, is_optional }| {
+    let of_declared = declared.iter().flat_map(|Declared { name, kind, is_optional, .. }| {
         let place = format!("{place}.{name}");
         match table.get(name) {
             Some(value) => misfits_of(&place, kind, value),
@@ -22,7 +22,7 @@ pub(super) fn misfits(place: &str, declared: &[Declared], table: &Map<String, Va
 fn misfits_of(place: &str, kind: &ValueKind, value: &Value) -> Vec<String> {
     match (kind, value) {
         (_, Value::Null)
-        | (ValueKind::Number, Value::Number(_))
+        | (ValueKind::Number | ValueKind::Count, Value::Number(_))
         | (ValueKind::Truth, Value::Bool(_))
         | (ValueKind::Word, Value::String(_)) => Vec::new(),
         (ValueKind::List(own), Value::Array(items)) => {

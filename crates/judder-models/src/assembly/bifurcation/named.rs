@@ -48,7 +48,8 @@ pub(super) struct NamedBifurcation {
     pub(super) error: Option<f64>,
     /// frequency of the first of the cycles below, in Hz
     pub(super) frequency_hz: f64,
-    /// its root mean square over all contact points of the velocity along the slip about its mean, in m/s
+    /// its root mean square over all contact points of the velocity along the slip about its mean
+    #[result(unit = "m/s")]
     pub(super) rms: f64,
     /// the values of the key at the cycles before and after it, in the order along the branch; of a Hopf point that of the smallest cycle and its own
     pub(super) between: Vec<f64>,

@@ -38,7 +38,8 @@ pub(super) struct ToldCycleBranch {
     value: Vec<f64>,
     /// the frequency of each cycle, in Hz
     frequency_hz: Vec<f64>,
-    /// the root mean square over all contact points of the velocity along the slip about its mean, in m/s
+    /// the root mean square over all contact points of the velocity along the slip about its mean
+    #[result(unit = "m/s")]
     rms: Vec<f64>,
     /// the share of the period in which points stick, on average over them
     stick_share: Vec<f64>,
@@ -57,6 +58,7 @@ pub(super) struct ToldCycleBranch {
     /// harmonics of the cycles
     harmonics: usize,
     /// the largest share of the swing of the contact forces that harmonics leave out
+    #[result(unit = "1")]
     left_out: Option<f64>,
     /// whether they leave no more than a tenth out, of each cycle
     converged: Vec<bool>,

@@ -23,10 +23,13 @@ struct BeyondLaw {
     /// contact of the sphere
     contact: String,
     /// ω τ with the natural frequency of the mode, ω = |λ|, and the mean retardation time, to be small against 1
+    #[result(unit = "1")]
     quasi_steady_figure: f64,
     /// ω τ_k with the longest time that has a hundredth of the compliance
+    #[result(unit = "1")]
     quasi_steady_longest: f64,
     /// ω T with the time by which the contact is behind
+    #[result(unit = "1")]
     quasi_steady_memory: f64,
 }
 

@@ -30,7 +30,7 @@ pub(super) struct AssemblyModes {
     left_out: Vec<String>,
     /// by how much eigenvalues differ from those with each freedom of the contacts kept, over |λ|: the error of interface modes; none where
     /// there are not as many
-    #[result(optional)]
+    #[result(unit = "1", optional)]
     interface_modes_error: Option<f64>,
     /// what makes each unstable mode grow, and of which modes it is made
     growing: Vec<GrowingMode>,
@@ -41,7 +41,8 @@ pub(super) struct AssemblyModes {
 struct GrowingMode {
     /// number of the mode, by rising frequency
     mode: usize,
-    /// what each damping and each contact adds to its growth rate, in 1/s
+    /// what each damping and each contact adds to its growth rate
+    #[result(unit = "1/s")]
     growth: ByName<f64>,
     /// the modes of frictionless contact of which it is made, by their shares in its kinetic energy
     parents: Vec<Parent>,
@@ -53,6 +54,7 @@ struct Parent {
     /// its frequency, in Hz
     frequency_hz: f64,
     /// its share in the kinetic energy
+    #[result(unit = "1")]
     share: f64,
 }
 

@@ -33,6 +33,7 @@ pub(super) struct ToldSweep {
     #[result(optional)]
     onsets_all_closed_in_doubt: Option<Vec<ToldDoubt>>,
     /// of reduced bodies how far each onset lies from that of the whole ones, by a step of Newton's method; none where it is not known
+    #[result(unit = "1")]
     onset_reduction_errors: Option<Vec<Option<f64>>>,
     /// values without steady sliding
     failures: Vec<ToldFailure>,

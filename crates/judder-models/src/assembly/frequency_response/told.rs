@@ -24,8 +24,10 @@ pub(super) struct ToldResponse {
     /// of each observed coordinate, the largest of what is told of it along the branch
     peaks: ByName<ToldPeak>,
     /// the largest residual of a motion: harmonics of the contact forces beside those that the contact laws make of it, over `force_scale`
+    #[result(unit = "1")]
     residual: f64,
-    /// what residuals are measured by, in N
+    /// what residuals are measured by
+    #[result(unit = "N")]
     force_scale: f64,
     /// how many motions are stable, in words
     stability: String,
@@ -52,17 +54,21 @@ struct ToldFold {
 /// A coordinate where it swings most, by parabolas through three motions.
 #[derive(Results)]
 pub(super) struct ToldPeak {
-    /// amplitude of the first harmonic, in m
+    /// amplitude of the first harmonic
+    #[result(unit = "m")]
     amplitude: f64,
     /// frequency at which it is largest
     frequency_hz: f64,
-    /// root mean square with the mean, in m
+    /// root mean square with the mean
+    #[result(unit = "m")]
     rms: f64,
     rms_frequency_hz: f64,
-    /// root mean square about the mean, in m
+    /// root mean square about the mean
+    #[result(unit = "m")]
     rms_about_mean: f64,
     rms_about_mean_frequency_hz: f64,
-    /// largest magnitude, in m
+    /// largest magnitude
+    #[result(unit = "m")]
     largest: f64,
     largest_frequency_hz: f64,
     /// whether the amplitude is largest at an end of the branch: beyond it may be a larger one
@@ -71,7 +77,8 @@ pub(super) struct ToldPeak {
     pub(super) left_out: f64,
     /// whether that is no more than a tenth
     pub(super) converged: bool,
-    /// there, how far forces are off their laws between the instants of the balance, in N
+    /// there, how far forces are off their laws between the instants of the balance
+    #[result(unit = "N")]
     between_samples: f64,
 }
 

@@ -16,15 +16,18 @@ use std::f64::consts::TAU;
 /// What is told of the growth of a mode.
 #[derive(Results)]
 pub(super) struct ToldMarchGrowth {
-    /// growth rate in the march, in 1/s
+    /// growth rate in the march
+    #[result(unit = "1/s")]
     measured: f64,
-    /// growth rate that the eigenvalue says, in 1/s
+    /// growth rate that the eigenvalue says
+    #[result(unit = "1/s")]
     predicted: f64,
     /// frequency that the eigenvalue says
     frequency_hz: f64,
     /// frequency in the march
     measured_frequency_hz: f64,
-    /// how much the measured growth differs from half to half, in 1/s
+    /// how much the measured growth differs from half to half
+    #[result(unit = "1/s")]
     spread: f64,
     /// how the march goes
     method: &'static str,

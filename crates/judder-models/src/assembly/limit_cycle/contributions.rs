@@ -16,6 +16,7 @@ pub(super) struct ToldContribution {
     /// its frequency, in Hz
     frequency_hz: f64,
     /// its share in the kinetic energy of the swing
+    #[result(unit = "1")]
     share: f64,
 }
 

@@ -29,7 +29,8 @@ pub(super) struct ToldCycleMode {
     reason: Option<String>,
     /// frequency of the mode about steady sliding, in Hz
     mode_frequency_hz: f64,
-    /// its growth rate there, in 1/s
+    /// its growth rate there
+    #[result(unit = "1/s")]
     mode_growth_rate: f64,
     /// periodic motions of the mode that were followed
     motions: usize,
@@ -41,8 +42,10 @@ pub(super) struct ToldModeCycle {
     /// its frequency, in Hz
     frequency_hz: f64,
     /// by how much it lies above that of the mode, over that
+    #[result(unit = "1")]
     frequency_shift: f64,
     /// its amplitude over that at which the contact first changes its state; unknown where no motions of a mode were followed
+    #[result(unit = "1")]
     amplitude: Option<f64>,
     /// whether motions of this shape nearby are drawn to it; where not, it is a knock of this shape that suffices; unknown where no motions of a mode were followed
     attracts: Option<bool>,
@@ -53,14 +56,19 @@ pub(super) struct ToldModeCycle {
     /// what motions nearby become, as far as multipliers tell: periodic, or unknown with what it may be
     motion: &'static str,
     /// the ten largest Floquet multipliers, the one at 1 that belongs to the phase among them
+    #[result(unit = "1")]
     floquet_multipliers: Option<Vec<Complex64>>,
     /// what the largest but that one may be off
+    #[result(unit = "1")]
     floquet_error: Option<f64>,
     /// the same multipliers by Hill's method, where it applies
+    #[result(unit = "1")]
     hill_multipliers: Option<Vec<Complex64>>,
     /// what the largest of them but the one at 1 may be off
+    #[result(unit = "1")]
     hill_error: Option<f64>,
     /// how far the largest by steps and by Hill's method lie from the nearest of the other
+    #[result(unit = "1")]
     multipliers_apart: Option<f64>,
     /// whether Hill's method says the same of the stability, or why steps alone say it
     second_opinion: String,
@@ -69,29 +77,37 @@ pub(super) struct ToldModeCycle {
     /// instants of a period at which points stick, slide or lift off
     samples: usize,
     /// what is left of its equations, over the largest normal force of steady sliding
+    #[result(unit = "1")]
     residual: f64,
     /// the share of the swing of the contact forces that lies beyond the harmonics, as a root of energies
+    #[result(unit = "1")]
     left_out: f64,
     /// the largest difference of a force from its contact law between and at the instants, over the largest normal force of steady sliding
+    #[result(unit = "1")]
     between_samples: f64,
     /// why it has no more harmonics, where it should
     #[result(optional)]
     held_back: Option<String>,
     /// the velocity of the slider beside the track along the slip about its mean, as root mean square, in m/s, by contact, a list over its points
+    #[result(unit = "m/s")]
     tangential_velocity_rms: ByName<Vec<f64>>,
-    /// all normal forces together, on average, in N
+    /// all normal forces together, on average
+    #[result(unit = "N")]
     normal_force_mean: f64,
-    /// the friction on the sliders along the slip, on average, in N
+    /// the friction on the sliders along the slip, on average
+    #[result(unit = "N")]
     friction_force_mean: f64,
     /// what goes into the bodies, on average, in W
     power: ToldCyclePower,
     /// what is left of the balance of energy over a period, over what contacts and bodies exchange to and fro
+    #[result(unit = "1")]
     energy_balance: f64,
     /// each contact
     contacts: ByName<ContactInCycle>,
     /// the modes of frictionless contact with the largest shares in the kinetic energy of its swing, up to 20, by rising frequency
     mode_contributions: Option<Vec<ToldContribution>>,
     /// the share that they have not
+    #[result(unit = "1")]
     contributions_left_over: Option<f64>,
     /// accelerations of the observed points
     levels: ByName<CycleLevel>,
@@ -110,14 +126,17 @@ pub(super) struct ToldShooting {
     /// that by harmonics
     harmonics_frequency_hz: f64,
     /// what a period misses, of the swing of the state
+    #[result(unit = "1")]
     residual: f64,
     /// steps of Newton's method
     iterations: usize,
     /// steps of a period
     steps: usize,
     /// the ten largest Floquet multipliers along it, the one at 1 that belongs to the phase among them, without the error of the steps that half and a quarter of these tell; unknown where that does not apply
+    #[result(unit = "1")]
     floquet_multipliers: Option<Vec<Complex64>>,
     /// what the largest but that one may be off
+    #[result(unit = "1")]
     floquet_error: Option<f64>,
 }
 
@@ -139,19 +158,25 @@ pub(super) fn shot_points(shot: &ShotCycle, points: usize) -> Vec<PointCycle> {
 #[derive(Results)]
 struct ToldCyclePower {
     /// from the friction forces
+    #[result(unit = "W")]
     friction: f64,
     /// taken by the damping
+    #[result(unit = "W")]
     damping: f64,
     /// from normal forces: none but of what harmonics leave out
+    #[result(unit = "W")]
     impacts: f64,
     /// from the track's drive: of friction, with what becomes heat
+    #[result(unit = "W")]
     drive: f64,
     /// what becomes heat where bodies slide
+    #[result(unit = "W")]
     heat: f64,
     /// what contacts and bodies exchange to and fro
+    #[result(unit = "W")]
     exchanged: f64,
     /// from stiffness that is not symmetric
-    #[result(optional)]
+    #[result(unit = "W", optional)]
     circulation: Option<f64>,
 }
 
@@ -166,18 +191,22 @@ struct ContactInCycle {
     slip_share: Vec<f64>,
     /// in which it has lifted off
     open_share: Vec<f64>,
-    /// the velocity of the slider beside the track along the slip about its mean, as root mean square, in m/s
+    /// the velocity of the slider beside the track along the slip about its mean, as root mean square
+    #[result(unit = "m/s")]
     tangential_velocity_rms: Vec<f64>,
-    /// its normal force, on average, in N
+    /// its normal force, on average
+    #[result(unit = "N")]
     normal_force_mean: Vec<f64>,
-    /// the friction on it along the slip, on average, in N
+    /// the friction on it along the slip, on average
+    #[result(unit = "N")]
     friction_force_mean: Vec<f64>,
 }
 
 /// How loud an observed point is along a direction.
 #[derive(Results)]
 struct CycleLevel {
-    /// its acceleration, as root mean square, in m/s²
+    /// its acceleration, as root mean square
+    #[result(unit = "m/s²")]
     acceleration_rms: f64,
     /// the same in dB re 1 µm/s²; none where it rests
     level_db: Option<f64>,

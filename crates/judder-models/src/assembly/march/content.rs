@@ -34,11 +34,13 @@ pub(super) struct ModeInMotion {
     mode: usize,
     /// its frequency about steady sliding, in Hz
     frequency_hz: f64,
-    /// its growth rate about steady sliding, in 1/s
+    /// its growth rate about steady sliding
+    #[result(unit = "1/s")]
     growth_rate: f64,
     /// whether it grows there
     unstable: bool,
-    /// its amplitude after the transient where it moves most, in m/s
+    /// its amplitude after the transient where it moves most
+    #[result(unit = "m/s")]
     velocity: f64,
     /// that beside the loudest of these modes, in dB
     level_db: f64,

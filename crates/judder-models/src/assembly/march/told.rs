@@ -27,23 +27,30 @@ pub(super) struct ToldAssemblyMotion {
     pub(super) frequency_hz: Option<f64>,
     /// its standard error, by the strongest lines of twenty stretches, in Hz; none where a stretch has fewer than ten periods, or no line
     frequency_error_hz: Option<f64>,
-    /// all normal forces together, on average, in N
+    /// all normal forces together, on average
+    #[result(unit = "N")]
     normal_force_mean: f64,
-    /// its standard error by batch means, in N, as of all errors below; none of fewer than twenty steps
+    /// its standard error by batch means, as of all errors below; none of fewer than twenty steps
+    #[result(unit = "N")]
     normal_force_mean_error: Option<f64>,
-    /// the friction on the sliders along the slip, on average, in N
+    /// the friction on the sliders along the slip, on average
+    #[result(unit = "N")]
     friction_force_mean: f64,
+    #[result(unit = "N")]
     friction_force_mean_error: Option<f64>,
     /// what goes into the bodies, on average, in W
     power: ToldPower,
     /// by how much the energy of the bodies changed otherwise than the power says, over the largest of works and energies
+    #[result(unit = "1")]
     energy_balance: f64,
     /// the largest residual of the contact of a step: impulses beside those that it allows, over the largest of steady sliding; none where no
     /// contact is solved
+    #[result(unit = "1")]
     contact_residual: Option<f64>,
     /// steps whose contact was not solved to its tolerance
     contact_unsolved: u64,
     /// sweeps over the contact points in a step, on average
+    #[result(unit = "1")]
     contact_sweeps: f64,
     /// the lowest complex modes about steady sliding, and how much of each the motion has
     modes: Vec<ModeInMotion>,
@@ -70,29 +77,34 @@ struct ToldStop {
 #[derive(Results)]
 pub(super) struct ToldPower {
     /// from the friction forces
+    #[result(unit = "W")]
     friction: f64,
     /// taken by the damping
+    #[result(unit = "W")]
     damping: f64,
     /// taken by impacts, or held by compliant contacts
+    #[result(unit = "W")]
     impacts: f64,
     /// from the track's drive: of friction, with what becomes heat, and where points travel of the slope
+    #[result(unit = "W")]
     drive: f64,
     /// what becomes heat where bodies slide
+    #[result(unit = "W")]
     heat: f64,
     /// from normal forces on the slope of a track along which points travel
-    #[result(optional)]
+    #[result(unit = "W", optional)]
     slope: Option<f64>,
     /// from excitations, and from what a course adds to the loads
-    #[result(optional)]
+    #[result(unit = "W", optional)]
     excitation: Option<f64>,
     /// from stiffness that is not symmetric
-    #[result(optional)]
+    #[result(unit = "W", optional)]
     circulation: Option<f64>,
     /// from modes above the cut-off, which follow forces at once and do not swing on
-    #[result(optional)]
+    #[result(unit = "W", optional)]
     flexibility: Option<f64>,
     /// taken by the scheme itself, with an `implicitness` above 0.5
-    #[result(optional)]
+    #[result(unit = "W", optional)]
     scheme: Option<f64>,
 }
 
@@ -107,17 +119,24 @@ pub(super) struct ContactInMotion {
     slip_share: Vec<f64>,
     /// in which it has lifted off
     open_share: Vec<f64>,
-    /// the velocity of the slider beside the track along the slip about its mean, as root mean square, in m/s
+    /// the velocity of the slider beside the track along the slip about its mean, as root mean square
+    #[result(unit = "m/s")]
     tangential_velocity_rms: Vec<f64>,
-    /// its normal force, on average, in N
+    /// its normal force, on average
+    #[result(unit = "N")]
     normal_force_mean: Vec<f64>,
     /// the standard errors of these
+    #[result(unit = "1")]
     stick_share_error: Vec<Option<f64>>,
+    #[result(unit = "1")]
     slip_share_error: Vec<Option<f64>>,
+    #[result(unit = "1")]
     open_share_error: Vec<Option<f64>>,
     /// in m/s
+    #[result(unit = "m/s")]
     tangential_velocity_rms_error: Vec<Option<f64>>,
     /// in N
+    #[result(unit = "N")]
     normal_force_mean_error: Vec<Option<f64>>,
 }
 

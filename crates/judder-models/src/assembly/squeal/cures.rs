@@ -36,7 +36,8 @@ const AROUND: [f64; 2] = [0.97, 1.03];
 pub(super) struct ToldCures {
     /// frequency of the mode about steady sliding; none where none grows
     frequency_hz: Option<f64>,
-    /// its growth rate, in 1/s
+    /// its growth rate
+    #[result(unit = "1/s")]
     growth_rate: Option<f64>,
     /// each number of the case, of those whose change keeps a fifth of the growth rate at most the one that has to change least first
     keys: Vec<ToldCure>,
@@ -55,13 +56,16 @@ struct ToldCure {
     unit: String,
     /// the unit in which the case has it, in which tables show it
     shown_unit: String,
-    /// what the growth rate gains with the number's relative change, in 1/s; none where the mode was not found beside it
+    /// what the growth rate gains with the number's relative change; none where the mode was not found beside it
+    #[result(unit = "1/s")]
     growth_by_change: Option<f64>,
     /// the relative change that takes the growth rate to zero at first order; none where that would take the number below zero
+    #[result(unit = "1")]
     change: Option<f64>,
     /// whether the derivative is the same upwards and downwards
     smooth: Option<bool>,
-    /// the growth rate of the mode with the number changed so far, of a whole solution there, in 1/s; none where the mode was not found again
+    /// the growth rate of the mode with the number changed so far, of a whole solution there; none where the mode was not found again
+    #[result(unit = "1/s")]
     growth_rate_at_change: Option<f64>,
     /// whether the mode decays then; none where that is not known
     cured: Option<bool>,

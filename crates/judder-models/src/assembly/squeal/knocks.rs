@@ -48,7 +48,8 @@ pub(super) struct SampledKnocks {
 pub(super) struct ToldKnocks {
     /// the observed point and direction
     at: String,
-    /// between which sizes impulses were drawn, evenly and of either sign, in N s
+    /// between which sizes impulses were drawn, evenly and of either sign
+    #[result(unit = "N s")]
     impulse: [f64; 2],
     samples: usize,
     seed: u64,
@@ -63,12 +64,16 @@ pub(super) struct ToldKnocks {
     /// those of which it is not clear after the duration
     undecided: usize,
     /// the share of those that keep vibrating among those that are decided
+    #[result(unit = "1")]
     share: Option<f64>,
     /// its 95 % interval; what is undecided may be either
+    #[result(unit = "1")]
     interval: [f64; 2],
-    /// the smallest impulse that keeps vibrating, in N s
+    /// the smallest impulse that keeps vibrating
+    #[result(unit = "N s")]
     smallest_that_vibrates: Option<f64>,
-    /// the largest that settles, in N s
+    /// the largest that settles
+    #[result(unit = "N s")]
     largest_that_settles: Option<f64>,
 }
 

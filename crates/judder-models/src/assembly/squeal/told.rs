@@ -101,7 +101,8 @@ pub(super) struct SquealingMode {
     /// level of the acceleration of the cycle at the observed point that is loudest, re 1 µm/s²
     #[result(summary = "level_db", unit = "dB")]
     level: Option<f64>,
-    /// the levels of all observed points along each direction, in dB re 1 µm/s²
+    /// the levels of all observed points along each direction, over 1 µm/s²
+    #[result(unit = "dB")]
     levels: ByName<Option<f64>>,
     /// share of the period in which contact points stick, on average over them
     stick_share: Option<f64>,

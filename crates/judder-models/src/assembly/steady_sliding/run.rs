@@ -24,18 +24,20 @@ pub(super) struct SteadyResults {
     /// whether the equations of all points and the balance of forces on all freedoms are met
     converged: bool,
     /// how far the forces on all freedoms are from balance, over all forces
+    #[result(unit = "1")]
     residual: f64,
     /// linear systems that were solved
     iterations: usize,
     /// by what all friction coefficients are multiplied where the equations of the points that are closed become singular, the `factor` of
     /// `closed-points` of `friction_onsets`; none where that is for no friction coefficient, or not known, and of contacts without friction
+    #[result(unit = "1")]
     friction_limit: Option<f64>,
     /// whether that is known; not of contacts without friction, of which `friction_onsets` tells coefficients
     friction_limit_known: bool,
     /// what of bodies that turn is left out, in words
     left_out: Vec<String>,
     /// by how much normal forces differ from those with each freedom of the contacts kept, over those: the error of interface modes
-    #[result(optional)]
+    #[result(unit = "1", optional)]
     interface_modes_error: Option<f64>,
     /// each contact
     contacts: ByName<ContactSums>,
@@ -58,20 +60,25 @@ pub(super) struct SteadySphere {
     velocity: f64,
     /// the indentation y/R
     indentation: f64,
-    /// the contact area, in m²
+    /// the contact area
+    #[result(unit = "m²")]
     area: f64,
     /// the viscoelastic friction coefficient
+    #[result(unit = "1")]
     viscoelastic_friction: f64,
-    /// the load that presses it, in N
+    /// the load that presses it
+    #[result(unit = "N")]
     normal_load: f64,
 }
 
 /// A contact interface in steady sliding.
 #[derive(Results)]
 pub(super) struct ContactSums {
-    /// the normal forces of all points together, in N
+    /// the normal forces of all points together
+    #[result(unit = "N")]
     normal_force: f64,
-    /// the friction forces on the slider, along x, y and z, in N
+    /// the friction forces on the slider, along x, y and z
+    #[result(unit = "N")]
     tangential_force: Vec<f64>,
     /// how many contact points there are
     points: usize,
@@ -79,9 +86,11 @@ pub(super) struct ContactSums {
     closed: usize,
     /// how many are open
     open: usize,
-    /// the largest pressure, in Pa
+    /// the largest pressure
+    #[result(unit = "Pa")]
     pressure_max: Option<f64>,
-    /// where the normal forces act together, in m; none where there are none
+    /// where the normal forces act together; none where there are none
+    #[result(unit = "m")]
     centre: Option<Vec<f64>>,
 }
 

@@ -33,12 +33,15 @@ pub(super) struct ToldFrictionOnset {
     /// whether it was looked for
     known: bool,
     /// by what the friction coefficients are multiplied; none where that is for no friction coefficient, or not known, and of contacts without friction
+    #[result(unit = "1")]
     factor: Option<f64>,
     /// the friction coefficient of the point where it begins; of contacts without friction that which all of them would have
+    #[result(unit = "1")]
     friction_coefficient: Option<f64>,
     /// its contact
     contact: Option<String>,
-    /// its place, in m
+    /// its place
+    #[result(unit = "m")]
     place: Option<Vec<f64>>,
 }
 

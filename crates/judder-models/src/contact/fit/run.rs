@@ -84,20 +84,26 @@ pub(super) struct ToldFit {
     sample_count: usize,
     contacts_solved: usize,
     /// of force, area and friction
+    #[result(unit = "1")]
     r2: [f64; 3],
     #[result(rows)]
     beside_the_paper: Vec<ToldCoefficient>,
     /// of force, area and friction
+    #[result(unit = "1")]
     law_error: [f64; 3],
 }
 
 /// A function of appendix B.
 #[derive(Results)]
 struct ToldFunction {
+    #[result(unit = "1")]
     coefficients: Vec<f64>,
+    #[result(unit = "1")]
     standard_errors: Vec<f64>,
     /// with 95 % confidence
+    #[result(unit = "1")]
     intervals: Vec<[f64; 2]>,
+    #[result(unit = "1")]
     r2: f64,
 }
 
@@ -114,6 +120,7 @@ struct ToldCoefficient {
     standard_error: f64,
     paper: f64,
     deviation: f64,
+    #[result(unit = "1")]
     relative_deviation: f64,
     #[result(hidden)]
     lower_95: f64,

@@ -154,6 +154,7 @@ pub(super) struct ToldLaw {
     ending: &'static str,
     converged: bool,
     /// E∞/E0
+    #[result(unit = "1")]
     contrast: f64,
     mean_retardation_time_second: f64,
     interpolation_error: RelativeErrors,
@@ -164,8 +165,11 @@ pub(super) struct ToldLaw {
 /// The errors of a law, relative.
 #[derive(Results)]
 struct RelativeErrors {
+    #[result(unit = "1")]
     force: f64,
+    #[result(unit = "1")]
     area: f64,
+    #[result(unit = "1")]
     friction: f64,
 }
 

@@ -20,16 +20,26 @@ pub(super) struct Refined<'a> {
 /// What is told of a contact.
 #[derive(Results)]
 pub(super) struct ToldContact {
+    #[result(unit = "1")]
     force: f64,
+    #[result(unit = "1")]
     area: f64,
+    #[result(unit = "1")]
     friction: f64,
+    #[result(unit = "1")]
     indentation: f64,
     peak_pressure: f64,
+    #[result(unit = "1")]
     velocity: f64,
+    #[result(unit = "1")]
     force_error: f64,
+    #[result(unit = "1")]
     area_error: f64,
+    #[result(unit = "1")]
     friction_error: f64,
+    #[result(unit = "1")]
     friction_from_dissipation: f64,
+    #[result(unit = "1")]
     friction_difference: f64,
     #[result(optional)]
     force_newton_per_metre: Option<f64>,
@@ -46,6 +56,7 @@ pub(super) struct ToldContact {
     cells: usize,
     iterations: usize,
     products: usize,
+    #[result(unit = "1")]
     residual: f64,
     converged: bool,
     errors: ContactErrors,
@@ -54,9 +65,13 @@ pub(super) struct ToldContact {
 /// How far each result may be off.
 #[derive(Results)]
 struct ContactErrors {
+    #[result(unit = "1")]
     force: f64,
+    #[result(unit = "1")]
     area: f64,
+    #[result(unit = "1")]
     friction: f64,
+    #[result(unit = "1")]
     indentation: f64,
     peak_pressure: f64,
 }

@@ -132,9 +132,13 @@ impl Steady {
 pub(super) struct ToldHistory {
     converged: bool,
     completed: bool,
+    #[result(unit = "1")]
     force: f64,
+    #[result(unit = "1")]
     friction_force: f64,
+    #[result(unit = "1")]
     area: f64,
+    #[result(unit = "1")]
     indentation: f64,
     force_newton: f64,
     friction_force_newton: f64,
@@ -158,7 +162,7 @@ struct ToldCycles {
     #[result(optional)]
     work_per_cycle_joule: Option<f64>,
     /// of the work of the last cycle from that of the one before
-    #[result(optional)]
+    #[result(unit = "1", optional)]
     cycle_change: Option<f64>,
     /// of an oscillating depth
     #[result(optional)]

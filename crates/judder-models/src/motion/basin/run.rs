@@ -166,8 +166,10 @@ fn repeated<S: SlidingSystem<N>, const N: usize>(
 #[derive(Results)]
 pub(crate) struct ToldBasin {
     /// of the starts that return to steady sliding
+    #[result(unit = "1")]
     fraction: f64,
     /// its 95 % interval
+    #[result(unit = "1")]
     interval: [f64; 2],
     samples: usize,
     seed: u64,

@@ -76,9 +76,12 @@ fn moves<const N: usize>(system: &impl SlidingSystem<N>, history: &MotionHistory
 /// What is told of a motion.
 #[derive(Results)]
 pub(crate) struct ToldMotion {
+    #[result(unit = "1")]
     rms: f64,
+    #[result(unit = "1")]
     mean: f64,
     /// of a cycle; the mean time of an oscillation where there is none
+    #[result(unit = "1")]
     pub(crate) period: Option<f64>,
     pub(crate) repeats: bool,
     stick_fraction: f64,
@@ -107,22 +110,27 @@ impl ToldMotion {
 struct EnergyBalance {
     #[result(flatten)]
     flow: EnergyFlow,
+    #[result(unit = "1")]
     residual: f64,
 }
 
 /// The paper's condition for its law: its largest magnitude, and the shares of the time in which it is above 0.1 and 1.
 #[derive(Results)]
 struct ToldMemory {
+    #[result(unit = "1")]
     largest: f64,
-    #[result(summary = "above_0.1")]
+    #[result(unit = "1", summary = "above_0.1")]
     above_tenth: f64,
+    #[result(unit = "1")]
     above_1: f64,
 }
 
 /// What is told of the time over which a motion was followed.
 #[derive(Results)]
 struct ToldWindow {
+    #[result(unit = "1")]
     duration: f64,
+    #[result(unit = "1")]
     transient: f64,
 }
 

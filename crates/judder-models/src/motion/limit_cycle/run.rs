@@ -84,14 +84,17 @@ pub(crate) fn shooting<S: SlidingSystem<N>, const N: usize>(
 /// What is told of a cycle besides.
 #[derive(Results)]
 struct ToldCycle {
+    #[result(unit = "1")]
     floquet_multipliers: Vec<Complex64>,
     stable: bool,
     /// of the return
+    #[result(unit = "1")]
     residual: f64,
     newton_iterations: usize,
     /// the contact states one after the other
     pattern: Vec<String>,
     /// a state on it
+    #[result(unit = "1")]
     start: Vec<f64>,
 }
 

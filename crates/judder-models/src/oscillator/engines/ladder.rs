@@ -68,13 +68,17 @@ pub(super) struct LadderRow {
 /// What is told of the points of an engine.
 #[derive(Results)]
 pub(super) struct ToldConvergence {
+    #[result(unit = "1")]
     rms_error: Vec<f64>,
+    #[result(unit = "1")]
     period_error: Vec<f64>,
     /// points on the same cycle
     points: usize,
     /// how fast the errors fall
+    #[result(unit = "1")]
     order: Option<f64>,
     /// error of the two finest points, extrapolated
+    #[result(unit = "1")]
     extrapolated: Option<f64>,
 }
 

@@ -206,12 +206,16 @@ fn outcome(
 /// What is told of the cycle, and of what other engines find.
 #[derive(Results)]
 pub(super) struct ToldEngines {
+    #[result(unit = "1")]
     rms: f64,
+    #[result(unit = "1")]
     period: f64,
     oscillations: usize,
     stick_fraction: f64,
     lift_off_fraction: f64,
+    #[result(unit = "1")]
     floquet_multipliers: Vec<Complex64>,
+    #[result(unit = "1")]
     residual: f64,
     time_stepping: ToldSteps,
     smoothed: ToldWidths,
@@ -222,6 +226,7 @@ pub(super) struct ToldEngines {
 /// An engine along its steps.
 #[derive(Results)]
 struct ToldSteps {
+    #[result(unit = "1")]
     time_step: Vec<f64>,
     #[result(flatten)]
     errors: ToldConvergence,
@@ -230,6 +235,7 @@ struct ToldSteps {
 /// An engine along its widths.
 #[derive(Results)]
 struct ToldWidths {
+    #[result(unit = "1")]
     width: Vec<f64>,
     #[result(flatten)]
     errors: ToldConvergence,
@@ -238,8 +244,11 @@ struct ToldWidths {
 /// An engine with one width.
 #[derive(Results)]
 struct ToldPoint {
+    #[result(unit = "1")]
     width: f64,
     becomes: &'static str,
+    #[result(unit = "1")]
     rms_error: f64,
+    #[result(unit = "1")]
     period_error: f64,
 }

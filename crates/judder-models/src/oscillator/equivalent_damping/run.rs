@@ -17,6 +17,7 @@ use judder_study::outcome::Outcome;
 #[derive(Results)]
 pub(super) struct ToldDamping {
     value: Vec<f64>,
+    #[result(unit = "1")]
     equivalent_damping: Vec<f64>,
 }
 

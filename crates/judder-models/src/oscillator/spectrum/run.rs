@@ -142,8 +142,11 @@ pub(crate) fn outcome(
 #[derive(Results)]
 pub(crate) struct ToldSpectra {
     value: Vec<f64>,
+    #[result(unit = "1")]
     eigenvalues: Vec<[Complex64; 4]>,
+    #[result(unit = "1")]
     conservative_eigenvalues: Vec<[Complex64; 4]>,
+    #[result(unit = "1")]
     growth_rate: Vec<f64>,
     /// that in 1/s
     #[result(optional)]

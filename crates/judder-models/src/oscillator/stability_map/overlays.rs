@@ -251,6 +251,7 @@ pub(super) struct ToldBoundary {
     folds_in_x: usize,
     folds_in_y: usize,
     /// from and to
+    #[result(unit = "1")]
     frequency: Option<[f64; 2]>,
 }
 

@@ -71,20 +71,24 @@ pub(super) fn run(
 #[derive(Results)]
 pub(super) struct ToldGrowth {
     /// growth rate in the march
+    #[result(unit = "1/s")]
     measured: f64,
     /// growth rate that the eigenvalue says
+    #[result(unit = "1/s")]
     predicted: f64,
     /// frequency that the eigenvalue says
     frequency_hz: f64,
     /// frequency in the march
     measured_frequency_hz: f64,
     /// how much the measured growth differs from half to half
+    #[result(unit = "1/s")]
     spread: f64,
     /// how the march goes
     method: &'static str,
     /// where the contact is held
     position_m: f64,
     /// the force there, at rest
+    #[result(unit = "N")]
     normal_force: f64,
     steps: u64,
     /// the step

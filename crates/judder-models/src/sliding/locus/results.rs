@@ -46,10 +46,13 @@ pub(super) struct ToldLocus {
     value: Option<Vec<f64>>,
     /// of the branches at each
     frequencies_hz: Vec<Vec<f64>>,
+    #[result(unit = "1/s")]
     growth_rates: Vec<Vec<f64>>,
+    #[result(unit = "1/s")]
     growth_rate_errors: Vec<Vec<f64>>,
     /// the unstable zones
     unstable: Vec<ToldZone>,
+    #[result(unit = "N")]
     normal_force: Vec<f64>,
     slope: Vec<f64>,
     configuration: &'static str,
@@ -87,6 +90,7 @@ struct ToldZone {
     peak: Option<f64>,
     ends: [&'static str; 2],
     frequency_hz: f64,
+    #[result(unit = "1/s")]
     max_growth_rate: f64,
     error: f64,
 }

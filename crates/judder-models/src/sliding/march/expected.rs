@@ -54,8 +54,10 @@ pub(super) struct ToldAmplification {
     from_m: f64,
     to_m: f64,
     frequency_hz: f64,
+    #[result(unit = "1/s")]
     max_growth_rate: f64,
     /// in nepers
+    #[result(unit = "1")]
     expected_amplification: f64,
     error: f64,
 }

@@ -205,7 +205,9 @@ struct ToldBurst {
     peak: f64,
     duration_s: f64,
     level_before: Option<f64>,
+    #[result(unit = "1")]
     measured_amplification: Option<f64>,
+    #[result(unit = "1")]
     expected_amplification: Option<f64>,
 }
 

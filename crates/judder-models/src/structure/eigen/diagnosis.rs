@@ -45,12 +45,14 @@ pub(crate) struct Diagnosed {
     /// what each matrix adds to the growth rate
     matrices: Vec<Fed>,
     /// all of it together
+    #[result(unit = "1/s")]
     sum: Option<f64>,
     /// whether the energy of the mode is positive
     positive_energy: bool,
     /// the energy by which what matrices add is divided
     energy: ModeEnergy,
     mode: usize,
+    #[result(unit = "1/s")]
     growth_rate: f64,
     frequency_hz: f64,
     /// the undamped modes with the largest shares
@@ -67,8 +69,10 @@ struct Fed {
     /// mass, damping or stiffness
     part: &'static str,
     name: String,
+    #[result(unit = "1")]
     factor: f64,
     /// what it adds
+    #[result(unit = "1/s")]
     growth: Option<f64>,
     /// ∂λ/∂(its factor)
     sensitivity: Complex64,
@@ -79,10 +83,12 @@ struct Fed {
 struct ModeEnergy {
     sign: &'static str,
     /// what is left of its parts
+    #[result(unit = "1")]
     share: f64,
     /// how far that may be off
     error: f64,
     /// what that makes of the growths
+    #[result(unit = "1/s")]
     growth_error: Option<f64>,
 }
 
@@ -92,8 +98,10 @@ struct TakingPart {
     mode: usize,
     frequency_hz: f64,
     /// its share of the kinetic energy
+    #[result(unit = "1")]
     share: f64,
     /// modal assurance criterion of both
+    #[result(unit = "1")]
     mac: f64,
 }
 

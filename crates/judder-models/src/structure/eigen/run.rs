@@ -247,6 +247,7 @@ pub(crate) struct ToldMode {
     /// normalised backward error
     residual: f64,
     /// that of the left vector
+    #[result(unit = "1")]
     left_residual: f64,
     verdict: &'static str,
     /// how far the true eigenvalue may be

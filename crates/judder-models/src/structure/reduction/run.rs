@@ -85,6 +85,7 @@ pub(super) struct ToldReduction {
     #[result(attribute)]
     limit_hz: f64,
     /// relative error of the compliance at rest
+    #[result(unit = "1")]
     static_compliance_error: Option<f64>,
     /// that of the compliance in motion
     dynamic_compliance: InterfaceCompliance,

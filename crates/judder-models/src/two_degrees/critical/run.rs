@@ -18,6 +18,7 @@ pub(super) struct ToldThresholds {
     /// the swept parameter
     key: String,
     /// where stability changes
+    #[result(unit = "1")]
     critical: Vec<f64>,
     frequency: Vec<f64>,
 }

@@ -34,6 +34,8 @@ pub enum QuantitySource {
         name: String,
         /// The way from its results to a number; never empty.
         steps: Vec<QuantityStep>,
+        /// Unit symbol of the number, as its result declares it.
+        unit: String,
     },
 }
 
@@ -129,7 +131,8 @@ impl QuantityPath {
             Err(_) => QuantityStep::Name(step.to_owned()),
         };
         let steps = rest.split('.').map(step).collect();
-        Ok(Self { text, source: QuantitySource::Analysis { index, name: name.to_owned(), steps } })
+        let (name, unit) = (name.to_owned(), String::new());
+        Ok(Self { text, source: QuantitySource::Analysis { index, name, steps, unit } })
     }
 }
 
@@ -151,8 +154,8 @@ mod tests {
         let source = |path: &str| QuantityPath::parse(path, &analyses, &[quantity]).map(|path| path.source);
         let name = |text: &str| QuantityStep::Name(text.to_owned());
         let expected = |index: usize, steps: &[QuantityStep]| {
-            let (name, steps) = (analyses[index].to_owned(), steps.to_vec());
-            Ok(QuantitySource::Analysis { index, name, steps })
+            let (name, steps, unit) = (analyses[index].to_owned(), steps.to_vec(), String::new());
+            Ok(QuantitySource::Analysis { index, name, steps, unit })
         };
         assert_eq!(source("cycle.rms"), expected(0, &[name("rms")]));
         assert_eq!(source("cycle.fine.rms"), expected(1, &[name("rms")]));

@@ -249,10 +249,10 @@ fn read_conditions(
     all(given.iter().zip(nodes).map(read))
 }
 
-/// The same, where the analysis has such a result.
-fn known(quantity: QuantityPath, case: &Case) -> Result<QuantityPath, SweepProblem> {
-    if let QuantitySource::Analysis { index, steps, .. } = &quantity.source {
-        known_result::check(&quantity.text, steps, case.summary_keys(*index))?;
+/// The same with its unit, where the analysis has such a result.
+fn known(mut quantity: QuantityPath, case: &Case) -> Result<QuantityPath, SweepProblem> {
+    if let QuantitySource::Analysis { index, steps, unit, .. } = &mut quantity.source {
+        *unit = known_result::unit(&quantity.text, steps, case.summary_keys(*index))?;
     }
     Ok(quantity)
 }

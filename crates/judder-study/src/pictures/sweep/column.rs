@@ -1,5 +1,6 @@
 //! A quantity of a sweep with its label, its colours and its values.
 
+use crate::labels::with_unit;
 use crate::pictures::{StoredArrays, words};
 use crate::registry::ModelKind;
 use judder_numerics::decade::power_of_ten;
@@ -86,12 +87,8 @@ fn label(model: Option<&ModelKind>, name: &str, long_name: &str, units: &str) ->
     if let Some(label) = model.and_then(|model| model.operating_label(name)) {
         return label.to_owned();
     }
-    match (long_name, units) {
-        // of an analysis: its path says more than any words made of it
-        (_, "") => name.to_owned(),
-        (long_name, "1") => format!("{long_name} (−)"),
-        (long_name, units) => format!("{long_name} ({units})"),
-    }
+    // of an analysis: its path says more than any words made of it
+    with_unit(if name.contains('.') || units.is_empty() { name } else { long_name }, units)
 }
 
 /// Legend and colour of a class by its meaning: those of stability maps, and of eigenvalues for verdicts.

@@ -17,7 +17,9 @@ pub(crate) struct ToldBranches {
 #[derive(Results)]
 struct ToldHopf {
     value: f64,
+    #[result(unit = "1")]
     frequency: f64,
+    #[result(unit = "1")]
     lyapunov_coefficient: f64,
     criticality: &'static str,
 }
@@ -29,7 +31,9 @@ struct ToldBranch {
     from: String,
     oscillations: Option<usize>,
     value: Vec<f64>,
+    #[result(unit = "1")]
     rms: Vec<f64>,
+    #[result(unit = "1")]
     period: Vec<f64>,
     stable: Vec<bool>,
     folds: Vec<f64>,

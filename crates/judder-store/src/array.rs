@@ -4,20 +4,26 @@ use std::error::Error;
 use std::sync::Arc;
 
 use judder_memory::MemoryBudget;
-use zarrs::array::{Array, ArrayCreateError, ArrayError, ArraySubset, ElementOwned, data_type};
+use zarrs::array::{Array, ArrayError, ArrayMetadataV3, ArraySubset, ElementOwned, data_type};
 use zarrs::filesystem::FilesystemStore;
+use zarrs::metadata::v3::AdditionalFieldV3;
+use zarrs::storage::StoreKey;
 
-use crate::{Variable, VariableValues, bounded_zstd, metadata};
+use crate::{StoreError, Variable, VariableValues, bounded_zstd, metadata, plain};
 
 pub(crate) type ReadFailure = Box<dyn Error + Send + Sync>;
 
-/// Opens an array of a group, whose values are unpacked to no more than its chunks have.
-pub(crate) fn open(
-    store: &Arc<FilesystemStore>,
-    name: &str,
-) -> Result<Array<FilesystemStore>, ArrayCreateError> {
+/// Opens an array of a group, whose values are unpacked to no more than its chunks have. Its metadata are read here: the array library would read any
+/// file whole.
+pub(crate) fn open(store: &Arc<FilesystemStore>, name: &str) -> Result<Array<FilesystemStore>, ReadFailure> {
     bounded_zstd::bind();
-    Array::open(store.clone(), &format!("/{name}"))
+    let path = store.key_to_fspath(&StoreKey::new(format!("{name}/{}", metadata::FILE))?);
+    let content = plain::read_json(&path).map_err(|source| StoreError::read(&path, source))?;
+    let metadata: ArrayMetadataV3 = serde_json::from_slice(&content)?;
+    if metadata.additional_fields.values().any(AdditionalFieldV3::must_understand) {
+        return Err("its metadata ask for what judder does not know".into());
+    }
+    Ok(Array::new_with_metadata(store.clone(), &format!("/{name}"), metadata.into())?)
 }
 
 /// Refuses what takes more memory than there is: a part of an array, and a chunk of it, packed and unpacked.

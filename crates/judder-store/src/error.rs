@@ -4,7 +4,7 @@ use std::error::Error;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-use crate::{ChunkDamage, FileDamage, lock_sign};
+use crate::{ChunkDamage, FileDamage, OversizedFile, lock_sign};
 
 /// Why something could not be stored or read back. Every variant names the place and says what would be right.
 #[derive(Debug, thiserror::Error)]
@@ -83,6 +83,16 @@ pub enum StoreError {
         path: PathBuf,
         /// Where and why reading stopped.
         source: serde_json::Error,
+    },
+    /// A document of a study that is longer than any that judder writes.
+    #[error("{}: this file has {size} bytes, and such a file of judder at most {largest}; `judder run` computes anew what is damaged", path.display())]
+    Oversized {
+        /// The file.
+        path: PathBuf,
+        /// Its size in bytes.
+        size: u64,
+        /// The most that one has.
+        largest: u64,
     },
     /// A summary that JSON cannot hold, such as a wall time that is not a number.
     #[error("{}: this summary cannot be written as JSON: {source}", path.display())]
@@ -397,7 +407,19 @@ impl StoreError {
 
     /// A failed read.
     pub(crate) fn read(path: &Path, source: io::Error) -> Self {
-        Self::FileSystem { action: "read", path: path.to_owned(), source }
+        let path = path.to_owned();
+        match OversizedFile::of(&source) {
+            Some(OversizedFile { size, largest }) => Self::Oversized { path, size, largest },
+            None => Self::FileSystem { action: "read", path, source },
+        }
+    }
+
+    /// A failed read of an array; an error of this crate stays what it is.
+    pub(crate) fn of_array(path: &Path, source: Box<dyn Error + Send + Sync>) -> Self {
+        match source.downcast() {
+            Ok(own) => *own,
+            Err(source) => Self::DatasetUnreadable { path: path.to_owned(), source },
+        }
     }
 
     /// Stored results that make no sense.

@@ -20,7 +20,8 @@
 //!   consolidated so that one read opens all; `group_store.rs`: its files as the array library writes them; `staging.rs`: the atomic write under all of the above, whose calls
 //!   are those of `judder-disk`.
 //! - `manifest.rs`: `manifest.json`, what a study was when it was written, so that damage is told from results ([`FileDamage`]); [`verify`] (`verify.rs`)
-//!   compares all of a study with it. `plain.rs`: regular files, and no pipes and devices.
+//!   compares all of a study with it. [`read_small_file`] (`plain.rs`): regular files, and no pipes and devices, nor
+//!   files that are longer than their kind.
 //! - [`content_hash`] (`hash.rs`) names a case or an analysis by its content.
 //! - [`StoreError`] (`error.rs`): what can go wrong, and what to do about it.
 
@@ -65,6 +66,7 @@ pub use hash::content_hash;
 pub use lock_sign::{LockSign, lock_sign};
 pub use manifest::{FileDamage, SoundFiles, vouch_for, vouch_for_file};
 pub use num_complex::Complex64;
+pub use plain::{LARGEST_DOCUMENT, OversizedFile, read_small_file};
 pub use reader::{DatasetHead, StudyReader};
 pub use scratch::Scratch;
 pub use shared::SharedStudy;

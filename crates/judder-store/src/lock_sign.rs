@@ -9,13 +9,16 @@ use std::sync::{Arc, Mutex, PoisonError, Weak};
 use std::thread;
 use std::time::{Duration, SystemTime};
 
-use crate::lock;
+use crate::{lock, plain};
 
 /// How often a process touches the files that it has locked.
 const BEAT: Duration = Duration::from_secs(5);
 
 /// The files that this process has locked, and the process whose thread touches them: a forked one has none.
 static HELD: Mutex<(u32, Vec<Weak<File>>)> = Mutex::new((0, Vec::new()));
+
+/// More than anybody writes into a lock: a process and the name of its machine.
+const HOLDER_BYTES: u64 = 1 << 12;
 
 /// What is known of a lock that another holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -30,7 +33,9 @@ pub struct LockSign {
 
 impl LockSign {
     pub(crate) fn of(file: PathBuf) -> Self {
-        let holder = fs::read_to_string(&file).ok().map(|text| text.trim().to_owned());
+        let holder =
+            plain::read_small_file(&file, HOLDER_BYTES).ok().and_then(|text| String::from_utf8(text).ok());
+        let holder = holder.map(|text| text.trim().to_owned());
         let touched = fs::metadata(&file).and_then(|metadata| metadata.modified()).ok();
         Self { file, holder: holder.filter(|holder| !holder.is_empty()), touched }
     }

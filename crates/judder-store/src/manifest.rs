@@ -19,7 +19,9 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use crate::{ChunkDamage, StoreError, Summary, content_hash, plain, results, staging, summary, sweep};
+use crate::{
+    ChunkDamage, LARGEST_DOCUMENT, StoreError, Summary, content_hash, plain, results, staging, summary, sweep,
+};
 
 pub(crate) use keeper::{ManifestKeeper, files_below, relative};
 pub use look::{FileDamage, SoundFiles};
@@ -118,7 +120,10 @@ impl Manifest {
     /// Writes it, forced to the disk or not.
     pub(crate) fn write(&self, study: &Path, is_forced: bool) -> Result<(), StoreError> {
         let write = if is_forced { staging::write_file } else { staging::write_unforced };
-        write(study, &study.join(FILE), &self.content()?)
+        let (path, content) = (study.join(FILE), self.content()?);
+        let size = content.len() as u64;
+        plain::check_size(size, LARGEST_DOCUMENT).map_err(|source| StoreError::read(&path, source))?;
+        write(study, &path, &content)
     }
 
     /// The content of its file.

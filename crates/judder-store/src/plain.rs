@@ -25,10 +25,40 @@ pub(crate) fn open(path: &Path) -> io::Result<File> {
     }
 }
 
+/// The longest document that a study has, in bytes: metadata, summary, manifest, a law. A manifest of a million files is shorter.
+pub const LARGEST_DOCUMENT: u64 = 256 << 20;
+
+/// A file is longer than any of its kind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("it has {size} bytes, where such a file has at most {largest}")]
+pub struct OversizedFile {
+    /// Its size in bytes.
+    pub size: u64,
+    /// The most that one has.
+    pub largest: u64,
+}
+
+impl OversizedFile {
+    /// What a failure of [`read_small_file`] says of it.
+    #[must_use]
+    pub fn of(failure: &io::Error) -> Option<Self> {
+        failure.get_ref()?.downcast_ref().copied()
+    }
+}
+
 /// Reads a regular file whole, where there is memory for it.
 pub(crate) fn read(path: &Path) -> io::Result<Vec<u8>> {
+    read_small_file(path, u64::MAX)
+}
+
+/// Reads a regular file whole, of at most so many bytes, where there is memory for it.
+///
+/// # Errors
+/// [`OversizedFile`] before anything is read; what is no file, or takes more memory than there is; a failure of the file system.
+pub fn read_small_file(path: &Path, largest: u64) -> io::Result<Vec<u8>> {
     let file = open(path)?;
     let size = file.metadata()?.len();
+    check_size(size, largest)?;
     ask(u128::from(size))?;
     let mut content = Vec::new();
     content.try_reserve_exact(usize::try_from(size).unwrap_or(usize::MAX))?;
@@ -37,9 +67,17 @@ pub(crate) fn read(path: &Path) -> io::Result<Vec<u8>> {
     Ok(content)
 }
 
-/// Reads a regular file of JSON, where there is memory for what it says.
+/// Refuses a file of more bytes than any of its kind has.
+pub(crate) fn check_size(size: u64, largest: u64) -> io::Result<()> {
+    if size <= largest {
+        return Ok(());
+    }
+    Err(io::Error::new(ErrorKind::FileTooLarge, OversizedFile { size, largest }))
+}
+
+/// Reads a document of JSON, where there is memory for what it says.
 pub(crate) fn read_json(path: &Path) -> io::Result<Vec<u8>> {
-    let content = read(path)?;
+    let content = read_small_file(path, LARGEST_DOCUMENT)?;
     ask(content.len() as u128 + parsed_bytes(&content))?;
     Ok(content)
 }
@@ -51,7 +89,8 @@ fn parsed_bytes(content: &[u8]) -> u128 {
     (content.len() + signs * VALUE) as u128
 }
 
-fn ask(bytes: u128) -> io::Result<()> {
+/// Refuses what takes more memory than there is.
+pub(crate) fn ask(bytes: u128) -> io::Result<()> {
     MemoryBudget::of_process()
         .ask(bytes)
         .map_err(|beyond| io::Error::new(ErrorKind::OutOfMemory, format!("{beyond}; {}", beyond.remedy())))
@@ -115,6 +154,9 @@ mod tests {
         let refused = read(&path).unwrap_err();
         assert_eq!(refused.kind(), ErrorKind::OutOfMemory);
         assert!(refused.to_string().contains("4.4 TB of memory are needed"), "{refused}");
+        let refused = read_small_file(&path, 1 << 20).unwrap_err();
+        let oversized = OversizedFile { size: 1 << 42, largest: 1 << 20 };
+        assert_eq!(OversizedFile::of(&refused), Some(oversized), "its size before the memory");
         // a short text of many values
         fs::write(&path, format!("[{}0]", "0,".repeat(1 << 20))).unwrap();
         let among = |parts| MemoryBudget::shared(parts, || read_json(&path));

@@ -236,7 +236,7 @@ impl StudyReader {
         self.manifest.check(&self.inside(&path.join(metadata::FILE))?)?;
         let store = FilesystemStore::new(group).map_err(|source| StoreError::unreadable(group, source))?;
         let array = crate::array::open(&Arc::new(store), variable)
-            .map_err(|source| StoreError::unreadable(&path, source))?;
+            .map_err(|source| StoreError::of_array(&path, source))?;
         zarr::check_chunk_size(&array).map_err(|source| StoreError::DatasetUnreadable { path, source })?;
         Ok(array)
     }

@@ -79,7 +79,9 @@ pub(crate) fn consolidate(study: &Path) -> Result<(), StoreError> {
     }
     let root = derived(&results)?;
     let path = results.join(metadata::FILE);
-    if !plain::is_link(&path) && plain::read(&path).is_ok_and(|stands| stands == root) {
+    if !plain::is_link(&path)
+        && plain::read_small_file(&path, root.len() as u64).is_ok_and(|stands| stands == root)
+    {
         return Ok(());
     }
     staging::write_file(study, &path, &root)

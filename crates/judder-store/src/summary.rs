@@ -7,7 +7,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Map, Value};
 
-use crate::{StoreError, plain};
+use crate::{LARGEST_DOCUMENT, StoreError, plain};
 
 /// The name of the summary in a study folder.
 pub(crate) const FILE: &str = "summary.json";
@@ -101,5 +101,8 @@ pub(crate) fn content(study: &Path, summary: &Summary) -> Result<Vec<u8>, StoreE
     let mut content = serde_json::to_vec_pretty(summary)
         .map_err(|source| StoreError::SummaryUnwritable { path: study.join(FILE), source })?;
     content.push(b'\n');
+    let path = study.join(FILE);
+    plain::check_size(content.len() as u64, LARGEST_DOCUMENT)
+        .map_err(|source| StoreError::read(&path, source))?;
     Ok(content)
 }

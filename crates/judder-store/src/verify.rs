@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use crate::manifest::{self, FileDamage, Manifest};
-use crate::{StoreError, lock, metadata, plain, results, scratch, staging, summary, sweep};
+use crate::{LARGEST_DOCUMENT, StoreError, lock, metadata, plain, results, scratch, staging, summary, sweep};
 
 /// How the names of what a run leaves in a study begin while it is at work.
 const AT_WORK: [&str; 4] = [staging::PREFIX, staging::STREAM_PREFIX, scratch::PREFIX, sweep::PREFIX];
@@ -179,7 +179,7 @@ fn root_is_derived(study: &Path) -> Result<bool, FileDamage> {
         Ok(_) => {}
     }
     let unreadable = |source: std::io::Error| FileDamage::Unreadable(source.to_string());
-    let stands = plain::read(&path).map_err(unreadable)?;
+    let stands = plain::read_small_file(&path, LARGEST_DOCUMENT).map_err(unreadable)?;
     let derived = results::derived(&results).map_err(|_| FileDamage::Content)?;
     Ok(stands == derived)
 }

@@ -292,8 +292,8 @@ pub(crate) fn read_group_by(
     let damaged = |source| StoreError::unreadable(folder, source);
     let mut variables = Vec::with_capacity(members.len());
     for name in members.keys() {
-        let mut variable = read(&store, name)
-            .map_err(|source| StoreError::DatasetUnreadable { path: folder.join(name), source })?;
+        let mut variable =
+            read(&store, name).map_err(|source| StoreError::of_array(&folder.join(name), source))?;
         variable.is_coordinate |= coordinates.contains(&name.as_str());
         variables.push(variable);
     }

@@ -135,7 +135,9 @@ impl<'a> Study<'a> {
         let current: BTreeMap<&String, &String> = analyses.collect();
         let (mut summary, mut damages) = match store.read_summary() {
             // where nothing says that the folder is a study of judder's, the file is somebody's
-            Err(error @ StoreError::SummaryUnreadable { .. }) if store.has_manifest() => {
+            Err(error @ (StoreError::SummaryUnreadable { .. } | StoreError::Oversized { .. }))
+                if store.has_manifest() =>
+            {
                 store.write_summary(&Summary::default(), None)?;
                 (Summary::default(), vec![error.to_string()])
             }

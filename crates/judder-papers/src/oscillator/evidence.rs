@@ -15,7 +15,7 @@ use judder_models::contact::case::ContactCase;
 use judder_models::contact::law::LawPlane;
 use judder_models::contact::settings::{FitSettings, LawSettings};
 use judder_models::material::ContactScales;
-use judder_store::StudyFolder;
+use judder_store::{LARGEST_DOCUMENT, StudyFolder, read_small_file};
 use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::analysis::Planned;
@@ -60,7 +60,8 @@ impl Evidence {
     ) -> Result<Self, StudyError> {
         let path = store.path().join(LAW_FILE);
         let unusable = |reason: String| StudyError::File { path: path.clone(), reason };
-        let text = std::fs::read_to_string(&path).map_err(|error| unusable(error.to_string()))?;
+        let text = read_small_file(&path, LARGEST_DOCUMENT).map_err(|error| unusable(error.to_string()))?;
+        let text = String::from_utf8(text).map_err(|error| unusable(error.to_string()))?;
         let law = from_json(&text).map_err(|error| unusable(error.to_string()))?;
         Ok(Self::new(law, quick, progress)?)
     }

@@ -99,6 +99,7 @@ fields!(StoreError {
     NotWritable { path },
     FileSystem { action, path },
     SummaryUnreadable { path },
+    Oversized { path, size, largest },
     NoManifest { path },
     ManifestDamaged { path },
     Damaged { path },

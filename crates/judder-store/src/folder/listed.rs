@@ -6,7 +6,9 @@ use std::sync::PoisonError;
 
 use crate::manifest::{self, FileRecord, SoundFiles};
 use crate::sweep::{self, ChunkFile, SweepLayout};
-use crate::{FileDamage, Status, StoreError, StudyFolder, Summary, plain, results, staging, summary};
+use crate::{
+    FileDamage, LARGEST_DOCUMENT, Status, StoreError, StudyFolder, Summary, plain, results, staging, summary,
+};
 
 impl StudyFolder {
     /// Writes anew what frames the chunks of a sweep, coordinates and metadata, where that is known to be damaged, or a run was killed that wrote it
@@ -145,7 +147,8 @@ impl StudyFolder {
             return Err(StoreError::NotListed { path: self.path.clone(), name: name.clone() });
         }
         let path = self.path.join(summary::FILE);
-        let content = plain::read(&path).map_err(|source| StoreError::read(&path, source))?;
+        let content = plain::read_small_file(&path, LARGEST_DOCUMENT)
+            .map_err(|source| StoreError::read(&path, source))?;
         keeper.manifest().vouch(&self.path, &content, summary)
     }
 

@@ -38,7 +38,7 @@ impl ManifestKeeper {
     /// A failure of the file system.
     pub(crate) fn take(study: &Path) -> Result<Self, StoreError> {
         let on_disk = match Manifest::read(study) {
-            Err(StoreError::ManifestDamaged { .. }) => None,
+            Err(StoreError::ManifestDamaged { .. } | StoreError::Oversized { .. }) => None,
             read => read?,
         };
         let now = on_disk.clone().unwrap_or_default();

@@ -246,8 +246,9 @@ impl SweepChunks {
     }
 }
 
-/// The rest of a file.
+/// The rest of a file, where there is memory for it.
 fn read_from(file: &mut File, start: u64) -> io::Result<Vec<u8>> {
+    plain::ask(u128::from(file.metadata()?.len().saturating_sub(start)))?;
     let mut rest = Vec::new();
     file.seek(SeekFrom::Start(start))?;
     file.read_to_end(&mut rest)?;

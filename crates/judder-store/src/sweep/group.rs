@@ -57,7 +57,7 @@ pub(crate) fn has_frame(study: &Path, layout: &SweepLayout) -> Result<bool, Stor
     let group = place(study, layout);
     match metadata::read(&group) {
         Ok(_) => Ok(true),
-        Err(StoreError::DatasetUnreadable { .. }) => Ok(false),
+        Err(StoreError::DatasetUnreadable { .. } | StoreError::Oversized { .. }) => Ok(false),
         Err(StoreError::FileSystem { source, .. })
             if matches!(source.kind(), ErrorKind::NotFound | ErrorKind::InvalidInput) =>
         {

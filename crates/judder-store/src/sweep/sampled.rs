@@ -21,8 +21,7 @@ pub(crate) fn read_points(
     choose: impl FnOnce(&[(String, usize)]) -> Vec<Vec<usize>>,
     damage_of: &dyn Fn(&Path) -> Option<FileDamage>,
 ) -> Result<Dataset, StoreError> {
-    let unreadable = |source: ReadFailure| StoreError::DatasetUnreadable { path: group.join(VALUES), source };
-    let lengths = lengths(group).map_err(unreadable)?;
+    let lengths = lengths(group).map_err(|source| StoreError::of_array(&group.join(VALUES), source))?;
     let mut picked = choose(&lengths).into_iter();
     let chosen: Chosen = lengths
         .into_iter()

@@ -5,7 +5,10 @@ use std::os::unix::fs::symlink;
 use std::path::Path;
 
 use judder_memory::MemoryBudget;
-use judder_store::{Dataset, StoreError, StudyFolder, StudyReader, Summary, Variable, VariableValues};
+use judder_store::{
+    Dataset, LARGEST_DOCUMENT, StoreError, StudyFolder, StudyReader, Summary, Variable, VariableValues,
+    verify,
+};
 
 /// A study with one long signal, a matrix, a scalar, labels and codes.
 fn study(folder: &Path) -> StudyFolder {
@@ -50,6 +53,46 @@ fn a_study_is_read_while_another_holds_it() {
         assert_eq!(&reader.read_rows("march", &head.name, 0..usize::MAX).unwrap().data, &variable.data);
         assert_eq!(head, &Variable { data: head.data.clone(), ..variable.clone() });
     }
+}
+
+#[test]
+fn a_document_longer_than_any_is_refused_unread() {
+    let folder = tempfile::tempdir().unwrap();
+    drop(study(folder.path()));
+    let long = |name: &str| {
+        let path = folder.path().join(name);
+        fs::OpenOptions::new().write(true).create(true).open(&path).unwrap().set_len(3 << 30).unwrap();
+        path
+    };
+    let refused = |of: &str, error: StoreError| match error {
+        StoreError::Oversized { path, size, largest } => {
+            assert!(
+                path.ends_with(of) && size == 3 << 30 && largest == LARGEST_DOCUMENT,
+                "{}",
+                path.display()
+            );
+        }
+        other => panic!("{of}: {other}"),
+    };
+    let reader = StudyReader::open(folder.path()).unwrap();
+    let held = StudyFolder::open(folder.path()).unwrap();
+    let of = "results.zarr/march/matrix/zarr.json";
+    long(of);
+    refused(of, reader.head("march").unwrap_err());
+    refused(of, reader.read_rows("march", "matrix", 0..1).unwrap_err());
+    refused(of, held.read_dataset("march").unwrap_err());
+    let of = "results.zarr/march/zarr.json";
+    long(of);
+    refused(of, reader.head("march").unwrap_err());
+    refused(of, held.read_attributes("march").unwrap_err());
+    long("summary.json");
+    refused("summary.json", reader.read_summary().unwrap_err());
+    refused("summary.json", held.read_summary().unwrap_err());
+    drop(held);
+    long("manifest.json");
+    refused("manifest.json", reader.is_complete().unwrap_err());
+    refused("manifest.json", verify(folder.path(), |_, _| true).unwrap_err());
+    assert!(!StudyFolder::open(folder.path()).unwrap().has_manifest(), "a run computes anew");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use crate::input_file::KnownFile;
 use crate::model::Case;
 use crate::sweep::SweepPlan;
 use crate::version::version;
-use judder_store::{StudyFolder, content_hash};
+use judder_store::{StudyFolder, content_hash, read_small_file};
 use serde_json::{Value, json};
 
 /// A case with the names and hashes of all that it has, and what of it is wanted.
@@ -108,7 +108,8 @@ impl<'a> AskedCase<'a> {
 /// Failures of the file system.
 pub(super) fn keep_files(store: &StudyFolder, files: &[(String, Vec<u8>)]) -> Result<(), StudyError> {
     for (name, content) in files {
-        if !std::fs::read(store.path().join(name)).is_ok_and(|there| there == *content) {
+        let there = read_small_file(&store.path().join(name), content.len() as u64);
+        if !there.is_ok_and(|there| there == *content) {
             store.write_file(name, content)?;
         }
     }

@@ -137,6 +137,7 @@ impl StudyReference {
             StoreError::DatasetUnreadable { path, source } => (path, source.to_string()),
             StoreError::SummaryUnreadable { path, source } => (path, source.to_string()),
             StoreError::Damaged { path, damage } => (path, damage.to_string()),
+            StoreError::Oversized { path, size, .. } => (path, format!("it has {size} bytes")),
             _ => return None,
         };
         let root = self.path.canonicalize().unwrap_or_else(|_| self.path.clone());

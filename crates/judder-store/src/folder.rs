@@ -104,12 +104,14 @@ impl StudyFolder {
     /// # Errors
     /// A failure of the file system.
     pub fn forget(&self, is_drawn: impl Fn(&str) -> bool) -> Result<(), StoreError> {
-        for single in self.manifest().forget(is_drawn)? {
+        let singles = self.manifest().forget(is_drawn)?;
+        for single in &singles {
             // a list that names what lies elsewhere is none of this crate's
-            if let Ok(path) = self.inner_place(Path::new(&single)) {
+            if let Ok(path) = self.inner_place(Path::new(single)) {
                 judder_disk::remove(&path).map_err(|source| StoreError::write(&path, 0, source))?;
             }
         }
+        self.manifest().take_off(|path, _| singles.iter().any(|single| single == path))?;
         for name in [summary::FILE, results::FOLDER] {
             let path = self.path.join(name);
             let forget = || {

@@ -95,8 +95,8 @@ impl ManifestKeeper {
         if is_true { Ok(()) } else { self.write(self.now.clone()) }
     }
 
-    /// Takes off the list all that a run from nothing forgets: that any result is there, the summary, all arrays, the files of results and those that
-    /// are drawn. Gives back which of them are neither summary nor arrays.
+    /// Takes off the list what a run from nothing forgets as a whole: that any result is there, the summary, all arrays. Gives back what else it forgets,
+    /// the files of results and those that are drawn, which stay on the list until they are removed: a kill before that must not make them somebody's.
     ///
     /// # Errors
     /// A failure of the file system.
@@ -104,12 +104,10 @@ impl ManifestKeeper {
         self.now.results.clear();
         let below = format!("{}/", results::FOLDER);
         let is_whole = |path: &str| path == summary::FILE || path.starts_with(&below);
+        self.take_off(|path, _| is_whole(path))?;
         let is_single = |path: &str, record: &FileRecord| record.of.is_some() || is_drawn(path);
-        let listed =
-            self.now.files.iter().filter(|(path, record)| !is_whole(path) && is_single(path, record));
-        let single = listed.map(|(path, _)| path.clone()).collect();
-        self.take_off(|path, record| is_whole(path) || is_single(path, record))?;
-        Ok(single)
+        let listed = self.now.files.iter().filter(|(path, record)| is_single(path, record));
+        Ok(listed.map(|(path, _)| path.clone()).collect())
     }
 
     /// Lists a file that has been written.

@@ -1,7 +1,9 @@
 //! Which folders are taken, which are refused, and what a killed run leaves.
 
+use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use judder_store::{AnalysisRecord, Finding, Status, StoreError, StudyFolder, Summary, verify};
 
@@ -146,6 +148,57 @@ fn a_run_from_nothing_forgets_files_of_results_and_what_is_drawn() {
     drop(study);
     let found = verify(folder.path(), |_, _| true).unwrap();
     assert_eq!(found.findings, [Finding::Extra { path: "figures/notes.txt".to_owned() }]);
+}
+
+/// Names the folder of the study that a child forgets.
+const FORGOTTEN_FOLDER: &str = "JUDDER_TEST_FORGOTTEN_FOLDER";
+
+#[test]
+#[ignore = "run and killed by the other tests"]
+fn forgets_in_the_child() {
+    if let Some(folder) = env::var_os(FORGOTTEN_FOLDER) {
+        StudyFolder::create(folder).unwrap().forget(|path| path.starts_with("figures/")).unwrap();
+    }
+}
+
+/// Forgets a study in a process that ends before the n-th call to the disk; whether it came to its end before.
+fn forgets_until(call: usize, folder: &Path) -> bool {
+    let child = Command::new(env::current_exe().unwrap())
+        .args(["--exact", "folders::forgets_in_the_child", "--ignored"])
+        .env(FORGOTTEN_FOLDER, folder)
+        .env(judder_disk::FAULT_VARIABLE, format!("end@{call}"))
+        .output();
+    child.unwrap().status.success()
+}
+
+#[test]
+fn a_run_from_nothing_that_is_killed_leaves_nothing_that_the_next_takes_for_somebodys() {
+    let folder = tempfile::tempdir().unwrap();
+    for call in 1.. {
+        let path = folder.path().join(call.to_string());
+        let study = StudyFolder::create(&path).unwrap();
+        study.write_dataset("law", "h", &crate::constant(1.0, 2)).unwrap();
+        for law in ["law.json", "law.csv"] {
+            study.write_file_of(Some("law"), Path::new(law), b"{}").unwrap();
+        }
+        study.write_file("figures/law.svg", b"content").unwrap();
+        study.write_summary(&Summary::default(), Some("law")).unwrap();
+        study.seal("build").unwrap();
+        drop(study);
+        let is_whole = forgets_until(call, &path);
+        let found = verify(&path, |_, _| true).unwrap().findings;
+        assert!(!found.iter().any(|finding| matches!(finding, Finding::Extra { .. })), "{call}: {found:?}");
+        let next = StudyFolder::create(&path).unwrap();
+        next.forget(|path| path.starts_with("figures/")).unwrap();
+        next.seal("build").unwrap();
+        drop(next);
+        let found = verify(&path, |_, _| true).unwrap();
+        assert!(found.is_sound() && found.findings.is_empty(), "{call}: {found:?}");
+        if is_whole {
+            assert!(call > 10, "it was killed {call} times");
+            return;
+        }
+    }
 }
 
 #[test]

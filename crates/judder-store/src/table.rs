@@ -99,7 +99,7 @@ impl Table {
     /// None that a table in memory can meet.
     pub fn to_csv(&self) -> io::Result<Vec<u8>> {
         let mut writer = Writer::from_writer(Vec::new());
-        writer.write_record(self.columns.iter().map(|(head, _)| head))?;
+        writer.write_record(self.columns.iter().map(|(head, _)| guarded(head).into_owned()))?;
         for row in 0..self.rows() {
             writer.serialize(
                 self.columns.iter().map(|(_, cells)| WrittenCell { cells, row }).collect::<Vec<_>>(),

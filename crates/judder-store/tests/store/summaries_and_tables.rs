@@ -105,4 +105,7 @@ fn a_text_is_no_formula_of_a_spreadsheet() {
     let texts = ["=1+1", "@sum", "+cmd", "-1.5", "-x", "a=b"].map(String::from).to_vec();
     let table = Table::new().column("label", "", texts).unwrap();
     assert_eq!(table.to_csv().unwrap(), b"label\n'=1+1\n'@sum\n'+cmd\n-1.5\n'-x\na=b\n");
+    let table =
+        Table::new().column("=1+1", "m", vec![1.5]).and_then(|t| t.column("-2", "", vec![2.5])).unwrap();
+    assert_eq!(table.to_csv().unwrap(), b"'=1+1 [m],-2\n1.5,2.5\n", "a head is a text, too");
 }

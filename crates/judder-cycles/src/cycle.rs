@@ -252,7 +252,7 @@ pub struct CycleQuality {
 }
 
 /// How many times more instants a cycle is looked at than it was solved with.
-const FINER: usize = 4;
+pub const FINER: usize = 4;
 /// The root mean square of a swing that forces have for no more than what the equations are solved to, of the force scale.
 const LEAST_SWING: f64 = 1e-6;
 

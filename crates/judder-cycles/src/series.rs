@@ -63,6 +63,13 @@ impl Series {
         Self { harmonics, samples, table, back }
     }
 
+    /// Bytes of its tables.
+    #[must_use]
+    pub fn bytes(harmonics: usize, samples: usize) -> u128 {
+        let [harmonics, samples] = [harmonics, samples].map(|own| own as u128);
+        8 * 2 * samples.max(4 * harmonics + 1) * (4 * harmonics + 1)
+    }
+
     /// H.
     #[must_use]
     pub fn harmonics(&self) -> usize {

@@ -10,6 +10,12 @@ pub(super) fn free_bytes() -> Option<u64> {
     [machine, groups, left_in_address_space()].into_iter().flatten().min()
 }
 
+/// What this process holds in memory; none where nothing says.
+pub(super) fn resident_bytes() -> Option<u64> {
+    let status = fs::read_to_string("/proc/self/status").ok()?;
+    kibibytes(status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?)
+}
+
 /// `MemAvailable` of `/proc/meminfo`.
 fn available(text: &str) -> Option<u64> {
     kibibytes(text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?)
@@ -95,7 +101,10 @@ mod tests {
 
     #[cfg(target_os = "linux")]
     #[test]
-    fn linux_says_what_is_free() {
+    fn linux_says_what_is_free_and_what_is_held() {
         assert!(free_bytes().is_some());
+        let held = vec![1_u8; 64 << 20];
+        let resident = resident_bytes().unwrap();
+        assert!(resident > held.iter().map(|byte| u64::from(*byte)).sum(), "{resident}");
     }
 }

@@ -79,8 +79,20 @@ impl MemoryBudget {
     /// least; of that the part which this thread's work [shares](Self::shared). Where the system does not say, there is no limit.
     #[must_use]
     pub fn of_process() -> Self {
+        Self::beside(0)
+    }
+
+    /// The same for all that the process will hold at its peak: what it holds already counts as free.
+    #[must_use]
+    pub fn of_whole_process() -> Self {
+        Self::beside(free::resident_bytes().unwrap_or(0))
+    }
+
+    /// With so many bytes free beside those that the system says are.
+    fn beside(held: u64) -> Self {
+        let share = |free: u64| free.saturating_add(held) / SHARE * (SHARE - 1);
         let (bytes, origin) = match TOLD.load(Ordering::Relaxed) {
-            0 => (free::free_bytes().map(|free| free / SHARE * (SHARE - 1)), BudgetOrigin::Free),
+            0 => (free::free_bytes().map(share), BudgetOrigin::Free),
             told => (Some(told), BudgetOrigin::Told),
         };
         let shared_by = SHARED_BY.get();
@@ -111,15 +123,19 @@ impl BeyondMemory {
     /// How to go on.
     #[must_use]
     pub fn remedy(&self) -> String {
+        self.remedy_or("ask for less")
+    }
+
+    /// The same where this would take less.
+    #[must_use]
+    pub fn remedy_or(&self, less: &str) -> String {
         /// More than one machine has: 64 TiB.
         const NOWHERE: u128 = 1 << 46;
         if self.needed > NOWHERE {
-            return "ask for less: no machine has that".to_owned();
+            return format!("{less}: no machine has that");
         }
         let gibibytes = (self.needed * u128::from(self.shared_by)).div_ceil(1 << 30);
-        format!(
-            "ask for less, or give judder more with --memory \"{gibibytes} GiB\" where the machine has it"
-        )
+        format!("{less}, or give judder more with --memory \"{gibibytes} GiB\" where the machine has it")
     }
 }
 
@@ -142,6 +158,12 @@ impl fmt::Display for ShareWords {
 }
 
 /// Bytes in words: `15.6 GB`.
+#[must_use]
+pub fn in_words(bytes: u128) -> String {
+    Amount(bytes).to_string()
+}
+
+/// The same as it stands in messages.
 struct Amount(u128);
 
 impl fmt::Display for Amount {
@@ -167,6 +189,11 @@ mod tests {
         assert_eq!(beyond.to_string(), "15.6 GB of memory are needed, and 3.9 GB are to be had, as was said");
         assert!(beyond.remedy().contains("--memory \"15 GiB\""), "{}", beyond.remedy());
         let nowhere = budget.ask(u128::MAX).unwrap_err();
+        let fewer = beyond.remedy_or("take fewer cells");
+        assert!(
+            fewer.starts_with("take fewer cells, or give judder more with --memory \"15 GiB\""),
+            "{fewer}"
+        );
         assert!(nowhere.to_string().contains("EB") && !nowhere.remedy().contains("--memory"), "{nowhere}");
     }
 

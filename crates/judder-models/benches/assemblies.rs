@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let file = judder_models::parse("assemblies.toml", include_str!("assemblies.toml"), &[])?;
     let run = |analysis: usize| -> Result<(f64, Outcome), Box<dyn Error>> {
         let start = Instant::now();
-        let outcome = analyses::run(&file.case, analysis, &Silent)?;
+        let outcome = analyses::run(&file, analysis, &Silent)?;
         Ok((start.elapsed().as_secs_f64(), outcome))
     };
     let ((first, _), (again, one)) = (run(0)?, run(0)?);

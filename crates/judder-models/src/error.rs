@@ -11,7 +11,6 @@ use judder_contact::transient::TransientError;
 use judder_exchange::ExchangeError;
 use judder_keys::cause::Cause;
 use judder_keys::error::CaseError;
-use judder_memory::BeyondMemory;
 use judder_nonsmooth::NonsmoothError;
 use judder_numerics::piecewise::MarchError;
 use judder_numerics::signal::SignalError;
@@ -145,13 +144,6 @@ pub enum ModelError {
     /// The fields of shapes could not be written.
     #[error("the fields for ParaView: {0}")]
     Fields(String),
-    /// An analysis would take more memory than there is for it.
-    #[error("{source}; {}", source.remedy())]
-    Memory {
-        /// How much, and how much there is.
-        #[from]
-        source: BeyondMemory,
-    },
     /// What a key of the case says cannot be.
     #[error(transparent)]
     Key(#[from] Cause),
@@ -264,7 +256,6 @@ impl ModelFault for ModelError {
             | Self::Indenter(_)
             | Self::Cylinder(_)
             | Self::Key(_)
-            | Self::Memory { .. }
             | Self::Unsupported(_)
             | Self::Signal(_)
             | Self::NotRecorded { .. }

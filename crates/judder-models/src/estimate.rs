@@ -1,7 +1,6 @@
 //! What analyses would take, as `judder check` tells.
 
-use crate::sweep::MAP_BYTES_PER_POINT;
-use judder_memory::{BeyondMemory, MemoryBudget};
+use judder_study::model::NeededMemory;
 use judder_study::text::columns;
 use serde_json::{Value, json};
 
@@ -29,25 +28,33 @@ pub(crate) mod cost {
     pub(crate) const FIGURE: f64 = 0.2;
 }
 
-/// Bytes of the program with its figures and its report: what small cases take beyond their arrays in an optimised build. Without optimisation it
-/// is about twice as much.
-pub(crate) const PROCESS_BYTES: u128 = 36_000_000;
-
-/// Bytes a point of curves: arrays, tables, figure and report together, measured of 100 000 to 400 000 points.
-pub(crate) mod curve_bytes {
-    /// Of eigenvalues and their derived quantities.
+/// Bytes a point: arrays, tables, figure and report together, measured of the installed package.
+pub(crate) mod point_bytes {
+    /// Of eigenvalues and their derived quantities: of 20 000 to 500 000 points.
     pub(crate) const EIGENVALUES: u128 = 5500;
-    /// Of equivalent damping.
-    pub(crate) const DAMPING: u128 = 582;
+    /// Of equivalent damping: of 400 000 points.
+    pub(crate) const DAMPING: u128 = 860;
+    /// Of thresholds: of 20 000 points.
+    pub(crate) const THRESHOLDS: u128 = 3500;
+    /// Of the search for them along a parameter: of 100 000 points.
+    pub(crate) const SEARCHED: u128 = 16;
+    /// Of a motion that is kept: of 64 to 4 194 304 points.
+    pub(crate) const MOTION: u128 = 352;
+    /// Of a map whose regions are decided by their borders: of 4 000 000 points.
+    pub(crate) const MAP: u128 = 5;
+    /// Of one with the growth rate of every point: 39 of 360 000, 30 of 4 000 000.
+    pub(crate) const GROWTH_MAP: u128 = 32;
 }
 
-/// Bytes of curves of so many points, each of which takes `each`.
-///
-/// # Errors
-/// There is not so much memory.
-pub(crate) fn ask_for_curves(points: usize, each: u128) -> Result<u128, BeyondMemory> {
-    let bytes = PROCESS_BYTES + points as u128 * each;
-    MemoryBudget::of_process().ask(bytes).map(|()| bytes)
+/// What so many points need, each so many bytes.
+pub(crate) fn memory_of_points(points: u128, each: u128, keys: &'static [&'static str]) -> NeededMemory {
+    NeededMemory {
+        beside: points.saturating_mul(each),
+        what: format!("{points} points").into(),
+        keys,
+        advice: "take fewer points",
+        ..NeededMemory::LITTLE
+    }
 }
 
 /// What an analysis would take.
@@ -60,16 +67,37 @@ pub struct Estimate {
     pub seconds: f64,
     /// The most time, s, where it depends on what comes out.
     pub seconds_at_most: Option<f64>,
-    /// Memory, bytes.
-    pub bytes: u128,
 }
 
 impl Estimate {
     /// Of an analysis of so many points in so many seconds, without its figure.
     pub(crate) fn of_points(name: &str, points: usize, seconds: f64) -> Self {
-        let (seconds, bytes) = (seconds + cost::FIGURE, PROCESS_BYTES + points as u128 * MAP_BYTES_PER_POINT);
-        Self { name: name.to_owned(), points, seconds, seconds_at_most: None, bytes }
+        let seconds = seconds + cost::FIGURE;
+        Self { name: name.to_owned(), points, seconds, seconds_at_most: None }
     }
+}
+
+/// What analyses that are told in words would take, a line each.
+pub(crate) fn words_text(names: &[&str], estimates: &[(String, NeededMemory)]) -> String {
+    let row = |(name, (asked, memory)): (&&str, &(String, NeededMemory))| {
+        vec![(*name).to_owned(), format!("{asked}, {} of memory", memory.words())]
+    };
+    columns(&names.iter().zip(estimates).map(row).collect::<Vec<_>>())
+}
+
+/// The same in a document.
+pub(crate) fn words_json(names: &[&str], estimates: &[(String, NeededMemory)]) -> Value {
+    let entry = |(name, (asked, memory)): (&&str, &(String, NeededMemory))| {
+        with_memory(json!({ "name": name, "asked": asked }), memory)
+    };
+    names.iter().zip(estimates).map(entry).collect()
+}
+
+/// An entry of a document with the memory that an analysis needs.
+pub(crate) fn with_memory(mut entry: Value, memory: &NeededMemory) -> Value {
+    entry["bytes"] = json!(u64::try_from(memory.bytes()).unwrap_or(u64::MAX));
+    entry["bytes_are"] = json!(memory.bound.name());
+    entry
 }
 
 /// The first line of what is shown of a case.
@@ -77,32 +105,26 @@ pub(crate) fn title(title: &str) -> &str {
     if title.is_empty() { "An untitled case" } else { title }
 }
 
-pub(crate) fn estimate_json(estimates: &[Estimate]) -> Value {
-    estimates
-        .iter()
-        .map(|e| {
-            let mut json =
-                json!({ "name": e.name, "points": e.points, "seconds": e.seconds, "bytes": e.bytes as u64 });
-            if let Some(most) = e.seconds_at_most {
-                json["seconds_at_most"] = json!(most);
-            }
-            json
-        })
-        .collect()
+pub(crate) fn estimate_json(estimates: &[(Estimate, NeededMemory)]) -> Value {
+    let entry = |(e, memory): &(Estimate, NeededMemory)| {
+        let mut json = json!({ "name": e.name, "points": e.points, "seconds": e.seconds });
+        if let Some(most) = e.seconds_at_most {
+            json["seconds_at_most"] = json!(most);
+        }
+        with_memory(json, memory)
+    };
+    estimates.iter().map(entry).collect()
 }
 
-pub(crate) fn estimate_text(estimates: &[Estimate]) -> String {
+pub(crate) fn estimate_text(estimates: &[(Estimate, NeededMemory)]) -> String {
     if estimates.is_empty() {
         return "\nno analyses\n".to_owned();
     }
-    let rows: Vec<Vec<String>> = estimates
-        .iter()
-        .map(|e| {
-            let memory = format!("{:.1} MB", e.bytes as f64 / 1e6);
-            let most = e.seconds_at_most.map(|most| format!(", at most {most:.0} s")).unwrap_or_default();
-            let time = format!("about {:.1} s{most}", e.seconds);
-            vec![e.name.clone(), format!("{} points", e.points), time, memory]
-        })
-        .collect();
+    let row = |(e, memory): &(Estimate, NeededMemory)| {
+        let most = e.seconds_at_most.map(|most| format!(", at most {most:.0} s")).unwrap_or_default();
+        let time = format!("about {:.1} s{most}", e.seconds);
+        vec![e.name.clone(), format!("{} points", e.points), time, memory.words()]
+    };
+    let rows: Vec<Vec<String>> = estimates.iter().map(row).collect();
     format!("\nanalyses: size, time on one core, memory\n{}", columns(&rows))
 }

@@ -15,6 +15,7 @@ mod held;
 mod line;
 mod live;
 mod march;
+mod memory;
 mod motion;
 mod pictures;
 mod shown;
@@ -29,6 +30,7 @@ mod within_law;
 mod wrong_arrays;
 mod zones;
 
+use judder_memory::MemoryBudget;
 use judder_store::StudyFolder;
 use judder_study::Silent;
 use judder_study::case::file::CaseFile;
@@ -137,4 +139,10 @@ fn a_second_run_computes_nothing() {
     let second = run_into(folder.path(), &file, &[]);
     assert_eq!(second.skipped, ["spectrum"]);
     assert_eq!(second.summary.results, first.summary.results);
+}
+
+/// Does work in a process that may take some 20 MB: more than small bodies, less than the program with any result.
+fn with_little_memory<T>(work: impl FnOnce() -> T) -> T {
+    let all = MemoryBudget::of_process().ask(u128::MAX).unwrap_err().budget;
+    MemoryBudget::shared(all / 20_000_000, work)
 }

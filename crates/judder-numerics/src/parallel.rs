@@ -4,6 +4,12 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
+/// How many things are worked on at once.
+#[must_use]
+pub fn threads() -> usize {
+    rayon::current_num_threads()
+}
+
 /// What `of` gives for each of the `items`, in their order.
 pub fn each<'a, I: Sync, T: Send>(items: &'a [I], of: impl Fn(&'a I) -> T + Sync) -> Vec<T> {
     each_place(items.len(), |place| of(&items[place]))

@@ -134,7 +134,7 @@ fn run_side_by_side(
         .into_par_iter()
         .map(|run| {
             let began = Instant::now();
-            let outcome = analyses::run(&run.file.case, run.analysis, progress).map(without_lists);
+            let outcome = analyses::run(&run.file, run.analysis, progress).map(without_lists);
             (run, outcome, began.elapsed().as_secs_f64())
         })
         .collect();

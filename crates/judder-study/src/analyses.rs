@@ -1,5 +1,6 @@
 //! The analyses of a case, run in no study folder.
 
+use crate::case::file::CaseFile;
 use crate::error::StudyError;
 use crate::model::{Case, Prepared, SampleBlock, Task};
 use crate::outcome::Outcome;
@@ -14,9 +15,15 @@ pub fn steps(case: &Case, index: usize) -> usize {
 /// Runs the analysis at `index` of a case: nothing is kept, and nothing is known from before.
 ///
 /// # Errors
-/// [`StudyError::Interrupted`], or arrays that the store refuses.
-pub fn run(case: &Case, index: usize, progress: &dyn Progress) -> Result<Outcome, StudyError> {
-    run_alone(case, &case.prepared()?, index, progress)
+/// What [`Model::preflight`](crate::model::Model::preflight) refuses, [`StudyError::Interrupted`], or arrays that the store refuses.
+pub fn run(file: &CaseFile, index: usize, progress: &dyn Progress) -> Result<Outcome, StudyError> {
+    run_alone(&file.case, &admitted(file, index)?, index, progress)
+}
+
+/// What the analyses of a case share, where one of them is admitted.
+fn admitted(file: &CaseFile, index: usize) -> Result<Prepared, StudyError> {
+    let name = file.case.analysis_names().get(index).copied();
+    file.case.preflight(file, &|own| name == Some(own))
 }
 
 /// The same with what its analyses share.
@@ -34,11 +41,11 @@ pub(crate) fn run_alone(
 /// # Errors
 /// As [`run`].
 pub fn run_watched(
-    case: &Case,
+    file: &CaseFile,
     index: usize,
     progress: &dyn Progress,
     watch: &mut dyn FnMut(SampleBlock),
 ) -> Result<Outcome, StudyError> {
-    let prepared = case.prepared()?;
-    case.run(index, Task { watch: Some(watch), ..Task::alone(&prepared, progress) })
+    let prepared = admitted(file, index)?;
+    file.case.run(index, Task { watch: Some(watch), ..Task::alone(&prepared, progress) })
 }

@@ -2,10 +2,12 @@
 
 mod analysed;
 mod case;
+mod needed_memory;
 mod operating_quantity;
 
 pub use analysed::{Analysed, Analyses, Analysis, wanted};
 pub use case::Case;
+pub use needed_memory::{MemoryBound, NeededMemory, PROGRAM_BYTES, admit, estimates};
 pub use operating_quantity::OperatingQuantity;
 
 use crate::case::study_sweep::{StudySweep, SweptKey};

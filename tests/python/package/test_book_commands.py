@@ -58,7 +58,7 @@ def test_every_command_of_a_page_is_accepted(page, desk, command):
 
 def seconds(command, words):
     document = json.loads(command(*checked(words), "--json").stdout)
-    return sum(part["seconds"] for part in document.get("estimate", []))
+    return sum(part.get("seconds", 0.0) for part in document.get("estimate", []))
 
 
 def is_quick(command, page):

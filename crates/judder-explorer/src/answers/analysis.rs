@@ -45,8 +45,7 @@ pub(crate) async fn stream(
             Box::new(move |reporter| {
                 let file = view.case(&subject)?;
                 reporter.begin("", analyses::steps(&file.case, 0));
-                let outcome =
-                    analyses::run_watched(&file.case, 0, reporter, &mut |block| watch(reporter, block));
+                let outcome = analyses::run_watched(&file, 0, reporter, &mut |block| watch(reporter, block));
                 let name = file.case.analysis_names().join("");
                 send(reporter, &name, &outcome.map_err(|error| reporter.refusal(error))?)
             }),

@@ -171,7 +171,7 @@ fn a_map_of_a_computed_law_says_where_its_errors_decide() {
     assert_eq!(kinds, ["map", "map", "within-law", "end"]);
     let codes = frames[2].codes("within_law");
     let file = judder_models::parse("x.toml", &served.post("/api/export", &view).text(), &[]).unwrap();
-    let run = analyses::run(&file.case, 0, &Silent).unwrap();
+    let run = analyses::run(&file, 0, &Silent).unwrap();
     let judder_store::VariableValues::U8(expected) = &run.dataset.variable("within_law").unwrap().data else {
         panic!()
     };
@@ -186,7 +186,7 @@ fn the_exported_case_gives_the_same_map_to_the_command() {
     assert!(text.contains("# A case of judder"), "comments are kept");
     let file = judder_models::parse("exported.toml", &text, &[]).unwrap();
     assert_eq!(file.case.analysis_names(), ["map"]);
-    let outcome = analyses::run(&file.case, 0, &Silent).unwrap();
+    let outcome = analyses::run(&file, 0, &Silent).unwrap();
     let judder_store::VariableValues::U8(codes) = &outcome.dataset.variable("stability").unwrap().data else {
         panic!()
     };
@@ -204,7 +204,7 @@ fn an_analysis_is_that_of_a_run() {
     let frames = served.post("/api/analysis", &view).frames();
     let outcome = frames.iter().find(|frame| frame.kind() == "outcome").unwrap();
     let text = served.post("/api/export", &view).text();
-    let run = analyses::run(&judder_models::parse("x.toml", &text, &[]).unwrap().case, 0, &Silent).unwrap();
+    let run = analyses::run(&judder_models::parse("x.toml", &text, &[]).unwrap(), 0, &Silent).unwrap();
     assert_eq!(outcome.header["scalars"], Value::Object(run.scalars));
     let names: Vec<&str> = run.dataset.variables().iter().map(|variable| variable.name.as_str()).collect();
     let told = outcome.header["arrays"].as_array().unwrap();

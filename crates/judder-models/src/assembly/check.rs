@@ -5,7 +5,7 @@ use super::build::{BuiltAssembly, BuiltBody, extent};
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::joint::{SpringSettings, Tie};
 use crate::error::ModelError;
-use crate::estimate::title;
+use crate::estimate::{title, words_json, words_text};
 use crate::structure::build::symmetric_part;
 use judder_assembly::AssemblyError;
 use judder_assembly::compliance::Compliance;
@@ -13,7 +13,7 @@ use judder_assembly::steady::steady_sliding;
 use judder_structure::StructureError;
 use judder_structure::modes::{WantedModes, modes};
 use judder_study::case::text::CaseText;
-use judder_study::model::AnalysisPlace;
+use judder_study::model::{Analyses, estimates};
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, short};
 use serde_json::{Value, json};
@@ -47,13 +47,9 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
     text.push_str(&columns(&contacts.collect::<Vec<_>>()));
     text.push_str(&joints(case));
     text.push_str("\nanalyses\n");
-    let asked = case.analyses.iter().enumerate().map(|(index, own)| {
-        let subject = AssemblySubject { case, built: &built, name: &own.name };
-        let place = AnalysisPlace { file, index, name: &own.name };
-        own.kind.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
-        Ok(vec![own.name.clone(), own.kind.estimate(&subject)?])
-    });
-    text.push_str(&columns(&asked.collect::<Result<Vec<_>, ModelError>>()?));
+    let names = case.analysis_names();
+    let estimates = estimates(case, file, |name| AssemblySubject { case, built: &built, name })?;
+    text.push_str(&words_text(&names, &estimates));
     let warnings: Vec<String> = built.warnings.iter().cloned().chain(never_touching(&built)).collect();
     for warning in &warnings {
         text.push_str(&format!("\nwarning: {warning}\n"));
@@ -68,6 +64,7 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
         "case": resolved,
         "bodies": bodies.iter().map(KnownBody::json).collect::<Vec<_>>(),
         "contacts": contacts,
+        "estimate": words_json(&names, &estimates),
         "warnings": warnings,
     });
     Ok(Resolved { document, text })

@@ -5,7 +5,7 @@
 //! - `interface_error`: what interface modes cost.
 //! - `swept`: steady sliding and small motions about it at any values of keys.
 //! - `meant_mode`: which mode about steady sliding an analysis means.
-//! - `periodic`: what has periodic motions that can be computed, with how many harmonics.
+//! - `periodic`: what has periodic motions that can be computed, and what memory they need. `linear_size`: what steady sliding and modes need.
 //! - `cycles_along_key`: the first cycle of a mode along a key, and the branch through it.
 //! - `branch_checks`: what is checked of such a branch.
 //! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`, `spectrogram`, `limit_cycle`, `squeal`, `bifurcation`, `frequency_response`.
@@ -22,6 +22,7 @@ pub mod frequency_response;
 pub mod growth;
 mod interface_error;
 pub mod limit_cycle;
+mod linear_size;
 pub mod march;
 mod meant_mode;
 mod periodic;
@@ -46,7 +47,7 @@ use judder_keys::file_reference::FileReference;
 use judder_nonsmooth::course::Course;
 use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::text::CaseText;
-use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Refusal, Task, wanted};
+use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Refusal, Task, admit, wanted};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{KindTables, ModelKind, Template, TerminalTable};
 use judder_study::resolve::Resolved;
@@ -267,10 +268,7 @@ impl Model for AssemblyCase {
         let most = wanted(self, file, is_wanted).filter_map(|(_, asked)| asked.most_freedoms()).min();
         let built =
             BuiltAssembly::with_at_most(self, most).map_err(|unassembled| unassembled.placed(file))?;
-        for (place, asked) in wanted(self, file, is_wanted) {
-            let subject = AssemblySubject { case: self, built: &built, name: place.name };
-            asked.fits(&subject).map_err(StudyError::from)?.map_err(|refusal| refusal.placed(place))?;
-        }
+        admit(self, file, is_wanted, |name| AssemblySubject { case: self, built: &built, name })?;
         Ok(Prepared::new(Arc::new(built)))
     }
 

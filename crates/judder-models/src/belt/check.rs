@@ -2,19 +2,20 @@
 
 use crate::belt::case::{BeltCase, BeltKey};
 use crate::error::ModelError;
-use crate::estimate::{Estimate, estimate_json, estimate_text, title};
+use crate::estimate::{estimate_json, estimate_text, title};
 use crate::motion::model::{BeltModel, Moving};
 use judder_keys::keys::{Key, Keys};
 use judder_keys::numeric_key::{Form, Value};
 use judder_oscillator::motion::SlidingSystem;
+use judder_study::case::text::CaseText;
+use judder_study::model::estimates;
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, number};
 use serde_json::{Value as Json, json};
 
-pub(super) fn resolve(case: &BeltCase, resolved: Json) -> Result<Resolved, ModelError> {
+pub(super) fn resolve(file: &CaseText, case: &BeltCase, resolved: Json) -> Result<Resolved, ModelError> {
     let system = BeltModel::new(case, "").operating(None)?.system;
-    let estimates = case.analyses.iter().map(|own| own.kind.estimate(&own.name.as_str()));
-    let estimates = estimates.collect::<Result<Vec<Estimate>, ModelError>>()?;
+    let estimates = estimates(case, file, |name| name)?;
     let has_meaning = |key: &&Key<BeltKey>| case.curve.is_none() || key.section() != "friction";
     let written = |key: &Key<BeltKey>| {
         let Value { number: own, form } = case.inputs.get(key.key);

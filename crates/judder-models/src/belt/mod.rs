@@ -19,7 +19,7 @@ use judder_keys::keys::{Keys, lines};
 use judder_study::StudyError;
 use judder_study::case::analysis::Planned;
 use judder_study::case::text::CaseText;
-use judder_study::model::{Analysed, Analysis, Case, Model, Task};
+use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Task, admit};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{KindTables, ModelKind, Template};
 use judder_study::resolve::Resolved;
@@ -96,7 +96,12 @@ impl Model for BeltCase {
         Ok(asked.kind.run(&BeltModel::new(self, &asked.name), task)?)
     }
 
-    fn resolve(&self, _: &CaseText, resolved: serde_json::Value) -> Result<Resolved, StudyError> {
-        Ok(check::resolve(self, resolved)?)
+    fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        admit(self, file, is_wanted, |name| name)?;
+        self.prepared()
+    }
+
+    fn resolve(&self, file: &CaseText, resolved: serde_json::Value) -> Result<Resolved, StudyError> {
+        Ok(check::resolve(file, self, resolved)?)
     }
 }

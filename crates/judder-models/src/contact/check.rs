@@ -3,16 +3,15 @@
 use super::ContactSubject;
 use crate::contact::case::ContactCase;
 use crate::error::ModelError;
-use crate::estimate::{PROCESS_BYTES, title};
+use crate::estimate::{title, with_memory};
 use crate::material::ContactScales;
 use crate::oscillator::check::line_rows;
 use crate::oscillator::keys::OscillatorKey;
 use crate::spectrum_source::temperature_warning;
 use judder_keys::keys::Keys;
-use judder_keys::memory::Memory;
 use judder_keys::numeric_key::Form;
 use judder_study::case::text::CaseText;
-use judder_study::model::Model;
+use judder_study::model::{NeededMemory, estimates};
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, number};
 use serde_json::{Value, json};
@@ -29,8 +28,6 @@ pub struct ContactEstimate {
     pub contacts: usize,
     /// Columns and rows of the likely grid; none where nothing touches.
     pub lattice: [usize; 2],
-    /// Bytes of the contact, without the program.
-    pub bytes: u64,
 }
 
 impl ContactEstimate {
@@ -41,21 +38,16 @@ impl ContactEstimate {
         let own = size(cells.max(2) as f64, rows.max(1) as f64);
         self.contacts as f64 * SECONDS_AT_256 * own / size(256.0, 256.0)
     }
-
-    /// Bytes of the process.
-    fn bytes(&self) -> u64 {
-        self.bytes.saturating_add(PROCESS_BYTES as u64)
-    }
 }
 
 pub(super) fn resolve(file: &CaseText, case: &ContactCase, resolved: Value) -> Result<Resolved, ModelError> {
-    case.preflight(file, &|_| true)?;
     let scales = ContactScales::new(case)?;
-    let (mut estimates, mut of_bands) = (Vec::new(), Vec::new());
+    let subject = ContactSubject::new(case, &scales, "");
+    subject.profile()?;
+    let estimates = estimates(case, file, |name| subject.of(name))?;
+    let mut of_bands = Vec::new();
     for own in &case.analyses {
-        let (subject, asked) = (ContactSubject::new(case, &scales, &own.name), &*own.kind);
-        estimates.push(asked.estimate(&subject)?);
-        let told = subject.band_warning(asked)?;
+        let told = subject.of(&own.name).band_warning(&*own.kind)?;
         of_bands.extend(told.map(|told| format!("{}: {told}", own.name)));
     }
     let mut warnings: Vec<String> = temperature_warning(&case.substrate)?.into_iter().collect();
@@ -116,24 +108,18 @@ fn key_rows(case: &ContactCase, scales: &ContactScales) -> Vec<Vec<String>> {
         .collect()
 }
 
-fn estimate_text(estimates: &[ContactEstimate]) -> String {
+fn estimate_text(estimates: &[(ContactEstimate, NeededMemory)]) -> String {
     if estimates.is_empty() {
         return "\nno analyses\n".to_owned();
     }
     let rows: Vec<Vec<String>> = estimates
         .iter()
-        .map(|e| {
+        .map(|(e, memory)| {
             let size = match e.contacts {
                 0 => "no contact".to_owned(),
                 contacts => format!("{contacts} × {} × {} cells", e.lattice[0], e.lattice[1]),
             };
-            vec![
-                e.name.clone(),
-                e.asked.clone(),
-                size,
-                format!("about {:.1} s", e.seconds()),
-                Memory { bytes: e.bytes() }.to_string(),
-            ]
+            vec![e.name.clone(), e.asked.clone(), size, format!("about {:.1} s", e.seconds()), memory.words()]
         })
         .collect();
     format!(
@@ -142,9 +128,9 @@ fn estimate_text(estimates: &[ContactEstimate]) -> String {
     )
 }
 
-fn estimate_json(e: &ContactEstimate) -> Value {
-    json!({
-        "name": e.name, "asked": e.asked, "contacts": e.contacts, "cells": e.lattice[0],
-        "seconds": e.seconds(), "bytes": e.bytes(),
-    })
+fn estimate_json((e, memory): &(ContactEstimate, NeededMemory)) -> Value {
+    let entry = json!({
+        "name": e.name, "asked": e.asked, "contacts": e.contacts, "cells": e.lattice[0], "seconds": e.seconds(),
+    });
+    with_memory(entry, memory)
 }

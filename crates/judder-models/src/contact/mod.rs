@@ -42,11 +42,12 @@ use judder_store::{Declared, Results};
 use judder_study::StudyError;
 use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::text::CaseText;
-use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Refusal, Task, wanted};
+use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Refusal, Task, admit};
 use judder_study::outcome::{CheckRecord, Outcome};
 use judder_study::registry::{KindTables, ModelKind, Template};
 use judder_study::resolve::Resolved;
 use std::cell::OnceCell;
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// The kinds of analyses.
@@ -68,12 +69,17 @@ pub struct ContactSubject<'a> {
     case: &'a ContactCase,
     scales: &'a ContactScales,
     name: &'a str,
-    profile: OnceCell<Box<dyn Profile>>,
+    profile: Rc<OnceCell<Box<dyn Profile>>>,
 }
 
 impl<'a> ContactSubject<'a> {
     fn new(case: &'a ContactCase, scales: &'a ContactScales, name: &'a str) -> Self {
-        Self { case, scales, name, profile: OnceCell::new() }
+        Self { case, scales, name, profile: Rc::default() }
+    }
+
+    /// Another analysis of the same surface.
+    fn of(&self, name: &'a str) -> Self {
+        Self { name, profile: Rc::clone(&self.profile), ..*self }
     }
 
     /// The surface that presses.
@@ -172,12 +178,9 @@ impl Model for ContactCase {
     /// Looks at the files of the case, then at depth and memory of what is wanted.
     fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         let scales = ContactScales::new(self)?;
-        let mut subject = ContactSubject::new(self, &scales, "");
+        let subject = ContactSubject::new(self, &scales, "");
         subject.profile()?;
-        for (place, asked) in wanted(self, file, is_wanted) {
-            subject.name = place.name;
-            asked.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
-        }
+        admit(self, file, is_wanted, |name| subject.of(name))?;
         Ok(Prepared::NOTHING)
     }
 

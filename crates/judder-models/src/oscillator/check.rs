@@ -4,7 +4,7 @@ use super::point;
 use super::quasi_steady::QuasiSteadyCondition;
 use crate::bridge;
 use crate::error::ModelError;
-use crate::estimate::{Estimate, estimate_json, estimate_text, title};
+use crate::estimate::{estimate_json, estimate_text, title};
 use crate::known_substrate::KnownSubstrate;
 use crate::measured_band::excited_at;
 use crate::oscillator::case::OscillatorCase;
@@ -15,6 +15,8 @@ use judder_keys::keys::Keys;
 use judder_keys::numeric_key::Form;
 use judder_oscillator::Contact;
 use judder_oscillator::groups::Dimensional;
+use judder_study::case::text::CaseText;
+use judder_study::model::estimates;
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, list, number};
 use serde_json::{Value, json};
@@ -22,7 +24,11 @@ use serde_json::{Value, json};
 /// Where nothing is known of the operating point: a law that would have to be computed first.
 const LATER: &str = "the law `bem` is computed by a run, which takes seconds to minutes";
 
-pub(super) fn resolve(case: &OscillatorCase, resolved: Value) -> Result<Resolved, ModelError> {
+pub(super) fn resolve(
+    file: &CaseText,
+    case: &OscillatorCase,
+    resolved: Value,
+) -> Result<Resolved, ModelError> {
     let groups = bridge::groups(&case.inputs);
     let dimensional = groups.dimensional(&case.inputs.scales());
     // a law that cannot be read is no matter of the operating point
@@ -30,8 +36,7 @@ pub(super) fn resolve(case: &OscillatorCase, resolved: Value) -> Result<Resolved
         None => Err(LATER.to_owned()),
         Some(_) => point::point(case).map_err(|error| format!("no answer: {error}")),
     };
-    let estimates = case.analyses.iter().map(|own| own.kind.estimate(&own.name.as_str()));
-    let estimates = estimates.collect::<Result<Vec<Estimate>, ModelError>>()?;
+    let estimates = estimates(case, file, |name| name)?;
     let mut text = format!(
         "{}\n\nlaw {}, friction load {}\n\n",
         title(&case.title),

@@ -64,7 +64,7 @@ use judder_study::case::study_sweep::{StudySweep, SweptKey};
 use judder_study::case::text::CaseText;
 use judder_study::labels::{SweptQuantity, any_key};
 use judder_study::model::{
-    Analysed, Analysis, Case, Model, OperatingPoints, OperatingQuantity, OperatingWork, Prepared, Task,
+    Analysed, Analysis, Case, Model, OperatingPoints, OperatingQuantity, OperatingWork, Prepared, Task, admit,
 };
 use judder_study::outcome::Outcome;
 use judder_study::registry::{KindTables, ModelKind, Template};
@@ -231,8 +231,9 @@ impl Model for OscillatorCase {
         SweptQuantity { name: key.path.clone(), ..labels::key(own, form) }
     }
 
-    /// Looks at the data of the substrate.
-    fn preflight(&self, _: &CaseText, _: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+    /// Looks at the data of the substrate, then at the memory of what is wanted.
+    fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        admit(self, file, is_wanted, |name| name)?;
         bridge::known_contact(&bridge::with_material(self)?)?;
         Ok(Prepared::NOTHING)
     }
@@ -240,11 +241,12 @@ impl Model for OscillatorCase {
     /// The law of the case is the same at all points, and was read for the first.
     fn preflight_at(
         &self,
-        _: &CaseText,
-        _: &dyn Fn(&str) -> bool,
+        file: &CaseText,
+        is_wanted: &dyn Fn(&str) -> bool,
         _: &Prepared,
         _: &[&str],
     ) -> Result<Prepared, StudyError> {
+        admit(self, file, is_wanted, |name| name)?;
         bridge::with_material(self)?;
         Ok(Prepared::NOTHING)
     }
@@ -270,8 +272,8 @@ impl Model for OscillatorCase {
         Ok(outcome)
     }
 
-    fn resolve(&self, _: &CaseText, resolved: Value) -> Result<Resolved, StudyError> {
-        Ok(check::resolve(&bridge::with_material(self)?, resolved)?)
+    fn resolve(&self, file: &CaseText, resolved: Value) -> Result<Resolved, StudyError> {
+        Ok(check::resolve(file, &bridge::with_material(self)?, resolved)?)
     }
 
     fn operating_points(

@@ -5,13 +5,13 @@ mod pair;
 use super::SlidingSubject;
 use super::march::MarchSize;
 use crate::error::ModelError;
-use crate::estimate::{Estimate, estimate_json, estimate_text, title};
+use crate::estimate::{estimate_json, estimate_text, title};
 use crate::sliding::case::SlidingCase;
 use crate::sliding::march::settings::MarchAnalysis;
 use crate::sliding::system::ReducedPair;
 use judder_keys::memory::Memory;
 use judder_study::case::text::CaseText;
-use judder_study::model::{AnalysisPlace, placed};
+use judder_study::model::estimates;
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, number};
 use serde_json::{Map, Value, json};
@@ -25,15 +25,7 @@ const SHOWN: usize = 8;
 /// Structures that cannot be, or cannot slide on each other, and analyses that would be refused, at their places in the case.
 pub(super) fn resolve(file: &CaseText, case: &SlidingCase, resolved: Value) -> Result<Resolved, ModelError> {
     let system = ReducedPair::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
-    let mut estimates: Vec<Estimate> = Vec::new();
-    for (index, own) in case.analyses.iter().enumerate() {
-        let subject = SlidingSubject { case, system: &system, name: &own.name };
-        let asked = &own.kind;
-        asked.admit(&subject).map_err(|error| placed(error.into(), case, file, index))?;
-        let place = AnalysisPlace { file, index, name: &own.name };
-        asked.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
-        estimates.push(asked.estimate(&subject)?);
-    }
+    let estimates = estimates(case, file, |name| SlidingSubject { case, system: &system, name })?;
     let mut text = format!("{}\n\n", title(&case.title));
     let mut rows = Vec::new();
     for section in ["parameters", "structure", "contact", "motion", "observe", "analysis"] {

@@ -4,7 +4,7 @@
 //! - `blame`: which key is to blame for what an analysis found.
 //! - [`coupled_pair`]: the pair for whoever marches it by himself.
 //! - [`shapes`]: the shapes in which the pair swings at any position, on all points of both structures.
-//! - `check`: what `judder check` shows; `cost`: what steps, values and freedoms take.
+//! - `check`: what `judder check` shows; `cost`: what steps, values and freedoms take; `pair_size`: what the pair takes of memory.
 //! - A folder each: `modes`, `locus`, `growth`, `march`, `spectrogram`.
 
 mod blame;
@@ -16,6 +16,7 @@ pub mod growth;
 pub mod locus;
 pub mod march;
 pub mod modes;
+mod pair_size;
 pub mod shapes;
 pub mod spectrogram;
 pub(crate) mod system;
@@ -30,7 +31,7 @@ use judder_keys::file_reference::FileReference;
 use judder_study::StudyError;
 use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::text::CaseText;
-use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Refusal, Task, wanted};
+use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Refusal, Task, admit};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{KindTables, ModelKind, Template, TerminalTable};
 use judder_study::resolve::Resolved;
@@ -68,17 +69,14 @@ impl Analysed for SlidingCase {
     }
 }
 
-/// The pair, where what the wanted analyses keep fits.
+/// The pair, where the wanted analyses are admitted.
 fn fitting(
     case: &SlidingCase,
     system: ReducedPair,
     file: &CaseText,
     is_wanted: &dyn Fn(&str) -> bool,
-) -> Result<Prepared, ModelError> {
-    for (place, asked) in wanted(case, file, is_wanted) {
-        let subject = SlidingSubject { case, system: &system, name: place.name };
-        asked.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
-    }
+) -> Result<Prepared, StudyError> {
+    admit(case, file, is_wanted, |name| SlidingSubject { case, system: &system, name })?;
     Ok(Prepared::new(Arc::new(system)))
 }
 
@@ -129,7 +127,7 @@ impl Model for SlidingCase {
 
     fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         let system = ReducedPair::new(self).map_err(|uncoupled| uncoupled.placed(file))?;
-        Ok(fitting(self, system, file, is_wanted)?)
+        fitting(self, system, file, is_wanted)
     }
 
     fn preflight_at(
@@ -141,7 +139,7 @@ impl Model for SlidingCase {
     ) -> Result<Prepared, StudyError> {
         let Some(known) = known.get::<ReducedPair>() else { return self.preflight(file, is_wanted) };
         let system = known.swept(self, keys).map_err(|uncoupled| uncoupled.placed(file))?;
-        Ok(fitting(self, system, file, is_wanted)?)
+        fitting(self, system, file, is_wanted)
     }
 
     fn run(&self, index: usize, task: Task<'_>) -> Result<Outcome, StudyError> {

@@ -11,7 +11,7 @@ use judder_keys::section::{Section, text};
 use judder_keys::{Choice, Settings};
 use judder_numerics::signal::window::Window;
 use judder_study::case::analysis::Planned;
-use judder_study::model::Analysis;
+use judder_study::model::{Analysis, NeededMemory};
 use serde_json::{Value as Json, json};
 use std::sync::Arc;
 
@@ -30,6 +30,24 @@ pub struct SpectrumSettings {
     /// How levels are drawn.
     #[key(flatten)]
     pub drawn: DrawnLevels,
+}
+
+/// Numbers of a spectrum that are held at once for each that is told: levels as computed, as shown, as stored and drawn.
+const LEVEL_COPIES: f64 = 4.0;
+
+impl SpectrumSettings {
+    /// What it needs of a march of so many samples with so many bytes of arrays, all of which are read.
+    pub(crate) fn memory(&self, samples: f64, stored: f64) -> NeededMemory {
+        // each of its windows has half as many lines as samples
+        let levels = samples / (2.0 * (1.0 - self.pieces.overlap));
+        NeededMemory {
+            beside: (stored + 8.0 * LEVEL_COPIES * levels) as u128,
+            what: format!("{samples:.3e} samples of the march `{}` and {levels:.3e} levels", self.of).into(),
+            keys: &["overlap", "of"],
+            advice: "give a smaller `overlap`, or a lower sample rate of the march",
+            ..NeededMemory::LITTLE
+        }
+    }
 }
 
 /// How a signal is cut into pieces.

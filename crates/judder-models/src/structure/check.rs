@@ -2,14 +2,14 @@
 
 use super::StructureSubject;
 use crate::error::ModelError;
-use crate::estimate::title;
+use crate::estimate::{title, words_json, words_text};
 use crate::structure::build::Structure;
 use crate::structure::case::{StructureCase, StructureSource};
 use crate::structure::definiteness::Definiteness;
 use crate::structure::undamped::Undamped;
 use judder_structure::affine::Term;
 use judder_study::case::text::CaseText;
-use judder_study::model::AnalysisPlace;
+use judder_study::model::{Analyses, estimates};
 use judder_study::resolve::Resolved;
 use judder_study::text::columns;
 use serde_json::{Value, json};
@@ -48,13 +48,9 @@ pub(super) fn resolve(
         text.push_str(&columns(&shown.collect::<Vec<_>>()));
     }
     text.push_str("\nanalyses\n");
-    let asked = case.analyses.iter().enumerate().map(|(index, own)| {
-        let subject = StructureSubject { case, structure: &structure, name: &own.name };
-        let place = AnalysisPlace { file, index, name: &own.name };
-        own.kind.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
-        Ok(vec![own.name.clone(), own.kind.estimate(&subject)?])
-    });
-    text.push_str(&columns(&asked.collect::<Result<Vec<_>, ModelError>>()?));
+    let names = case.analysis_names();
+    let estimates = estimates(case, file, |name| StructureSubject { case, structure: &structure, name })?;
+    text.push_str(&words_text(&names, &estimates));
     let warnings: Vec<String> =
         structure.warnings.iter().cloned().chain(of_matrices(case, &structure)?).collect();
     for warning in &warnings {
@@ -72,6 +68,7 @@ pub(super) fn resolve(
             "mass": entries(family.mass()), "damping": entries(family.damping()), "stiffness": entries(family.stiffness()),
             "kept_freedoms": structure.kept.len(),
         },
+        "estimate": words_json(&names, &estimates),
         "warnings": warnings,
     });
     Ok(Resolved { document, text })

@@ -2,6 +2,7 @@
 //!
 //! - `build`: from the keys of a case to matrices.
 //! - `undamped`: mass and stiffness, without damping and friction.
+//! - `solved_size`: what solving it needs of memory.
 //! - `fields`, `shapes`, `shape_panels`: shapes as files, as arrays, as pictures. `vectors`: those of imported matrices on their freedoms.
 //! - `check`: what `judder check` shows.
 //! - A folder each: `modes`, `reduction`, `eigen`, `eigen_sweep`, `receptance`.
@@ -18,6 +19,7 @@ pub mod receptance;
 pub mod reduction;
 pub(crate) mod shape_panels;
 pub(crate) mod shapes;
+pub(crate) mod solved_size;
 mod undamped;
 pub(crate) mod vectors;
 
@@ -30,7 +32,7 @@ use judder_keys::file_reference::FileReference;
 use judder_study::StudyError;
 use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::text::CaseText;
-use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Task, wanted};
+use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Task, admit};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{KindTables, ModelKind, Template, TerminalTable};
 use judder_study::resolve::Resolved;
@@ -62,18 +64,15 @@ impl Analysed for StructureCase {
     }
 }
 
-/// The structure, where what the wanted analyses name is there.
+/// The structure, where the wanted analyses are admitted.
 fn fitting(
     case: &StructureCase,
     prepared: Prepared,
     file: &CaseText,
     is_wanted: &dyn Fn(&str) -> bool,
-) -> Result<Prepared, ModelError> {
+) -> Result<Prepared, StudyError> {
     let Some(structure) = prepared.get::<Structure>() else { return Ok(prepared) };
-    for (place, asked) in wanted(case, file, is_wanted) {
-        let subject = StructureSubject { case, structure: &structure, name: place.name };
-        asked.fits(&subject)?.map_err(|refusal| refusal.placed(place))?;
-    }
+    admit(case, file, is_wanted, |name| StructureSubject { case, structure: &structure, name })?;
     Ok(prepared)
 }
 
@@ -115,7 +114,7 @@ impl Model for StructureCase {
 
     fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
         let structure = Structure::new(self).map_err(|unbuilt| unbuilt.placed(file))?;
-        Ok(fitting(self, Prepared::new(Arc::new(structure)), file, is_wanted)?)
+        fitting(self, Prepared::new(Arc::new(structure)), file, is_wanted)
     }
 
     fn preflight_at(
@@ -127,7 +126,7 @@ impl Model for StructureCase {
     ) -> Result<Prepared, StudyError> {
         let is_of_analyses = keys.iter().all(|key| key.starts_with("analysis."));
         if is_of_analyses {
-            Ok(fitting(self, known.clone(), file, is_wanted)?)
+            fitting(self, known.clone(), file, is_wanted)
         } else {
             self.preflight(file, is_wanted)
         }

@@ -1,16 +1,21 @@
 //! What `judder check` shows of a two-degrees case.
 
 use crate::error::ModelError;
-use crate::estimate::{Estimate, estimate_json, estimate_text, title};
+use crate::estimate::{estimate_json, estimate_text, title};
 use crate::oscillator::stability_map::{ONE_WAY, class_name};
 use crate::two_degrees::case::TwoDegreesCase;
+use judder_study::case::text::CaseText;
+use judder_study::model::estimates;
 use judder_study::resolve::Resolved;
 use judder_study::text::{columns, number};
 use serde_json::{Value, json};
 
-pub(super) fn resolve(case: &TwoDegreesCase, resolved: Value) -> Result<Resolved, ModelError> {
-    let estimates = case.analyses.iter().map(|own| own.kind.estimate(&own.name.as_str()));
-    let estimates = estimates.collect::<Result<Vec<Estimate>, ModelError>>()?;
+pub(super) fn resolve(
+    file: &CaseText,
+    case: &TwoDegreesCase,
+    resolved: Value,
+) -> Result<Resolved, ModelError> {
+    let estimates = estimates(case, file, |name| name)?;
     let mut text = format!("{}\n\nparameters\n", title(&case.title));
     text.push_str(&columns(
         &case.parameters.iter().map(|p| vec![p.name.clone(), number(p.value)]).collect::<Vec<_>>(),

@@ -27,7 +27,7 @@ use judder_study::Progress;
 use judder_study::StudyError;
 use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::text::CaseText;
-use judder_study::model::{Analysed, Analysis, Case, Model, OperatingQuantity, Task};
+use judder_study::model::{Analysed, Analysis, Case, Model, OperatingQuantity, Prepared, Task, admit};
 use judder_study::outcome::Outcome;
 use judder_study::registry::{KindTables, ModelKind, Template};
 use judder_study::resolve::Resolved;
@@ -104,7 +104,12 @@ impl Model for TwoDegreesCase {
         Ok((values, Vec::new()))
     }
 
-    fn resolve(&self, _: &CaseText, resolved: serde_json::Value) -> Result<Resolved, StudyError> {
-        Ok(check::resolve(self, resolved)?)
+    fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
+        admit(self, file, is_wanted, |name| name)?;
+        self.prepared()
+    }
+
+    fn resolve(&self, file: &CaseText, resolved: serde_json::Value) -> Result<Resolved, StudyError> {
+        Ok(check::resolve(file, self, resolved)?)
     }
 }

@@ -187,8 +187,12 @@ fn a_march_that_no_memory_holds_is_refused() {
         &["analysis.implicit.duration=\"1000 s\"", "analysis.implicit.step=\"1e-6 s\""],
     );
     let folder = tempfile::tempdir().unwrap();
-    let refused = run(&file, folder.path(), &only("implicit"), &Silent).unwrap_err().to_string();
-    assert!(refused.contains("lower sample_rate"), "{refused}");
+    let marched = || run(&file, folder.path(), &only("implicit"), &Silent);
+    let refused = crate::with_little_memory(marched).unwrap_err().to_string();
+    assert!(
+        refused.contains("5.000e8 samples") && refused.contains(" of memory are needed, and "),
+        "{refused}"
+    );
 }
 
 /// The highest level of a spectrogram is at a line that the march tells; what it names must be there.

@@ -2,6 +2,7 @@
 
 use super::bad_assembly::{BLOCK, spoilt, unassembled};
 use super::refused;
+use crate::with_little_memory;
 use judder_models::parse;
 use judder_study::{Silent, analyses};
 
@@ -18,7 +19,7 @@ fn march(lines: &str) -> String {
 /// What an analysis that was read is refused for when it runs.
 fn refused_running(text: &str) -> String {
     let file = parse("case.toml", text, &[]).expect("it reads");
-    analyses::run(&file.case, 0, &Silent).expect_err("it is refused").to_string()
+    analyses::run(&file, 0, &Silent).expect_err("it is refused").to_string()
 }
 
 #[test]
@@ -83,6 +84,31 @@ fn times_that_do_not_go_together() {
         "\"20 kHz\"",
         "leave `cut_off` out",
     );
+}
+
+/// One budget for each kind, one refusal in the same words, at the key that decides how much.
+#[test]
+fn motions_beyond_the_memory_of_the_process() {
+    let spoken = |lines: &str| {
+        let text = with_analysis(lines).replace("cells = [20, 10]", "cells = [4, 2]");
+        with_little_memory(|| unassembled(&text))
+    };
+    let (message, place) = spoken("kind = \"march\"\nstep = \"1e-7 s\"\nduration = \"1 ms\"");
+    assert!(
+        message.contains("samples of the signals and of the states of all contact points: "),
+        "{message}"
+    );
+    assert!(message.contains(" of memory are needed, and ") && message.contains("shared among"), "{message}");
+    assert_eq!(place, "\"1 ms\"");
+    let (message, place) = spoken("kind = \"limit-cycle\"\nharmonics = 9");
+    assert!(
+        message.contains(
+            "9 harmonics of 10 components of contact forces are 190 unknowns, at 16 instants a harmonic: "
+        ),
+        "{message}"
+    );
+    assert!(message.contains(" of memory are needed, and ") && message.contains("shared among"), "{message}");
+    assert_eq!(place, "9");
 }
 
 #[test]
@@ -153,7 +179,7 @@ fn cycles_that_cannot_be() {
         "leave `steps` out",
     );
     let branch = "kind = \"bifurcation\"\nsweep = { key = \"contact.sole.friction_coefficient\", from = 0.1, to = 0.4, points = 5 }\nharmonics = 500";
-    let (message, place) = unassembled(&with_analysis(branch));
+    let (message, place) = with_little_memory(|| unassembled(&with_analysis(branch)));
     assert!(message.contains("500 harmonics of 42 components of contact forces"), "{message}");
     assert_eq!(place, "500");
     let whole = "kind = \"bifurcation\"\nsweep = { key = \"structure.block.reduction.count\", from = 10, to = 20, points = 11 }";
@@ -245,8 +271,9 @@ fn responses_that_cannot_be() {
     let (message, _) = unassembled(&swings("frequency = [\"1 kHz\", \"2 kHz\"]"));
     assert!(message.contains("nothing is observed"), "{message}");
     let observed = "\n[observe]\npoints = [{ name = \"edge\", structure = \"block\", set = \"x-min\" }]\n";
-    let (message, place) =
-        unassembled(&(swings("frequency = [\"1 kHz\", \"2 kHz\"]\nharmonics = 500") + observed));
+    let (message, place) = with_little_memory(|| {
+        unassembled(&(swings("frequency = [\"1 kHz\", \"2 kHz\"]\nharmonics = 500") + observed))
+    });
     assert!(
         message.contains("500 harmonics of 42 components of contact forces are 42042 unknowns"),
         "{message}"

@@ -1,6 +1,6 @@
 //! Assembly cases with a sphere that are refused, or run with a warning.
 
-use super::{parse, refused, refused_with};
+use super::{refused, refused_with};
 use judder_models::parse as parse_file;
 use judder_study::analyses::run;
 use judder_study::{Silent, StudyError};
@@ -34,8 +34,9 @@ fn unassembled(text: &str) -> [String; 3] {
 
 /// The warnings of steady sliding, and how many numbers are missing.
 fn warnings(overrides: &[&str]) -> Vec<String> {
-    let case = parse(SPHERE, overrides).unwrap();
-    run(&case, 0, &Silent).unwrap().warnings
+    let overrides: Vec<String> = overrides.iter().map(|own| (*own).to_owned()).collect();
+    let file = parse_file("case.toml", SPHERE, &overrides).unwrap();
+    run(&file, 0, &Silent).unwrap().warnings
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use crate::{case, number, run_into};
 use judder_contact::kernel::sliding::SlidingOperator;
 use judder_study::Silent;
+use judder_study::model::PROGRAM_BYTES;
 use judder_study::resolve::resolve;
 use judder_study::run::{RunOptions, RunReport, run};
 use serde_json::{Map, Value};
@@ -318,7 +319,7 @@ fn a_check_knows_the_grid_of_strips_and_of_heights() {
         let checked =
             resolve(&judder_models::read(&path, &[]).unwrap(), &judder_study::Silent).unwrap().json();
         // the program, and 2.3 times what the operator takes
-        assert_eq!(checked["estimate"][0]["bytes"], 36_000_000 + bytes * 23 / 10, "{checked}");
+        assert_eq!(checked["estimate"][0]["bytes"], PROGRAM_BYTES as u64 + bytes * 23 / 10, "{checked}");
     }
 }
 

@@ -103,7 +103,7 @@ fn an_oscillator_and_an_assembly_take_the_law_per_length() {
     );
     let file = judder_models::parse("case.toml", &text, &[]).unwrap();
     file.case.preflight(&file, &|_| true).unwrap();
-    let outcome = run(&file.case, 0, &Silent).unwrap();
+    let outcome = run(&file, 0, &Silent).unwrap();
     let told = serde_json::Value::Object(outcome.scalars.into_iter().collect());
     let edge = &told["contacts"]["edge"];
     let friction = number(&edge["tangential_force"][0]).abs();

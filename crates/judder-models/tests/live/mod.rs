@@ -73,7 +73,7 @@ const MAP: &str = r#"
 #[test]
 fn boundaries_one_by_one_are_the_overlays_of_the_map() {
     let file = parsed(MAP);
-    let outcome = analyses::run(&file.case, 0, &Silent).unwrap();
+    let outcome = analyses::run(&file, 0, &Silent).unwrap();
     let case = file.case.of::<OscillatorCase>().unwrap();
     let settings = case.analyses[0].settings::<StabilityMapAnalysis<OscillatorKey>>().unwrap();
     let contact = bridge::contact_of(case, &Silent).unwrap().contact;
@@ -128,10 +128,10 @@ fn a_watched_motion_is_the_motion() {
     for (text, names) in
         [(STICK_SLIP, &["x", "y", "velocity_x", "velocity_y"][..]), (BELT, &["x", "velocity_x"])]
     {
-        let case = parsed(text).case;
-        let alone = analyses::run(&case, 0, &Silent).unwrap();
+        let file = parsed(text);
+        let alone = analyses::run(&file, 0, &Silent).unwrap();
         let mut blocks: Vec<SampleBlock> = Vec::new();
-        let watched = run_watched(&case, 0, &Silent, &mut |block| blocks.push(block)).unwrap();
+        let watched = run_watched(&file, 0, &Silent, &mut |block| blocks.push(block)).unwrap();
         assert_eq!(alone.scalars, watched.scalars);
         assert!(blocks.len() >= 3 && blocks.iter().all(|block| (1..=4096).contains(&block.time.len())));
         let times: Vec<f64> = blocks.iter().flat_map(|block| block.time.iter().copied()).collect();
@@ -185,7 +185,7 @@ fn every_kind_runs_in_memory() {
     let all = OSCILLATOR_KINDS.map(|kind| (OSCILLATOR, kind));
     for (head, kind) in all.into_iter().chain(CONTACT_KINDS.map(|kind| (CONTACT, kind))) {
         let file = with_analysis(head, kind);
-        let outcome = analyses::run(&file.case, 0, &Silent).unwrap_or_else(|error| panic!("{kind}: {error}"));
+        let outcome = analyses::run(&file, 0, &Silent).unwrap_or_else(|error| panic!("{kind}: {error}"));
         assert!(!outcome.dataset.variables().is_empty() && !outcome.is_stored, "{kind}");
         assert!(!outcome.scalars.is_empty(), "{kind}");
     }
@@ -219,7 +219,7 @@ fn long_analyses_end_when_they_are_given_up() {
     for (head, kind, patience) in all {
         let file = with_analysis(head, kind);
         let impatient = Impatient::after(patience);
-        let ended = analyses::run(&file.case, 0, &impatient);
+        let ended = analyses::run(&file, 0, &impatient);
         let reason = ended.err().map(|error| error.to_string());
         assert_eq!(reason, Some(StudyError::Interrupted.to_string()), "{kind}");
         // a thread asks once or twice more, and some work is shared out before it is asked for
@@ -231,11 +231,11 @@ fn long_analyses_end_when_they_are_given_up() {
 fn a_limit_cycle_is_given_up_at_once() {
     let file = with_analysis(OSCILLATOR, "kind = \"limit-cycle\"");
     let impatient = Impatient::after(50);
-    assert!(matches!(analyses::run(&file.case, 0, &impatient), Err(StudyError::Interrupted)));
+    assert!(matches!(analyses::run(&file, 0, &impatient), Err(StudyError::Interrupted)));
     assert!(impatient.asked_in_vain() < 10);
     let mut shown = 0;
     let file = parsed(STICK_SLIP);
-    let ended = run_watched(&file.case, 0, &Impatient::after(50), &mut |_| shown += 1);
+    let ended = run_watched(&file, 0, &Impatient::after(50), &mut |_| shown += 1);
     assert!(matches!(ended, Err(StudyError::Interrupted)) && shown == 0);
 }
 

@@ -95,7 +95,7 @@ impl Sliding {
              region = {{ re = [-{largest:e}, {largest:e}], im = [-{largest:e}, {largest:e}] }}\n"
         );
         let file = judder_models::parse("assembly.toml", &text, &[]).unwrap();
-        let outcome = run(&file.case, 0, &Silent).unwrap();
+        let outcome = run(&file, 0, &Silent).unwrap();
         let number = |told: &Value, key: &str| told[key].as_f64().unwrap();
         let values = outcome.scalars["eigenvalues"].as_array().unwrap().iter();
         values.map(|told| Complex64::new(number(told, "re"), number(told, "im"))).collect()

@@ -133,12 +133,11 @@ fn read_bytes(path: &Path) -> Result<Vec<u8>, Cause> {
     Ok(bytes)
 }
 
-/// The place of the first of these keys of an analysis.
+/// The place of the first of these keys of an analysis, by their dotted paths in it; that of the analysis where it has none of them.
 fn place(root: &Node, index: usize, keys: &[&str]) -> Option<Place> {
     let Data::Table(root) = &root.data else { return None };
     let Data::List(analyses) = &root.get("analysis")?.node.data else { return None };
     let analysis = analyses.get(index)?;
-    let Data::Table(table) = &analysis.data else { return None };
-    let key = keys.iter().find_map(|key| table.get(key));
-    Some(key.map_or(analysis.place, |entry| entry.node.place))
+    let at = |key: &&str| key.split('.').try_fold(analysis, |node, step| node.step(step));
+    Some(keys.iter().find_map(at).unwrap_or(analysis).place)
 }

@@ -1,6 +1,6 @@
 //! The analyses of a case: what a model says of them, and what follows of that whatever the model.
 
-use super::{AnalysisPlace, OperatingQuantity, Refusal, Task};
+use super::{AnalysisPlace, NeededMemory, OperatingQuantity, Refusal, Task};
 use crate::case::analysis::{AsAny, Planned, names};
 use crate::case::text::CaseText;
 use crate::error::StudyError;
@@ -32,6 +32,14 @@ pub trait Analysis<M: Analysed + ?Sized>: AsAny + DynClone + fmt::Debug + Send +
     /// The key to blame, and why.
     fn fits(&self, _of: &M::Known<'_>) -> Result<Result<(), Refusal>, M::Error> {
         Ok(Ok(()))
+    }
+
+    /// The memory that it needs, which [`admitted`](super::admitted) holds against the budget of the process.
+    ///
+    /// # Errors
+    /// What cannot be read.
+    fn memory(&self, _of: &M::Known<'_>) -> Result<NeededMemory, M::Error> {
+        Ok(NeededMemory::LITTLE)
     }
 
     /// Refuses what its first step would refuse, for `judder check`, which computes nothing.

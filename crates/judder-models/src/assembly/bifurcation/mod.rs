@@ -12,6 +12,7 @@ use super::AssemblySubject;
 use super::limit_cycle::settings::{LOWEST, MODES, admits_cycles, no_mode_is_meant};
 use super::limit_cycle::stability::multipliers_estimated;
 use super::limit_cycle::start::CycleStart;
+use super::periodic::PeriodicSize;
 use super::swept::SWEPT;
 use crate::assembly::case::AssemblyCase;
 use crate::error::ModelError;
@@ -26,7 +27,7 @@ use judder_keys::file_reference::FileReference;
 use judder_keys::section::Section;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
@@ -99,10 +100,20 @@ impl Analysis<AssemblyCase> for CycleDiagram {
     }
 
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
-        match admits_cycles(of, Some(self.harmonics))? {
+        match admits_cycles(of) {
             Ok(()) => self.start.as_ref().map_or(Ok(Ok(())), |start| start.fits(of)),
-            refused => Ok(refused),
+            Err(refusal) => Ok(Err(refusal)),
         }
+    }
+
+    fn memory(&self, of: &AssemblySubject<'_>) -> Result<NeededMemory, ModelError> {
+        let size = PeriodicSize {
+            harmonics: Some(self.harmonics),
+            samples: self.samples,
+            stability: self.stability,
+            folds: true,
+        };
+        size.memory(of)
     }
 
     fn files(&self) -> Vec<&FileReference> {

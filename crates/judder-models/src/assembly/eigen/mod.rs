@@ -5,6 +5,7 @@ mod run;
 pub(super) mod tables;
 
 use super::AssemblySubject;
+use super::linear_size::of_modes;
 use crate::assembly::case::AssemblyCase;
 use crate::error::ModelError;
 use crate::structure::eigen::{ToldRegion, figure, within};
@@ -15,7 +16,7 @@ use judder_keys::dimension::Dimension;
 use judder_store::{Declared, Results};
 use judder_structure::asked_region::AskedRegion;
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::short;
 use run::AssemblyModes;
@@ -74,6 +75,14 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 impl Analysis<AssemblyCase> for AssemblyEigen {
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         Ok(of.slides())
+    }
+
+    fn memory(&self, of: &AssemblySubject<'_>) -> Result<NeededMemory, ModelError> {
+        let count = match self.sought {
+            SoughtModes::Count(count) => Some(count),
+            SoughtModes::Band(_) | SoughtModes::Region(_) => None,
+        };
+        Ok(of_modes(of, count))
     }
 
     fn run(&self, of: &AssemblySubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {

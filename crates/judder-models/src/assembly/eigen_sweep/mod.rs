@@ -4,6 +4,7 @@ mod run;
 pub(super) mod solved;
 
 use super::AssemblySubject;
+use super::linear_size::of_sweep;
 use super::swept::{SWEPT, SoughtRegion};
 use crate::assembly::case::AssemblyCase;
 use crate::error::ModelError;
@@ -15,7 +16,7 @@ use judder_keys::Settings;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
 use run::ToldSweep;
 use serde_json::{Map, Value as Json};
@@ -61,6 +62,10 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 impl Analysis<AssemblyCase> for AssemblySweep {
     fn steps(&self) -> usize {
         self.sweep.values.len()
+    }
+
+    fn memory(&self, of: &AssemblySubject<'_>) -> Result<NeededMemory, ModelError> {
+        Ok(of_sweep(of, self.sweep.values.len(), &["sweep"]))
     }
 
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

@@ -14,12 +14,13 @@ mod told;
 use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::limit_cycle::stability::multipliers_estimated;
+use crate::assembly::periodic::PeriodicSize;
 use crate::error::ModelError;
 use judder_cycles::receptance::MOST_FREEDOMS;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::short;
 use serde_json::{Map, Value as Json};
@@ -48,6 +49,16 @@ impl Analysis<AssemblyCase> for FrequencyResponse {
 
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         self.admitted(of)
+    }
+
+    fn memory(&self, of: &AssemblySubject<'_>) -> Result<NeededMemory, ModelError> {
+        let size = PeriodicSize {
+            harmonics: Some(self.harmonics),
+            samples: self.samples,
+            stability: self.stability,
+            folds: false,
+        };
+        size.memory(of)
     }
 
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

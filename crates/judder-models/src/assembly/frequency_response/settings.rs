@@ -131,7 +131,7 @@ impl FrequencyResponse {
         }
     }
 
-    /// Refuses what has no response or none to tell of, and harmonics whose equations would not fit into memory.
+    /// Refuses what has no response or none to tell of.
     pub(super) fn admitted(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         let refused = |key, reason| Ok(Err(Refusal::key(key, AssemblyProblem::Refused { reason })));
         if let Err(refusal) = of.touches() {
@@ -144,7 +144,7 @@ impl FrequencyResponse {
         if let Err(Unassembled { path, cause }) = self.force(of) {
             return Ok(Err(Refusal::key(path, *cause)));
         }
-        admits_periodic(of, Some(self.harmonics))
+        Ok(admits_periodic(of))
     }
 
     /// What swings, on the freedoms.

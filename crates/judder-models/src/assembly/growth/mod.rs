@@ -3,6 +3,7 @@
 mod run;
 
 use super::AssemblySubject;
+use super::linear_size::of_modes;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::march::settings::SchemeWord;
@@ -18,7 +19,7 @@ use judder_keys::section::Section;
 use judder_report::Panel;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use judder_study::pictures::StoredArrays;
 use run::ToldMarchGrowth;
@@ -72,6 +73,10 @@ impl AssemblyGrowth {
 impl Analysis<AssemblyCase> for AssemblyGrowth {
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         Ok(of.touches().and_then(|()| of.slides()))
+    }
+
+    fn memory(&self, of: &AssemblySubject<'_>) -> Result<NeededMemory, ModelError> {
+        Ok(NeededMemory { keys: &[], ..of_modes(of, None) })
     }
 
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

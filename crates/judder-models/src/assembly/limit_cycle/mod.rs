@@ -26,10 +26,10 @@ use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
 use judder_store::Declared;
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
-use settings::{LOWEST, ModeCycle};
+use settings::{LOWEST, ModeCycle, admits_cycles};
 use stability::multipliers_estimated;
 use start::CycleStart;
 use std::sync::Arc;
@@ -53,10 +53,14 @@ impl Analysis<AssemblyCase> for ModeCycle {
     }
 
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
-        match self.solver.fits(of)? {
+        match admits_cycles(of) {
             Ok(()) => self.start.as_ref().map_or(Ok(Ok(())), |start| start.fits(of)),
-            refused => Ok(refused),
+            Err(refusal) => Ok(Err(refusal)),
         }
+    }
+
+    fn memory(&self, of: &AssemblySubject<'_>) -> Result<NeededMemory, ModelError> {
+        self.solver.size().memory(of)
     }
 
     fn files(&self) -> Vec<&FileReference> {

@@ -3,8 +3,7 @@
 use super::start::CycleStart;
 use crate::assembly::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
-use crate::assembly::periodic::{admits_periodic, largest_count};
-use crate::error::ModelError;
+use crate::assembly::periodic::{PeriodicSize, admits_periodic, most_harmonics};
 use judder_cycles::backbone::BackboneSettings;
 use judder_cycles::cycle::{CycleSettings, HarmonicCount};
 use judder_keys::cause::Cause;
@@ -83,9 +82,8 @@ const HARMONICS: Whole = Whole { from: 1, to: 500 };
 const SAMPLES: Whole = Whole { from: 4, to: 1024 };
 const LEFT_OUT: Number =
     Number { dimension: Dimension::NUMBER, range: Range::Interval { above: 0.0, up_to: 0.5 } };
-/// What may be left out where the case does not say, and the most harmonics then.
+/// What may be left out where the case does not say.
 const SHARE: f64 = 0.01;
-const MOST: usize = 40;
 
 impl ModeCycle {
     /// Reads a cycle of a case, whose folder is known where it is.
@@ -121,31 +119,25 @@ impl CycleSolver {
             Some(count) => HarmonicCount::Fixed(count),
             None => HarmonicCount::Adaptive {
                 left_out: self.left_out.unwrap_or(SHARE),
-                most: MOST.min(largest_count(components)),
+                most: most_harmonics(components),
             },
         };
         let backbone = BackboneSettings { largest: self.largest_amplitude, ..BackboneSettings::default() };
         CycleSettings { harmonics, samples: self.samples, backbone }
     }
 
-    /// Refuses what [`admits_cycles`] refuses.
-    pub(in crate::assembly) fn fits(
-        &self,
-        of: &AssemblySubject<'_>,
-    ) -> Result<Result<(), Refusal>, ModelError> {
-        admits_cycles(of, self.harmonics)
+    /// With what cycles are solved.
+    pub(in crate::assembly) fn size(&self) -> PeriodicSize {
+        let Self { harmonics, samples, stability, .. } = *self;
+        PeriodicSize { harmonics, samples, stability, folds: false }
     }
 }
 
-/// Refuses what has no cycle, and harmonics whose equations would not fit into memory.
-pub(in crate::assembly) fn admits_cycles(
-    of: &AssemblySubject<'_>,
-    harmonics: Option<usize>,
-) -> Result<Result<(), Refusal>, ModelError> {
-    match of.touches().and_then(|()| of.slides()) {
-        Ok(()) => admits_periodic(of, harmonics),
-        Err(refusal) => Ok(Err(refusal)),
-    }
+/// Refuses what has no cycle.
+pub(in crate::assembly) fn admits_cycles(of: &AssemblySubject<'_>) -> Result<(), Refusal> {
+    of.touches()?;
+    of.slides()?;
+    admits_periodic(of)
 }
 
 /// Refuses keys that say which mode is meant where none is.

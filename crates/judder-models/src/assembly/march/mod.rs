@@ -29,11 +29,11 @@ use judder_keys::file_reference::FileReference;
 use judder_numerics::words::plain;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use settings::AssemblyMarch;
-use size::MarchedSize;
+pub(super) use size::MarchedSize;
 use std::sync::Arc;
 use told::ToldAssemblyMotion;
 
@@ -66,7 +66,7 @@ impl Analysis<AssemblyCase> for AssemblyMarch {
                 .map(|(_, way)| (contact, way, speed))
         };
         let Some((contact, way, speed)) = of.built.track_ends().find_map(left) else {
-            return Ok(MarchedSize::new(of, self).fits());
+            return Ok(Ok(()));
         };
         let after = match drive.course.speed.is_one() {
             true => format!(", after {} s", plain(way / speed)),
@@ -78,6 +78,10 @@ impl Analysis<AssemblyCase> for AssemblyMarch {
             plain(way.max(0.0)),
         );
         Ok(Err(Refusal::key("duration", AssemblyProblem::Refused { reason })))
+    }
+
+    fn memory(&self, of: &AssemblySubject<'_>) -> Result<NeededMemory, ModelError> {
+        Ok(MarchedSize::new(of, self).memory())
     }
 
     fn files(&self) -> Vec<&FileReference> {

@@ -3,6 +3,7 @@
 pub mod settings;
 
 use super::AssemblySubject;
+use super::march::MarchedSize;
 use super::march::settings::AssemblyMarch;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
@@ -13,7 +14,7 @@ use judder_keys::cause::Cause;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use settings::AssemblySpectrogram;
@@ -45,8 +46,7 @@ impl Analysis<AssemblyCase> for AssemblySpectrogram {
             let (what, name) = ("signal", signal.clone());
             return Ok(Err(Refusal::key("signal", Cause::UnknownName { what, name, known })));
         }
-        let march = of.case.analyses.iter().find(|own| own.name == self.levels.of);
-        let duration = march.and_then(|own| own.settings::<AssemblyMarch>()).map(|march| march.duration);
+        let duration = march(self, of).map(|march| march.duration);
         let Some(duration) = duration.filter(|duration| self.levels.pieces.length > *duration) else {
             return Ok(Ok(()));
         };
@@ -71,6 +71,12 @@ impl Analysis<AssemblyCase> for AssemblySpectrogram {
         Ok(Outcome { scalars: shown.told(&levels).scalars(), dataset, ..Outcome::default() })
     }
 
+    fn memory(&self, of: &AssemblySubject<'_>) -> Result<NeededMemory, ModelError> {
+        let read = march(self, of).map(|march| MarchedSize::new(of, march));
+        let known = |size: MarchedSize| self.levels.memory(size.samples, size.stored());
+        Ok(read.map_or(NeededMemory::LITTLE, known))
+    }
+
     fn estimate(&self, _: &AssemblySubject<'_>) -> Result<String, ModelError> {
         Ok(format!("levels of a signal of `{}`", self.levels.of))
     }
@@ -82,6 +88,11 @@ impl Analysis<AssemblyCase> for AssemblySpectrogram {
     fn write(&self, json: &mut Map<String, Json>) {
         self.write_table(json);
     }
+}
+
+/// The march whose signal it shows.
+fn march<'a>(asked: &AssemblySpectrogram, of: &AssemblySubject<'a>) -> Option<&'a AssemblyMarch> {
+    of.case.analyses.iter().find(|own| own.name == asked.levels.of)?.settings()
 }
 
 /// The signals of a march over time: accelerations of the observed points, forces of the contacts, velocities of the observed points.

@@ -21,7 +21,9 @@ mod told;
 use super::AssemblySubject;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
+use crate::assembly::limit_cycle::settings::admits_cycles;
 use crate::assembly::limit_cycle::stability::multipliers_estimated;
+use crate::assembly::periodic::PeriodicSize;
 use crate::error::ModelError;
 use cures::cures_estimated;
 use judder_cycles::fold::FOLD_REFINEMENT;
@@ -30,7 +32,7 @@ use judder_cycles::stability::HILL_ROWS;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::short;
 use margin_stability::LOOKED_AT;
@@ -59,7 +61,7 @@ impl Analysis<AssemblyCase> for AssemblySqueal {
     }
 
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
-        if let Err(refusal) = self.solver.fits(of)? {
+        if let Err(refusal) = admits_cycles(of) {
             return Ok(Err(refusal));
         }
         if let Some(knocks) = &self.knocks {
@@ -75,6 +77,18 @@ impl Analysis<AssemblyCase> for AssemblySqueal {
             true => Err(Refusal::key("", AssemblyProblem::Refused { reason: reason.to_owned() })),
             false => Ok(()),
         })
+    }
+
+    fn memory(&self, of: &AssemblySubject<'_>) -> Result<NeededMemory, ModelError> {
+        let of_modes = self.solver.size().memory(of)?;
+        if self.margin_sweep().is_none() {
+            return Ok(of_modes);
+        }
+        let harmonics = Some(self.margin_harmonics());
+        let branch = PeriodicSize { harmonics, folds: true, ..self.solver.size() }.memory(of)?;
+        let keys: &'static [&'static str] = &["margin_harmonics", "margin"];
+        let branch = NeededMemory { keys, ..branch };
+        Ok(if branch.beside > of_modes.beside { branch } else { of_modes })
     }
 
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

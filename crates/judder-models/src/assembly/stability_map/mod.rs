@@ -6,6 +6,7 @@ mod point;
 mod run;
 
 use super::AssemblySubject;
+use super::linear_size::of_sweep;
 use super::swept::{SWEPT, SoughtRegion};
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
@@ -16,7 +17,7 @@ use judder_keys::declared::{Settings, both};
 use judder_keys::problem::Placed;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
 use run::ToldMap;
 use serde_json::{Map, Value as Json};
@@ -88,6 +89,10 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 impl Analysis<AssemblyCase> for AssemblyMap {
     fn steps(&self) -> usize {
         self.x.values.len() * self.y.values.len()
+    }
+
+    fn memory(&self, of: &AssemblySubject<'_>) -> Result<NeededMemory, ModelError> {
+        Ok(of_sweep(of, self.steps(), &["x"]))
     }
 
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

@@ -8,13 +8,14 @@ pub(super) mod tables;
 mod uniqueness;
 
 use super::AssemblySubject;
+use super::linear_size::of_steady_sliding;
 use crate::assembly::case::AssemblyCase;
 use crate::error::ModelError;
 use judder_keys::Settings;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use run::{SphereResults, SteadyResults};
 use serde_json::{Map, Value as Json};
@@ -40,6 +41,10 @@ pub(crate) const KIND: Kind<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCase>
 impl Analysis<AssemblyCase> for SteadySlidingAnalysis {
     fn fits(&self, of: &AssemblySubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         Ok(of.touches().and_then(|()| of.slides()))
+    }
+
+    fn memory(&self, of: &AssemblySubject<'_>) -> Result<NeededMemory, ModelError> {
+        Ok(of_steady_sliding(of))
     }
 
     fn run(&self, of: &AssemblySubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {

@@ -13,7 +13,7 @@ use judder_contact::law::sweep::SolvedLawPoint;
 use judder_keys::declared::{Settings, both};
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use run::ToldFit;
 use serde_json::{Map, Value as Json};
@@ -43,6 +43,10 @@ impl Analysis<ContactCase> for FitSettings {
 
     fn fits(&self, of: &ContactSubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
         self.law.fits(of)
+    }
+
+    fn memory(&self, of: &ContactSubject<'_>) -> Result<NeededMemory, ModelError> {
+        self.law.memory(of)
     }
 
     fn summary_keys(&self) -> Vec<Declared> {

@@ -6,7 +6,7 @@ mod run;
 pub use run::LawPlane;
 
 use super::check::ContactEstimate;
-use super::memory::contact_bytes;
+use super::memory::{contact_bytes, memory_of_contact};
 use super::size::lattice_of_law;
 use super::{ContactSubject, Exciting, blame, usual_contacts};
 use crate::computed_law::KnownPoints;
@@ -17,7 +17,7 @@ use judder_contact::law::sweep::SolvedLawPoint;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use run::ToldLaw;
 use serde_json::{Map, Value as Json};
@@ -50,6 +50,10 @@ impl Analysis<ContactCase> for LawSettings {
         Ok(blame::large(lattice, contact_bytes(lattice), self.memory))
     }
 
+    fn memory(&self, of: &ContactSubject<'_>) -> Result<NeededMemory, ModelError> {
+        Ok(memory_of_contact(lattice_of_law(&of.case.shape, self)))
+    }
+
     fn summary_keys(&self) -> Vec<Declared> {
         ToldLaw::declared()
     }
@@ -65,13 +69,7 @@ impl Analysis<ContactCase> for LawSettings {
         let points = [self.velocity.points, self.indentation.points];
         let asked = format!("{method}, {} × {} points, accuracy {accuracy:e}", points[0], points[1]);
         let (contacts, lattice) = (usual_contacts(self.method), lattice_of_law(&of.case.shape, self));
-        Ok(ContactEstimate {
-            name: of.name.to_owned(),
-            asked,
-            contacts,
-            lattice,
-            bytes: contact_bytes(lattice),
-        })
+        Ok(ContactEstimate { name: of.name.to_owned(), asked, contacts, lattice })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

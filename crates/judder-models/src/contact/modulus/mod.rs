@@ -40,7 +40,7 @@ impl Analysis<ContactCase> for ModulusSettings {
 
     fn estimate(&self, of: &ContactSubject<'_>) -> Result<ContactEstimate, ModelError> {
         let (name, asked) = (of.name.to_owned(), "E(ω)".to_owned());
-        Ok(ContactEstimate { name, asked, contacts: 0, lattice: [0; 2], bytes: 0 })
+        Ok(ContactEstimate { name, asked, contacts: 0, lattice: [0; 2] })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -6,7 +6,7 @@ mod refined;
 pub(crate) mod run;
 
 use super::check::ContactEstimate;
-use super::memory::contact_bytes;
+use super::memory::{contact_bytes, memory_of_contact};
 use super::size::lattice;
 use super::{ContactSubject, Exciting, blame};
 use crate::contact::case::ContactCase;
@@ -20,7 +20,7 @@ use judder_contact::unilateral::Loading;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::number;
 use periodic::ToldPeriod;
@@ -74,6 +74,10 @@ impl Analysis<ContactCase> for ContactSettings {
         Ok(blame::large(lattice, contact_bytes(lattice), self.memory))
     }
 
+    fn memory(&self, of: &ContactSubject<'_>) -> Result<NeededMemory, ModelError> {
+        Ok(memory_of_contact(lattice(of.case, self, of.scales)?))
+    }
+
     fn summary_keys(&self) -> Vec<Declared> {
         let mut keys = ToldContact::declared();
         keys.extend(Option::<ToldPeriod>::declared());
@@ -115,13 +119,7 @@ impl Analysis<ContactCase> for ContactSettings {
             }
         };
         let lattice = lattice(of.case, self, of.scales)?;
-        Ok(ContactEstimate {
-            name: of.name.to_owned(),
-            asked,
-            contacts: 1,
-            lattice,
-            bytes: contact_bytes(lattice),
-        })
+        Ok(ContactEstimate { name: of.name.to_owned(), asked, contacts: 1, lattice })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -6,6 +6,7 @@ mod run;
 pub mod settings;
 
 use super::check::ContactEstimate;
+use super::memory::memory_on;
 use super::{ContactSubject, Exciting, blame};
 use crate::contact::case::ContactCase;
 use crate::contact::problem::ContactProblem;
@@ -17,7 +18,7 @@ use judder_contact::transient::TransientError;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use run::ToldHistory;
 use serde_json::{Map, Value as Json};
@@ -52,6 +53,12 @@ impl Analysis<ContactCase> for TransientSettings {
         }
     }
 
+    fn memory(&self, of: &ContactSubject<'_>) -> Result<NeededMemory, ModelError> {
+        let asked = AskedTransient::new(&of.case.shape, self, of.scales);
+        let (lattice, bytes) = asked.question(&of.scales.creeping(), of.profile()?, self).needs()?;
+        Ok(memory_on(lattice, bytes))
+    }
+
     fn summary_keys(&self) -> Vec<Declared> {
         ToldHistory::declared()
     }
@@ -64,8 +71,7 @@ impl Analysis<ContactCase> for TransientSettings {
         let asked = AskedTransient::new(&of.case.shape, self, of.scales);
         let contacts = asked.steps(self.cells);
         let (name, lattice) = (of.name.to_owned(), [self.cells; 2]);
-        let (_, bytes) = asked.question(&of.scales.creeping(), of.profile()?, self).needs()?;
-        Ok(ContactEstimate { name, asked: asked.words(self), contacts, lattice, bytes })
+        Ok(ContactEstimate { name, asked: asked.words(self), contacts, lattice })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -8,14 +8,14 @@ mod within_law;
 
 use super::{Operated, OscillatorSubject, curves, ends_of_curves, points_of_curves};
 use crate::error::ModelError;
-use crate::estimate::{Estimate, cost};
+use crate::estimate::{Estimate, cost, memory_of_points, point_bytes};
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::settings::{CriticalThresholds, SoughtThresholds, thresholds};
 use judder_store::Declared;
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
@@ -61,6 +61,10 @@ impl Analysis<OscillatorCase> for CriticalThresholds {
 
     fn run(&self, of: &OscillatorSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, of.contact, self, task.progress)
+    }
+
+    fn memory(&self, _: &&str) -> Result<NeededMemory, ModelError> {
+        Ok(memory_of_points(self.steps() as u128, point_bytes::THRESHOLDS, &["sweep.points"]))
     }
 
     fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {

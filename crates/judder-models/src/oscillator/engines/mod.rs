@@ -59,7 +59,7 @@ impl Analysis<OscillatorCase> for EnginesSettings {
             Form::Si => self.steps as f64,
         };
         let seconds = steps * cost::TIME_STEP + points as f64 * USUAL_TIME * cost::RADIAN + cost::FIGURE;
-        Ok(Estimate { name: (*name).to_owned(), points, seconds, seconds_at_most: None, bytes: 0 })
+        Ok(Estimate { name: (*name).to_owned(), points, seconds, seconds_at_most: None })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

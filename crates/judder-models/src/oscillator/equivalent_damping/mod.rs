@@ -6,14 +6,14 @@ pub(super) mod tables;
 use super::{Operated, OscillatorSubject, curves, ends_of_curves, points_of_curves};
 use crate::axis::keys_of_curves;
 use crate::error::ModelError;
-use crate::estimate::{Estimate, ask_for_curves, cost, curve_bytes};
+use crate::estimate::{Estimate, cost, memory_of_points, point_bytes};
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::settings::{self, DampingCurves};
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
 use run::{EQUIVALENT_DAMPING, ToldDamping};
 use serde_json::{Map, Value as Json};
@@ -43,14 +43,16 @@ impl Analysis<OscillatorCase> for DampingCurves {
     }
 
     fn run(&self, of: &OscillatorSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        ask_for_curves(self.steps(), curve_bytes::DAMPING)?;
         run::run(of.case, of.contact, &self.sweep, self.family.as_ref(), task.progress)
     }
 
+    fn memory(&self, _: &&str) -> Result<NeededMemory, ModelError> {
+        Ok(memory_of_points(self.steps() as u128, point_bytes::DAMPING, &["sweep.points"]))
+    }
+
     fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
-        let bytes = ask_for_curves(self.steps(), curve_bytes::DAMPING)?;
         let seconds = self.steps() as f64 * cost::EIGENVALUES;
-        Ok(Estimate { bytes, ..Estimate::of_points(name, self.steps(), seconds) })
+        Ok(Estimate::of_points(name, self.steps(), seconds))
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -8,7 +8,7 @@ pub(crate) use run::{Spectra, SpectraWords, ToldSpectra, outcome};
 use super::{Operated, OscillatorSubject, curves, ends_of_curves, points_of_curves};
 use crate::axis::keys_of_curves;
 use crate::error::ModelError;
-use crate::estimate::{Estimate, ask_for_curves, cost, curve_bytes};
+use crate::estimate::{Estimate, cost, memory_of_points, point_bytes};
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::curves::SpectrumLabels;
@@ -16,7 +16,7 @@ use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::settings::{self, SpectrumCurves};
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
 use run::GROWTH_RATE;
 use serde_json::{Map, Value as Json};
@@ -52,14 +52,16 @@ impl Analysis<OscillatorCase> for SpectrumCurves {
     }
 
     fn run(&self, of: &OscillatorSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        ask_for_curves(self.steps(), curve_bytes::EIGENVALUES)?;
         run::run(of.case, of.contact, &self.sweep, self.family.as_ref(), task.progress)
     }
 
+    fn memory(&self, _: &&str) -> Result<NeededMemory, ModelError> {
+        Ok(memory_of_points(self.steps() as u128, point_bytes::EIGENVALUES, &["sweep.points"]))
+    }
+
     fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
-        let bytes = ask_for_curves(self.steps(), curve_bytes::EIGENVALUES)?;
         let seconds = self.steps() as f64 * cost::EIGENVALUES;
-        Ok(Estimate { bytes, ..Estimate::of_points(name, self.steps(), seconds) })
+        Ok(Estimate::of_points(name, self.steps(), seconds))
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -18,7 +18,7 @@ pub(crate) use within_law::WITHIN_LAW;
 
 use super::{Operated, OscillatorSubject, ends};
 use crate::error::ModelError;
-use crate::estimate::{Estimate, cost};
+use crate::estimate::{Estimate, cost, memory_of_points, point_bytes};
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::inputs::OscillatorInputs;
@@ -29,7 +29,7 @@ use arrays::NORMAL_FORCE;
 use judder_oscillator::map::DecisionMethod;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
 use knock::ToldKnock;
 use serde_json::{Map, Value as Json};
@@ -67,6 +67,14 @@ impl Analysis<OscillatorCase> for StabilityMapAnalysis<OscillatorKey> {
 
     fn run(&self, of: &OscillatorSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, of.contact, self, task.progress)
+    }
+
+    fn memory(&self, _: &&str) -> Result<NeededMemory, ModelError> {
+        let each = match self.options.method {
+            DecisionMethod::EveryPoint => point_bytes::GROWTH_MAP,
+            DecisionMethod::Adaptive => point_bytes::MAP,
+        };
+        Ok(memory_of_points(self.x.points as u128 * self.y.points as u128, each, &["x.points"]))
     }
 
     fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {

@@ -5,6 +5,7 @@ mod history;
 mod run;
 pub mod settings;
 
+use super::pair_size::with_pair;
 use super::system::step;
 use super::{SlidingSubject, blame, cost};
 use crate::error::ModelError;
@@ -14,7 +15,7 @@ use crate::sliding::march::settings::MarchWord;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use run::ToldGrowth;
 use serde_json::{Map, Value as Json, json};
@@ -56,17 +57,15 @@ impl Analysis<SlidingCase> for GrowthAnalysis {
         ToldGrowth::declared()
     }
 
+    fn memory(&self, of: &SlidingSubject<'_>) -> Result<NeededMemory, ModelError> {
+        Ok(with_pair(NeededMemory::LITTLE, of.system))
+    }
+
     fn estimate(&self, of: &SlidingSubject<'_>) -> Result<Estimate, ModelError> {
         let step = cost::step(of.system, self.method(), self.step, of.system.motion.held(self.position));
         let steps = cost::PERIODS * TAU / self.frequency / step;
         let seconds = steps * of.system.pair.modes() as f64 * cost::STEP_AND_MODE + FIGURE;
-        Ok(Estimate {
-            name: of.name.to_owned(),
-            points: steps as usize,
-            seconds,
-            seconds_at_most: None,
-            bytes: 0,
-        })
+        Ok(Estimate { name: of.name.to_owned(), points: steps as usize, seconds, seconds_at_most: None })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

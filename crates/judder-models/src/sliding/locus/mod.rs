@@ -16,18 +16,22 @@ mod swept;
 pub(crate) mod tables;
 mod traced;
 
+use super::pair_size::with_pair;
 use super::{SlidingSubject, blame, cost};
 use crate::error::ModelError;
-use crate::estimate::{Estimate, cost::FIGURE};
+use crate::estimate::{Estimate, cost::FIGURE, memory_of_points};
 use crate::sliding::case::SlidingCase;
 use judder_keys::declared::Settings;
 use judder_store::Declared;
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use settings::{Along, LocusAnalysis};
 use std::sync::Arc;
+
+/// Bytes of an eigenvalue at a position, arrays, table, figure and report together: measured of twelve at 200 and at 20 000 positions.
+const EIGENVALUE_BYTES: u128 = 600;
 
 /// The kind.
 pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>> = Kind {
@@ -86,6 +90,12 @@ impl Analysis<SlidingCase> for LocusAnalysis {
         }
     }
 
+    fn memory(&self, of: &SlidingSubject<'_>) -> Result<NeededMemory, ModelError> {
+        let keys = &["positions.points", "sweep.points", "count"];
+        let of_values = memory_of_points(self.steps() as u128, EIGENVALUE_BYTES * self.count as u128, keys);
+        Ok(with_pair(of_values, of.system))
+    }
+
     fn estimate(&self, of: &SlidingSubject<'_>) -> Result<Estimate, ModelError> {
         let modes = of.system.pair.modes() as f64;
         // structures that a swept key concerns are made again at every value
@@ -102,8 +112,7 @@ impl Analysis<SlidingCase> for LocusAnalysis {
         let (points, count) = (self.steps(), self.count as f64);
         let value = cost::VALUE * modes * count + again;
         let seconds = points as f64 * value + 3.0 * cost::DENSE * modes.powi(3) + FIGURE;
-        let bytes = (8.0 * points as f64 * (2.0 * count + 3.0)) as u128;
-        Ok(Estimate { name: of.name.to_owned(), points, seconds, seconds_at_most: None, bytes })
+        Ok(Estimate { name: of.name.to_owned(), points, seconds, seconds_at_most: None })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

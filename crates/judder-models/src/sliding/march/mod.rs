@@ -16,6 +16,7 @@ pub(crate) mod tables;
 pub(super) use signals::variable_name;
 pub(super) use size::MarchSize;
 
+use super::pair_size::with_pair;
 use super::system::step;
 use super::{SlidingSubject, blame, cost};
 use crate::error::ModelError;
@@ -27,7 +28,7 @@ use judder_sliding::motion::Motion;
 use judder_sliding::pair::Pair;
 use judder_store::Declared;
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use settings::MarchAnalysis;
@@ -67,9 +68,10 @@ pub(crate) struct Marched<'a> {
 }
 
 impl Analysis<SlidingCase> for MarchAnalysis {
-    fn fits(&self, of: &SlidingSubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+    fn memory(&self, of: &SlidingSubject<'_>) -> Result<NeededMemory, ModelError> {
         // a step that is refused is said by the analysis
-        Ok(MarchSize::of(of.system, self).map_or(Ok(()), MarchSize::fits))
+        let of_samples = MarchSize::of(of.system, self).map_or(NeededMemory::LITTLE, MarchSize::memory);
+        Ok(with_pair(of_samples, of.system))
     }
 
     fn admit(&self, of: &SlidingSubject<'_>) -> Result<(), ModelError> {
@@ -97,14 +99,7 @@ impl Analysis<SlidingCase> for MarchAnalysis {
         let step = cost::step(of.system, self.method(), self.step, motion);
         let steps = motion.duration() / step;
         let seconds = steps * of.system.pair.modes() as f64 * cost::STEP_AND_MODE + FIGURE;
-        let bytes = MarchSize::new(of.system, self, step).memory() as u128;
-        Ok(Estimate {
-            name: of.name.to_owned(),
-            points: steps as usize,
-            seconds,
-            seconds_at_most: None,
-            bytes,
-        })
+        Ok(Estimate { name: of.name.to_owned(), points: steps as usize, seconds, seconds_at_most: None })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

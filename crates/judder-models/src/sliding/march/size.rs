@@ -1,21 +1,17 @@
-//! What a march keeps, what looking at it takes, and what is refused beforehand as too much or too short.
+//! What a march keeps, and what looking at it takes.
 
-use crate::sliding::case::problem::SlidingProblem;
 use crate::sliding::march::settings::MarchAnalysis;
 use crate::sliding::system::{ReducedPair, step};
-use judder_keys::memory::Memory;
 use judder_numerics::signal::Decimation;
-use judder_study::model::Refusal;
+use judder_study::model::NeededMemory;
 
 /// What bursts, sound and spectrum of one signal take beside the stored arrays: copies of time, position and signal, before and after
 /// the ramps, envelope and what is sorted of it.
 const COPIES: f64 = 9.0;
 /// Bytes of a state of the contact and its time.
 const STATE: f64 = 9.0;
-/// What the arrays of one march may take while they are looked at.
-const LIMIT: Memory = Memory::DEFAULT;
 
-const SMALLER: &str = "lower analysis.signals.sample_rate with its pass_band, march over a shorter path (from, to), or mind the unit of motion.velocity";
+const SMALLER: &str = "lower `signals.sample_rate` with its `pass_band`, march over a shorter path (`from`, `to`), or mind the unit of `motion.velocity`";
 
 /// The arrays of a march.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,23 +43,15 @@ impl MarchSize {
         8.0 * self.samples * self.signals as f64
     }
 
-    /// Bytes of memory of what looks at all samples when the march is over.
-    pub(crate) fn memory(&self) -> f64 {
-        self.samples * (8.0 * (self.signals as f64 + COPIES) + STATE)
-    }
-
-    /// Refuses a march whose samples would not fit into memory.
-    pub(crate) fn fits(self) -> Result<(), Refusal> {
-        if self.memory() <= LIMIT.bytes as f64 {
-            return Ok(());
-        }
+    /// What looks at all samples when the march is over.
+    pub(crate) fn memory(self) -> NeededMemory {
         let Self { samples, signals } = self;
-        let amount = |bytes: f64| Memory { bytes: bytes as u64 };
-        let reason = format!(
-            "the march would keep {samples:.3e} samples of {signals} signals, {}, and take {} of memory to look at them: more than {LIMIT}",
-            amount(self.stored()),
-            amount(self.memory())
-        );
-        Err(Refusal::key("signals.sample_rate", SlidingProblem::Unbuilt { reason, advice: SMALLER }))
+        NeededMemory {
+            beside: (samples * (8.0 * (signals as f64 + COPIES) + STATE)) as u128,
+            what: format!("{samples:.3e} samples of {signals} signals").into(),
+            keys: &["signals.sample_rate"],
+            advice: SMALLER,
+            ..NeededMemory::LITTLE
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! `modes`: undamped modes of one of the structures, as it is held, without contact.
 
+use super::pair_size::with_pair;
 use super::system::alone;
 use super::{SlidingSubject, cost};
 use crate::error::ModelError;
@@ -11,7 +12,7 @@ use judder_keys::Settings;
 use judder_keys::declared::{Named, Settings};
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::Kind;
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
@@ -56,9 +57,16 @@ impl Analysis<SlidingCase> for PartModes {
         ToldModes::declared()
     }
 
+    fn memory(&self, of: &SlidingSubject<'_>) -> Result<NeededMemory, ModelError> {
+        let modes = self.modes.memory_of(&of.system.parts[*self.structure].structure);
+        let pair = with_pair(NeededMemory::LITTLE, of.system).beside;
+        // the pair is made, and let go of but for its matrices, before there are modes
+        Ok(NeededMemory { beside: modes.beside.max(pair), ..modes })
+    }
+
     fn estimate(&self, of: &SlidingSubject<'_>) -> Result<Estimate, ModelError> {
         let seconds = cost::FREEDOM * cost::freedoms(of.system, *self.structure) + FIGURE;
-        Ok(Estimate { name: of.name.to_owned(), points: 1, seconds, seconds_at_most: None, bytes: 0 })
+        Ok(Estimate { name: of.name.to_owned(), points: 1, seconds, seconds_at_most: None })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -5,6 +5,7 @@ pub mod settings;
 
 use super::SlidingSubject;
 use super::march::MarchSize;
+use super::pair_size::with_pair;
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost::FIGURE};
 use crate::sliding::case::SlidingCase;
@@ -15,7 +16,7 @@ use crate::spectrogram::levels::ToldSpectrogram;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use settings::SpectrogramAnalysis;
@@ -69,17 +70,14 @@ impl Analysis<SlidingCase> for SpectrogramAnalysis {
         Ok(outcome)
     }
 
-    /// The whole march is read.
-    fn estimate(&self, of: &SlidingSubject<'_>) -> Result<Estimate, ModelError> {
+    fn memory(&self, of: &SlidingSubject<'_>) -> Result<NeededMemory, ModelError> {
         let read = march(self, of.case).and_then(|march| MarchSize::of(of.system, march));
-        let bytes = read.map_or(0, |size| size.stored() as u128);
-        Ok(Estimate {
-            name: of.name.to_owned(),
-            points: 1,
-            seconds: 1.0 + FIGURE,
-            seconds_at_most: None,
-            bytes,
-        })
+        let known = |size: MarchSize| self.levels.memory(size.samples, size.stored());
+        Ok(with_pair(read.map_or(NeededMemory::LITTLE, known), of.system))
+    }
+
+    fn estimate(&self, of: &SlidingSubject<'_>) -> Result<Estimate, ModelError> {
+        Ok(Estimate { name: of.name.to_owned(), points: 1, seconds: 1.0 + FIGURE, seconds_at_most: None })
     }
 
     fn takes_up(&self) -> Vec<&str> {

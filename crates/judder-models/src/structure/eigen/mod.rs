@@ -5,7 +5,7 @@ pub(crate) mod figure;
 pub(crate) mod run;
 pub(crate) mod tables;
 
-use super::StructureSubject;
+use super::{StructureSubject, solved_size};
 use crate::error::ModelError;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
@@ -14,7 +14,7 @@ use judder_keys::declared::{Settings, both};
 use judder_store::{Declared, Results};
 use judder_structure::asked_region::AskedRegion;
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::short;
 pub(crate) use run::ToldRegion;
@@ -68,6 +68,10 @@ impl Analysis<StructureCase> for EigenAnalysis {
 
     fn summary_keys(&self) -> Vec<Declared> {
         ToldRegion::declared()
+    }
+
+    fn memory(&self, of: &StructureSubject<'_>) -> Result<NeededMemory, ModelError> {
+        Ok(solved_size::damped(of.structure, "complex modes"))
     }
 
     fn estimate(&self, _: &StructureSubject<'_>) -> Result<String, ModelError> {

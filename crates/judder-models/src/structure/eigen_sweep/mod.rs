@@ -7,7 +7,7 @@ mod run;
 pub mod settings;
 pub(crate) mod tables;
 
-use super::StructureSubject;
+use super::{StructureSubject, solved_size};
 use crate::axis::keys_of_curves;
 use crate::error::ModelError;
 use crate::structure::case::StructureCase;
@@ -16,7 +16,7 @@ use branches::EigenvalueCurve;
 use judder_store::{Declared, Results};
 use judder_structure::eigen_sweep::SweepMethod;
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
 use run::ToldEigenSweep;
 use serde_json::{Map, Value as Json};
@@ -50,6 +50,10 @@ impl Analysis<StructureCase> for EigenSweep {
         let mut keys = keys_of_curves(self.family.is_some(), EigenvalueCurve::declared());
         keys.extend(ToldEigenSweep::declared());
         keys
+    }
+
+    fn memory(&self, of: &StructureSubject<'_>) -> Result<NeededMemory, ModelError> {
+        Ok(solved_size::damped(of.structure, "complex modes"))
     }
 
     fn estimate(&self, _: &StructureSubject<'_>) -> Result<String, ModelError> {

@@ -6,23 +6,17 @@ pub(crate) mod tables;
 
 pub(crate) use run::{ToldModes, run};
 
-use super::StructureSubject;
+use super::{StructureSubject, solved_size};
 use crate::error::ModelError;
-use crate::estimate::PROCESS_BYTES;
 use crate::structure::build::Structure;
 use crate::structure::case::StructureCase;
-use crate::structure::case::problem::StructureProblem;
 use crate::structure::case::scope::StructureScope;
 use judder_keys::Settings;
 use judder_keys::declared::{Number, NumberPair, Settings, Whole, both};
 use judder_keys::dimension::Dimension;
-use judder_keys::memory::Memory;
-use judder_memory::MemoryBudget;
-use judder_numerics::elementary::{exp, ln};
 use judder_store::{Declared, Results};
-use judder_structure::mesh::Mesh;
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, MemoryBound, NeededMemory, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::short;
 use serde_json::{Map, Value as Json};
@@ -73,29 +67,22 @@ pub(crate) const PICTURE: Picture = Picture {
 };
 
 impl ModesAnalysis {
-    /// Bytes that it takes, factor and shapes included; of a band those of no mode, as how many it has is not known.
-    ///
-    /// Measured of three modes, an entry of the stiffness, the matrices themselves included: plates of 15 000 to 242 000 freedoms 221 to 237 bytes; bricks of
-    /// 15 000 to 73 000, whose factor fills as the cube root of their number, 262 to 358. Of 40 modes in place of 3: 94 bytes a freedom and mode.
-    fn bytes(self, structure: &Structure) -> u128 {
+    /// What it needs of one structure.
+    pub(crate) fn memory_of(self, structure: &Structure) -> NeededMemory {
+        let of_factor = solved_size::undamped(structure, "undamped modes");
+        let of_factor = NeededMemory { beside: of_factor.beside + FIGURE_BYTES, ..of_factor };
+        let Self::Count(count) = self else { return of_factor };
         let freedoms = structure.family.size();
-        let of_entry = match structure.mesh().is_some_and(extends_in_space) {
-            true => 212.0 + 80.0 * exp(ln(freedoms.max(1) as f64 / 14_700.0) / 3.0),
-            false => 228.0,
-        };
-        let terms = structure.family.stiffness().iter().chain(structure.family.mass());
-        let entries = terms.map(|term| term.matrix.val().len()).max().unwrap_or(0);
-        let count = match self {
-            Self::Count(count) => count.min(freedoms),
-            Self::Band(_) => 0,
-        };
-        PROCESS_BYTES + (entries as f64 * of_entry) as u128 + freedoms as u128 * count as u128 * 94
+        let shapes = SHAPE_BYTES * freedoms as u128 * count.min(freedoms) as u128;
+        let advice = "ask for fewer modes, or mesh coarser";
+        NeededMemory { bound: MemoryBound::About, beside: of_factor.beside + shapes, advice, ..of_factor }
     }
 }
 
-fn extends_in_space(mesh: &Mesh) -> bool {
-    mesh.blocks.iter().any(|block| block.kind.dimension() == 3)
-}
+/// Bytes of the panels of their shapes: measured of 12 modes of 1800 freedoms.
+const FIGURE_BYTES: u128 = 30_000_000;
+/// Bytes a freedom and mode: measured of 40 in place of 3.
+const SHAPE_BYTES: u128 = 94;
 
 impl Analysis<StructureCase> for ModesAnalysis {
     fn run(&self, of: &StructureSubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
@@ -106,18 +93,16 @@ impl Analysis<StructureCase> for ModesAnalysis {
         ToldModes::declared()
     }
 
-    fn fits(&self, of: &StructureSubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
-        let beyond = |source| Refusal::keys(&["count"], StructureProblem::Memory { source });
-        Ok(MemoryBudget::of_process().ask(self.bytes(of.structure)).map_err(beyond))
+    fn memory(&self, of: &StructureSubject<'_>) -> Result<NeededMemory, ModelError> {
+        Ok(self.memory_of(of.structure))
     }
 
-    fn estimate(&self, of: &StructureSubject<'_>) -> Result<String, ModelError> {
-        let memory = Memory { bytes: self.bytes(of.structure) as u64 };
+    fn estimate(&self, _: &StructureSubject<'_>) -> Result<String, ModelError> {
         Ok(match self {
-            ModesAnalysis::Count(count) => format!("the lowest {count} modes, about {memory} of memory"),
+            ModesAnalysis::Count(count) => format!("the lowest {count} modes"),
             ModesAnalysis::Band([from, to]) => {
                 let [from, to] = [from, to].map(|angular| short(angular / TAU));
-                format!("the modes from {from} to {to} Hz, {memory} of memory or more")
+                format!("the modes from {from} to {to} Hz")
             }
         })
     }

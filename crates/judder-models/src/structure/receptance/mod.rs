@@ -4,14 +4,14 @@ mod figure;
 mod run;
 pub mod settings;
 
-use super::StructureSubject;
+use super::{StructureSubject, solved_size};
 use crate::error::ModelError;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Refusal, Task};
+use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
 use judder_study::outcome::Outcome;
 use judder_study::text::short;
 use run::{ToldReceptance, freedom};
@@ -51,6 +51,10 @@ impl Analysis<StructureCase> for ReceptanceAnalysis {
 
     fn summary_keys(&self) -> Vec<Declared> {
         ToldReceptance::declared()
+    }
+
+    fn memory(&self, of: &StructureSubject<'_>) -> Result<NeededMemory, ModelError> {
+        Ok(solved_size::damped(of.structure, "receptances"))
     }
 
     fn estimate(&self, _: &StructureSubject<'_>) -> Result<String, ModelError> {

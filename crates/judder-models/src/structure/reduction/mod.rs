@@ -4,7 +4,7 @@ mod figure;
 mod files;
 mod run;
 
-use super::StructureSubject;
+use super::{StructureSubject, solved_size};
 use crate::error::ModelError;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
@@ -14,7 +14,7 @@ use judder_keys::cause::Cause;
 use judder_keys::declared::{Settings, Whole, both};
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
 use run::ToldReduction;
 use serde_json::{Map, Value as Json};
@@ -59,6 +59,10 @@ impl Analysis<StructureCase> for ReductionAnalysis {
 
     fn summary_keys(&self) -> Vec<Declared> {
         ToldReduction::declared()
+    }
+
+    fn memory(&self, of: &StructureSubject<'_>) -> Result<NeededMemory, ModelError> {
+        Ok(solved_size::reduced(of.structure))
     }
 
     fn estimate(&self, _: &StructureSubject<'_>) -> Result<String, ModelError> {

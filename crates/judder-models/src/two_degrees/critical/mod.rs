@@ -5,14 +5,14 @@ pub(super) mod tables;
 
 use super::Varying;
 use crate::error::ModelError;
-use crate::estimate::{Estimate, cost};
+use crate::estimate::{Estimate, cost, memory_of_points, point_bytes};
 use crate::read_sweep::{AxisKey, SWEEP};
 use crate::sweep::{ParameterKey, Sweep};
 use crate::swept_keys::ParameterKeys;
 use crate::two_degrees::case::TwoDegreesCase;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::Kind;
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
@@ -43,6 +43,10 @@ impl Analysis<TwoDegreesCase> for ParameterThresholds {
 
     fn run(&self, case: &&TwoDegreesCase, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(case, &self.sweep, task.progress)
+    }
+
+    fn memory(&self, _: &&str) -> Result<NeededMemory, ModelError> {
+        Ok(memory_of_points(self.sweep.points as u128, point_bytes::SEARCHED, &["sweep.points"]))
     }
 
     fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {

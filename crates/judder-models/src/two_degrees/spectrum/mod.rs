@@ -4,7 +4,7 @@ mod run;
 
 use super::{LABELS, Varying};
 use crate::error::ModelError;
-use crate::estimate::{Estimate, cost};
+use crate::estimate::{Estimate, cost, memory_of_points, point_bytes};
 use crate::oscillator::curves;
 use crate::oscillator::spectrum::ToldSpectra;
 use crate::read_sweep::SWEEP;
@@ -13,7 +13,7 @@ use crate::swept_keys::ParameterKeys;
 use crate::two_degrees::case::TwoDegreesCase;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
@@ -45,6 +45,10 @@ impl Analysis<TwoDegreesCase> for ParameterSpectrum {
 
     fn run(&self, case: &&TwoDegreesCase, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(case, &self.sweep)
+    }
+
+    fn memory(&self, _: &&str) -> Result<NeededMemory, ModelError> {
+        Ok(memory_of_points(self.sweep.points as u128, point_bytes::EIGENVALUES, &["sweep.points"]))
     }
 
     fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {

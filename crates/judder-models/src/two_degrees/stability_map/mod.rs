@@ -4,7 +4,7 @@ mod run;
 
 use super::Varying;
 use crate::error::ModelError;
-use crate::estimate::{Estimate, cost};
+use crate::estimate::{Estimate, cost, memory_of_points, point_bytes};
 use crate::oscillator::stability_map::{ONE_WAY, ToldStabilityMap, figure};
 use crate::read_sweep::{map_declarations, read_map, write_map};
 use crate::sweep::{ParameterKey, StabilityMapAnalysis};
@@ -12,7 +12,7 @@ use crate::swept_keys::ParameterKeys;
 use crate::two_degrees::case::TwoDegreesCase;
 use judder_store::Declared;
 use judder_study::case::analysis::{Kind, Picture};
-use judder_study::model::{Analysis, Task};
+use judder_study::model::{Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
@@ -37,6 +37,10 @@ impl Analysis<TwoDegreesCase> for StabilityMapAnalysis<ParameterKey> {
 
     fn run(&self, case: &&TwoDegreesCase, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(case, self)
+    }
+
+    fn memory(&self, _: &&str) -> Result<NeededMemory, ModelError> {
+        Ok(memory_of_points(self.x.points as u128 * self.y.points as u128, point_bytes::MAP, &["x.points"]))
     }
 
     fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {

@@ -36,6 +36,15 @@ pub(super) fn of_modes(of: &AssemblySubject<'_>, count: Option<usize>) -> Needed
     NeededMemory { bound, keys: &["count"], ..needed }
 }
 
+/// A motion from steady sliding: the factors that it starts from, or what it holds of itself, and its figures. Measured of marches of plates of 400 and of 6500 freedoms
+/// and of bricks of 3700, and of a cycle and a response of the smaller plate.
+pub(super) fn of_motion(of: &AssemblySubject<'_>, own: NeededMemory) -> NeededMemory {
+    const FIGURES: u128 = 20_000_000;
+    let factors = needed(of, "motions", (entries(of) * factor_bytes(of)) as u128);
+    let larger = if factors.beside > own.beside { factors } else { own };
+    NeededMemory { beside: larger.beside.saturating_add(FIGURES), ..larger }
+}
+
 /// Modes at so many values of a key or two.
 pub(super) fn of_sweep(
     of: &AssemblySubject<'_>,

@@ -2,6 +2,7 @@
 
 use super::AssemblySubject;
 use super::case::problem::AssemblyProblem;
+use super::linear_size::of_motion;
 use crate::error::ModelError;
 use judder_cycles::cycle::FINER;
 use judder_cycles::fold::FOLD_REFINEMENT;
@@ -64,13 +65,14 @@ impl PeriodicSize {
         let what = format!(
             "{words}{count} harmonics of {components} components of contact forces are {unknowns} unknowns, at {samples} instants a harmonic"
         );
-        Ok(NeededMemory {
+        let own = NeededMemory {
             beside: self.held(count, points, components),
             bound,
             what: what.into(),
             keys: &["harmonics", "samples"],
             advice: "give fewer `harmonics` or `samples`",
-        })
+        };
+        Ok(of_motion(of, own))
     }
 
     /// Bytes beside the program.

@@ -93,13 +93,13 @@ fn motions_beyond_the_memory_of_the_process() {
         let text = with_analysis(lines).replace("cells = [20, 10]", "cells = [4, 2]");
         with_little_memory(|| unassembled(&text))
     };
-    let (message, place) = spoken("kind = \"march\"\nstep = \"1e-7 s\"\nduration = \"1 ms\"");
+    let (message, place) = spoken("kind = \"march\"\nstep = \"1e-7 s\"\nduration = \"50 ms\"");
     assert!(
         message.contains("samples of the signals and of the states of all contact points: "),
         "{message}"
     );
     assert!(message.contains(" of memory are needed, and ") && message.contains("shared among"), "{message}");
-    assert_eq!(place, "\"1 ms\"");
+    assert_eq!(place, "\"50 ms\"");
     let (message, place) = spoken("kind = \"limit-cycle\"\nharmonics = 9");
     assert!(
         message.contains(
@@ -195,7 +195,7 @@ fn cycles_that_cannot_be() {
         with_analysis(by_count).replace("[[contact]]", "reduction = { count = 15 }\n\n[[contact]]");
     let message = parse("case.toml", &by_count, &[]).expect_err("it is refused").to_string();
     assert!(message.contains("what follows it needs every value between the ends"), "{message}");
-    let (message, place) = unassembled(&cycle("harmonics = 500"));
+    let (message, place) = with_little_memory(|| unassembled(&cycle("harmonics = 500")));
     assert!(
         message.contains("500 harmonics of 42 components of contact forces are 42042 unknowns"),
         "{message}"

@@ -1,9 +1,11 @@
 //! One budget of memory for every kind of analysis.
 
-use crate::with_little_memory;
+use crate::{number, with_little_memory};
 use judder_models::REGISTRY;
 use judder_study::case::file::CaseFile;
+use judder_study::model::PROGRAM_BYTES;
 use judder_study::resolve::resolve;
+use judder_study::run::{RunOptions, run};
 use judder_study::{Silent, StudyError};
 use miette::Diagnostic;
 use std::collections::BTreeSet;
@@ -62,4 +64,36 @@ fn every_kind_is_held_against_the_budget() {
         }
     }
     assert!(missing.is_empty(), "no case asks for {missing:?}");
+}
+
+/// A number of `/proc/self/status`, in bytes.
+#[cfg(target_os = "linux")]
+fn status(name: &str) -> f64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap();
+    let line = status.lines().find_map(|line| line.strip_prefix(name)).unwrap();
+    line.split_whitespace().next().unwrap().parse::<f64>().unwrap() * 1024.0
+}
+
+/// What is told beside the program against what the peak of this process grows by, of cases that take much more than the program.
+#[cfg(target_os = "linux")]
+#[test]
+#[ignore = "half a minute, in a process of its own: the peak is that of all its threads"]
+fn what_is_told_is_what_is_taken() {
+    const BAR: &str = "model = \"structure\"\n[structure]\nblock = { element = \"hexahedron20\", size = [\"200 mm\", \"20 mm\", \"10 mm\"], cells = [30, 8, 4] }\n\
+        material = { youngs_modulus = \"210 GPa\", poisson_ratio = 0.3, density = \"7850 kg/m^3\" }\n\
+        supports = [{ set = \"x-min\", fixed = [\"x\", \"y\", \"z\"] }]\n[[analysis]]\nkind = \"modes\"\ncount = 12\n";
+    const MOTION: &str = "model = \"oscillator\"\n[[analysis]]\nkind = \"motion\"\npoints = 1000000\n";
+    for text in [BAR, MOTION] {
+        let file = judder_models::parse("case.toml", text, &[]).unwrap();
+        let checked = resolve(&file, &Silent).unwrap().json();
+        let told = number(&checked["estimate"][0]["bytes"]) - PROGRAM_BYTES as f64;
+        let folder = tempfile::tempdir().unwrap();
+        // the peak from here on
+        std::fs::write("/proc/self/clear_refs", "5").unwrap();
+        let before = status("VmRSS:");
+        run(&file, folder.path(), &RunOptions::default(), &Silent).unwrap();
+        let ratio = told / (status("VmHWM:") - before);
+        eprintln!("{}: told {:.0} MB, {ratio:.2} of what was taken", file.case.kind_name(0), told / 1e6);
+        assert!((0.7..1.4).contains(&ratio), "{ratio}");
+    }
 }

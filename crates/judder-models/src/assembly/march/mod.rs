@@ -19,6 +19,7 @@ pub(super) mod tables;
 mod told;
 
 use super::AssemblySubject;
+use super::linear_size::of_motion;
 use crate::assembly::build::TrackEnd;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
@@ -81,7 +82,7 @@ impl Analysis<AssemblyCase> for AssemblyMarch {
     }
 
     fn memory(&self, of: &AssemblySubject<'_>) -> Result<NeededMemory, ModelError> {
-        Ok(MarchedSize::new(of, self).memory())
+        Ok(of_motion(of, MarchedSize::new(of, self).memory()))
     }
 
     fn files(&self) -> Vec<&FileReference> {

@@ -37,6 +37,20 @@ pub enum StructureError {
         /// Why.
         what: &'static str,
     },
+    /// An element is so long and thin that its stiffness does not say how it bends.
+    #[error(
+        "element {element} ({kind}) is {ratio:.1e} times as long as it is thin: above {limit:.0e} rounding leaves nothing of its bending; are its lengths right?"
+    )]
+    Stretched {
+        /// Its number from 0, in the order of the mesh.
+        element: usize,
+        /// Its shape.
+        kind: ElementKind,
+        /// Its longest over its shortest direction.
+        ratio: f64,
+        /// The largest that is taken.
+        limit: f64,
+    },
     /// A box cannot be chamfered so.
     #[error("there is no such chamfer: {what}")]
     NoChamfer {

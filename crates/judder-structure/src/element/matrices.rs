@@ -17,6 +17,9 @@ pub struct ElementMatrices {
     pub mass: Vec<f64>,
 }
 
+/// Longest over shortest direction of an element from which on its stiffness, which has their squares, is all rounding: their ratio is 1e14 then.
+const STRETCH_LIMIT: f64 = 1e7;
+
 /// Elements of one kind, material and section, ready to be computed.
 #[derive(Debug, Clone)]
 pub struct BlockElements {
@@ -84,7 +87,7 @@ impl BlockElements {
     /// R. L. Taylor, P. J. Beresford and E. L. Wilson (1976), which pass the patch test; they are condensed.
     ///
     /// # Errors
-    /// [`StructureError::Folded`] where the Jacobian determinant is not positive.
+    /// [`StructureError::Folded`] where the Jacobian determinant is not positive, [`StructureError::Stretched`].
     pub fn matrices(&self, element: usize, nodes: &[[f64; 3]]) -> Result<ElementMatrices, StructureError> {
         let count = self.kind.nodes();
         let size = self.kind.dimension() * count;
@@ -161,6 +164,10 @@ impl BlockElements {
         if determinant.is_nan() || determinant <= 0.0 {
             return Err(StructureError::Folded { element, kind: self.kind, place: *place, determinant });
         }
+        let ratio = length_of(&jacobian, dimension) * length_of(&inverse, dimension);
+        if ratio > STRETCH_LIMIT {
+            return Err(StructureError::Stretched { element, kind: self.kind, ratio, limit: STRETCH_LIMIT });
+        }
         let mut of_nodes = [[0.0; 3]; MOST_NODES];
         for (to, from) in of_nodes.iter_mut().zip(&shape.gradients[..count]) {
             for k in 0..dimension {
@@ -230,6 +237,12 @@ fn inverse(m: &[[f64; 3]; 3]) -> (f64, [[f64; 3]; 3]) {
     };
     let determinant = (0..3).map(|j| m[0][j] * minor(0, j)).sum::<f64>();
     (determinant, std::array::from_fn(|i| std::array::from_fn(|j| minor(j, i) / determinant)))
+}
+
+/// The largest length of the columns of the part of a matrix that has this dimension.
+fn length_of(m: &[[f64; 3]; 3], dimension: usize) -> f64 {
+    let column = |k: usize| (0..dimension).map(|i| m[i][k] * m[i][k]).sum::<f64>();
+    (0..dimension).map(column).fold(0.0, f64::max).sqrt()
 }
 
 /// Gaussian elimination from the last row on, of all but the first `kept`: where no force acts on the others, the rows of these are what is left, and each
@@ -324,6 +337,24 @@ mod tests {
             };
             let volume = own * scale[..dimension].iter().product::<f64>() * section(kind).thickness();
             assert!((along_x / (7800.0 * volume) - 1.0).abs() < 1e-13, "{kind}");
+        }
+    }
+
+    #[test]
+    fn an_element_is_refused_that_is_too_thin_to_bend() {
+        for kind in ElementKind::ALL {
+            let elements = BlockElements::new(kind, &steel(), section(kind)).unwrap();
+            let of = |length: f64| {
+                let stretched = kind.node_places().iter().map(|[x, y, z]| [length * x, *y, *z]);
+                elements.matrices(3, &stretched.collect::<Vec<_>>())
+            };
+            assert!(of(1e6).is_ok(), "{kind}");
+            let error = of(1e9).unwrap_err();
+            let ratio = 0.9e9..1e10;
+            assert!(
+                matches!(error, StructureError::Stretched { element: 3, ratio: own, .. } if ratio.contains(&own)),
+                "{kind}: {error}"
+            );
         }
     }
 

@@ -49,8 +49,9 @@ const TOLERANCE: f64 = 1e-11;
 pub(super) const APART: f64 = 1e-6;
 /// A new vector shorter than this share of what it was made of lies in the basis: the space is invariant.
 const INVARIANT: f64 = 1e-10;
-/// Pairs of vectors between looks at the eigenvalues.
+/// Pairs of vectors between looks at the eigenvalues: so many, or this part of the basis, as a look takes its cube.
 const STRIDE: usize = 3;
+const STRIDE_PART: usize = 32;
 /// Entries of vectors that are worked together.
 const CHUNK: usize = 4096;
 
@@ -79,7 +80,7 @@ impl<'a> Lanczos<'a> {
     pub(super) fn converged(&mut self, count: usize) -> Result<LanczosModes, StructureError> {
         let size = self.mass.nrows();
         loop {
-            for _ in 0..STRIDE {
+            for _ in 0..STRIDE.max(self.basis.len() / STRIDE_PART) {
                 self.grow()?;
             }
             self.is_whole |= self.basis.len() == size;

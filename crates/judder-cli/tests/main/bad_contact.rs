@@ -269,7 +269,7 @@ fn motions_that_cannot_be_followed() {
     let rough = "indenter = { radius = \"1 mm\", shape = { rough = { period = \"1 mm\", cells = 64, hurst = 0.8, \
                  rms_height = \"5 um\" } } }";
     let desk = Desk::with_case(&case(rough, "kind = \"contact\"\nvelocity = \"1 m/s\"\nload = \"20 mN\""));
-    let said = desk.judder(&["run", "case.toml"]);
+    let said = desk.judder(&["check", "case.toml"]);
     assert_eq!(said.code, 2, "{}", said.stderr);
     said.says("at this speed the substrate still remembers ");
     said.says("[case.toml:5:12]");

@@ -74,7 +74,7 @@ impl AskedLevels<'_> {
         let settings = SpectrogramSettings {
             start: history.times.first().copied().unwrap_or(0.0),
             window: self.asked.pieces.window.window(),
-            length: (self.asked.pieces.length * history.sample_rate).round() as usize,
+            length: self.asked.pieces.samples(history.sample_rate),
             overlap: self.asked.pieces.overlap,
             reference: self.asked.reference.0.number,
             ..SpectrogramSettings::new(history.sample_rate)

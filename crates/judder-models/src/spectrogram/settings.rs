@@ -9,6 +9,7 @@ use judder_keys::numeric_key::{Range, read_si};
 use judder_keys::quantity::{Quantity, WrittenNumber};
 use judder_keys::section::{Section, text};
 use judder_keys::{Choice, Settings};
+use judder_numerics::signal::spectrogram::SHORTEST_PIECE;
 use judder_numerics::signal::window::Window;
 use judder_study::case::analysis::Planned;
 use judder_study::model::{Analysis, NeededMemory};
@@ -62,6 +63,23 @@ pub struct SpectrumPieces {
     /// Share of a window that the next one has too.
     #[key(rule = SHARE, symbol = "o", default = 0.75)]
     pub overlap: f64,
+}
+
+impl SpectrumPieces {
+    /// Samples of a window of a signal that is stored at this rate, Hz.
+    pub(super) fn samples(&self, sample_rate: f64) -> usize {
+        (self.length * sample_rate).round() as usize
+    }
+
+    /// Why a window of a march that stores its signals at this rate is too short; `None` where it is not.
+    pub(crate) fn too_short(&self, march: &str, sample_rate: f64) -> Option<String> {
+        let (length, samples) = (self.length, self.samples(sample_rate));
+        (samples < SHORTEST_PIECE).then(|| {
+            format!(
+                "a window is {length} s long, {samples} samples of the march `{march}`, and at least {SHORTEST_PIECE} are needed"
+            )
+        })
+    }
 }
 
 /// How levels are drawn.

@@ -249,14 +249,17 @@ fn a_march_that_keeps_too_much_is_refused() {
     assert!(bytes > number(&stored["bytes"]), "{stored}");
 }
 
-/// A window longer than the march that it looks at is found before the march has been computed.
+/// A window longer than the march that it looks at, or shorter than a spectrum takes, is found before the march has been computed.
 #[test]
-fn a_window_longer_than_its_march_is_refused() {
+fn a_window_that_its_march_has_not_is_refused() {
     let march = "\n[[analysis]]\nname = \"march\"\nkind = \"march\"\nmethod = \"ensubs\"\n";
-    let levels = "\n[[analysis]]\nname = \"levels\"\nkind = \"spectrogram\"\nof = \"march\"\nsignal = \"normal-force\"\nlength = \"1e9 s\"\n";
+    let levels = "\n[[analysis]]\nname = \"levels\"\nkind = \"spectrogram\"\nof = \"march\"\nsignal = \"normal-force\"\nlength = ";
     let positions = "positions = { from = \"20 mm\", to = \"60 mm\", points = 3 }";
-    let said = refused(&(text(positions) + march + levels));
+    let of = |length: &str| refused(&(text(positions) + march + levels + length));
+    let said = of("\"1e9 s\"\n");
     assert!(said.contains("a window is 1000000000 s long, but the march `march` takes"), "{said}");
+    let said = of("\"1 us\"\n");
+    assert!(said.contains(" 0 samples of the march `march`, and at least 8 are needed"), "{said}");
 }
 
 const TRACK: &str = r#"beam = { length = "100 mm", thickness = "2 mm", elements = [20, 1], start = "clamped" }

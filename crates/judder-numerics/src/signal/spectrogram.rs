@@ -8,6 +8,9 @@ use num_complex::Complex64;
 /// The most levels of one spectrogram: a gibibyte of them.
 const MOST_LEVELS: usize = 1 << 27;
 
+/// The shortest piece, in samples.
+pub const SHORTEST_PIECE: usize = 8;
+
 /// The longest piece.
 const LONGEST_PIECE: usize = 1 << 24;
 
@@ -64,7 +67,8 @@ impl SpectrogramSettings {
         positive("the sample rate", self.sample_rate)?;
         positive("the reference of the levels", self.reference)?;
         within("the time of the first sample", self.start, f64::MIN, f64::MAX)?;
-        within("the length of a piece in samples", self.length as f64, 8.0, LONGEST_PIECE as f64)?;
+        let [shortest, longest] = [SHORTEST_PIECE, LONGEST_PIECE].map(|samples| samples as f64);
+        within("the length of a piece in samples", self.length as f64, shortest, longest)?;
         within("the overlap", self.overlap, 0.0, 0.99)?;
         within("the floor in dB", self.floor, -1000.0, 1000.0)
     }

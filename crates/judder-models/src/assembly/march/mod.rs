@@ -13,7 +13,7 @@ pub(super) mod levels;
 pub(super) mod recorded;
 mod run;
 pub mod settings;
-mod size;
+pub(super) mod size;
 pub(super) mod start;
 pub(super) mod tables;
 mod told;

@@ -18,15 +18,19 @@ pub(in crate::assembly) struct MarchedSize {
     bytes: f64,
 }
 
+/// Samples a second that a march stores, Hz.
+pub(crate) fn stored_rate(asked: &AssemblyMarch) -> f64 {
+    let rate = 1.0 / asked.step;
+    rate / Decimation::factor_to(rate, asked.sample_rate.0) as f64
+}
+
 impl MarchedSize {
     /// Of a march with this contact.
     pub(in crate::assembly) fn new(of: &AssemblySubject<'_>, asked: &AssemblyMarch) -> Self {
         let built = of.built;
         let points: usize = built.assembly.interfaces.iter().map(|interface| interface.points.len()).sum();
         let signals = 2 + 2 * built.assembly.interfaces.len() + 2 * built.watched.len() + 2 * points;
-        let rate = 1.0 / asked.step;
-        let factor = Decimation::factor_to(rate, asked.sample_rate.0);
-        let samples = (asked.duration * rate / factor as f64).ceil();
+        let samples = (asked.duration * stored_rate(asked)).ceil();
         Self { samples, bytes: (8 * signals + points) as f64 }
     }
 

@@ -5,6 +5,7 @@ pub mod settings;
 use super::AssemblySubject;
 use super::march::MarchedSize;
 use super::march::settings::AssemblyMarch;
+use super::march::size::stored_rate;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::error::ModelError;
@@ -46,15 +47,18 @@ impl Analysis<AssemblyCase> for AssemblySpectrogram {
             let (what, name) = ("signal", signal.clone());
             return Ok(Err(Refusal::key("signal", Cause::UnknownName { what, name, known })));
         }
-        let duration = march(self, of).map(|march| march.duration);
-        let Some(duration) = duration.filter(|duration| self.levels.pieces.length > *duration) else {
-            return Ok(Ok(()));
-        };
-        let (length, name) = (self.levels.pieces.length, &self.levels.of);
-        let reason = format!(
-            "a window is {length} s long, but the march `{name}` takes {duration} s: give a shorter `length`"
-        );
-        Ok(Err(Refusal::key("length", AssemblyProblem::Refused { reason })))
+        let Some(march) = march(self, of) else { return Ok(Ok(())) };
+        let (pieces, name, duration) = (&self.levels.pieces, &self.levels.of, march.duration);
+        let length = pieces.length;
+        let too_long = (length > duration).then(|| {
+            format!(
+                "a window is {length} s long, but the march `{name}` takes {duration} s: give a shorter `length`"
+            )
+        });
+        let too_short = || pieces.too_short(name, stored_rate(march));
+        let reason = too_long.or_else(|| Some(too_short()? + ": give a longer `length`"));
+        let refused = |reason| Refusal::key("length", AssemblyProblem::Refused { reason });
+        Ok(reason.map_or(Ok(()), |reason| Err(refused(reason))))
     }
 
     fn summary_keys(&self) -> Vec<Declared> {

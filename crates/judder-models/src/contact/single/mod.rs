@@ -15,6 +15,7 @@ use crate::contact::settings::{ContactScope, ContactSettings};
 use crate::contact::shape::ShapeSettings;
 use crate::error::ModelError;
 use crate::indenter::height_map;
+use judder_contact::kernel::periodic::{PERIODIC_MEMORY, memory_of_a_period};
 use judder_contact::steady::{GridChoice, SteadyError};
 use judder_contact::unilateral::Loading;
 use judder_keys::declared::Settings;
@@ -61,10 +62,24 @@ fn is_not_too_deep(
     }
 }
 
+/// Refuses a speed at which the wakes of a surface that repeats itself reach from one period into the next.
+fn wakes_end(settings: &ContactSettings, of: &ContactSubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
+    if !of.case.shape.is_periodic() {
+        return Ok(Ok(()));
+    }
+    let grid = height_map(&of.case.shape, of.scales.scales.radius)?.grid();
+    let substrate = of.scales.material.sliding(of.scales.velocity(settings.velocity));
+    let memory = memory_of_a_period(grid.columns as f64 * grid.cell, &substrate);
+    let problem = ContactProblem::LongWake { memory, allowed: PERIODIC_MEMORY };
+    Ok(if memory > PERIODIC_MEMORY { Err(Refusal::keys(&["velocity"], problem)) } else { Ok(()) })
+}
+
 impl Analysis<ContactCase> for ContactSettings {
     fn fits(&self, of: &ContactSubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
-        if let Err(refusal) = is_not_too_deep(self, of)? {
-            return Ok(Err(refusal));
+        for fits in [is_not_too_deep, wakes_end] {
+            if let Err(refusal) = fits(self, of)? {
+                return Ok(Err(refusal));
+            }
         }
         let chosen = !of.case.shape.is_periodic() && grid(self, of.scales) == GridChoice::Automatic;
         if chosen && of.case.shape != ShapeSettings::Cylinder {

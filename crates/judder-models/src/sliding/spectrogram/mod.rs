@@ -23,6 +23,7 @@ use settings::SpectrogramAnalysis;
 use std::sync::Arc;
 
 const SHORTER: &str = "give a shorter length, or none";
+const LONGER: &str = "give a longer length, or none";
 
 /// The kind.
 pub(crate) const KIND: Kind<Option<SlidingCase>, Arc<dyn Analysis<SlidingCase>>> = Kind {
@@ -51,13 +52,20 @@ fn march<'a>(asked: &SpectrogramAnalysis, case: &'a SlidingCase) -> Option<&'a M
 
 impl Analysis<SlidingCase> for SpectrogramAnalysis {
     fn fits(&self, of: &SlidingSubject<'_>) -> Result<Result<(), Refusal>, ModelError> {
-        let duration = march(self, of.case).map(|march| of.system.along(march).duration());
-        let Some(duration) = duration.filter(|duration| self.levels.pieces.length > *duration) else {
-            return Ok(Ok(()));
-        };
-        let (length, name) = (self.levels.pieces.length, &self.levels.of);
-        let reason = format!("a window is {length} s long, but the march `{name}` takes {duration:.6} s");
-        Ok(Err(Refusal::key("length", SlidingProblem::Unbuilt { reason, advice: SHORTER })))
+        let Some(march) = march(self, of.case) else { return Ok(Ok(())) };
+        let (pieces, name) = (&self.levels.pieces, &self.levels.of);
+        let (length, duration) = (pieces.length, of.system.along(march).duration());
+        let refused =
+            |reason, advice| Ok(Err(Refusal::key("length", SlidingProblem::Unbuilt { reason, advice })));
+        if length > duration {
+            let reason = format!("a window is {length} s long, but the march `{name}` takes {duration:.6} s");
+            return refused(reason, SHORTER);
+        }
+        let stored = MarchSize::of(of.system, march).map(|size| size.samples / duration);
+        match stored.and_then(|rate| pieces.too_short(name, rate)) {
+            Some(reason) => refused(reason, LONGER),
+            None => Ok(Ok(())),
+        }
     }
 
     fn summary_keys(&self) -> Vec<Declared> {

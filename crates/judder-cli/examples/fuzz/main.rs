@@ -1,11 +1,11 @@
 //! Feeds every door of judder with damaged files: case files, laws, meshes, matrices, heights, tables, stored studies, requests of the page.
 //!
 //! ```text
-//! cargo run -p judder-cli --example fuzz -- [--door NAME] [--seconds S | --inputs N] [--seed K]
+//! cargo run -p judder-cli --example fuzz -- [--door NAME] [--seconds S | --inputs N | --only N] [--seed K]
 //! ```
 //!
 //! An input is a sample of the project, damaged at some places by numbers that follow from the seed and from its own number alone, so that any of them
-//! can be made again. A door must read it or refuse it: no panic, no answer that takes more than two seconds without a word, no more than 1 GiB of memory
+//! can be made again: `--only N` makes the N-th alone, whose number stands in the name of a file that was kept. A door must read it or refuse it: no panic, no answer that takes more than two seconds without a word, no more than 1 GiB of memory
 //! beyond the file. What does else is kept in `out/fuzz`, and the exit code is 1. An input that ends the process is the file that still lies in
 //! `out/fuzz/<door>/tried`.
 //!
@@ -56,20 +56,26 @@ struct Asked {
     doors: Vec<String>,
     seconds: Option<f64>,
     inputs: u64,
+    /// The number of the first.
+    first: u64,
     seed: u64,
 }
 
 impl Asked {
     fn read(mut words: impl Iterator<Item = String>) -> Self {
-        let mut asked = Self { doors: Vec::new(), seconds: None, inputs: u64::MAX, seed: 0 };
+        let mut asked = Self { doors: Vec::new(), seconds: None, inputs: u64::MAX, first: 0, seed: 0 };
         while let Some(word) = words.next() {
             let value = words.next().unwrap_or_else(|| panic!("{word} takes a value"));
             match word.as_str() {
                 "--door" => asked.doors.push(value),
                 "--seconds" => asked.seconds = Some(value.parse().expect("--seconds takes a number")),
+                "--only" => {
+                    asked.first = value.parse().expect("--only takes the number of an input");
+                    asked.inputs = 1;
+                }
                 "--inputs" => asked.inputs = value.parse().expect("--inputs takes a count"),
                 "--seed" => asked.seed = value.parse().expect("--seed takes a number"),
-                _ => panic!("there are --door, --seconds, --inputs, --seed; not {word}"),
+                _ => panic!("there are --door, --seconds, --inputs, --only, --seed; not {word}"),
             }
         }
         if asked.seconds.is_none() && asked.inputs == u64::MAX {
@@ -121,9 +127,9 @@ impl Door {
         let folder = Path::new("out/fuzz").join(self.name.replace(' ', "-"));
         fs::create_dir_all(folder.join("tried")).unwrap();
         let (began, before) = (Instant::now(), most_memory());
-        let (mut faults, mut slowest, mut number) = (Vec::new(), Duration::ZERO, 0);
+        let (mut faults, mut slowest, mut number) = (Vec::new(), Duration::ZERO, asked.first);
         let goes_on = |number: u64, began: Instant| {
-            number < asked.inputs
+            number - asked.first < asked.inputs
                 && asked.seconds.is_none_or(|seconds| began.elapsed().as_secs_f64() < seconds)
         };
         while goes_on(number, began) {
@@ -154,8 +160,9 @@ impl Door {
         }
         let taken = most_memory().saturating_sub(before) >> 20;
         println!(
-            "{}: {number} inputs, {} faults; the slowest took {slowest:.0?}, all {taken} MiB more",
+            "{}: {} inputs, {} faults; the slowest took {slowest:.0?}, all {taken} MiB more",
             self.name,
+            number - asked.first,
             faults.len()
         );
         faults

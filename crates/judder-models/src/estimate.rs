@@ -15,13 +15,19 @@ pub(crate) mod cost {
     pub(crate) const MARGIN: f64 = 5.0;
     /// Lines of a map along which they are followed, at most.
     pub(crate) const MARGIN_LINES: usize = 30;
-    /// Following the branches of an oscillator through a diagram: seconds to a minute.
-    pub(crate) const BRANCHES: f64 = 10.0;
+    /// Steps of motions that branches through a diagram are followed by: seconds to a minute.
+    pub(crate) const BRANCH_STEPS: f64 = 4e6;
     /// Following the three boundaries of a map.
     pub(crate) const BOUNDARIES: f64 = 0.3;
-    /// A motion over a radian of its time: of the oscillator, of a mass on a belt.
-    pub(crate) const RADIAN: f64 = 1e-5;
-    pub(crate) const RADIAN_ON_BELT: f64 = 2e-7;
+    /// A step of a motion: of the oscillator, of a mass on a belt. Measured of 20 000 to 5 000 000 steps.
+    pub(crate) const MOTION_STEP: f64 = 1.3e-6;
+    pub(crate) const STEP_ON_BELT: f64 = 6e-7;
+    /// A point of a motion that is kept: arrays, table, figures. Measured of 4096 and 1 000 000.
+    pub(crate) const MOTION_POINT: f64 = 2.8e-6;
+    /// The figures and the report of a motion.
+    pub(crate) const MOTION_FIGURES: f64 = 0.35;
+    /// Steps of a motion over a radian, where nothing is known of it.
+    pub(crate) const STEPS_OF_RADIAN: f64 = 25.0;
     /// A step of the time-stepping.
     pub(crate) const TIME_STEP: f64 = 2.5e-6;
     /// One figure as SVG and PNG.

@@ -15,7 +15,7 @@ use serde_json::{Value as Json, json};
 
 pub(super) fn resolve(file: &CaseText, case: &BeltCase, resolved: Json) -> Result<Resolved, ModelError> {
     let system = BeltModel::new(case, "").operating(None)?.system;
-    let estimates = estimates(case, file, |name| name)?;
+    let estimates = estimates(case, file, |name| BeltModel::new(case, name))?;
     let has_meaning = |key: &&Key<BeltKey>| case.curve.is_none() || key.section() != "friction";
     let written = |key: &Key<BeltKey>| {
         let Value { number: own, form } = case.inputs.get(key.key);

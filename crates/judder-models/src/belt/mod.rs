@@ -9,7 +9,8 @@ use crate::belt::case::{BeltCase, BeltKey, BeltKeys, BeltSections};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
 use crate::friction::FrictionCurve;
-use crate::motion::model::BeltModel;
+use crate::motion::counted::CountedMotions;
+use crate::motion::model::{BeltModel, Moving};
 use crate::motion::settings::MotionKinds;
 use crate::motion::{MotionCase, MotionOf, tables};
 use crate::swept_tables::key_head;
@@ -30,8 +31,7 @@ impl Analysed for BeltCase {
 
     type Asked = dyn Analysis<Self>;
     type Subject<'a> = BeltModel<'a>;
-    /// The name of the analysis.
-    type Known<'a> = &'a str;
+    type Known<'a> = BeltModel<'a>;
     type Estimate = Estimate;
     type Error = ModelError;
 
@@ -43,7 +43,15 @@ impl Analysed for BeltCase {
 impl MotionCase for BeltCase {
     type Keys = BeltKeys;
 
-    const RADIAN: f64 = cost::RADIAN_ON_BELT;
+    const STEP: f64 = cost::STEP_ON_BELT;
+
+    fn name<'a>(known: &'a BeltModel<'_>) -> &'a str {
+        known.name()
+    }
+
+    fn counted<A: MotionOf<BeltKeys>>(asked: &A, known: &BeltModel<'_>) -> Option<CountedMotions> {
+        asked.probed().counted(known)
+    }
 
     fn follow<A: MotionOf<BeltKeys>>(
         asked: &A,
@@ -97,7 +105,7 @@ impl Model for BeltCase {
     }
 
     fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
-        admit(self, file, is_wanted, |name| name)?;
+        admit(self, file, is_wanted, |name| BeltModel::new(self, name))?;
         self.prepared()
     }
 

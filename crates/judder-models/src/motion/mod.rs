@@ -1,6 +1,7 @@
 //! Motion with stick, slip and lift-off, of the oscillator and of a mass on a belt.
 //!
 //! - `model`: the two of them. `si`: what their units are in SI.
+//! - `counted`: what they take, counted over their beginnings.
 //! - `becomes`: what motions settle to. `amplitude_spectrum`: how they swing.
 //! - `pictures`: their figures. `tables`: those of reports.
 //! - A folder each: `history` (kind `motion`), `limit_cycle`, `bifurcation`, `basin`.
@@ -9,6 +10,7 @@ mod amplitude_spectrum;
 pub mod basin;
 pub mod becomes;
 pub mod bifurcation;
+pub(crate) mod counted;
 pub mod history;
 pub mod limit_cycle;
 pub(crate) mod model;
@@ -21,7 +23,7 @@ use crate::error::ModelError;
 use crate::estimate::{Estimate, cost, memory_of_points, point_bytes};
 use crate::sweep::Sweep;
 use crate::swept_keys::SweptKeys;
-use judder_keys::numeric_key::{Form, Value};
+use counted::{CountedMotions, ProbedMotions};
 use judder_store::Declared;
 use judder_study::model::{Analysed, Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
@@ -49,6 +51,9 @@ pub(crate) trait MotionOf<S: SweptKeys>: Clone + fmt::Debug + Send + Sync + 'sta
     /// What it follows.
     fn size(&self) -> MotionSize;
 
+    /// How, for a look at the beginnings.
+    fn probed(&self) -> ProbedMotions<'_, S::Key>;
+
     /// Puts its settings into a canonical form.
     fn write(&self, json: &mut Map<String, Json>);
 
@@ -59,14 +64,18 @@ pub(crate) trait MotionOf<S: SweptKeys>: Clone + fmt::Debug + Send + Sync + 'sta
 }
 
 /// A case whose motion can be followed.
-pub(crate) trait MotionCase:
-    for<'a> Analysed<Known<'a> = &'a str, Estimate = Estimate, Error = ModelError>
-{
+pub(crate) trait MotionCase: Analysed<Estimate = Estimate, Error = ModelError> {
     /// Its keys.
     type Keys: SweptKeys;
 
-    /// What a radian of its motion takes, s.
-    const RADIAN: f64;
+    /// What a step of its motion takes, s.
+    const STEP: f64;
+
+    /// The name of an analysis.
+    fn name<'a>(known: &'a Self::Known<'_>) -> &'a str;
+
+    /// What the motions of an analysis take; `None` where none can be followed yet.
+    fn counted<A: MotionOf<Self::Keys>>(asked: &A, known: &Self::Known<'_>) -> Option<CountedMotions>;
 
     /// Runs an analysis of motion on the model of the case.
     fn follow<A: MotionOf<Self::Keys>>(
@@ -93,13 +102,14 @@ impl<C: MotionCase, A: MotionOf<C::Keys>> Analysis<C> for MotionAnalysis<A> {
         C::follow(&self.0, of, task)
     }
 
-    fn memory(&self, _: &&str) -> Result<NeededMemory, ModelError> {
+    fn memory(&self, _: &C::Known<'_>) -> Result<NeededMemory, ModelError> {
         let keys = &["points", "samples", "sweep.points"];
         Ok(memory_of_points(self.0.size().points as u128, point_bytes::MOTION, keys))
     }
 
-    fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
-        Ok(self.0.size().estimate(name, C::RADIAN))
+    fn estimate(&self, known: &C::Known<'_>) -> Result<Estimate, ModelError> {
+        let counted = C::counted(&self.0, known).unwrap_or(CountedMotions::USUAL);
+        Ok(self.0.size().estimate(C::name(known), &counted, C::STEP))
     }
 
     fn write(&self, json: &mut Map<String, Json>) {
@@ -110,22 +120,26 @@ impl<C: MotionCase, A: MotionOf<C::Keys>> Analysis<C> for MotionAnalysis<A> {
 /// Time in which a motion usually settles, in radians.
 pub(crate) const USUAL_TIME: f64 = 1000.0;
 
-/// The time in which a motion usually settles that is followed for so long at most, in radians.
-fn settling(longest: Value) -> f64 {
-    if longest.form == Form::Group { USUAL_TIME.min(longest.number) } else { USUAL_TIME }
-}
-
 /// What an analysis of motion follows.
 pub(crate) struct MotionSize {
     /// Points that are kept.
     points: usize,
     motions: usize,
-    /// How long each is followed, in radians.
-    time: f64,
-    /// Within what time each settles, in radians, of motions that are followed until they do and on from there more exactly.
-    settle_within: Option<f64>,
+    /// How long each is followed.
+    ends: MotionEnd,
     /// Whether branches of cycles are followed as well.
     branches: bool,
+}
+
+/// When a motion has been followed long enough.
+#[derive(Clone, Copy, PartialEq)]
+enum MotionEnd {
+    /// After its duration.
+    Duration,
+    /// When it has settled.
+    Settled,
+    /// When two rounds tell that it has settled to the same, each more exactly than the one before.
+    Confirmed,
 }
 
 /// What a round to a hundredth of the tolerance takes of the one before: the steps of a method of fifth order, 100^{1/5}.
@@ -134,30 +148,24 @@ const FINER_ROUND: f64 = 2.5;
 const FINER_ROUNDS: i32 = 3;
 
 impl MotionSize {
-    /// So many motions over this time, each a point.
-    fn of_motions(motions: usize, time: f64) -> Self {
-        Self { points: motions, motions, time, settle_within: None, branches: false }
-    }
-
-    /// So many motions, each a point, that are followed until they have settled, for so long at most, and on from there until two rounds tell the same.
-    fn of_settling(motions: usize, longest: Value) -> Self {
-        let settle_within = (longest.form == Form::Group).then_some(longest.number);
-        Self { settle_within, ..Self::of_motions(motions, settling(longest)) }
-    }
-
-    /// What it would take, with so many seconds a radian.
-    fn estimate(&self, name: &str, radian: f64) -> Estimate {
-        // what a branch costs is its flights, which take their radians
-        let branches = if self.branches { cost::BRANCHES * radian / cost::RADIAN } else { 0.0 };
-        let over =
-            |time: f64, rounds: f64| self.motions as f64 * time * rounds * radian + branches + cost::FIGURE;
+    /// What it would take, with so many seconds a step.
+    fn estimate(&self, name: &str, counted: &CountedMotions, step: f64) -> Estimate {
+        let branches = if self.branches { cost::BRANCH_STEPS } else { 0.0 };
+        let rest = cost::MOTION_FIGURES + self.points as f64 * cost::MOTION_POINT;
+        let over = |time: f64, rounds: f64| {
+            (self.motions as f64 * time * rounds * counted.steps + branches) * step + rest
+        };
         let all_rounds = (0..=FINER_ROUNDS).map(|round| FINER_ROUND.powi(round)).sum();
-        let usual_rounds = if self.settle_within.is_some() { 1.0 + FINER_ROUND } else { 1.0 };
+        let (rounds, most_rounds) = match self.ends {
+            MotionEnd::Confirmed => (1.0 + FINER_ROUND, all_rounds),
+            MotionEnd::Duration | MotionEnd::Settled => (1.0, 1.0),
+        };
+        let time = if self.ends == MotionEnd::Duration { counted.longest } else { counted.usual() };
         Estimate {
             name: name.to_owned(),
             points: self.points,
-            seconds: over(self.time, usual_rounds),
-            seconds_at_most: self.settle_within.map(|longest| over(longest, all_rounds)),
+            seconds: over(time, rounds),
+            seconds_at_most: (self.ends != MotionEnd::Duration).then(|| over(counted.longest, most_rounds)),
         }
     }
 }
@@ -168,16 +176,21 @@ mod tests {
 
     #[test]
     fn motions_that_settle_late_take_longer() {
-        let seconds = |size: MotionSize| {
-            let Estimate { seconds, seconds_at_most, .. } = size.estimate("diagram", cost::RADIAN);
-            (seconds - cost::FIGURE, seconds_at_most.map(|most| most - cost::FIGURE))
+        let size = |ends| MotionSize { points: 0, motions: 42, ends, branches: false };
+        let seconds = |ends, counted: &CountedMotions| {
+            let Estimate { seconds, seconds_at_most, .. } = size(ends).estimate("diagram", counted, 1e-6);
+            (seconds - cost::MOTION_FIGURES, seconds_at_most.map(|most| most - cost::MOTION_FIGURES))
         };
-        let (plain, none) = seconds(MotionSize::of_motions(42, USUAL_TIME));
-        assert!((plain - 0.42).abs() < 1e-12 && none.is_none());
+        let early = CountedMotions { steps: 10.0, settled: 1000.0, open: 0.0, longest: 5000.0 };
+        let (plain, most) = seconds(MotionEnd::Settled, &early);
+        assert!((plain - 0.42).abs() < 1e-12 && (most.unwrap() - 5.0 * plain).abs() < 1e-12);
+        assert!((seconds(MotionEnd::Duration, &early).0 - 5.0 * plain).abs() < 1e-12);
         // a second round to a hundredth of the tolerance; at most 5000 radians and four rounds
-        let (usual, most) = seconds(MotionSize::of_settling(42, Value::group(5000.0)));
+        let (usual, most) = seconds(MotionEnd::Confirmed, &early);
         assert!((usual - 3.5 * plain).abs() < 1e-12, "{usual}");
         let rounds = 1.0 + 2.5 + 2.5 * 2.5 + 2.5 * 2.5 * 2.5;
         assert!((most.unwrap() - 5.0 * rounds * plain).abs() < 1e-9, "{most:?}");
+        let late = CountedMotions { open: 0.5, ..early };
+        assert_eq!(late.usual(), 2000.0, "half of those that have not settled take half of what is left");
     }
 }

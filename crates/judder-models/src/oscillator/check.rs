@@ -1,7 +1,7 @@
 //! What `judder check` shows of an oscillator case.
 
-use super::point;
 use super::quasi_steady::QuasiSteadyCondition;
+use super::{KnownOscillator, point};
 use crate::bridge;
 use crate::error::ModelError;
 use crate::estimate::{estimate_json, estimate_text, title};
@@ -32,11 +32,13 @@ pub(super) fn resolve(
     let groups = bridge::groups(&case.inputs);
     let dimensional = groups.dimensional(&case.inputs.scales());
     // a law that cannot be read is no matter of the operating point
-    let limits = match bridge::known_contact(case)? {
+    let known = bridge::known_contact(case)?;
+    let limits = match &known {
         None => Err(LATER.to_owned()),
         Some(_) => point::point(case).map_err(|error| format!("no answer: {error}")),
     };
-    let estimates = estimates(case, file, |name| name)?;
+    let contact = known.as_ref().map(|own| &own.contact);
+    let estimates = estimates(case, file, |name| KnownOscillator { name, case, contact })?;
     let mut text = format!(
         "{}\n\nlaw {}, friction load {}\n\n",
         title(&case.title),

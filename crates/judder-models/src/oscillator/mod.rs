@@ -39,6 +39,7 @@ use crate::estimate::{Estimate, cost};
 use crate::known_substrate::KnownSubstrate;
 use crate::labels;
 use crate::material;
+use crate::motion::counted::CountedMotions;
 use crate::motion::model::OscillatorModel;
 use crate::motion::settings::MotionKinds;
 use crate::motion::{MotionAnalysis, MotionCase, MotionOf, tables as motion_tables};
@@ -136,14 +137,22 @@ pub struct OscillatorSubject<'a> {
     contact: &'a Contact,
 }
 
+/// An oscillator before its law is computed.
+pub struct KnownOscillator<'a> {
+    /// The name of the analysis.
+    pub(crate) name: &'a str,
+    pub(crate) case: &'a OscillatorCase,
+    /// `None` of a law that would have to be computed first.
+    pub(crate) contact: Option<&'a Contact>,
+}
+
 impl Analysed for OscillatorCase {
     const NAME: &'static str = MODEL.name;
     const OPERATING_QUANTITIES: &'static [OperatingQuantity] = MODEL.operating_quantities;
 
     type Asked = dyn Operated;
     type Subject<'a> = OscillatorSubject<'a>;
-    /// The name of the analysis.
-    type Known<'a> = &'a str;
+    type Known<'a> = KnownOscillator<'a>;
     type Estimate = Estimate;
     type Error = ModelError;
 
@@ -233,7 +242,7 @@ impl Model for OscillatorCase {
 
     /// Looks at the data of the substrate, then at the memory of what is wanted.
     fn preflight(&self, file: &CaseText, is_wanted: &dyn Fn(&str) -> bool) -> Result<Prepared, StudyError> {
-        admit(self, file, is_wanted, |name| name)?;
+        admit(self, file, is_wanted, |name| KnownOscillator { name, case: self, contact: None })?;
         bridge::known_contact(&bridge::with_material(self)?)?;
         Ok(Prepared::NOTHING)
     }
@@ -246,7 +255,7 @@ impl Model for OscillatorCase {
         _: &Prepared,
         _: &[&str],
     ) -> Result<Prepared, StudyError> {
-        admit(self, file, is_wanted, |name| name)?;
+        admit(self, file, is_wanted, |name| KnownOscillator { name, case: self, contact: None })?;
         bridge::with_material(self)?;
         Ok(Prepared::NOTHING)
     }
@@ -312,7 +321,19 @@ impl Model for OscillatorCase {
 impl MotionCase for OscillatorCase {
     type Keys = OscillatorKeys;
 
-    const RADIAN: f64 = cost::RADIAN;
+    const STEP: f64 = cost::MOTION_STEP;
+
+    fn name<'a>(known: &'a KnownOscillator<'_>) -> &'a str {
+        known.name
+    }
+
+    fn counted<A: MotionOf<OscillatorKeys>>(
+        asked: &A,
+        known: &KnownOscillator<'_>,
+    ) -> Option<CountedMotions> {
+        let &KnownOscillator { name, case, contact } = known;
+        asked.probed().counted(&OscillatorModel { name, inputs: &case.inputs, contact: contact? })
+    }
 
     fn follow<A: MotionOf<OscillatorKeys>>(
         asked: &A,

@@ -2,12 +2,13 @@
 
 mod run;
 
+use super::counted::ProbedMotions;
 use super::model::Moving;
 use super::settings::{
-    COORDINATE_VELOCITY, DISPLACEMENT, DURATION, MOTION_STEPS, MotionKinds, MotionModel, SETTLING_DURATION,
-    STEPS, TOLERANCE, declared, followed, in_order, read,
+    COORDINATE_VELOCITY, DISPLACEMENT, DURATION, MOTION_STEPS, MotionKinds, MotionModel, MotionStart,
+    SETTLING_DURATION, STEPS, TOLERANCE, declared, followed, in_order, read,
 };
-use super::{MotionOf, MotionSize, pictures};
+use super::{MotionEnd, MotionOf, MotionSize, pictures};
 use crate::error::ModelError;
 use judder_keys::Settings;
 use judder_keys::declared::{ScaledPair, Settings, Whole};
@@ -120,7 +121,12 @@ impl<S: MotionModel> MotionOf<S> for BasinAnalysis {
     }
 
     fn size(&self) -> MotionSize {
-        MotionSize::of_settling(self.samples, self.duration)
+        let samples = self.samples;
+        MotionSize { points: samples, motions: samples, ends: MotionEnd::Confirmed, branches: false }
+    }
+
+    fn probed(&self) -> ProbedMotions<'_, S::Key> {
+        ProbedMotions { start: MotionStart::USUAL, following: self.following(), sweep: None }
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

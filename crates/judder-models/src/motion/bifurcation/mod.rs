@@ -6,12 +6,13 @@ mod diagram;
 mod point;
 mod run;
 
+use super::counted::ProbedMotions;
 use super::model::Moving;
 use super::settings::{
     DURATION, MOTION_STEPS, MotionKinds, MotionModel, MotionStart, STEPS, TOLERANCE, TRANSIENT, declared,
     followed, leave_some, read,
 };
-use super::{MotionOf, MotionSize, pictures};
+use super::{MotionEnd, MotionOf, MotionSize, pictures};
 use crate::error::ModelError;
 use crate::read_sweep::SWEEP;
 use crate::sweep::Sweep;
@@ -141,8 +142,13 @@ impl<S: MotionModel> MotionOf<S> for Bifurcation<S::Key> {
     }
 
     fn size(&self) -> MotionSize {
-        let BifurcationAnalysis { duration, branches, .. } = self.diagram;
-        MotionSize { branches, ..MotionSize::of_settling(self.motions(), duration) }
+        let (motions, branches) = (self.motions(), self.diagram.branches);
+        MotionSize { points: motions, motions, ends: MotionEnd::Confirmed, branches }
+    }
+
+    fn probed(&self) -> ProbedMotions<'_, S::Key> {
+        let BifurcationAnalysis { start, .. } = self.diagram;
+        ProbedMotions { start, following: self.diagram.following(), sweep: Some(&self.sweep) }
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -4,17 +4,18 @@ pub(super) mod run;
 mod sound;
 mod watched;
 
+use super::counted::ProbedMotions;
 use super::model::Moving;
 use super::settings::{
     DURATION, MOTION_STEPS, MotionKinds, MotionModel, MotionStart, STEPS, TOLERANCE, TRANSIENT, declared,
     followed, leave_some, read,
 };
-use super::{MotionOf, MotionSize, USUAL_TIME, pictures};
+use super::{MotionEnd, MotionOf, MotionSize, pictures};
 use crate::error::ModelError;
 use judder_keys::Settings;
 use judder_keys::declared::{Settings, Whole};
 use judder_keys::error::Fault;
-use judder_keys::numeric_key::{Form, Value};
+use judder_keys::numeric_key::Value;
 use judder_keys::problem::Placed;
 use judder_keys::section::Section;
 use judder_store::Declared;
@@ -94,8 +95,11 @@ impl<S: MotionModel> MotionOf<S> for HistoryAnalysis {
     }
 
     fn size(&self) -> MotionSize {
-        let time = if self.duration.form == Form::Group { self.duration.number } else { USUAL_TIME };
-        MotionSize { points: self.points, ..MotionSize::of_motions(1, time) }
+        MotionSize { points: self.points, motions: 1, ends: MotionEnd::Duration, branches: false }
+    }
+
+    fn probed(&self) -> ProbedMotions<'_, S::Key> {
+        ProbedMotions { start: self.start, following: self.following(), sweep: None }
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

@@ -4,12 +4,13 @@ mod run;
 
 pub(crate) use run::shooting;
 
+use super::counted::ProbedMotions;
 use super::model::Moving;
 use super::settings::{
     CYCLE_TOLERANCE, DURATION, MOTION_STEPS, MotionKinds, MotionModel, MotionStart, SETTLING_DURATION, STEPS,
     TOLERANCE, declared, followed, read,
 };
-use super::{MotionOf, MotionSize, pictures, settling};
+use super::{MotionEnd, MotionOf, MotionSize, pictures};
 use crate::error::ModelError;
 use judder_keys::Settings;
 use judder_keys::declared::Settings;
@@ -68,7 +69,11 @@ impl<S: MotionModel> MotionOf<S> for LimitCycle {
     }
 
     fn size(&self) -> MotionSize {
-        MotionSize::of_motions(1, settling(self.duration))
+        MotionSize { points: 1, motions: 1, ends: MotionEnd::Settled, branches: false }
+    }
+
+    fn probed(&self) -> ProbedMotions<'_, S::Key> {
+        ProbedMotions { start: self.start, following: self.following(), sweep: None }
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

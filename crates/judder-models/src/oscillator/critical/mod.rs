@@ -6,7 +6,7 @@ mod run;
 pub(super) mod tables;
 mod within_law;
 
-use super::{Operated, OscillatorSubject, curves, ends_of_curves, points_of_curves};
+use super::{KnownOscillator, Operated, OscillatorSubject, curves, ends_of_curves, points_of_curves};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost, memory_of_points, point_bytes};
 use crate::oscillator::case::OscillatorCase;
@@ -63,11 +63,11 @@ impl Analysis<OscillatorCase> for CriticalThresholds {
         run::run(of.case, of.contact, self, task.progress)
     }
 
-    fn memory(&self, _: &&str) -> Result<NeededMemory, ModelError> {
+    fn memory(&self, _: &KnownOscillator<'_>) -> Result<NeededMemory, ModelError> {
         Ok(memory_of_points(self.steps() as u128, point_bytes::THRESHOLDS, &["sweep.points"]))
     }
 
-    fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
+    fn estimate(&self, &KnownOscillator { name, .. }: &KnownOscillator<'_>) -> Result<Estimate, ModelError> {
         let margin = if self.global_margin { cost::MARGIN } else { 0.0 };
         let (points, each) = (self.steps(), cost::THRESHOLDS + margin);
         Ok(Estimate::of_points(name, points, points as f64 * each))

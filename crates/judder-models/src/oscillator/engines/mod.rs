@@ -6,7 +6,7 @@ mod reached;
 mod run;
 pub mod settings;
 
-use super::{Operated, OscillatorSubject};
+use super::{KnownOscillator, Operated, OscillatorSubject};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost};
 use crate::motion::USUAL_TIME;
@@ -52,14 +52,16 @@ impl Analysis<OscillatorCase> for EnginesSettings {
     }
 
     /// Nearly all of it is the smallest steps of the time-stepping.
-    fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
+    fn estimate(&self, &KnownOscillator { name, .. }: &KnownOscillator<'_>) -> Result<Estimate, ModelError> {
         let points = self.time_step.points + self.width.points;
         let steps: f64 = match self.time_step.form {
             Form::Group => self.time_step.values().iter().map(|step| USUAL_TIME / step).sum(),
             Form::Si => self.steps as f64,
         };
-        let seconds = steps * cost::TIME_STEP + points as f64 * USUAL_TIME * cost::RADIAN + cost::FIGURE;
-        Ok(Estimate { name: (*name).to_owned(), points, seconds, seconds_at_most: None })
+        let seconds = steps * cost::TIME_STEP
+            + points as f64 * USUAL_TIME * cost::STEPS_OF_RADIAN * cost::MOTION_STEP
+            + cost::FIGURE;
+        Ok(Estimate { name: name.to_owned(), points, seconds, seconds_at_most: None })
     }
 
     fn write(&self, json: &mut Map<String, Json>) {

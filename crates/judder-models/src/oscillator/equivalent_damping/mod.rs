@@ -3,7 +3,7 @@
 mod run;
 pub(super) mod tables;
 
-use super::{Operated, OscillatorSubject, curves, ends_of_curves, points_of_curves};
+use super::{KnownOscillator, Operated, OscillatorSubject, curves, ends_of_curves, points_of_curves};
 use crate::axis::keys_of_curves;
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost, memory_of_points, point_bytes};
@@ -46,11 +46,11 @@ impl Analysis<OscillatorCase> for DampingCurves {
         run::run(of.case, of.contact, &self.sweep, self.family.as_ref(), task.progress)
     }
 
-    fn memory(&self, _: &&str) -> Result<NeededMemory, ModelError> {
+    fn memory(&self, _: &KnownOscillator<'_>) -> Result<NeededMemory, ModelError> {
         Ok(memory_of_points(self.steps() as u128, point_bytes::DAMPING, &["sweep.points"]))
     }
 
-    fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
+    fn estimate(&self, &KnownOscillator { name, .. }: &KnownOscillator<'_>) -> Result<Estimate, ModelError> {
         let seconds = self.steps() as f64 * cost::EIGENVALUES;
         Ok(Estimate::of_points(name, self.steps(), seconds))
     }

@@ -16,7 +16,7 @@ pub(crate) use run::{checked_points, unresolved_warning};
 pub use within_law::STANDINGS;
 pub(crate) use within_law::WITHIN_LAW;
 
-use super::{Operated, OscillatorSubject, ends};
+use super::{KnownOscillator, Operated, OscillatorSubject, ends};
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost, memory_of_points, point_bytes};
 use crate::oscillator::case::OscillatorCase;
@@ -69,7 +69,7 @@ impl Analysis<OscillatorCase> for StabilityMapAnalysis<OscillatorKey> {
         run::run(of.case, of.contact, self, task.progress)
     }
 
-    fn memory(&self, _: &&str) -> Result<NeededMemory, ModelError> {
+    fn memory(&self, _: &KnownOscillator<'_>) -> Result<NeededMemory, ModelError> {
         let each = match self.options.method {
             DecisionMethod::EveryPoint => point_bytes::GROWTH_MAP,
             DecisionMethod::Adaptive => point_bytes::MAP,
@@ -77,7 +77,7 @@ impl Analysis<OscillatorCase> for StabilityMapAnalysis<OscillatorKey> {
         Ok(memory_of_points(self.x.points as u128 * self.y.points as u128, each, &["x.points"]))
     }
 
-    fn estimate(&self, name: &&str) -> Result<Estimate, ModelError> {
+    fn estimate(&self, &KnownOscillator { name, .. }: &KnownOscillator<'_>) -> Result<Estimate, ModelError> {
         let points = self.x.points * self.y.points;
         let decisions = match self.options.method {
             DecisionMethod::EveryPoint => points as f64 * (cost::DECISION + cost::EIGENVALUES),

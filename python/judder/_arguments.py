@@ -7,9 +7,11 @@ Python too. What a function of the caller raises, a ``progress`` for example, st
 
 from __future__ import annotations
 
+import difflib
 import functools
+import inspect
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from types import BuiltinFunctionType, FunctionType, MethodDescriptorType, TracebackType
 from typing import Any
 
@@ -17,6 +19,7 @@ from judder import _judder
 from judder._warned import is_own
 from judder.errors import ArgumentError, InputError, JudderError, NumberError
 
+_UNKNOWN = re.compile(r"unexpected keyword argument '(\w+)'")
 _NAMED = re.compile(r"(?:while processing|argument:?) '(\w+)'")
 _SAYS = "_says_wrong_arguments"
 _FUNCTIONS = (BuiltinFunctionType, FunctionType, MethodDescriptorType)
@@ -60,7 +63,7 @@ def _telling(function: Callable[..., Any]) -> Callable[..., Any]:
         except (TypeError, AttributeError, OverflowError) as error:
             if isinstance(error, JudderError) or not _is_ours(error.__traceback__):
                 raise
-            raise _told(error) from error
+            raise _told(error, _keys(function)) from error
 
     setattr(call, _SAYS, True)
     return call
@@ -73,9 +76,26 @@ def _is_ours(traceback: TracebackType | None) -> bool:
     return traceback is not None and is_own(traceback.tb_frame)
 
 
-def _told(error: Exception) -> InputError:
+def _keys(function: Callable[..., Any]) -> Iterable[str]:
+    """The names of the arguments of a function, where it tells them."""
+    try:
+        return inspect.signature(function).parameters
+    except (TypeError, ValueError):
+        return ()
+
+
+def meant(unknown: str, known: Iterable[str]) -> str:
+    """The end of a message about an unknown argument: which one is like it."""
+    close = difflib.get_close_matches(unknown, known, 1)
+    return f"; is `{close[0]}` meant?" if close else ""
+
+
+def _told(error: Exception, keys: Iterable[str]) -> InputError:
     kind = NumberError if isinstance(error, OverflowError) else ArgumentError
     words = str(error)
+    if unknown := _UNKNOWN.search(words):
+        # newer Pythons say themselves what is like it
+        return kind(words.partition(". Did you mean")[0] + meant(unknown[1], keys), "Argument", {"argument": unknown[1]})
     found = _NAMED.search(" ".join([words, *getattr(error, "__notes__", ())]))
     name = found[1] if found else ""
     return kind(words if not name or f"'{name}'" in words else f"{name}: {words}", "Argument", {"argument": name})

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import inspect
 import json
 from collections.abc import Callable, Iterator, Mapping
@@ -10,6 +9,7 @@ from inspect import Parameter, Signature
 from typing import Any
 
 from judder import _judder
+from judder._arguments import meant
 from judder._model import Model, Result
 from judder.errors import ArgumentError
 
@@ -71,9 +71,8 @@ def _bound(name: str, signature: Signature, given: tuple[Any, ...], keys: Mappin
         bound = signature.bind(*given, **keys)
     except TypeError as error:
         unknown = next((key for key in keys if key not in signature.parameters), "")
-        close = difflib.get_close_matches(unknown, signature.parameters, 1) if unknown else []
-        hint = f"; is `{close[0]}` meant?" if close else ""
-        raise ArgumentError(f"{name}() {error}{hint}", "Argument", {"argument": unknown}) from None
+        why = f"got an unexpected keyword argument '{unknown}'{meant(unknown, signature.parameters)}" if unknown else str(error)
+        raise ArgumentError(f"{name}() {why}", "Argument", {"argument": unknown}) from None
     bound.apply_defaults()
     return bound.arguments
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from judder import _judder, _memory, _toml, _warned
 from judder._objects import CaseSource
-from judder._shown import Shown
+from judder._shown import Shown, page
 from judder.errors import StudyError
 from judder.progress import Progress
 from judder.study import CaseLike, Study, check
@@ -19,6 +19,10 @@ if TYPE_CHECKING:
 
 _MOST_SHOWN = 200
 """Letters of a case in the words for it."""
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= _MOST_SHOWN else text[:_MOST_SHOWN] + "…"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -56,7 +60,13 @@ class Model:
         case, _, changes = self._case
         begun = [case] if isinstance(case, str) else []
         text = self._source.plain(", ".join([*begun, *changes]))
-        return f"{type(self).__name__}({text if len(text) <= _MOST_SHOWN else text[:_MOST_SHOWN] + '…'})"
+        return f"{type(self).__name__}({_short(text)})"
+
+    def _repr_html_(self) -> str:
+        case, _, changes = self._case
+        begun = [("case", case)] if isinstance(case, str) else []
+        rows = [*begun, *((key, own) for key, _, own in (change.partition("=") for change in changes))]
+        return page(type(self).__name__, ((key, _short(self._source.plain(own))) for key, own in rows))
 
     @property
     def text(self) -> str:

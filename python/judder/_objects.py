@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from judder import _columns, _judder, _toml, _written
-from judder._columns import wrong
+from judder._columns import described, wrong
 from judder._judder import Law
 from judder._keys import FILES, ROWS
 from judder._numpy import np
@@ -50,6 +50,8 @@ class CaseSource:
                 tables, changes = (_settled(own, model, self._files.names) for own in (tables, changes))
             self.given = os.path.join(self._files.folder or "", "case.toml"), _toml.document(tables)
         else:
+            if not isinstance(case, str | os.PathLike):
+                raise wrong("case", f"is {described(case)}, and the path of a case file, its text or its tables as a mapping is needed")
             self.given = ("case.toml", case) if isinstance(case, str) and "\n" in case else os.fspath(case)
             changes = self.whole(set or {})
             if self._files.folder is not None:

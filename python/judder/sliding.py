@@ -45,8 +45,8 @@ Method: TypeAlias = MarchMethod | Literal["subs-static-slope"]
 """How a march finds the contact and its force, see the beams paper; ``"film"`` knows stick and lift-off."""
 
 
-@dataclass(frozen=True, eq=False)
-class Slider:
+@dataclass(frozen=True, eq=False, repr=False)
+class Slider(Shown):
     """The structure that carries the contact point, in its own modes."""
 
     eigenvalues: ArrayLike
@@ -65,8 +65,8 @@ class Slider:
     """β of Rayleigh's damping, s."""
 
 
-@dataclass(frozen=True, eq=False)
-class Track:
+@dataclass(frozen=True, eq=False, repr=False)
+class Track(Shown):
     """The structure along which the slider moves, in its own modes."""
 
     eigenvalues: ArrayLike
@@ -81,8 +81,8 @@ class Track:
     """β of Rayleigh's damping, s."""
 
 
-@dataclass(frozen=True, eq=False)
-class Observed:
+@dataclass(frozen=True, eq=False, repr=False)
+class Observed(Shown):
     """A displacement that is watched."""
 
     side: Literal["slider", "track"]

@@ -136,7 +136,7 @@ def test_a_pair_of_objects_travels_when_they_are_gone():
 
 def test_objects_show_themselves_briefly(studies):
     law = judder.contact.Law("hertz")
-    shown = [judder.oscillator.point(), law, given_pair(), judder.oscillator.stability_map(("velocity", [1e-4]), ("shear_strength", [0.1, 0.2]))]
+    shown = [judder.oscillator.point(), law, given_pair(), judder.sliding.Track([0.0], [[0.0, 0.0]], [[[0.0], [1.0]]]), judder.oscillator.stability_map(("velocity", [1e-4]), ("shear_strength", [0.1, 0.2]))]
     for own in shown:
         html = own._repr_html_()
         assert html.startswith("<h4>") and len(html) < 2000 and "object at 0x" not in html

@@ -152,13 +152,13 @@ def test_keys_that_are_none_are_not_given_in_tables_too():
 
 
 @pytest.mark.filterwarnings("ignore::judder.JudderWarning")
-@pytest.mark.filterwarnings("ignore::judder.JudderWarning")
 def test_results_and_models_show_themselves_in_a_few_words():
     model = judder.models.Oscillator(operation={"velocity": 0.02})
     found = model.spectrum(sweep=SWEEP)
     assert repr(model) == "Oscillator(operation.velocity=0.02)"
     area = judder.oscillator.stability_map(("velocity", [1e-3, 1e-2]), ("shear_strength", [0.0, 0.1, 0.2]))
     response = judder.contact.Law("hertz").evaluate(0.1, [1e-3])
+    assert "<th>operation.velocity</th><td>0.02</td>" in model._repr_html_()
     for own, words in ((found, "eigenvalues(velocity: 5, mode: 4)"), (area, "classes=uint8[3, 2]"), (response, "force=float64[1]")):
         assert words in repr(own) and len(repr(own)) < 1000 and len(own._repr_html_()) < 2000
 
@@ -187,6 +187,13 @@ def test_what_is_wrong_has_its_place(tmp_path):
     with pytest.raises(judder.ArgumentError, match="'operaton'; is `operation` meant") as caught:
         judder.models.Oscillator(operaton={})
     assert caught.value.argument == "operaton"
+    with pytest.raises(judder.ArgumentError, match="'sweeep'; is `sweep` meant"):
+        model.spectrum(sweeep=SWEEP)
+    with pytest.raises(judder.ArgumentError, match="'ouput'; is `output` meant") as caught:
+        judder.run(model.text, ouput="x")
+    assert caught.value.argument == "ouput"
+    with pytest.raises(judder.InputError, match="`case` is a int, and the path of a case file"):
+        judder.run(3)
     # only the run sees it: the place is that of the analysis
     with pytest.raises(judder.CaseError) as caught:
         judder.models.Sliding(SMALL / "sliding.toml").march(method="ensubs", step="1 s")

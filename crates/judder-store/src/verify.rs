@@ -1,16 +1,22 @@
 //! A whole study against its manifest.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use rayon::prelude::*;
 use serde_json::{Value, json};
 
-use crate::manifest::{self, FileDamage, Manifest};
+use crate::manifest::{self, FileDamage, FileRecord, Manifest};
 use crate::{LARGEST_DOCUMENT, StoreError, lock, metadata, plain, results, scratch, staging, summary, sweep};
 
 /// How the names of what a run leaves in a study begin while it is at work.
 const AT_WORK: [&str; 4] = [staging::PREFIX, staging::STREAM_PREFIX, scratch::PREFIX, sweep::PREFIX];
+
+/// Bytes of files that are read between two questions whether to go on: a fraction of a second,
+const STRETCH_BYTES: u64 = 1 << 28;
+/// where one counts as so many more, which could be read while it is opened.
+const OPENING_BYTES: u64 = 1 << 16;
 
 /// What a study is beside its manifest.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -105,8 +111,8 @@ impl Verification {
     }
 }
 
-/// Compares all files of a study with its manifest, by their content; writes nothing. `read` is told of every file with its size before it is read,
-/// and says whether to go on.
+/// Compares all files of a study with its manifest, by their content, on all cores; writes nothing. `read` is told of every file with its size before it
+/// is read, and says whether to go on.
 ///
 /// Links are not followed but for those to folders below `results.zarr`; what the metadata of all arrays together say, which follows from those of
 /// each, is derived again and compared.
@@ -121,21 +127,7 @@ pub fn verify(
     let study = study.as_ref();
     let manifest = Manifest::of_study(study)?;
     let mut found = Verification { is_complete: manifest.complete, ..Verification::default() };
-    for (path, record) in &manifest.files {
-        if !read(path, record.bytes) {
-            break;
-        }
-        match manifest::check(&study.join(path), record, true) {
-            Ok(()) => {
-                found.sound += 1;
-                found.bytes += record.bytes;
-            }
-            Err(damage) => {
-                let (path, of) = (path.clone(), record.of.clone());
-                found.findings.push(Finding::Damaged { path, of, damage });
-            }
-        }
-    }
+    compare(&mut found, study, &manifest, &mut read);
     let root = format!("{}/{}", results::FOLDER, metadata::FILE);
     match root_is_derived(study) {
         Ok(true) => found.sound += 1,
@@ -151,6 +143,53 @@ pub fn verify(
     }
     found.findings.sort_by(|one, other| one.path().cmp(other.path()));
     Ok(found)
+}
+
+/// Compares the files that are listed, as long as `read` says so.
+fn compare(
+    found: &mut Verification,
+    study: &Path,
+    manifest: &Manifest,
+    read: &mut impl FnMut(&str, u64) -> bool,
+) {
+    for stretch in stretches(&manifest.files) {
+        let of = |(path, record): &(&String, &FileRecord)| manifest::check(&study.join(path), record, true);
+        let wanted: Vec<_> =
+            stretch.iter().take_while(|(path, record)| read(path, record.bytes)).copied().collect();
+        let looked: Vec<Result<(), FileDamage>> = wanted.par_iter().map(of).collect();
+        for ((path, record), outcome) in wanted.iter().zip(looked) {
+            match outcome {
+                Ok(()) => {
+                    found.sound += 1;
+                    found.bytes += record.bytes;
+                }
+                Err(damage) => {
+                    let (path, of) = ((*path).clone(), record.of.clone());
+                    found.findings.push(Finding::Damaged { path, of, damage });
+                }
+            }
+        }
+        if wanted.len() < stretch.len() {
+            break;
+        }
+    }
+}
+
+/// The files of a manifest, in its order, in stretches that are read on all cores before anybody is asked whether to go on.
+fn stretches(files: &BTreeMap<String, FileRecord>) -> Vec<Vec<(&String, &FileRecord)>> {
+    let mut stretches: Vec<Vec<(&String, &FileRecord)>> = Vec::new();
+    let mut bytes = u64::MAX;
+    for (path, record) in files {
+        if bytes >= STRETCH_BYTES {
+            stretches.push(Vec::new());
+            bytes = 0;
+        }
+        bytes = bytes.saturating_add(record.bytes).saturating_add(OPENING_BYTES);
+        if let Some(stretch) = stretches.last_mut() {
+            stretch.push((path, record));
+        }
+    }
+    stretches
 }
 
 fn damaged(path: &str, damage: FileDamage) -> Finding {

@@ -18,11 +18,7 @@ const WORKS: [(&str, &str); 7] = [
 
 /// What a motion is, where its energy came from and went; of a cycle its multipliers too. `unit` is that of energies.
 pub(crate) fn motion(analysis: ToldAnalysis<'_>, unit: &str) -> Vec<PageTable> {
-    [quantities(analysis)]
-        .into_iter()
-        .chain(energies(analysis, unit))
-        .chain(analysis.results.get("floquet_multipliers").map(multipliers))
-        .collect()
+    [quantities(analysis)].into_iter().chain(energies(analysis, unit)).chain(multipliers(analysis)).collect()
 }
 
 /// Works in groups, and in mJ where the case is written in SI; what is left is relative.
@@ -62,17 +58,21 @@ fn quantities(analysis: ToldAnalysis<'_>) -> PageTable {
     table("The motion".to_owned(), &head[..if has_si { 3 } else { 2 }], rows.collect())
 }
 
-fn multipliers(multipliers: &Value) -> PageTable {
+/// The multipliers of a cycle, and what follows from them.
+fn multipliers(analysis: ToldAnalysis<'_>) -> Option<PageTable> {
+    let multipliers = analysis.results.get("floquet_multipliers")?;
+    let verdict = match analysis.results.get("stable").and_then(Value::as_bool) {
+        Some(true) => ": the cycle is stable",
+        Some(false) => ": the cycle is unstable",
+        None => "",
+    };
     let rows = multipliers.as_array().into_iter().flatten().map(|own| {
         let parts = numbers(Some(own));
         let [re, im] = [0, 1].map(|k| parts.get(k).copied().unwrap_or(f64::NAN));
         [re, im, libm::hypot(re, im)].map(told).to_vec()
     });
-    table(
-        "Floquet multipliers".to_owned(),
-        &["real part (−)", "imaginary part (−)", "magnitude (−)"],
-        rows.collect(),
-    )
+    let head = ["real part (−)", "imaginary part (−)", "magnitude (−)"];
+    Some(table(format!("Floquet multipliers{verdict}"), &head, rows.collect()))
 }
 
 /// What motions become along the swept key, range by range; where steady sliding loses its stability; the branches of cycles.

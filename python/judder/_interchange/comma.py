@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from judder.progress import Progress
     from judder.study import Study
 
+_FORMULAS = ("=", "+", "-", "@", "\t", "\r")
+"""How a text begins that a spreadsheet takes for a formula."""
 _SAID = ("units", "long_name", "flag_values", "flag_meanings")
 
 
@@ -43,12 +45,23 @@ def _write(table: Table, written: Files) -> None:
 def _head(column: Column) -> str:
     """The name, with the unit where there is one, as in the tables of a study folder."""
     units = column.attributes.get("units", "")
-    return column.name if units in ("", "1") else f"{column.name} [{units}]"
+    return _guarded(column.name if units in ("", "1") else f"{column.name} [{units}]")
+
+
+def _guarded(cell: Any) -> Any:
+    """A text that a spreadsheet would take for a formula after an apostrophe, by which it takes it for a text; numbers are numbers."""
+    if not isinstance(cell, str) or not cell.startswith(_FORMULAS):
+        return cell
+    try:
+        float(cell)
+    except ValueError:
+        return f"'{cell}"
+    return cell
 
 
 def _cells(values: NDArray[Any]) -> list[Any]:
     """Numbers that are written with the fewest digits that read back as the same; an empty cell for NaN and for no word."""
-    cells: list[Any] = values.tolist()
+    cells: list[Any] = values.tolist() if values.dtype.kind in "biufc" else [*map(_guarded, values.tolist())]
     if values.dtype.kind == "f":
         for place in np.flatnonzero(np.isnan(values)).tolist():
             cells[place] = None
@@ -59,7 +72,8 @@ def _write_columns(name: str, own: list[Table], written: Files) -> None:
     def rows() -> Iterator[list[str]]:
         for table in own:
             for column in table.columns:
-                yield [table.name, column.name, *(words(column.attributes.get(what, "")) for what in _SAID)]
+                told = [table.name, column.name, *(words(column.attributes.get(what, "")) for what in _SAID)]
+                yield [*map(_guarded, told)]
 
     with written.new(f"{name}.csv").open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")

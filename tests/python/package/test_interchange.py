@@ -17,7 +17,7 @@ from scipy.io import loadmat
 import judder
 from common import files
 from exported import SMALL, WORDS, bits, study_of
-from judder._interchange import matlab, results
+from judder._interchange import comma, matlab, results, tables
 from judder._interchange.whole import files as whole_files
 
 WRITERS = {"to_parquet": "folder", "to_csv": "folder", "to_netcdf": "file.nc", "to_matlab": "file.mat"}
@@ -414,3 +414,11 @@ def test_the_permissions_are_those_of_any_file(small, tmp_path):
     (tmp_path / "mine").touch()
     for path in (*small.to_csv(tmp_path / "csv", only="grid"), small.to_netcdf(tmp_path / "x.nc", only="grid"), small.to_matlab(tmp_path / "x.mat", only="grid")):
         assert os.stat(path).st_mode == os.stat(tmp_path / "mine").st_mode
+
+
+def test_texts_are_no_formulas_of_spreadsheets(tmp_path):
+    cells = np.array(["=1+1", "-3", "@SUM(A1)", "word"], dtype=object)
+    table = tables.Table("own", [tables.Column("+head", cells.dtype, {})], {}, lambda: iter([[cells]]))
+    with whole_files(tmp_path / "tables") as written:
+        comma._write(table, written)
+    assert written.paths[0].read_text().splitlines() == ["'+head", "'=1+1", "-3", "'@SUM(A1)", "word"]

@@ -17,7 +17,7 @@ fn every_template_is_checked_and_runs() {
     let desk = Desk::new();
     desk.write("case.toml", desk.succeed(&["new", "contact"]).stdout);
     let shown = desk.succeed(&["check", "case.toml"]).stdout;
-    for words in ["A paraboloid on rubber", "E∞/E0", "collapse, 51 × 16 points", "cells", "MiB"] {
+    for words in ["A paraboloid on rubber", "E∞/E0", "collapse, 51 × 16 points", "cells", " MB"] {
         assert!(shown.contains(words), "{words:?} is not in\n{shown}");
     }
     desk.succeed(&["run", "case.toml", "--only", "modulus"]);

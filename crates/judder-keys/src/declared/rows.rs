@@ -50,7 +50,7 @@ impl<'a> KeyTables<'a> {
 
     fn told_of(&self, key: &'a Declaration) -> ToldKey<'a> {
         let tables: Vec<&[Declaration]> =
-            key.form.alternatives().iter().map(|form| form.keys()).filter(|keys| !keys.is_empty()).collect();
+            key.form.alternatives().iter().map(Allowed::keys).filter(|keys| !keys.is_empty()).collect();
         let mut keys = Vec::new();
         for (number, one) in tables.iter().enumerate() {
             let others = tables.iter().enumerate().filter(|(other, _)| *other != number);

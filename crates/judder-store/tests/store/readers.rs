@@ -61,7 +61,7 @@ fn a_document_longer_than_any_is_refused_unread() {
     drop(study(folder.path()));
     let long = |name: &str| {
         let path = folder.path().join(name);
-        fs::OpenOptions::new().write(true).create(true).open(&path).unwrap().set_len(3 << 30).unwrap();
+        fs::File::create(&path).unwrap().set_len(3 << 30).unwrap();
         path
     };
     let refused = |of: &str, error: StoreError| match error {

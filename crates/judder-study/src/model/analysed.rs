@@ -34,7 +34,7 @@ pub trait Analysis<M: Analysed + ?Sized>: AsAny + DynClone + fmt::Debug + Send +
         Ok(Ok(()))
     }
 
-    /// The memory that it needs, which [`admitted`](super::admitted) holds against the budget of the process.
+    /// The memory that it needs, which [`admit`](super::admit) holds against the budget of the process.
     ///
     /// # Errors
     /// What cannot be read.

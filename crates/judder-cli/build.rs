@@ -25,7 +25,12 @@ fn main() {
 /// The commit that whoever builds names, in the environment or, in a source distribution, in a file.
 fn given() -> Option<String> {
     println!("cargo::rerun-if-env-changed=JUDDER_COMMIT");
-    let named = env::var("JUDDER_COMMIT").ok().or_else(|| std::fs::read_to_string("commit.txt").ok());
+    let named = env::var("JUDDER_COMMIT").ok().or_else(|| {
+        let noted = fs::read_to_string("commit.txt").ok()?;
+        // named only where it is: Cargo takes a file that is missing for one that changed
+        println!("cargo::rerun-if-changed=commit.txt");
+        Some(noted)
+    });
     named.map(|commit| shortened(&commit)).filter(|commit| !commit.is_empty())
 }
 

@@ -48,20 +48,20 @@ def _head(column: Column) -> str:
     return _guarded(column.name if units in ("", "1") else f"{column.name} [{units}]")
 
 
-def _guarded(cell: Any) -> Any:
-    """A text that a spreadsheet would take for a formula after an apostrophe, by which it takes it for a text; numbers are numbers."""
-    if not isinstance(cell, str) or not cell.startswith(_FORMULAS):
-        return cell
+def _guarded(text: str) -> str:
+    """After an apostrophe, by which a spreadsheet takes it for a text, where it would take it for a formula; numbers are numbers."""
+    if not text.startswith(_FORMULAS):
+        return text
     try:
-        float(cell)
+        float(text)
     except ValueError:
-        return f"'{cell}"
-    return cell
+        return f"'{text}"
+    return text
 
 
 def _cells(values: NDArray[Any]) -> list[Any]:
     """Numbers that are written with the fewest digits that read back as the same; an empty cell for NaN and for no word."""
-    cells: list[Any] = values.tolist() if values.dtype.kind in "biufc" else [*map(_guarded, values.tolist())]
+    cells: list[Any] = [_guarded(cell) if isinstance(cell, str) else cell for cell in values.tolist()]
     if values.dtype.kind == "f":
         for place in np.flatnonzero(np.isnan(values)).tolist():
             cells[place] = None

@@ -35,6 +35,16 @@ def test_every_link_of_the_index_page_is_absolute_and_leads_to_a_file():
             assert (ROOT / path.partition("#")[0]).is_file(), link
 
 
+def test_without_an_address_no_link_of_the_index_page_leads_nowhere():
+    text = (ROOT / "README.md").read_text("utf-8")
+    written = tool("stage").unlinked(text)
+    kept = targets(written)
+    assert kept and set(kept) < set(targets(text)), "absolute links stay"
+    assert [link for link in kept if not re.match(r"https?://|#", link)] == []
+    for words in re.findall(r"\[([^\]\[]+)\]\(", text):
+        assert words in written, words
+
+
 def test_the_citation_has_the_version_of_the_crates():
     version = tomllib.loads((ROOT / "Cargo.toml").read_text("utf-8"))["workspace"]["package"]["version"]
     assert f"\nversion: {version}\n" in (ROOT / "CITATION.cff").read_text("utf-8")

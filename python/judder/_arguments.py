@@ -90,6 +90,21 @@ def meant(unknown: str, known: Iterable[str]) -> str:
     return f"; is `{close[0]}` meant?" if close else ""
 
 
+def whole_bytes(name: str, given: Any) -> int:
+    """An argument that is a number of bytes.
+
+    Raises:
+        ArgumentError: it is none.
+        NumberError: it is below zero.
+    """
+    needed = f"a whole number of bytes is needed, such as {1 << 30} for 1 GiB"
+    if isinstance(given, bool) or not hasattr(given, "__index__"):
+        raise ArgumentError(f"{name}: is {given!r}, and {needed}", "Argument", {"argument": name})
+    if (count := int(given.__index__())) not in range(1 << 64):
+        raise NumberError(f"{name}: is {count}, and {needed}", "Argument", {"argument": name})
+    return count
+
+
 def _told(error: Exception, keys: Iterable[str]) -> InputError:
     kind = NumberError if isinstance(error, OverflowError) else ArgumentError
     words = str(error)

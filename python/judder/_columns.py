@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 _DIRECTIONS = ("x", "y", "z")
+_COMPLEX_MODULI = ("e", "modulus", "complex modulus")
+"""Names of columns that are complex where they are moduli."""
 
 
 def wrong(key: str, why: str) -> InputError:
@@ -84,8 +86,8 @@ def same_length(key: str, columns: Mapping[str, Any]) -> int:
     return int(first[0])
 
 
-def text(key: str, value: Any) -> str:
-    """A table as a file holds it: a line of names with units, then numbers; a complex column is two, a real and an imaginary part."""
+def text(key: str, value: Any, *, halved: bool = False) -> str:
+    """A table as a file holds it: a line of names with units, then numbers; where complex columns may be `halved`, each is two, a real and an imaginary part."""
     columns = of(key, value)
     if columns is None:
         raise wrong(key, f"is {described(value)}, and columns of numbers are needed: a mapping such as {{\"time [s]\": times, …}}, or a frame of pandas")
@@ -95,14 +97,43 @@ def text(key: str, value: Any) -> str:
         if any(letter in name for letter in ',;\t"\n'):
             raise wrong(f"{key}.{name}", "is the name of a column, and has a comma, a semicolon, a tab or a quote in it")
         array = np.asarray(column)
-        if array.dtype.kind == "c":
-            own, _, unit = name.partition("[")
-            parts |= {f"{own.strip().rstrip('*')}{mark} [{unit}": part for mark, part in (("'", array.real), ("''", array.imag))}
+        if array.dtype.kind == "c" and halved:
+            parts |= dict(zip(_halved(name), (array.real, array.imag), strict=True))
         else:
             parts[name] = array
     checked = [numbers(f"{key}.{name}", column, dimensions=1).tolist() for name, column in parts.items()]
     lines = (",".join(map(repr, row)) for row in zip(*checked, strict=True))
     return "\n".join([",".join(parts), *lines, ""])
+
+
+def moduli(key: str, value: Any) -> str:
+    """A table of measured moduli as a file holds it: frequencies, and moduli that are complex or in two columns."""
+    columns = of(key, value) or {}
+    if columns:
+        same_length(key, columns)
+    for name, column in columns.items():
+        stem, is_complex = _stem(name).lower(), np.asarray(column).dtype.kind == "c"
+        if stem in _COMPLEX_MODULI and not is_complex:
+            raise wrong(f"{key}.{name}", "holds real numbers; complex moduli E' + iE'' are needed, or two columns such as `E' [Pa]` and `E'' [Pa]`")
+        if is_complex and stem != "e":
+            raise wrong(f"{key}.{name}", "is a complex column; complex moduli are called `E`, with their unit, as in `E [Pa]`")
+    return text(key, value, halved=True)
+
+
+def halves(columns: Mapping[str, Any]) -> dict[str, str]:
+    """The columns that the real and the imaginary part of complex ones are, and the names of these."""
+    return {half: name for name, column in columns.items() if np.asarray(column).dtype.kind == "c" for half in _halved(name)}
+
+
+def _halved(name: str) -> tuple[str, str]:
+    """`E [Pa]` as the names of its parts, `E' [Pa]` and `E'' [Pa]`."""
+    _, bracket, unit = name.partition("[")
+    return f"{_stem(name)}' {bracket}{unit}".strip(), f"{_stem(name)}'' {bracket}{unit}".strip()
+
+
+def _stem(name: str) -> str:
+    """The name of a complex column without its star and its unit."""
+    return name.partition("[")[0].strip().rstrip("*").strip()
 
 
 def are_names(freedoms: Any) -> bool:

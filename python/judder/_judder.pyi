@@ -13,6 +13,7 @@ from judder.sliding import Observed, Slider, Track
 __all__ = [
     "BUILD",
     "CONTACT_STATES",
+    "LARGEST_DOCUMENT",
     "VERSION",
     "HeldStudy",
     "HeldSweep",
@@ -55,6 +56,7 @@ __all__ = [
 BUILD: Final[str]
 VERSION: Final[str]
 CONTACT_STATES: Final[list[str]]
+LARGEST_DOCUMENT: Final[int]
 
 _Path = str | PathLike[str]
 _Package = tuple[str, str, list[str], list[tuple[str, str]]]

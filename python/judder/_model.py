@@ -45,14 +45,15 @@ class Model:
     """A case of a model: what all classes of :mod:`judder.models` have in common.
 
     The keys of a case file are keyword arguments: tables are mappings, lists are sequences, quantities are texts with their units, and where a key names a
-    file, an object may stand: a sparse matrix, an array, a mesh of meshio, columns of numbers, a law. What is given
+    file, an object may stand: a sparse matrix, an array, a mesh of meshio, columns of numbers, a law. A key that is ``None``, in a table too, counts as
+    not given; in a case that is a mapping and in ``set`` it is refused. What is given
     is put over ``case``, key by key. An analysis is a method; what the case has of analyses stays as it is, and is computed where it is taken up.
     """
 
     _name: ClassVar[str]
 
     def __init__(self, case: CaseLike | None, set: Mapping[str, Any] | None, keys: Mapping[str, Any]) -> None:
-        self._source = CaseSource(f'model = "{self._name}"\n' if case is None else case)
+        self._source = CaseSource({"model": self._name} if case is None else case)
         changes = {**dict(_flat(self._source.whole(keys, self._name, without_none=True))), **self._source.whole(set or {}, self._name)}
         self._case = self._source.given, self._name, _toml.overrides(changes)
 
@@ -116,12 +117,12 @@ class Model:
             if name in study.failures:
                 raise StudyError(study.failures[name], "NoResult", {"name": name})
         for message in messages:
-            _warned.warn(self._source.plain(message))
+            _warned.warn(self._source.said(message))
         return Result(
             data=study[name].load(),
             numbers=study.results[name],
             checks=tuple(study.summary["study"]["checks"].get(name, ())),
-            warnings=tuple(study.warnings[name]),
+            warnings=tuple(map(self._source.said, study.warnings[name])),
             files=study.files,
         )
 

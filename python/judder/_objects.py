@@ -21,11 +21,14 @@ from judder._columns import described, wrong
 from judder._judder import Law
 from judder._keys import FILES, ROWS
 from judder._numpy import np
+from judder._said_of_objects import HeldObject, said, said_fields
 from judder._sampled import FASTEST, SPEED_TOLERANCE, sampled, speeds_of_sliding
-from judder.errors import JudderError
+from judder.errors import OF_TABLES, CaseError, JudderError
 
 INPUTS = "inputs"
 """The folder of the files, beside the case and in a study."""
+CASE = "case.toml"
+"""What tables and texts are called as a file."""
 _WITH_UNIT = re.compile(r"(?P<key>[^\[\]]*[^\[\]\s])\s*\[(?P<unit>[^\[\]]+)\]")
 _MATRICES = ("mass", "damping", "stiffness")
 
@@ -43,16 +46,19 @@ class CaseSource:
 
     def __init__(self, case: str | os.PathLike[str] | Mapping[str, Any], set: Mapping[str, Any] | None = None) -> None:
         self._files = _InputFiles()
+        self._is_written_here = isinstance(case, Mapping)
         if isinstance(case, Mapping):
+            if not case:
+                raise wrong("case", "is an empty mapping, and its tables are needed, such as {\"model\": \"oscillator\"}")
             model = str(case.get("model"))
             tables, changes = (_Walk(self._files, model).of_table(own) for own in (case, set or {}))
             if self._files.folder is not None:
-                tables, changes = (_settled(own, model, self._files.names) for own in (tables, changes))
-            self.given = os.path.join(self._files.folder or "", "case.toml"), _toml.document(tables)
+                tables, changes = (_settled(own, model, self._files.objects) for own in (tables, changes))
+            self.given = os.path.join(self._files.folder or "", CASE), _toml.document(tables)
         else:
             if not isinstance(case, str | os.PathLike):
                 raise wrong("case", f"is {described(case)}, and the path of a case file, its text or its tables as a mapping is needed")
-            self.given = ("case.toml", case) if isinstance(case, str) and "\n" in case else os.fspath(case)
+            self.given = (CASE, case) if isinstance(case, str) and "\n" in case else os.fspath(case)
             changes = self.whole(set or {})
             if self._files.folder is not None:
                 changes = self._settled_beside(set or {}) or changes
@@ -74,10 +80,10 @@ class CaseSource:
             tables = tomllib.loads(text)
         except (OSError, UnicodeError, tomllib.TOMLDecodeError):
             return None
-        self._files = _InputFiles()
+        self._files, self._is_written_here = _InputFiles(), True
         model = str(tables.get("model"))
-        changes = _settled(_Walk(self._files, model).of_table(set), model, self._files.names)
-        self.given = os.path.join(self._files.folder or "", "case.toml"), _toml.document(_settled(tables, model, (), base))
+        changes = _settled(_Walk(self._files, model).of_table(set), model, self._files.objects)
+        self.given = os.path.join(self._files.folder or "", CASE), _toml.document(_settled(tables, model, (), base))
         return changes
 
     def hold(self) -> None:
@@ -95,23 +101,37 @@ class CaseSource:
         """A text without the folder of the files: the names of these are those of keys."""
         return text if self._files.folder is None else text.replace(self._files.folder + os.sep, "")
 
-    def plain_error(self, error: JudderError) -> JudderError:
-        """An error without the folder of the files."""
-        if self._files.folder is None or self._files.folder not in f"{error}{error.fields}":
+    def said(self, text: str) -> str:
+        """A message that speaks of objects, not of the files that hold them."""
+        return text if self._files.folder is None else self.plain(said(text, self._files.objects, self._files.folder))
+
+    def said_error(self, error: JudderError) -> JudderError:
+        """An error that speaks of objects and tables, not of what judder writes of them."""
+        of_tables = self._is_written_here and isinstance(error, CaseError) and os.path.basename(error.file) == CASE
+        if self._files.folder is None and not of_tables:
             return error
-        fields = {name: type(own)(self.plain(str(own))) if isinstance(own, str | Path) else own for name, own in error.fields.items()}
-        return type(error)(self.plain(str(error)), error.cause, fields)
+        fields = said_fields(error.fields, self.said)
+        path, reason = error.fields.get("path"), error.fields.get("reason")
+        if isinstance(reason, str) and fields.get("path") != path:
+            # which speaks of the file that the path names
+            fields["reason"] = self.said(f"{path}: {reason}").partition(": ")[2]
+        message = self.said(str(error))
+        if of_tables:
+            fields |= {"file": OF_TABLES, "line": None, "column": None}
+            if (key := fields["text"]) != error.text and f"`{key}" not in message:
+                message = f"`{key}`: {message}"
+        return type(error)(message, error.cause, fields)
 
     @contextmanager
     def told(self) -> Iterator[None]:
-        """Errors tell of the files by their keys."""
+        """Errors speak of objects by their keys."""
         try:
             yield
         except JudderError as error:
-            plain = self.plain_error(error)
-            if plain is error:
+            own = self.said_error(error)
+            if own is error:
                 raise
-            raise plain from None
+            raise own from None
 
 
 class _InputFiles:
@@ -120,21 +140,21 @@ class _InputFiles:
     def __init__(self) -> None:
         self.folder: str | None = None
         """Where it is; none before there is a file."""
-        self.names: set[str] = set()
-        """The paths of the files in it."""
+        self.objects: dict[str, HeldObject] = {}
+        """What the files in it hold, by their paths in it."""
 
-    def write(self, key: str, ending: str, content: bytes) -> str:
-        """Writes a file that goes by a key; gives back its path in the folder."""
+    def write(self, key: str, ending: str, content: bytes, columns: Mapping[str, str]) -> str:
+        """Writes a file that goes by a key; gives back its path in the folder. Of its columns some are parts of one of the object."""
         if self.folder is None:
             self.folder = tempfile.mkdtemp(prefix="judder-")
             weakref.finalize(self, shutil.rmtree, self.folder, ignore_errors=True)
             Path(self.folder, INPUTS).mkdir()
         plain = re.sub(r"[^\w.-]+", "-", key).strip(".-") or "input"
         name, count = f"{INPUTS}/{plain}{ending}", 1
-        while name in self.names:
+        while name in self.objects:
             count += 1
             name = f"{INPUTS}/{plain}-{count}{ending}"
-        self.names.add(name)
+        self.objects[name] = HeldObject(key, columns)
         Path(self.folder, name).write_bytes(content)
         return name
 
@@ -183,7 +203,7 @@ class _Walk:
             if declared.is_file((*at, "file")) and not isinstance(value, list | tuple):
                 return self._table_with_file(value, at)
             if declared.is_file((*at, "*", "file")):
-                return self._terms(value, at)
+                return self._terms(value, at, beside)
             if declared.has_rows(at) and (columns := _columns.of(".".join(at), value)) is not None:
                 return self._items(_columns.rows(".".join(at), columns), at)
             if _written.is_sparse(value):
@@ -224,7 +244,8 @@ class _Walk:
             return value
         key = ".".join(at)
         ending, content = _written.content(key, at, value, beside)
-        name = self._files.write(key.removesuffix(".file"), ending, content)
+        columns = _columns.halves(_columns.of(key, value) or {}) if ending == ".csv" else {}
+        name = self._files.write(key.removesuffix(".file"), ending, content, columns)
         return os.path.join(self._files.folder or "", name) if self._whole else name
 
     def _table_with_file(self, value: Any, at: KeyPath) -> Any:
@@ -243,8 +264,11 @@ class _Walk:
         rest = {name: own for name, own in value.items() if str(name) not in columns}
         return {"file": self._file(columns, key, {}), **self.of_table(rest, at)}
 
-    def _terms(self, value: Any, at: KeyPath) -> Any:
+    def _terms(self, value: Any, at: KeyPath, beside: Mapping[str, Any]) -> Any:
         """The terms of a sum of matrices: one matrix, several, those with factors, with names that their files go by."""
+        if _written.has_texts(value) and at[-1] in beside and not _columns.are_names(beside.get("freedoms")):
+            why = "is an array of texts, and numbers are needed; expressions of parameters stand beside `freedoms` with names, a factor in"
+            raise wrong(".".join(at), f'{why} {{"file": matrix, "factor": "mu"}}')
         if _written.is_matrix(value) or isinstance(value, Mapping) and "file" in value:
             value = [value]
         if isinstance(value, Mapping):

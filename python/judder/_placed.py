@@ -50,6 +50,10 @@ class Placed:
         study._owner = owner
         return study
 
+    def _said(self, text: str) -> str:
+        """What the summary says of the case, of a study in memory of the objects that the case has."""
+        return text if self._source is None else self._source.said(text)
+
     @property
     def folder(self) -> Path | RemotePath:
         """The study folder.

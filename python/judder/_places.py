@@ -87,6 +87,16 @@ class RemotePath(os.PathLike[str]):
         content = io.BytesIO(self.read_bytes())
         return content if mode == "rb" else io.TextIOWrapper(content, encoding=encoding)
 
+    def size(self) -> int:
+        """The bytes of a file; none counted where the store does not tell.
+
+        Raises:
+            FileNotFoundError: there is none.
+            StoreError: the store cannot be read.
+        """
+        with self._reading():
+            return int(self._files.size(self.path) or 0)
+
     def exists(self) -> bool:
         """Whether there is such a file or folder."""
         with self._reading():

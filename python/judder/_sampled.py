@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from judder._columns import wrong
+from judder._columns import described, wrong
 from judder._numpy import np
 
 if TYPE_CHECKING:
@@ -24,6 +24,17 @@ def speeds_of_sliding() -> NDArray[np.float64]:
     return np.concatenate([[0.0], np.geomspace(1e-6, FASTEST, 33)])
 
 
+def _reals(argument: str, given: Any) -> NDArray[np.float64]:
+    """What a function gives, as real numbers; whether they are finite is not looked at."""
+    array = np.asarray(given)
+    if array.dtype.kind in "fiuO":
+        try:
+            return array.astype(np.float64)
+        except (TypeError, ValueError):
+            pass
+    raise wrong(argument, f"gives {described(given)} of {array.dtype}, and real numbers are needed")
+
+
 def sampled(
     argument: str, function: Callable[[NDArray[np.float64]], Any], span: tuple[float, float], tolerance: float, *, first: NDArray[np.float64] | None = None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -31,7 +42,8 @@ def sampled(
     those between the `first` points to begin with.
 
     Raises:
-        InputError: values that are not finite, or not as many as points; a function that would need too many points.
+        InputError: values that are not real and finite, or not as many as points; a function that would need too many points.
+        Exception: what the function itself raises, as it is, with a note that says where it was given.
     """
     begin, end = map(float, span)
     if not (0.0 <= begin < end < np.inf and 0.0 < tolerance < 1.0):
@@ -39,7 +51,12 @@ def sampled(
         raise wrong(argument, f"goes from {begin:g} to {end:g} with a tolerance of {tolerance:g}; {needed}")
 
     def values(at: NDArray[np.float64]) -> NDArray[np.float64]:
-        found = np.asarray(function(at), dtype=np.float64)
+        try:
+            given = function(at)
+        except Exception as error:
+            error.add_note(f"raised by the function that was given as `{argument}`")
+            raise
+        found = _reals(argument, given)
         found = np.full(at.shape, float(found)) if found.ndim == 0 else found
         if found.shape != at.shape:
             raise wrong(argument, f"gives an array of the shape {found.shape} for one of the shape {at.shape}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import stat
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,7 +22,7 @@ def read(folder: Path | RemotePath) -> dict[str, Any]:
         StoreError: it is not what was written, as the manifest of the study says.
     """
     try:
-        content = (folder / "summary.json").read_bytes()
+        content = _document(folder / "summary.json")
         found: dict[str, Any] = json.loads(content)
     except (FileNotFoundError, NotADirectoryError):
         raise _no_study(folder, "no study here; `judder.run` makes one") from None
@@ -50,9 +51,24 @@ def files(folder: Path | RemotePath) -> dict[str, tuple[int, str]] | None:
 def _manifest(folder: Path | RemotePath) -> bytes | None:
     """The list of what a study holds; ``None`` where there is none."""
     try:
-        return (folder / "manifest.json").read_bytes()
+        return _document(folder / "manifest.json")
     except (FileNotFoundError, NotADirectoryError):
         return None
+
+
+def _document(path: Path | RemotePath) -> bytes:
+    """The bytes of a document of a study.
+
+    Raises:
+        StoreError: it is no regular file, or larger than any such document.
+    """
+    if isinstance(path, Path) and not stat.S_ISREG(path.stat().st_mode):
+        raise StoreError(f"{path}: is no regular file", "Unreadable", {"path": str(path)})
+    size, largest = path.stat().st_size if isinstance(path, Path) else path.size(), _judder.LARGEST_DOCUMENT
+    if size > largest:
+        message = f"{path}: it has {size} bytes, where such a file has at most {largest}"
+        raise StoreError(message, "Oversized", {"path": str(path), "size": size, "largest": largest})
+    return path.read_bytes()
 
 
 def _is_summary(found: Any) -> bool:

@@ -26,6 +26,8 @@ def value(name: str, given: Any, deep: int = 0) -> str:
             return json.dumps(given.tolist())
         given = given.tolist()
     match given:
+        case None:
+            raise InputError(f"{name}: is None; leave the key out where its default is meant", "Input", {"argument": name})
         case bool():
             return "true" if given else "false"
         case str():

@@ -33,12 +33,21 @@ def content(key: str, at: tuple[str, ...], value: Any, beside: Mapping[str, Any]
         return ".npz", _matrix(key.removesuffix(".file"), value, beside)
     if at[-2] == "law":
         return ".json", _law(key.removesuffix(".file"), value)
-    return ".csv", _columns.text(key.removesuffix(".file"), value).encode()
+    table = _columns.moduli if at[-2] == "dma" else _columns.text
+    return ".csv", table(key.removesuffix(".file"), value).encode()
 
 
 def is_matrix(value: Any) -> bool:
     """Whether an object is a sparse matrix, or an array of numbers of two dimensions."""
-    return is_sparse(value) or isinstance(value, np.ndarray) and value.dtype.kind != "U"
+    return is_sparse(value) or isinstance(value, np.ndarray) and value.dtype.kind not in "US"
+
+
+def has_texts(value: Any) -> bool:
+    """Whether a value is an array of texts, or has one among its terms."""
+    if isinstance(value, Mapping | list | tuple):
+        terms = value.values() if isinstance(value, Mapping) else value
+        return any(isinstance(term, np.ndarray | Mapping) and has_texts(term) for term in terms)
+    return isinstance(value, np.ndarray) and value.dtype.kind in "US"
 
 
 def is_sparse(value: Any) -> bool:

@@ -203,7 +203,7 @@ def solve(
         shape=shape,
         accuracy=accuracy,
         cells=cells,
-        memory=memory,
+        memory=_arguments.whole_bytes("memory", memory),
     )
     levels = tuple(Level(*level) for level in told.pop("levels"))
     asked = {"velocity": velocity, "indentation": indentation, "load": load, "accuracy": accuracy}

@@ -29,6 +29,9 @@ __all__ = [
     "UnknownResultError",
 ]
 
+OF_TABLES = "tables"
+"""What errors call a case whose tables come from Python."""
+
 
 class JudderError(Exception):
     """Why there is no result.
@@ -83,7 +86,7 @@ class CaseError(JudderError, ValueError):
     """A case, or a key given as an argument, that is wrong; the traceback shows place and help besides."""
 
     file: str
-    """The file, ``--set`` for a changed key, or ``argument`` for a key that was given as one."""
+    """The file, ``--set`` for a changed key, ``argument`` for a key that was given as one, or ``tables`` for those that a program gives as a case."""
     line: int | None
     """The line, from 1; ``None`` where the error has no place."""
     column: int | None
@@ -101,6 +104,8 @@ class CaseError(JudderError, ValueError):
         super().__init__(message, cause, fields)
         if self.fields.get("line") is not None and self.file != "argument":
             self.add_note(f"in {self.file}, line {self.line}, column {self.column}: {self.text}")
+        elif self.fields.get("file") == OF_TABLES and self.fields.get("text"):
+            self.add_note(f"at {self.key}: {self.text}" if self.key else f"at {self.text}")
         if self.fields.get("help"):
             self.add_note(f"help: {self.help}")
         for other in self.fields.get("others") or ():

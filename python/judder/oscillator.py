@@ -5,14 +5,14 @@ Everything is dimensionless as in the oscillator paper: speeds v τ/R, loads F/(
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, TypeAlias, Unpack
 
 from judder import _arguments, _judder
 from judder._judder import OscillatorPoint, point
 from judder._keys import FrictionLoad, Keys, LawName
-from judder._shown import Shown
+from judder._shown import Shown, told
 from judder.contact import Law
 from judder.progress import Progress
 
@@ -60,6 +60,11 @@ class Axis(Shown):
     """What it is, in words."""
     units: str
     """Its unit, ``"1"`` for a group."""
+
+    def _short(self) -> str:
+        """Its name, how many values it has, and between which."""
+        unit = "" if self.units == "1" else f" {self.units}"
+        return f"{self.name}, {told([*self.values.tolist()])}{unit}"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -119,6 +124,19 @@ class StabilityMap(Shown):
         names = ["none" if name in _OTHER_CLASSES else name for name in CLASSES]
         found: NDArray[np.str_] = np.array(names)[self.classes]
         return found
+
+    def _told(self) -> Iterator[tuple[str, str]]:
+        yield "x", self.x._short()
+        yield "y", self.y._short()
+        count = self.classes.size
+        yield "unstable", f"{100 * self.unstable_fraction:.3g} % of {count} points"
+        shares = {name: 100 * (self.classes == code).sum() / count for code, name in enumerate(CLASSES)}
+        yield "mechanisms", ", ".join(f"{name} {share:.3g} %" for name, share in shares.items() if name not in _OTHER_CLASSES and share) or "none"
+        yield "unresolved", str(self.unresolved)
+        if self.growth_rate is not None:
+            yield "growth_rate", f"{told(self.growth_rate)} ω_nx"
+        if self.warnings:
+            yield "warnings", told(self.warnings)
 
     def to_dataset(self) -> xarray.Dataset:
         """The map as the dataset that an analysis ``stability-map`` leaves: ``stability``, ``growth_rate``, ``within_law`` and their coordinates."""

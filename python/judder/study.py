@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal, TypeAlias
 
-from judder import _arguments, _judder, _memory, _places, _summaries, _swept, _warned
+from judder import _arguments, _judder, _memory, _places, _shown, _summaries, _swept, _warned
 from judder._exported import Exported
 from judder._objects import CaseSource
 from judder._placed import Placed
@@ -33,6 +33,8 @@ Where a case file names another file, a mapping may have an object: a sparse mat
 
 HELD_BYTES: Final = 4 << 30
 """Bytes that the results of a run without a folder may take, where nobody says otherwise."""
+_LONGEST_WORDS: Final = 80
+"""Letters of a text among the numbers of an analysis that a notebook shows."""
 _NOT_KEPT = "with a folder as `output` what the others leave is kept"
 """What is told of the other analyses where one of a run without a folder is refused."""
 
@@ -105,6 +107,7 @@ def run(
         JudderError: an analysis was refused for another wrong input; the others have run, and their results are kept in a folder alone.
     """
     source, names = CaseSource(case, set), list(only)
+    memory = _arguments.whole_bytes("memory", memory)
     if output is None:
         with source.told():
             held = _judder.held_case(
@@ -158,9 +161,9 @@ def _tell(source: CaseSource, messages: Iterable[str], refused: Iterable[tuple[s
         JudderError: one was; a note says which, and what became of the others.
     """
     for message in messages:
-        _warned.warn(source.plain(message))
+        _warned.warn(source.said(message))
     for name, found in refused:
-        error = source.plain_error(found)
+        error = source.said_error(found)
         error.add_note(f"analysis `{name}`; {kept}")
         raise error
 
@@ -217,7 +220,7 @@ class Study(Placed, Exported, Mapping[str, "xarray.Dataset"]):
     def failures(self) -> dict[str, str]:
         """Why analyses have no result, by their names."""
         records = ((name, self.summary["analyses"][name]) for name in self.analyses)
-        return {name: record.get("reason", "") for name, record in records if record["status"] != "done"}
+        return {name: self._said(record.get("reason", "")) for name, record in records if record["status"] != "done"}
 
     @property
     def complete(self) -> bool:
@@ -235,7 +238,7 @@ class Study(Placed, Exported, Mapping[str, "xarray.Dataset"]):
     @property
     def warnings(self) -> dict[str, list[str]]:
         """What has to be known of each analysis before it is trusted."""
-        return {name: list(self.summary["analyses"][name].get("warnings", [])) for name in self.analyses}
+        return {name: [*map(self._said, self.summary["analyses"][name].get("warnings", []))] for name in self.analyses}
 
     @property
     def hashes(self) -> dict[str, str]:
@@ -345,7 +348,9 @@ class Study(Placed, Exported, Mapping[str, "xarray.Dataset"]):
 
     def __repr__(self) -> str:
         where = "in memory" if self._has_no_folder else repr(str(self._place))
-        return f"Study({where}: {', '.join(self) or 'no results'})"
+        verdicts = {name: _shown.verdict(self.results.get(name, {})) for name in self}
+        names = ", ".join(f"{name} ({own})" if own else name for name, own in verdicts.items())
+        return f"Study({where}: {names or 'no results'})"
 
     @property
     def _name(self) -> str:
@@ -361,10 +366,9 @@ class Study(Placed, Exported, Mapping[str, "xarray.Dataset"]):
 
     def _repr_html_(self) -> str:
         rows = "".join(
-            f"<tr><th>{html.escape(name)}</th><td>{html.escape(key)}</td><td>{html.escape(f'{number:.6g}')}</td></tr>"
+            f"<tr><th>{html.escape(name)}</th><td>{html.escape(key)}</td><td>{html.escape(own)}</td></tr>"
             for name, numbers in self.results.items()
-            for key, number in numbers.items()
-            if isinstance(number, int | float) and not isinstance(number, bool)
+            for key, own in _shown_numbers(numbers)
         )
         failed = "".join(f"<p><b>{html.escape(name)}</b>: {html.escape(why)}</p>" for name, why in self.failures.items())
         try:
@@ -373,6 +377,16 @@ class Study(Placed, Exported, Mapping[str, "xarray.Dataset"]):
         except RewrittenError as error:
             figures = f"<p>{html.escape(str(error))}</p>"
         return f"<h4>{html.escape(self._name)}</h4>{failed}<table>{rows}</table>{figures}"
+
+
+def _shown_numbers(numbers: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """What a notebook shows of the numbers of an analysis: its verdict, numbers, words, and between which those of a list lie."""
+    if verdict := _shown.verdict(numbers):
+        yield "verdict", verdict
+    for key, own in numbers.items():
+        is_list = isinstance(own, list) and own and all(isinstance(item, int | float) and not isinstance(item, bool) for item in own)
+        if is_list or isinstance(own, int | float) or isinstance(own, str) and key != "verdict" and len(own) <= _LONGEST_WORDS:
+            yield key, _shown.told(own)
 
 
 _arguments.checked(globals())

@@ -64,6 +64,8 @@ mod _judder {
         [stick.1, slip.1, slip_ahead.1, lift_off.1]
     };
     #[pymodule_export]
+    const LARGEST_DOCUMENT: u64 = judder_store::LARGEST_DOCUMENT;
+    #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
     #[pymodule_export]
     const BUILD: &str = judder_cli::VERSION;

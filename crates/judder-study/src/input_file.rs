@@ -1,7 +1,7 @@
 //! Files that a case names, read whole.
 
 use crate::error::StudyError;
-use judder_store::content_hash;
+use judder_store::{LARGEST_DOCUMENT, content_hash, read_small_file};
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
@@ -11,20 +11,24 @@ pub fn unusable(path: &Path, reason: &impl Display) -> StudyError {
     StudyError::File { path: path.to_owned(), reason: reason.to_string() }
 }
 
-/// The bytes of a file.
+/// The bytes of a regular file, where there is memory for them.
 ///
 /// # Errors
 /// [`StudyError::Unreadable`].
 pub fn bytes(path: &Path) -> Result<Vec<u8>, StudyError> {
-    std::fs::read(path).map_err(|source| StudyError::Unreadable { path: path.to_owned(), source })
+    bytes_up_to(path, u64::MAX)
 }
 
-/// The text of a file.
+fn bytes_up_to(path: &Path, largest: u64) -> Result<Vec<u8>, StudyError> {
+    read_small_file(path, largest).map_err(|source| StudyError::Unreadable { path: path.to_owned(), source })
+}
+
+/// The text of a file, no longer than any document is.
 ///
 /// # Errors
 /// [`StudyError::Unreadable`], [`StudyError::File`] with the first byte that is no text.
 pub fn text(path: &Path) -> Result<String, StudyError> {
-    String::from_utf8(bytes(path)?).map_err(|error| {
+    String::from_utf8(bytes_up_to(path, LARGEST_DOCUMENT)?).map_err(|error| {
         let valid = error.utf8_error().valid_up_to();
         let line = error.as_bytes()[..valid].iter().filter(|byte| **byte == b'\n').count() + 1;
         unusable(path, &format!("line {line} is not UTF-8 text; save the file as UTF-8 (`°C` is often not)"))

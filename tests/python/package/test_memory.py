@@ -79,7 +79,7 @@ def test_nothing_is_written_and_nothing_is_known_from_before(watched):
     assert study["at"].eigenvalues.values.all()
     with pytest.raises(KeyError, match="no result `none`; there are `at`"):
         study["none"]
-    assert repr(study) == "Study(in memory: at)"
+    assert repr(study).startswith("Study(in memory: at (growth_rate > 0 at ")
     page = study._repr_html_()
     assert "<svg" in page and "Five points" in page
 

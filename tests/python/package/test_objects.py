@@ -333,12 +333,12 @@ def test_errors_name_the_key_and_no_folder_of_ours():
     case = {"model": "oscillator", "contact": {"law": "hertz"}, "substrate": {"dma": dma}}
     with pytest.raises(judder.JudderError) as caught:
         judder.check(case)
-    assert "inputs/substrate.dma.csv" in str(caught.value)
+    assert "`substrate.dma`" in str(caught.value)
     with pytest.raises(judder.CaseError) as told:
         judder.check({**case, "operation": {"velocity": "30 N"}})
     for error in (caught.value, told.value):
         assert "/judder-" not in f"{error} {error.fields} {getattr(error, '__notes__', '')}"
-    assert told.value.file == "case.toml"
+    assert told.value.file == "tables" and told.value.line is None
 
 
 def test_a_study_is_the_path_of_its_folder(map_case, tmp_path):

@@ -13,6 +13,7 @@ use crate::oscillator::keys::OscillatorKey;
 use crate::oscillator::law_name::LawName;
 use crate::oscillator::problem::OscillatorProblem;
 use crate::oscillator::{KINDS, MODEL, Operated};
+use crate::spectrum_source::FoundSpectrum;
 use crate::substrate::blame::moduli_place;
 use crate::substrate::{RelaxationSource, Substrate, SubstrateKeys, refuse_conflicts};
 use judder_keys::cause::Cause;
@@ -366,8 +367,12 @@ pub(crate) fn check_terms(case: &OscillatorCase) -> Result<(), Cause> {
         RelaxationSource::Prony(terms) => terms.len(),
         RelaxationSource::Relaxation(terms) => terms.len(),
         RelaxationSource::Continuous(_) => 2,
-        // measured data decide the moduli, and the number of terms
-        RelaxationSource::Dma { .. } if case.law.is_fitted() => 2,
+        // measured data decide the moduli, and the number of terms; a fault of theirs is told where they are read
+        RelaxationSource::Dma { .. }
+            if case.law.is_fitted() && FoundSpectrum::of(&case.substrate, &case.inputs).is_ok() =>
+        {
+            2
+        }
         RelaxationSource::Dma { .. } => return Ok(()),
     };
     if terms > 1 && case.law.is_fitted() {

@@ -13,12 +13,12 @@ use judder_contact::{ContactLaw, ContactResponse, Law, LawError, LawPoint};
 use judder_models::bridge;
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::law_name::LawName;
+use judder_store::{LARGEST_DOCUMENT, read_small_file};
 use judder_study::Progress;
 use numpy::{IntoPyArray, PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use rayon::prelude::*;
-use std::fs;
 use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -113,7 +113,7 @@ impl PyLaw {
     ///     source: where the values come from, in words.
     ///
     /// Raises:
-    ///     InputError: an array of another shape, or with numbers that are not finite.
+    ///     InputError: an array of another shape, or with numbers that are not finite; a force that is the same everywhere.
     ///     LawError: knots that do not ascend, a force or an area that is not positive.
     #[staticmethod]
     #[pyo3(signature = (velocity, indentation, force, area, friction, *, source="a table"))]
@@ -143,6 +143,7 @@ impl PyLaw {
         };
         let samples = LawSamples { source: source.to_owned(), velocities, indentations, values };
         let law = SampledLaw::new(samples).map_err(|error| errors::law(&error))?;
+        check_force("force", &law)?;
         Ok(Self::of(Law::Sampled(Arc::new(law)), source))
     }
 
@@ -160,8 +161,9 @@ impl PyLaw {
     ///     source: what to call it.
     ///
     /// Raises:
-    ///     InputError: the function returns no three arrays of finite numbers.
+    ///     InputError: the function returns no three arrays of finite numbers, or a force that is the same everywhere.
     ///     LawError: a range that is none, a force or an area that is not positive.
+    ///     Exception: what the function itself raises, as it is, with a note that says where it was called.
     ///
     /// >>> import numpy as np
     /// >>> def own(v, y):
@@ -186,6 +188,7 @@ impl PyLaw {
                 .map_err(Unsampled::Raised)
         });
         let found = found.map_err(Unsampled::into_exception)?;
+        check_force("function", &found.law)?;
         if !found.meets_tolerance {
             let PerQuantity { force, area, friction } = found.law.errors();
             errors::warn(
@@ -213,12 +216,14 @@ impl PyLaw {
     /// Reads a law that ``save``, or an analysis ``contact-law``, has written.
     ///
     /// Raises:
-    ///     OSError: the file cannot be read.
+    ///     FileError: the file cannot be read, or is larger than any law.
     ///     LawError: it holds no law.
     #[staticmethod]
     fn load(path: PathBuf) -> PyResult<Self> {
-        let text = fs::read_to_string(&path).map_err(|error| errors::file(&path, &error))?;
-        Self::from_json(&text)
+        let read = read_small_file(&path, LARGEST_DOCUMENT).and_then(|bytes| {
+            String::from_utf8(bytes).map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))
+        });
+        Self::from_json(&read.map_err(|error| errors::file(&path, &error))?)
     }
 
     /// Writes the law to a file, for a case or another day.
@@ -366,11 +371,28 @@ impl PyLaw {
     }
 }
 
+/// Refuses a force that no depth changes: whoever gives one has forgotten the arguments, and no load finds its depth.
+fn check_force(argument: &str, law: &SampledLaw) -> PyResult<()> {
+    match law.samples().values.force.as_slice() {
+        [first, rest @ ..] if rest.iter().all(|other| other == first) => {
+            let message = format!(
+                "the force is {first} at every speed and indentation, and must rise with the indentation, as 4/3*y**1.5 does"
+            );
+            Err(errors::input(argument, message))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// The values of a user's function at these points.
 fn called(function: &Bound<'_, PyAny>, velocities: &[f64], indentations: &[f64]) -> PyResult<KnotValues> {
     let py = function.py();
     let at = (PyArray1::from_slice(py, velocities), PyArray1::from_slice(py, indentations));
-    let given = function.call1(at)?;
+    let given = function.call1(at).inspect_err(|error| {
+        let note = "raised by the function that was given to `judder.contact.Law.from_function`";
+        // without the note it is the same exception
+        drop(error.value(py).call_method1("add_note", (note,)));
+    })?;
     let triple = given.extract::<(Bound<'_, PyAny>, Bound<'_, PyAny>, Bound<'_, PyAny>)>();
     let (force, area, friction) = triple
         .map_err(|_| errors::input("function", "it must return three arrays: force, area, friction"))?;

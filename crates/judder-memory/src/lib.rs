@@ -1,6 +1,6 @@
 //! How much of the machine's memory this process may take: one budget, asked before anything large is allocated.
 //!
-//! - [`MemoryBudget`]: what may be taken, and the refusal [`BeyondMemory`].
+//! - [`MemoryBudget`]: what may be taken, and the refusal [`BeyondMemory`]; [`Crowded`] where fewer at once would have it.
 //! - `free`: what the system says is free.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
@@ -21,6 +21,8 @@ const SHARE: u64 = 4;
 thread_local! {
     /// Among how many the work of this thread [shares](MemoryBudget::shared) the budget of the process.
     static SHARED_BY: Cell<u64> = const { Cell::new(1) };
+    /// What work that [may be put off](MemoryBudget::shared_or_crowded) was refused, the worst of it.
+    static REFUSED: Cell<Option<BeyondMemory>> = const { Cell::new(None) };
 }
 
 /// How much memory a piece of work may take.
@@ -42,6 +44,13 @@ pub enum BudgetOrigin {
     Free,
 }
 
+/// Work was refused memory because others work beside it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Crowded {
+    /// How many may work at once instead: fewer, and one at least.
+    pub at_once: u64,
+}
+
 /// Something would take more memory than there is for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[error("{} of memory are needed, and {} are to be had, {origin}{}", Amount(*needed), Amount(u128::from(*budget)), ShareWords(*shared_by))]
@@ -57,7 +66,7 @@ pub struct BeyondMemory {
 }
 
 impl MemoryBudget {
-    /// Sets what all later budgets of this process are.
+    /// Sets what all later budgets of this process are; with zero what they are where nothing was told.
     pub fn tell(bytes: u64) {
         TOLD.store(bytes, Ordering::Relaxed);
     }
@@ -73,6 +82,23 @@ impl MemoryBudget {
         }
         let _earlier = EarlierShare(SHARED_BY.replace(among.max(1)));
         work()
+    }
+
+    /// The same of work that can be done again with fewer beside it.
+    ///
+    /// # Errors
+    /// Something of it was refused that alone it might have; what came of it is of no use.
+    pub fn shared_or_crowded<T>(among: u64, work: impl FnOnce() -> T) -> Result<T, Crowded> {
+        REFUSED.set(None);
+        let done = Self::shared(among, work);
+        match REFUSED.take() {
+            Some(refused) if among > 1 => {
+                let whole = u128::from(refused.budget) * u128::from(refused.shared_by);
+                let fit = u64::try_from(whole / refused.needed.max(1)).unwrap_or(u64::MAX);
+                Err(Crowded { at_once: fit.clamp(1, among - 1) })
+            }
+            _ => Ok(done),
+        }
     }
 
     /// What was told, or three quarters of what is free now: of the machine, of the control group, of the address space, whichever is
@@ -105,6 +131,24 @@ impl MemoryBudget {
         Self { bytes: Some(bytes), origin: BudgetOrigin::Told, shared_by: 1 }
     }
 
+    /// The most that fits, in bytes.
+    #[must_use]
+    pub fn most(&self) -> u64 {
+        self.bytes.unwrap_or(u64::MAX)
+    }
+
+    /// Among how many that of the process is divided.
+    #[must_use]
+    pub fn shared_by(&self) -> u64 {
+        self.shared_by
+    }
+
+    /// The same of which so much is left.
+    #[must_use]
+    pub fn of_which(self, bytes: u64) -> Self {
+        Self { bytes: Some(bytes), ..self }
+    }
+
     /// Whether so many bytes fit.
     ///
     /// # Errors
@@ -112,7 +156,10 @@ impl MemoryBudget {
     pub fn ask(&self, needed: u128) -> Result<(), BeyondMemory> {
         match self.bytes {
             Some(budget) if needed > u128::from(budget) => {
-                Err(BeyondMemory { needed, budget, origin: self.origin, shared_by: self.shared_by })
+                let refused = BeyondMemory { needed, budget, origin: self.origin, shared_by: self.shared_by };
+                let worst = REFUSED.get().filter(|earlier| earlier.needed > needed);
+                REFUSED.set(Some(worst.unwrap_or(refused)));
+                Err(refused)
             }
             _ => Ok(()),
         }
@@ -209,5 +256,24 @@ mod tests {
         let small = BeyondMemory { needed: 1 << 31, budget: 1 << 30, ..part };
         assert!(small.remedy().contains("--memory \"12 GiB\""), "{}", small.remedy());
         assert_eq!(alone().shared_by, 1, "what was is so again");
+    }
+
+    #[test]
+    fn who_is_refused_among_others_is_told_how_many_fit() {
+        let whole = MemoryBudget::of_process().ask(u128::MAX).unwrap_err().budget;
+        let taking = |part: u64, among| {
+            MemoryBudget::shared_or_crowded(among, || {
+                MemoryBudget::of_process().ask(u128::from(whole / part)).is_ok()
+            })
+        };
+        // what is free changes between two looks: no part is near an edge
+        assert_eq!(taking(20, 8), Ok(true));
+        assert!(matches!(taking(7, 16), Err(Crowded { at_once: 6..=8 })));
+        assert_eq!(taking(10_000_000, 1), Ok(true), "what was refused before is forgotten");
+        let beyond = |among| {
+            MemoryBudget::shared_or_crowded(among, || MemoryBudget::of_process().ask(u128::MAX).is_ok())
+        };
+        assert_eq!(beyond(8), Err(Crowded { at_once: 1 }), "alone it is told what is wrong");
+        assert_eq!(beyond(1), Ok(false));
     }
 }

@@ -123,6 +123,26 @@ fn a_dry_run_estimates_and_writes_nothing() {
     assert!(map["seconds_per_point"].as_f64().unwrap() > 0.0 && told["sweeps"][1].is_null());
 }
 
+/// A motion needs 79 MB in all: alone it fits into 130 MB, beside another it does not.
+#[test]
+fn points_share_the_memory_of_the_process() {
+    let case = "model = \"oscillator\"\n[[analysis]]\nkind = \"motion\"\npoints = 100000\n\
+                [[sweep]]\nname = \"map\"\nchunk = 1\nquantities = [\"motion.rms\"]\n\
+                over = [{ key = \"operation.velocity\", values = [1e-4, 2e-4, 3e-4, 4e-4] }]\n";
+    let computed = |memory: &str| {
+        let desk = Desk::with_case(case);
+        let run = ["run", "case.toml", "--only", "map", "--threads", "3", "--memory", memory];
+        let said = desk.succeed(&run);
+        let told = format!("{}{}", said.stdout, said.stderr);
+        let results = desk.read_json("out/case/summary.json")["results"]["map"].clone();
+        (told.contains("map: at last only 1 of its chunks were computed at once"), results)
+    };
+    let [(alone, of_one), (not_alone, of_three)] = ["130 MB", "1 GB"].map(computed);
+    assert!(alone && !not_alone);
+    assert_eq!(of_one, of_three);
+    assert_eq!(of_one["failed"], 0, "{of_one}");
+}
+
 #[test]
 fn parts_and_merge_say_what_is_wrong() {
     let desk = Desk::with_case(SWEEPS);

@@ -97,8 +97,15 @@ impl NeededMemory {
 
     /// Refuses what the process may not take.
     fn held(self) -> Result<Self, Refusal> {
-        let asked = MemoryBudget::of_whole_process().ask(self.bytes());
-        match asked {
+        self.held_against(MemoryBudget::of_whole_process())
+    }
+
+    /// Refuses what this budget has not.
+    ///
+    /// # Errors
+    /// The refusal, of the keys that decide how much it is.
+    pub fn held_against(self, budget: MemoryBudget) -> Result<Self, Refusal> {
+        match budget.ask(self.bytes()) {
             Ok(()) => Ok(self),
             Err(source) => {
                 let Self { what, keys, advice, .. } = self;

@@ -188,8 +188,12 @@ fn worked(
         SweepWork::Part(shard) => Some(shard),
         SweepWork::Merge => None,
     };
-    if let Some(shard) = shard {
-        work(plan, &store, shard, progress)?;
+    if let Some(shard) = shard
+        && let Some(at_once) = work(plan, &store, shard, progress)?
+    {
+        notes.push(format!(
+            "{name}: at last only {at_once} of its chunks were computed at once, as points of them needed the memory of others; --memory gives judder more"
+        ));
     }
     if let SweepWork::Part(shard) = how {
         notes.extend(mended(plan, &store, shard, progress)?);

@@ -8,6 +8,7 @@ use crate::fault::fault_told;
 use crate::model::{OperatingPoints, OperatingQuantity, Prepared, placed};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::{Progress, Untold};
+use judder_memory::{Crowded, MemoryBudget};
 use judder_store::{PointFailure, StoredChunk};
 use std::borrow::Cow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -24,6 +25,23 @@ pub(super) struct Tried {
     pub(super) points: usize,
     /// Of those that failed, why.
     pub(super) reasons: Vec<String>,
+}
+
+/// Why something of a point is missing or doubtful, where it is.
+type PointAnswer = Result<Option<String>, StudyError>;
+
+/// Why a chunk was not computed to its end.
+pub(super) enum ChunkStop {
+    /// With fewer at once it can be.
+    Crowded(Crowded),
+    /// What went wrong.
+    Failed(StudyError),
+}
+
+impl From<StudyError> for ChunkStop {
+    fn from(error: StudyError) -> Self {
+        Self::Failed(error)
+    }
 }
 
 /// A plan, ready to compute points.
@@ -72,16 +90,41 @@ impl<'a> Evaluator<'a> {
     /// # Errors
     /// [`StudyError::Interrupted`], a chunk that is not there, a file of the case that cannot be read or is another one than before.
     pub fn chunk(&self, chunk: usize, progress: &dyn Progress) -> Result<StoredChunk, StudyError> {
-        let points = self.plan.layout().points(chunk)?;
+        self.chunk_of(chunk, progress, |point| point())
+    }
+
+    /// The same where so many chunks are computed at once, whose points share the memory of the process.
+    ///
+    /// # Errors
+    /// As of [`chunk`](Self::chunk), and a point that needs more than its part.
+    pub(super) fn chunk_among(
+        &self,
+        at_once: u64,
+        chunk: usize,
+        progress: &dyn Progress,
+    ) -> Result<StoredChunk, ChunkStop> {
+        self.chunk_of(chunk, progress, |point| {
+            Ok(MemoryBudget::shared_or_crowded(at_once, point).map_err(ChunkStop::Crowded)??)
+        })
+    }
+
+    /// Computes all points of a chunk, each as `held` has it done.
+    fn chunk_of<E: From<StudyError>>(
+        &self,
+        chunk: usize,
+        progress: &dyn Progress,
+        held: impl Fn(&mut dyn FnMut() -> PointAnswer) -> Result<Option<String>, E>,
+    ) -> Result<StoredChunk, E> {
+        let points = self.plan.layout().points(chunk).map_err(StudyError::from)?;
         let (count, width) = (points.count(), self.plan.columns.len());
         let mut values = vec![f64::NAN; count * width];
         let mut failures = Vec::new();
         for (index, row) in values.chunks_exact_mut(width).enumerate() {
             // asking takes longer than an operating point
             if (index % 64 == 0 || matches!(self.way, EvaluationWay::Anew(_))) && progress.interrupted() {
-                return Err(StudyError::Interrupted);
+                return Err(StudyError::Interrupted.into());
             }
-            if let Some(reason) = self.point(&points.position(index), row, progress)? {
+            if let Some(reason) = held(&mut || self.point(&points.position(index), row, progress))? {
                 failures.push(PointFailure { index, reason });
             }
         }

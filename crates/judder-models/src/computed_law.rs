@@ -1,6 +1,8 @@
 //! Contact laws computed with the boundary-element solver.
 
+use crate::contact::memory::{contacts_at_once, operator_at_once};
 use crate::contact::settings::LawMethod;
+use crate::contact::size::lattice_of_contacts;
 use crate::error::ModelError;
 use crate::made_once::MadeOnce;
 use crate::material::Material;
@@ -12,6 +14,7 @@ use judder_contact::law::sweep::{
 use judder_contact::law::{LawErrors, LawIndenter, LawLayer, LawOrigin};
 use judder_contact::steady::MEMORY;
 use judder_contact::{Law, LawError};
+use judder_numerics::parallel;
 use judder_study::Progress;
 use std::sync::Arc;
 
@@ -113,8 +116,28 @@ pub fn compute(
     })
 }
 
+/// As many contacts at once as there are threads, or as the process has memory for.
 fn compute_anew(
     task: &LawTask<'_>,
+    points: KnownPoints<'_>,
+    progress: &dyn Progress,
+) -> Result<ComputedLaw, ModelError> {
+    let is_line = matches!(task.indenter, LawIndenter::Cylinder(_));
+    let at_once = contacts_at_once(lattice_of_contacts(is_line, sweep_accuracy(task.accuracy).contacts));
+    let memory = operator_at_once(task.memory, at_once);
+    let work = || compute_within(task, memory, points, progress);
+    if at_once >= parallel::threads() {
+        return work();
+    }
+    // where no threads are to be had those that there are do it
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(at_once).build();
+    if let Ok(pool) = pool { pool.install(work) } else { work() }
+}
+
+/// With so many bytes for the operator of each contact.
+fn compute_within(
+    task: &LawTask<'_>,
+    memory: u64,
     points: KnownPoints<'_>,
     progress: &dyn Progress,
 ) -> Result<ComputedLaw, ModelError> {
@@ -122,7 +145,7 @@ fn compute_anew(
     let substrate = material.clone();
     let shares = sweep_accuracy(task.accuracy);
     let solve = |velocity: f64, indentation: f64| {
-        sample(&substrate, task.indenter, velocity, indentation, shares.contacts, task.memory)
+        sample(&substrate, task.indenter, velocity, indentation, shares.contacts, memory)
     };
     let KnownPoints { known, kept } = points;
     let watch = SweepWatch { progress, kept };

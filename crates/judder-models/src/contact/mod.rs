@@ -11,13 +11,13 @@ mod check;
 mod fields;
 pub mod fit;
 pub mod law;
-mod memory;
+pub(crate) mod memory;
 pub mod modulus;
 pub mod problem;
 pub mod settings;
 pub mod shape;
 pub mod single;
-mod size;
+pub(crate) mod size;
 mod tables;
 pub mod transient;
 

@@ -37,11 +37,12 @@ pub(crate) fn lattice(
 
 /// Columns and rows that the contacts of a law usually need.
 pub(crate) fn lattice_of_law(shape: &ShapeSettings, law: &LawSettings) -> [usize; 2] {
-    let accuracy = sweep_accuracy(law.accuracy).contacts;
-    match shape {
-        ShapeSettings::Cylinder => [strips_for(accuracy), 1],
-        _ => [cells_for(accuracy); 2],
-    }
+    lattice_of_contacts(*shape == ShapeSettings::Cylinder, sweep_accuracy(law.accuracy).contacts)
+}
+
+/// Columns and rows that contacts of an accuracy usually need, of a line or not.
+pub(crate) fn lattice_of_contacts(is_line: bool, accuracy: f64) -> [usize; 2] {
+    if is_line { [strips_for(accuracy), 1] } else { [cells_for(accuracy); 2] }
 }
 
 /// Cells a side that an accuracy of the force usually needs.

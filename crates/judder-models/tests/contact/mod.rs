@@ -2,10 +2,11 @@
 
 use crate::{case, number, run_into};
 use judder_contact::kernel::sliding::SlidingOperator;
-use judder_study::Silent;
-use judder_study::model::PROGRAM_BYTES;
+use judder_memory::MemoryBudget;
+use judder_study::model::{PROGRAM_BYTES, Prepared, Task, placed};
 use judder_study::resolve::resolve;
 use judder_study::run::{RunOptions, RunReport, run};
+use judder_study::{Silent, StudyError};
 use serde_json::{Map, Value};
 use std::path::Path;
 
@@ -18,6 +19,40 @@ pub(crate) fn run_text(folder: &Path, text: &str) -> RunReport {
 
 fn result<'a>(report: &'a RunReport, name: &str) -> &'a Map<String, Value> {
     &report.summary.results[name]
+}
+
+/// What a grid will need is not known before it is refined: 256 × 256 cells fit, and twice as many a side do not.
+#[test]
+fn grids_are_refined_within_what_the_process_may_take() {
+    let text = "model = \"contact\"\n[[analysis]]\nkind = \"contact\"\nvelocity = 1e-1\nindentation = 1e-2\naccuracy = 1e-5\n";
+    let file = judder_models::parse("case.toml", text, &[]).unwrap();
+    let parts = MemoryBudget::of_whole_process().most() / 80_000_000;
+    let task = || file.case.run(0, Task::alone(&Prepared::NOTHING, &Silent));
+    let refused = MemoryBudget::shared(parts, task).map(drop).unwrap_err();
+    let StudyError::Case(error) = placed(refused, &*file.case, &file, 0) else { panic!("no place") };
+    let message = error.to_string();
+    assert!(
+        message.contains("a contact on 512 × 512 cells: ") && message.contains(" of memory are needed"),
+        "{message}"
+    );
+    assert!(error.place().starts_with("[case.toml:6:"), "{}", error.place());
+}
+
+/// As many contacts of a law at once as there are threads, or as the process may take.
+#[test]
+fn contacts_of_a_law_share_what_the_process_may_take() {
+    let text = "model = \"contact\"\n[[analysis]]\nkind = \"contact-law\"\naccuracy = 1e-4\n\
+                velocity = { from = 1e-3, to = 1e2, points = 5 }\nindentation = { from = 1e-3, to = 1e-2, points = 3 }\n";
+    let file = judder_models::parse("case.toml", text, &[]).unwrap();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+    let told = |parts| {
+        let checked = || MemoryBudget::shared(parts, || resolve(&file, &Silent).unwrap().json());
+        number(&pool.install(checked)["estimate"][0]["bytes"]) - PROGRAM_BYTES as f64
+    };
+    let (all, of_three) = (MemoryBudget::of_whole_process().most(), told(1));
+    // what is free changes between two looks: no part is near an edge
+    let two = told(all / (PROGRAM_BYTES as u64 + (of_three / 3.0 * 2.5) as u64));
+    assert!((two / of_three - 2.0 / 3.0).abs() < 1e-6, "{two} of {of_three}");
 }
 
 /// One retardation time: tan δ is (E∞/E0 − 1)/(2 √(E∞/E0)) at the most, at ω τ = √(E∞/E0).

@@ -6,7 +6,7 @@ mod run;
 pub use run::LawPlane;
 
 use super::check::ContactEstimate;
-use super::memory::{contact_bytes, memory_of_contact};
+use super::memory::{contact_bytes, memory_of_contacts};
 use super::size::lattice_of_law;
 use super::{ContactSubject, Exciting, blame, usual_contacts};
 use crate::computed_law::KnownPoints;
@@ -51,7 +51,7 @@ impl Analysis<ContactCase> for LawSettings {
     }
 
     fn memory(&self, of: &ContactSubject<'_>) -> Result<NeededMemory, ModelError> {
-        Ok(memory_of_contact(lattice_of_law(&of.case.shape, self)))
+        Ok(memory_of_contacts(lattice_of_law(&of.case.shape, self)))
     }
 
     fn summary_keys(&self) -> Vec<Declared> {

@@ -6,7 +6,7 @@ mod refined;
 pub(crate) mod run;
 
 use super::check::ContactEstimate;
-use super::memory::{contact_bytes, memory_of_contact};
+use super::memory::{beyond_process, bytes_with_operator, contact_bytes, memory_of_contact};
 use super::size::lattice;
 use super::{ContactSubject, Exciting, blame};
 use crate::contact::case::ContactCase;
@@ -15,6 +15,7 @@ use crate::contact::settings::{ContactScope, ContactSettings};
 use crate::contact::shape::ShapeSettings;
 use crate::error::ModelError;
 use crate::indenter::height_map;
+use judder_contact::kernel::check::KernelError;
 use judder_contact::kernel::periodic::{PERIODIC_MEMORY, memory_of_a_period};
 use judder_contact::steady::{GridChoice, SteadyError};
 use judder_contact::unilateral::Loading;
@@ -113,6 +114,16 @@ impl Analysis<ContactCase> for ContactSettings {
             {
                 let (side, needed) = (2.0 * half_width, 2.0 * needed);
                 Some(Refusal::keys(&["domain"], ContactProblem::DomainTooSmall { side, needed }))
+            }
+            // of a grid that the case allows
+            ModelError::Contact(SteadyError::Kernel(KernelError::Memory {
+                columns,
+                rows,
+                needed,
+                allowed,
+            })) if bytes_with_operator(*needed) <= self.memory.bytes => {
+                let [needed, allowed] = [*needed, *allowed].map(bytes_with_operator);
+                beyond_process([*columns, *rows], needed, allowed)
             }
             _ => None,
         }

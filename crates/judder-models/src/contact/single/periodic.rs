@@ -4,7 +4,7 @@ use super::refined::Refined;
 use super::run::{DISSIPATION_LIMIT, RESIDUAL_LIMIT, loading};
 use crate::contact::case::ContactCase;
 use crate::contact::fields::ContactFields;
-use crate::contact::memory::operator_limit;
+use crate::contact::memory::{operator_at_once, operator_limit};
 use crate::contact::settings::ContactSettings;
 use crate::error::ModelError;
 use crate::indenter::height_map;
@@ -38,7 +38,7 @@ pub(super) fn run(
         },
         accuracy: Some(settings.accuracy),
         limits: UnilateralLimits::default(),
-        memory: operator_limit(settings.memory),
+        memory: operator_at_once(operator_limit(settings.memory), 1),
     };
     let contact = solve_until(&question, &|| progress.interrupted()).map_err(|error| match error {
         PeriodicContactError::Interrupted => ModelError::Interrupted,

@@ -3,7 +3,7 @@
 use super::refined::Refined;
 use crate::contact::case::ContactCase;
 use crate::contact::fields::ContactFields;
-use crate::contact::memory::operator_limit;
+use crate::contact::memory::{operator_at_once, operator_limit};
 use crate::contact::settings::{ContactSettings, LoadingSettings};
 use crate::contact::shape::ShapeSettings;
 use crate::error::ModelError;
@@ -75,7 +75,7 @@ pub(crate) fn run(
         accuracy: settings.accuracy,
         grid: grid(settings, &scales),
         limits: UnilateralLimits::default(),
-        memory: operator_limit(settings.memory),
+        memory: operator_at_once(operator_limit(settings.memory), 1),
     };
     let contact = solve_until(&question, &|| progress.interrupted()).map_err(|error| match error {
         SteadyError::Interrupted => ModelError::Interrupted,

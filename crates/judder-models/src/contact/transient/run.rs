@@ -1,6 +1,7 @@
 //! `transient`: a contact that is followed in time.
 
 use crate::contact::case::ContactCase;
+use crate::contact::memory::{operator_at_once, operator_limit};
 use crate::contact::single::run::RESIDUAL_LIMIT;
 use crate::contact::transient::asked::AskedTransient;
 use crate::contact::transient::settings::{IndenterMotion, TransientSettings};
@@ -54,7 +55,7 @@ pub(super) fn run(
     };
     let mut steady = None;
     if let (Some(velocity), None) = (asked.velocity, asked.depth_frequency) {
-        let memory = settings.memory.bytes;
+        let memory = operator_at_once(operator_limit(settings.memory), 1);
         let steady = steady.insert(Steady::new(&scales, &*profile, velocity, asked.loading, memory)?);
         let slid = velocity * asked.duration;
         let settled = asked.duration >= SETTLING * substrate.longest_time()

@@ -46,6 +46,8 @@ pub(crate) mod point_bytes {
     pub(crate) const SEARCHED: u128 = 16;
     /// Of a motion that is kept: of 64 to 4 194 304 points.
     pub(crate) const MOTION: u128 = 352;
+    /// Of a change of the contact state in a motion, with its part of an oscillation: 150 of 58 000, 220 of 289 000 on a belt.
+    pub(crate) const CHANGE: u128 = 200;
     /// Of a map whose regions are decided by their borders: of 4 000 000 points.
     pub(crate) const MAP: u128 = 5;
     /// Of one with the growth rate of every point: 39 of 360 000, 30 of 4 000 000.

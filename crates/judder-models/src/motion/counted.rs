@@ -30,6 +30,8 @@ pub(crate) struct ProbedMotions<'a, K> {
 pub(crate) struct CountedMotions {
     /// Steps that a radian takes.
     pub(crate) steps: f64,
+    /// Changes of the contact state in a radian.
+    pub(crate) changes: f64,
     /// The time after which they have settled, in radians; of those that have not yet, as far as they were followed.
     pub(crate) settled: f64,
     /// The share of those that have not.
@@ -40,8 +42,13 @@ pub(crate) struct CountedMotions {
 
 impl CountedMotions {
     /// Where none could be followed.
-    pub(crate) const USUAL: Self =
-        Self { steps: cost::STEPS_OF_RADIAN, settled: USUAL_TIME, open: 0.0, longest: USUAL_TIME };
+    pub(crate) const USUAL: Self = Self {
+        steps: cost::STEPS_OF_RADIAN,
+        changes: 0.0,
+        settled: USUAL_TIME,
+        open: 0.0,
+        longest: USUAL_TIME,
+    };
 
     /// The time after which they usually have settled: those that have not within the beginning take half of what is left.
     pub(crate) fn usual(&self) -> f64 {
@@ -64,6 +71,7 @@ impl<K: Copy + Sync + Send> ProbedMotions<'_, K> {
             |of: fn(&CountedMotions) -> f64| each.iter().map(of).sum::<f64>() / each.len().max(1) as f64;
         (!each.is_empty()).then(|| CountedMotions {
             steps: mean(|own| own.steps),
+            changes: mean(|own| own.changes),
             settled: mean(|own| own.settled),
             open: mean(|own| own.open),
             longest: mean(|own| own.longest),
@@ -86,24 +94,31 @@ impl<K: Copy + Sync + Send> ProbedMotions<'_, K> {
             Err(MarchError::StepsSpent { time, .. }) => (time, 1.0),
             Err(_) => return None,
         };
-        let steps = steps_of_radian(system, start, settings(&self.following), settled)?;
+        let [steps, changes] = of_radian(system, start, settings(&self.following), settled)?;
         let longest = longest.min(self.following.steps as f64 / steps);
-        Some(CountedMotions { steps, settled, open, longest })
+        Some(CountedMotions { steps, changes, settled, open, longest })
     }
 }
 
-/// Steps of a motion over a radian, up to a time; `None` where it cannot be followed.
-fn steps_of_radian<S: SlidingSystem<N>, const N: usize>(
+/// Steps of a motion over a radian and changes of its contact state, up to a time; `None` where it cannot be followed.
+fn of_radian<S: SlidingSystem<N>, const N: usize>(
     system: &S,
     start: [f64; N],
     settings: StepSettings<N>,
     time: f64,
-) -> Option<f64> {
-    let window = TimeWindow { duration: time, transient: 0.0, points: 2 };
-    match follow(system, start, settings, &window, &|| false) {
-        Ok(history) => Some(history.steps as f64 / time.max(f64::MIN_POSITIVE)),
+) -> Option<[f64; 2]> {
+    let followed = |duration: f64| {
+        let window = TimeWindow { duration, transient: 0.0, points: 2 };
+        let history = follow(system, start, settings, &window, &|| false)?;
+        Ok([history.steps, history.events.len()].map(|count| count as f64 / duration.max(f64::MIN_POSITIVE)))
+    };
+    match followed(time) {
+        Ok(counts) => Some(counts),
         Err(LostMotion { source: MarchError::StepsSpent { time, .. }, .. }) => {
-            Some(STEPS as f64 / time.max(f64::MIN_POSITIVE))
+            let steps = STEPS as f64 / time.max(f64::MIN_POSITIVE);
+            // of one that was not followed to its end no changes are known
+            let [_, changes] = followed(0.5 * time).ok()?;
+            Some([steps, changes])
         }
         Err(_) => None,
     }

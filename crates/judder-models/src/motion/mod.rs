@@ -24,6 +24,7 @@ use crate::estimate::{Estimate, cost, memory_of_points, point_bytes};
 use crate::sweep::Sweep;
 use crate::swept_keys::SweptKeys;
 use counted::{CountedMotions, ProbedMotions};
+use judder_keys::numeric_key::Form;
 use judder_store::Declared;
 use judder_study::model::{Analysed, Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
@@ -102,9 +103,28 @@ impl<C: MotionCase, A: MotionOf<C::Keys>> Analysis<C> for MotionAnalysis<A> {
         C::follow(&self.0, of, task)
     }
 
-    fn memory(&self, _: &C::Known<'_>) -> Result<NeededMemory, ModelError> {
+    fn memory(&self, known: &C::Known<'_>) -> Result<NeededMemory, ModelError> {
+        let size = self.0.size();
         let keys = &["points", "samples", "sweep.points"];
-        Ok(memory_of_points(self.0.size().points as u128, point_bytes::MOTION, keys))
+        let of_points = memory_of_points(size.points as u128, point_bytes::MOTION, keys);
+        let following = self.0.probed().following;
+        // what a look at their beginnings would take is more than changes of shorter ones do
+        let long = if following.duration.form == Form::Group { 5e4 } else { 10.0 };
+        if size.ends != MotionEnd::Duration || following.duration.number < long {
+            return Ok(of_points);
+        }
+        let changes = C::counted(&self.0, known).map_or(0.0, |own| own.changes * own.longest) as u128;
+        let of_changes = changes.saturating_mul(point_bytes::CHANGE);
+        if of_changes < of_points.beside {
+            return Ok(NeededMemory { beside: of_points.beside.saturating_add(of_changes), ..of_points });
+        }
+        Ok(NeededMemory {
+            beside: of_points.beside.saturating_add(of_changes),
+            what: format!("about {changes} changes of the contact state").into(),
+            keys: &["duration"],
+            advice: "follow the motion over a shorter `duration`",
+            ..of_points
+        })
     }
 
     fn estimate(&self, known: &C::Known<'_>) -> Result<Estimate, ModelError> {
@@ -181,7 +201,7 @@ mod tests {
             let Estimate { seconds, seconds_at_most, .. } = size(ends).estimate("diagram", counted, 1e-6);
             (seconds - cost::MOTION_FIGURES, seconds_at_most.map(|most| most - cost::MOTION_FIGURES))
         };
-        let early = CountedMotions { steps: 10.0, settled: 1000.0, open: 0.0, longest: 5000.0 };
+        let early = CountedMotions { steps: 10.0, changes: 0.0, settled: 1000.0, open: 0.0, longest: 5000.0 };
         let (plain, most) = seconds(MotionEnd::Settled, &early);
         assert!((plain - 0.42).abs() < 1e-12 && (most.unwrap() - 5.0 * plain).abs() < 1e-12);
         assert!((seconds(MotionEnd::Duration, &early).0 - 5.0 * plain).abs() < 1e-12);

@@ -66,6 +66,22 @@ fn every_kind_is_held_against_the_budget() {
     assert!(missing.is_empty(), "no case asks for {missing:?}");
 }
 
+/// A belt whose motion changes its state 288 606 times, for which the process was measured to take 64 MB beside what a short motion takes.
+#[test]
+fn changes_of_state_are_counted() {
+    let belt = |duration: &str| {
+        let text = format!(
+            "model = \"belt\"\n[oscillator]\ndamping = 0.05\n[friction]\nat_rest = 1.0\nat_speed = 0.5\ndecay_speed = 0.5\n\
+             [operation]\nvelocity = 0.5\nnormal_force = 1.0\n[[analysis]]\nkind = \"motion\"\n\
+             start = {{ x = 1.0, velocity_x = 1.5 }}\nduration = {duration}\ntransient = 0\npoints = 100\nsteps = 100000000\n"
+        );
+        let file = judder_models::parse("case.toml", &text, &[]).unwrap();
+        number(&resolve(&file, &Silent).unwrap().json()["estimate"][0]["bytes"])
+    };
+    let changes = belt("1e6") - belt("100");
+    assert!((changes / 64e6 - 1.0).abs() < 0.2, "{changes}");
+}
+
 /// A number of `/proc/self/status`, in bytes.
 #[cfg(target_os = "linux")]
 fn status(name: &str) -> f64 {

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Literal, TypeAlias
 
-from judder import _arguments, _judder, _memory, _places, _shown, _summaries, _swept, _warned
+from judder import _arguments, _judder, _memory, _places, _shown, _si, _summaries, _swept, _warned
 from judder._exported import Exported
 from judder._objects import CaseSource
 from judder._placed import Placed
@@ -198,6 +198,11 @@ class Study(Placed, Exported, Mapping[str, "xarray.Dataset"]):
     ``judder_case`` is the case with law and fixed keys, JSON, ``judder_warnings`` what has to be known of the result. All write to Zarr and NetCDF after
     any operation.
 
+    Oscillators and belts are computed in groups. Where their case is written in SI, every array that has a unit there stands beside as ``<name>_si``,
+    of a motion ``data.x_si`` in m over ``data.time_si`` in s; :meth:`in_si` has those alone::
+
+        study.in_si("motion").x.plot()
+
     In a notebook a study shows its results and figures. A study that was run without ``output`` has no folder, and so neither report nor figures nor
     tables as files; :meth:`save` writes them.
     """
@@ -295,14 +300,24 @@ class Study(Placed, Exported, Mapping[str, "xarray.Dataset"]):
 
         return _conventions.presented(self._dataset(name), name, self.summary, self.warnings[name])
 
+    def in_si(self, name: str) -> xarray.Dataset:
+        """The data of an analysis with what has a unit in SI in that alone, under the names that the groups have.
+
+        Of a motion of a case in SI ``study.in_si("motion").x.plot()`` draws metres over seconds. What has no unit in SI stays as it is.
+
+        Raises:
+            UnknownResultError: there is no such result.
+        """
+        return _si.alone(self[name])
+
     def _dataset(self, name: str, *, whole: bool = True, dask: bool | None = None) -> xarray.Dataset:
         """The data of a result; of a sweep with a look whether all chunks are there, and as arrays of dask or not."""
         if self._compiled is not None:
-            return _memory.dataset(self._compiled, name, self.hashes[name])
+            return _si.beside(_memory.dataset(self._compiled, name, self.hashes[name]), in_memory=True)
         place = self._stored, name, self.hashes.get(name)
         with _places.reading(self._stored, name):
             if name not in self.sweeps:
-                return _places.group(*place)
+                return _si.beside(_places.group(*place), in_memory=False)
             if whole:
                 _swept.whole(self._stored, name)
             return _swept.dataset(*place, dask=dask)

@@ -98,6 +98,20 @@ impl Dataset {
         Ok(self)
     }
 
+    /// With further attributes of its variables: those that `of` has for the name of each.
+    ///
+    /// # Errors
+    /// As of [`Dataset::attribute`].
+    pub fn described(mut self, of: impl Fn(&str) -> Vec<(&'static str, Value)>) -> Result<Self, StoreError> {
+        for variable in &mut self.variables {
+            for (name, value) in of(&variable.name) {
+                check_attribute(&variable.name, name)?;
+                variable.attributes.insert(name.to_owned(), value);
+            }
+        }
+        Ok(self)
+    }
+
     /// With an attribute of the whole dataset before all others.
     ///
     /// # Errors

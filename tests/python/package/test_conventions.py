@@ -169,3 +169,42 @@ def test_runs_are_logged(caplog, tmp_path):
         judder.run(case, output=tmp_path / "study", only=["line"])
     told = [record.getMessage() for record in caplog.records if record.name == "judder"]
     assert any("`line` took" in own for own in told) and any(str(tmp_path / "study") in own for own in told), told
+
+
+BELT = {
+    "model": "belt",
+    "oscillator": {"mass": "1 kg", "stiffness": "100 N/m", "damping": "1 N s/m"},
+    "friction": {"at_rest": 1.0, "at_speed": 0.5, "decay_speed": "5 mm/s"},
+    "operation": {"velocity": "15 mm/s", "normal_force": "0.1 N"},
+    "analysis": [{"name": "cycle", "kind": "limit-cycle", "start": {"x": "1 mm", "velocity_x": "15 mm/s"}}],
+}
+
+
+def test_what_is_in_si_stands_beside_the_groups(tmp_path):
+    """A unit of time is √(m/k) = 0.1 s, one of displacement 1 m."""
+    label = pytest.importorskip("xarray.plot.utils").label_from_attrs
+    for study in judder.run(BELT), judder.run(BELT, output=tmp_path / "study"):
+        data, numbers = study["cycle"], study.results["cycle"]
+        assert np.array_equal(data.x_si, data.x.values) and np.allclose(data.time_si, 0.1 * data.time.values, rtol=1e-15)
+        assert np.allclose(data.velocity_x_si, 10 * data.velocity_x.values, rtol=1e-15) and "time_si" in data.coords
+        assert data.time_si[-1] - data.time_si[0] == pytest.approx(numbers["period_s"], rel=1e-12)
+        assert "contact_state_si" not in data and "floquet_multipliers_si" not in data
+        assert pickle.loads(pickle.dumps(data)).velocity_x_si.identical(data.velocity_x_si)
+        whole = study.in_si("cycle")
+        axes = [" ".join(label(own).split()) for own in (whole.x, whole.time, whole.relative_velocity)]
+        assert axes == ["displacement x along sliding [m]", "time t [s]", "velocity less that of the track [m/s]"]
+        assert set(whole.variables) == {name for name in data.variables if not name.endswith("_si")}
+        assert whole.x.sel(time=slice(0.1, 0.2)).size == ((data.time_si >= 0.1) & (data.time_si <= 0.2)).sum()
+        whole.to_zarr(tmp_path / f"{id(study)}.zarr", zarr_format=3, consolidated=False)
+    study.to_csv(tmp_path / "tables")
+    assert "x_si [m]" in (tmp_path / "tables" / "cycle.csv").read_text(encoding="utf-8").splitlines()[0]
+    opened = xarray.open_dataset(tmp_path / "study" / "results.zarr", group="cycle", engine="zarr", consolidated=False)
+    assert opened.velocity_x.attrs["si_unit"] == "m/s" and opened.velocity_x.attrs["si_factor"] == 10.0
+
+
+def test_a_case_in_groups_has_no_si(studies):
+    case = {"model": "belt", "analysis": [{"name": "motion", "kind": "motion", "duration": 50, "points": 64}]}
+    study = judder.run(case)
+    data = study["motion"]
+    assert not [name for name in data.variables if str(name).endswith("_si")] and study.in_si("motion").identical(data)
+    assert studies[0].in_si("line").eigenvalues.attrs["units"] == "1"

@@ -61,10 +61,11 @@ impl BeltInputs {
         self.is_si().then(|| (stiffness / mass).sqrt())
     }
 
-    /// 1/ω in s, 1 m, and the stiffness times 1 m² in J, where the case is in SI.
+    /// 1/ω in s, 1 m, the stiffness times 1 m² in J, and 1 m², where the case is in SI.
     pub(crate) fn si_units(&self) -> Option<SiUnits> {
         let joule = self.number(BeltKey::Stiffness);
-        self.natural_frequency().map(|frequency| SiUnits { second: 1.0 / frequency, metre: 1.0, joule })
+        let second = self.natural_frequency()?.recip();
+        Some(SiUnits { second, metre: 1.0, joule, square_metre: 1.0 })
     }
 
     /// The number of a key in units of the mass, 1/ω and 1 m.

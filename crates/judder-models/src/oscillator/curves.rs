@@ -2,7 +2,7 @@
 
 #![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
 
-use crate::motion::si::SiUnits;
+use crate::motion::si::second_of;
 use crate::oscillator::margins::NOT_KNOWN;
 use judder_numerics::complex::ElementaryComplex;
 use judder_report::runs::{Curve, alone, apart};
@@ -64,7 +64,7 @@ pub(crate) fn spectrum(dataset: &StoredArrays<'_>, labels: &SpectrumLabels) -> O
     dataset.shaped("eigenvalues", &[vec![None; before], vec![Some(4)]].concat())?;
     let full = complexes(dataset, "eigenvalues")?;
     let conservative = complexes(dataset, "conservative_eigenvalues")?;
-    let units = SiUnits::of(dataset.attributes()).map(|units| units.second);
+    let units = second_of(dataset.attributes());
     let (per_second, hertz) =
         (units.map_or(1.0, f64::recip), units.map_or(1.0, |second| 1.0 / (TAU * second)));
     let labels = if units.is_some() { &IN_SI } else { labels };

@@ -95,7 +95,7 @@ impl OscillatorInputs {
         }
     }
 
-    /// 1/ω_nx in s, x0 = F_n/k_x in m and k_x x0² in J, where speed or load are given in SI.
+    /// 1/ω_nx in s, x0 = F_n/k_x in m, k_x x0² in J and R² in m², where speed or load are given in SI.
     pub(crate) fn si_units(&self) -> Option<SiUnits> {
         let is_si = |key: OscillatorKey| self.get(key).form == Form::Si;
         let Scales { reduced_modulus, radius, natural_frequency } = self.scales();
@@ -105,7 +105,12 @@ impl OscillatorInputs {
             Form::Group => load.number * reduced_modulus * radius * radius,
         };
         let metre = newtons / self.number(OscillatorKey::StiffnessX);
-        let units = SiUnits { second: 1.0 / natural_frequency, metre, joule: newtons * metre };
+        let units = SiUnits {
+            second: 1.0 / natural_frequency,
+            metre,
+            joule: newtons * metre,
+            square_metre: radius * radius,
+        };
         (is_si(OscillatorKey::NormalLoad) || is_si(OscillatorKey::Velocity)).then_some(units)
     }
 

@@ -176,6 +176,9 @@ pub(crate) struct ToldBasin {
     distribution: &'static str,
     /// where starts were drawn, coordinate by coordinate
     within: ByName<[f64; 2]>,
+    /// that in m and m/s
+    #[result(optional)]
+    within_si: Option<ByName<[f64; 2]>>,
     /// how many starts became what
     fates: ByName<usize>,
 }
@@ -221,6 +224,13 @@ impl<S> SampledBasin<'_, S> {
             samples: self.samples.len(),
             seed: self.draw.seed,
             distribution: "uniform and independent; other coordinates as in steady sliding",
+            within_si: self.operating.si.map(|units| {
+                let in_si = |(name, [from, to]): (String, [f64; 2])| {
+                    let ends = [units.coordinate(&name, from), units.coordinate(&name, to)];
+                    (name, ends)
+                };
+                within.clone().map(in_si).collect()
+            }),
             within: within.collect(),
             fates: fates.collect(),
         }

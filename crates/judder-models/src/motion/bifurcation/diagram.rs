@@ -6,7 +6,7 @@ use crate::error::ModelError;
 use crate::motion::becomes::{BECOMES, CYCLE, LOST, UNCONFIRMED};
 use crate::motion::bifurcation::SweepDirection;
 use crate::motion::model::Coordinate;
-use crate::motion::si::SiUnits;
+use crate::motion::si::{SiUnits, stored_beside};
 use judder_numerics::words::plain;
 use judder_store::{Dataset, Results, Table, Variable};
 use judder_study::axis::SweptAxis;
@@ -126,10 +126,17 @@ impl SweptDiagram<'_> {
         Some(values.into_iter().zip(every).map(|(value, own)| value * unit(own)).collect())
     }
 
-    /// The units, where they are the same at all values.
-    fn same_units(&self) -> Option<SiUnits> {
-        let units = self.si.as_ref()?;
-        units.first().copied().filter(|first| units.iter().all(|own| own == first))
+    /// All arrays in SI too, where the case is written in SI: `units` are those at a value of the swept key.
+    pub(super) fn with_si(
+        &self,
+        dataset: Dataset,
+        units: impl Fn(f64) -> Option<SiUnits>,
+    ) -> Result<Dataset, ModelError> {
+        let Some(all) = &self.si else { return Ok(dataset) };
+        match all.first().filter(|first| all.iter().all(|own| own == *first)) {
+            Some(same) => same.told_in(dataset),
+            None => stored_beside(dataset, units),
+        }
     }
 
     /// Every array; `coordinates` are those of a state.
@@ -156,11 +163,7 @@ impl SweptDiagram<'_> {
                 Variable::classes("becomes", &dimensions, &shape, becomes, &BECOMES)
                     .long_name("what the motion settles to"),
             )?;
-        let dataset = self.with_section(dataset, coordinates)?;
-        match self.same_units() {
-            Some(units) => units.told_in(dataset),
-            None => Ok(dataset),
-        }
+        self.with_section(dataset, coordinates)
     }
 
     /// With the meetings of all motions with the section, where x is largest.

@@ -57,13 +57,12 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     let sweeps: Vec<Vec<SettledPoint>> = parallel::try_each(direction.sweeps(), |direction| {
         along(model, settings, *direction, kept, progress)
     })?;
-    let values = settings.sweep.values();
-    let units = values.iter().map(|value| model.operating(Some((settings.sweep, *value))).ok()?.si);
+    let units = |value: f64| model.operating(Some((settings.sweep, value))).ok()?.si;
     let diagram = SweptDiagram {
         axis: M::axis(settings.sweep),
         directions: direction.sweeps(),
         sweeps: &sweeps,
-        si: units.collect(),
+        si: settings.sweep.values().into_iter().map(units).collect(),
     };
     let lost = sweeps.iter().flatten().filter(|point| point.is_err()).count();
     let told = diagram.told(&settings.sweep.path);
@@ -79,11 +78,12 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     if settings.branches {
         let simulated = diagram.cycles();
         let branches = branches::follow(model, settings.sweep, settings.following, &simulated, progress)?;
-        outcome.scalars.extend(branches.told().scalars());
+        outcome.scalars.extend(branches.told(units).scalars());
         outcome.dataset = branches.add_arrays(outcome.dataset)?;
         outcome.checks.extend(branches.check());
         outcome.warnings.extend(branches.warnings());
     }
+    outcome.dataset = diagram.with_si(outcome.dataset, units)?;
     Ok(outcome)
 }
 

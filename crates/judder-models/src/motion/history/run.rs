@@ -52,7 +52,9 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     let mut told = told::<M, N>(&operating, &history);
     told.tell_si(operating.si);
     let mut scalars = told.scalars();
-    scalars.extend(ToldWindow { duration, transient }.scalars());
+    let [duration_s, transient_s] =
+        [duration, transient].map(|time| operating.si.map(|units| units.second * time));
+    scalars.extend(ToldWindow { duration, transient, duration_s, transient_s }.scalars());
     // a case without seconds that asks for a sound is not read
     let heard = operating.si.filter(|_| asked.sound == Some(true));
     let sound = heard.map(|units| sound(model.name(), units, &history, &window)).transpose()?;
@@ -60,7 +62,7 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     let arrays = Arrays::<M, N> { operating: &operating, history: &history };
     Ok(Outcome {
         scalars,
-        dataset: arrays.with_spectrum(arrays.dataset()?, &window)?,
+        dataset: arrays.in_si(arrays.with_spectrum(arrays.dataset()?, &window)?)?,
         table: Some(arrays.table()?),
         checks: energy_check(&history).into_iter().collect(),
         files: sound.into_iter().map(|own| (own.name, own.bytes)).collect(),
@@ -132,6 +134,10 @@ struct ToldWindow {
     duration: f64,
     #[result(unit = "1")]
     transient: f64,
+    #[result(optional, unit = "s")]
+    duration_s: Option<f64>,
+    #[result(optional, unit = "s")]
+    transient_s: Option<f64>,
 }
 
 /// The keys of the summary of a motion.
@@ -264,7 +270,11 @@ impl<M: Moving<N>, const N: usize> Arrays<'_, M, N> {
         let states = samples.iter().map(|s| s.contact_state.number()).collect();
         let states = Variable::classes("contact_state", &["time"], &[count], states, &ContactState::CODES)
             .long_name("contact state");
-        let dataset = self.with_oscillations(self.with_path(self.with_events(dataset.with(states)?)?)?)?;
+        self.with_oscillations(self.with_path(self.with_events(dataset.with(states)?)?)?)
+    }
+
+    /// A dataset that says what its arrays are in SI, where the case is written in SI.
+    pub(crate) fn in_si(&self, dataset: Dataset) -> Result<Dataset, ModelError> {
         match self.operating.si {
             Some(units) => units.told_in(dataset),
             None => Ok(dataset),

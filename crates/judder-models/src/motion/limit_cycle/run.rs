@@ -48,7 +48,10 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     told.oscillations = cycle.oscillations;
     told.tell_si(operating.si);
     let mut scalars = told.scalars();
-    scalars.extend(ToldCycle::new(&cycle).scalars());
+    let start_si = operating.si.map(|units| {
+        M::COORDINATES.iter().zip(cycle.start).map(|(own, value)| units.coordinate(own.name, value)).collect()
+    });
+    scalars.extend(ToldCycle { start_si, ..ToldCycle::new(&cycle) }.scalars());
     let arrays = Arrays::<M, N> { operating: &operating, history: &history };
     let multipliers = Variable::new("floquet_multipliers", &["multiplier"], &[N], cycle.multipliers.clone())
         .units("1")
@@ -61,7 +64,7 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     );
     Ok(Outcome {
         scalars,
-        dataset: arrays.dataset()?.with(multipliers)?,
+        dataset: arrays.in_si(arrays.dataset()?.with(multipliers)?)?,
         table: Some(arrays.table()?),
         checks: energy_check(&history).into_iter().chain([monodromy]).collect(),
         ..Outcome::default()
@@ -96,6 +99,9 @@ struct ToldCycle {
     /// a state on it
     #[result(unit = "1")]
     start: Vec<f64>,
+    /// that state in m and m/s
+    #[result(optional)]
+    start_si: Option<Vec<f64>>,
 }
 
 /// The keys of the summary.
@@ -112,6 +118,7 @@ impl ToldCycle {
             newton_iterations: cycle.iterations,
             pattern: cycle.around.pattern.iter().map(ToString::to_string).collect(),
             start: cycle.start.to_vec(),
+            start_si: None,
         }
     }
 }

@@ -88,10 +88,14 @@ pub(super) fn run(
             here.si_units()
         })
     });
-    let mut outcome = outcome(&axis, &curves, spectra, &WORDS, seconds.collect())?;
+    let si: Option<Vec<SiUnits>> = seconds.collect();
+    let mut outcome = outcome(&axis, &curves, spectra, &WORDS, si.as_deref())?;
     outcome.warnings = warnings;
     outcome.checks = checks::steady_sliding(contact, &known);
     law_errors::add(&mut outcome, &axis, &curves, contact, &states, &GROWTH_RATE)?;
+    if let Some(units) = si.as_deref().and_then(same) {
+        outcome.dataset = units.told_in(outcome.dataset)?;
+    }
     Ok(outcome)
 }
 
@@ -101,13 +105,13 @@ pub(crate) fn outcome(
     curves: &Curves,
     spectra: Vec<Option<Spectra>>,
     words: &SpectraWords,
-    si: Option<Vec<SiUnits>>,
+    si: Option<&[SiUnits]>,
 ) -> Result<Outcome, ModelError> {
     let missing = spectra.iter().filter(|s| s.is_none()).count();
     let spectra: Vec<Spectra> = spectra.into_iter().map(|s| s.unwrap_or(Spectra::MISSING)).collect();
     let points = axis.values.len();
     let told = |(curve, spectra): (usize, &[Spectra])| {
-        let units = si.as_ref().and_then(|units| units.get(curve * points..(curve + 1) * points));
+        let units = si.and_then(|units| units.get(curve * points..(curve + 1) * points));
         ToldSpectra::new(axis, spectra, units).scalars()
     };
     let scalars = spectra.chunks(points).enumerate().map(told).collect();
@@ -125,9 +129,6 @@ pub(crate) fn outcome(
     let mut dataset = Dataset::new().with(axis.coordinate())?;
     if let Some(coordinate) = curves.coordinate() {
         dataset = dataset.with(coordinate)?;
-    }
-    if let Some(units) = si.as_ref().and_then(|units| same(units)) {
-        dataset = units.told_in(dataset)?;
     }
     Ok(Outcome {
         scalars: curves.scalars(scalars),

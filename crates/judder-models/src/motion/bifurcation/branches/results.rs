@@ -2,6 +2,7 @@
 
 use super::{Branches, DiagramBranch};
 use crate::error::ModelError;
+use crate::motion::si::SiUnits;
 use judder_oscillator::motion::ContactState;
 use judder_store::{Dataset, Results, Variable};
 use judder_study::outcome::{CheckRecord, Disagreement};
@@ -22,6 +23,8 @@ struct ToldHopf {
     #[result(unit = "1")]
     lyapunov_coefficient: f64,
     criticality: &'static str,
+    #[result(optional, unit = "Hz")]
+    frequency_hz: Option<f64>,
 }
 
 /// The cycles of a branch, one after the other.
@@ -40,6 +43,10 @@ struct ToldBranch {
     pattern_changes: Vec<PatternChangeRow>,
     /// where it ends, in words
     end: String,
+    #[result(optional, unit = "m")]
+    rms_m: Option<Vec<f64>>,
+    #[result(optional, unit = "s")]
+    period_s: Option<Vec<f64>>,
 }
 
 /// Where neighbours have different patterns: both values and both patterns.
@@ -94,9 +101,12 @@ impl<const N: usize> DiagramBranch<N> {
         changes.collect()
     }
 
-    fn told_branch(&self) -> ToldBranch {
+    fn told_branch(&self, units: impl Fn(f64) -> Option<SiUnits>) -> ToldBranch {
         let told = self.told();
         let numbers = |of: fn(&BranchCycle) -> f64| told.iter().map(of).collect::<Vec<f64>>();
+        let in_si = |of: fn(&BranchCycle, SiUnits) -> f64| {
+            told.iter().map(|own| Some(of(own, units(own.value)?))).collect::<Option<Vec<f64>>>()
+        };
         ToldBranch {
             from: self.from.clone(),
             oscillations: self.points.first().map(|point| point.cycle.oscillations),
@@ -107,6 +117,8 @@ impl<const N: usize> DiagramBranch<N> {
             folds: self.folds.iter().map(|fold| fold.parameter).collect(),
             pattern_changes: self.pattern_changes(),
             end: self.end.clone(),
+            rms_m: in_si(|own, units| own.rms * units.metre),
+            period_s: in_si(|own, units| own.period * units.second),
         }
     }
 
@@ -126,7 +138,8 @@ impl<const N: usize> DiagramBranch<N> {
 }
 
 impl<const N: usize> Branches<N> {
-    pub(crate) fn told(&self) -> ToldBranches {
+    /// What is told; `units` are those at a value of the swept key.
+    pub(crate) fn told(&self, units: impl Fn(f64) -> Option<SiUnits>) -> ToldBranches {
         let hopf_points = self.hopf_points.iter().map(|point| ToldHopf {
             value: point.value,
             frequency: point.hopf.frequency,
@@ -136,10 +149,11 @@ impl<const N: usize> Branches<N> {
                 (false, true) => "subcritical",
                 (false, false) => "supercritical",
             },
+            frequency_hz: units(point.value).map(|units| units.hertz(point.hopf.frequency)),
         });
         ToldBranches {
             hopf_points: hopf_points.collect(),
-            branches: self.branches.iter().map(DiagramBranch::told_branch).collect(),
+            branches: self.branches.iter().map(|branch| branch.told_branch(&units)).collect(),
         }
     }
 

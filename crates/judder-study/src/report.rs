@@ -90,8 +90,12 @@ pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Resu
             Status::Failed { reason } => blocks.push(PageBlock::text(format!("No result: {reason}"))),
             Status::Done => {
                 blocks.extend(figure_blocks(registry, store, summary, name)?);
-                blocks.extend(summary.results.get(name).and_then(scalar_table).map(PageBlock::Table));
-                blocks.extend(tables(registry, summary, name).into_iter().map(PageBlock::Table));
+                // what was asked first, then every number under its key
+                let asked = tables(registry, summary, name);
+                let caption = if asked.is_empty() { "" } else { "Every number, by its key" };
+                blocks.extend(asked.into_iter().map(PageBlock::Table));
+                let scalars = summary.results.get(name).and_then(|own| scalar_table(own, caption));
+                blocks.extend(scalars.map(PageBlock::Table));
             }
         }
         sections.push(PageSection::new(name, blocks));
@@ -256,7 +260,7 @@ fn six_digits(number: &serde_json::Number) -> String {
 }
 
 /// The scalars of an analysis that fit a table.
-fn scalar_table(scalars: &serde_json::Map<String, Value>) -> Option<PageTable> {
+fn scalar_table(scalars: &serde_json::Map<String, Value>, caption: &str) -> Option<PageTable> {
     let rows: Vec<Vec<String>> = scalars
         .iter()
         .filter_map(|(name, value)| match value {
@@ -272,7 +276,7 @@ fn scalar_table(scalars: &serde_json::Map<String, Value>) -> Option<PageTable> {
         })
         .collect();
     (!rows.is_empty()).then(|| PageTable {
-        caption: String::new(),
+        caption: caption.to_owned(),
         head: vec!["quantity".to_owned(), "value".to_owned()],
         rows,
     })

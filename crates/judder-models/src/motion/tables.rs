@@ -21,17 +21,25 @@ pub(crate) fn motion(analysis: ToldAnalysis<'_>, unit: &str) -> Vec<PageTable> {
     [quantities(analysis)].into_iter().chain(energies(analysis, unit)).chain(multipliers(analysis)).collect()
 }
 
-/// Works in groups, and in mJ where the case is written in SI; what is left is relative.
+/// A part of the energy below this share of the largest is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// Works in mJ where the case is written in SI, and in groups; what is left is relative. What rounding alone leaves of a part is no number of its own.
 fn energies(analysis: ToldAnalysis<'_>, unit: &str) -> Option<PageTable> {
     let energy = analysis.results.get("energy")?;
     let in_si = analysis.results.get("energy_j");
+    let part = |key: &str| energy[key].as_f64();
+    let works = WORKS.iter().filter(|(key, _)| *key != "residual").filter_map(|(key, _)| part(key));
+    let largest = works.fold(0.0, |most: f64, work| most.max(work.abs()));
     let rows = WORKS.iter().map(|(key, words)| {
-        let in_mj = in_si.map(|own| own[*key].as_f64().map_or_else(String::new, |own| told(1e3 * own)));
-        let row = [(*words).to_owned(), told(energy[*key].as_f64().unwrap_or(f64::NAN))];
-        row.into_iter().chain(in_mj).collect()
+        let is_rounding =
+            *key != "residual" && part(key).is_some_and(|own| own != 0.0 && own.abs() <= ROUNDING * largest);
+        let cell = |own: f64| if is_rounding { "0 within rounding".to_owned() } else { told(own) };
+        let in_mj = in_si.map(|own| own[*key].as_f64().map_or_else(String::new, |own| cell(1e3 * own)));
+        [(*words).to_owned()].into_iter().chain(in_mj).chain([cell(part(key).unwrap_or(f64::NAN))]).collect()
     });
-    let head = ["what", unit, "in SI (mJ)"];
-    Some(table("Energy".to_owned(), &head[..if in_si.is_some() { 3 } else { 2 }], rows.collect()))
+    let head = ["what", "in SI (mJ)", unit].into_iter().filter(|own| in_si.is_some() || *own != "in SI (mJ)");
+    Some(table("Energy".to_owned(), &head.collect::<Vec<_>>(), rows.collect()))
 }
 
 /// What a motion is, its key in groups and in SI, what that is multiplied by, and its unit then.
@@ -44,18 +52,18 @@ const QUANTITIES: [(&str, &str, &str, f64, &str); 6] = [
     ("share of the time off the ground (−)", "lift_off_fraction", "", 1.0, ""),
 ];
 
-/// A motion in groups, and in SI where its case is written in SI.
+/// A motion in SI where its case is written in SI, and in groups.
 fn quantities(analysis: ToldAnalysis<'_>) -> PageTable {
     let number = |key: &str| analysis.results.get(key).and_then(Value::as_f64);
     let has_si = number("rms_m").is_some();
     let rows = QUANTITIES.iter().filter(|(_, group, ..)| has_si || !group.is_empty());
     let rows = rows.map(|(what, group, si, factor, unit)| {
         let in_si = number(si).map_or_else(String::new, |value| format!("{} {unit}", told(factor * value)));
-        let row = [(*what).to_owned(), number(group).map_or_else(String::new, told)];
-        row.into_iter().chain(has_si.then_some(in_si)).collect()
+        let in_groups = number(group).map_or_else(String::new, told);
+        [(*what).to_owned()].into_iter().chain(has_si.then_some(in_si)).chain([in_groups]).collect()
     });
-    let head = ["what", "in groups (−)", "in SI"];
-    table("The motion".to_owned(), &head[..if has_si { 3 } else { 2 }], rows.collect())
+    let head = ["what", "in SI", "in groups (−)"].into_iter().filter(|own| has_si || *own != "in SI");
+    table("The motion".to_owned(), &head.collect::<Vec<_>>(), rows.collect())
 }
 
 /// The multipliers of a cycle, and what follows from them.
@@ -80,40 +88,44 @@ pub(crate) fn diagram(analysis: ToldAnalysis<'_>, swept: &str) -> Vec<PageTable>
     let list = |key: &str| analysis.results.get(key).and_then(Value::as_array).filter(|own| !own.is_empty());
     let settled = settled(analysis, swept);
     let hopf = list("hopf_points").map(|points| {
+        let has_si = points.iter().all(|own| own.get("frequency_hz").is_some());
         let rows = points.iter().map(|own| {
             let number = |key: &str| told(own[key].as_f64().unwrap_or(f64::NAN));
-            vec![number("value"), number("frequency"), word(&own["criticality"]).to_owned()]
+            let in_si = has_si.then(|| number("frequency_hz"));
+            let rest = [number("frequency"), word(&own["criticality"]).to_owned()];
+            [number("value")].into_iter().chain(in_si).chain(rest).collect()
         });
-        table(
-            "Where steady sliding loses its stability".to_owned(),
-            &[swept, "frequency over the natural one (−)", "onset"],
-            rows.collect(),
-        )
+        let head = [Some(swept), has_si.then_some("frequency (Hz)")].into_iter().flatten();
+        let head: Vec<&str> = head.chain(["frequency over the natural one (−)", "onset"]).collect();
+        table("Where steady sliding loses its stability".to_owned(), &head, rows.collect())
     });
     let branches = list("branches").map(|branches| {
-        let rows = branches.iter().map(branch).collect();
+        let has_si = branches.iter().all(|own| own.get("rms_m").is_some());
+        let rows = branches.iter().map(|own| branch(own, has_si)).collect();
         let [from, to, folds] = ["from", "to", "folds at"].map(|head| in_unit_of(swept, head));
-        let head = ["branch", &from, &to, "largest rms (−)", &folds, "ends because"];
+        let head = ["branch", &from, &to].into_iter().chain(has_si.then_some("largest rms (µm)"));
+        let head: Vec<&str> = head.chain(["largest rms (−)", &folds, "ends because"]).collect();
         table(format!("Branches of cycles along: {swept}"), &head, rows)
     });
     settled.into_iter().chain(hopf).chain(branches).collect()
 }
 
-fn branch(own: &Value) -> Vec<String> {
+fn branch(own: &Value, has_si: bool) -> Vec<String> {
     let [values, rms, folds] = ["value", "rms", "folds"].map(|key| numbers(own.get(key)));
     let end = |of: fn(f64, f64) -> f64| values.iter().copied().fold(f64::NAN, of);
     let folds: Vec<String> = folds.into_iter().map(told).collect();
-    vec![
-        word(&own["from"]).to_owned(),
-        told(end(f64::min)),
-        told(end(f64::max)),
-        told(rms.into_iter().fold(f64::NAN, f64::max)),
+    let largest = |values: Vec<f64>| values.into_iter().fold(f64::NAN, f64::max);
+    let in_si = has_si.then(|| told(1e6 * largest(numbers(own.get("rms_m")))));
+    let rest = [
+        told(largest(rms)),
         if folds.is_empty() { "none".to_owned() } else { folds.join(", ") },
         word(&own["end"]).to_owned(),
-    ]
+    ];
+    let first = [word(&own["from"]).to_owned(), told(end(f64::min)), told(end(f64::max))];
+    first.into_iter().chain(in_si).chain(rest).collect()
 }
 
-/// What is told of motions in SI beside the groups: its key, what it is multiplied by, and the head of its column then.
+/// What is told of motions in SI before the groups: its key, what it is multiplied by, and the head of its column then.
 const IN_SI: [(&str, f64, &str); 2] = [("rms_m", 1e6, "rms (µm)"), ("period_s", 1.0, "period (s)")];
 
 /// Neighbouring values of a direction at which motions become the same, with the ranges of rms and period.
@@ -146,14 +158,14 @@ fn settled(analysis: ToldAnalysis<'_>, swept: &str) -> Option<PageTable> {
             told(values[last]),
             becomes[first].to_owned(),
         ];
-        let measured = [&rms, &period].into_iter().chain(in_si.iter().map(|(_, values)| values));
+        let measured = in_si.iter().map(|(_, values)| values).chain([&rms, &period]);
         row.extend(measured.map(|values| span(&values[first..=last])));
         rows.push(row);
         first = last + 1;
     }
     let [from, to] = ["from", "to"].map(|head| in_unit_of(swept, head));
-    let mut head = vec!["direction", &from, &to, "motions become", "rms (−)", "period (−)"];
-    head.extend(in_si.iter().map(|(head, _)| *head));
+    let mut head = vec!["direction", &from, &to, "motions become"];
+    head.extend(in_si.iter().map(|(head, _)| *head).chain(["rms (−)", "period (−)"]));
     (!rows.is_empty()).then(|| table(format!("What motions become along: {swept}"), &head, rows))
 }
 
@@ -188,6 +200,34 @@ mod tests {
     use serde_json::json;
 
     #[test]
+    fn what_rounding_leaves_of_a_part_is_no_energy() {
+        let results = json!({
+            "energy": { "substrate": 2.0, "sliding": -1.0, "friction": 1.0, "normal": 0.0, "damping": -1.0, "change": 3e-17, "residual": 2e-10 },
+            "energy_j": { "substrate": 2e-3, "sliding": -1e-3, "friction": 1e-3, "normal": 0.0, "damping": -1e-3, "change": 3e-20 },
+        });
+        let asked = Value::Null;
+        let told = ToldAnalysis { asked: &asked, results: results.as_object().unwrap() };
+        let table = energies(told, "energy (−)").unwrap();
+        assert_eq!(table.head, ["what", "in SI (mJ)", "energy (−)"]);
+        assert_eq!(table.rows[2], ["work of the friction force", "1", "1"]);
+        assert_eq!(table.rows[3][1..], ["0", "0"]);
+        assert_eq!(table.rows[5], ["change of the stored energy", "0 within rounding", "0 within rounding"]);
+        assert_eq!(table.rows[6][2], "2e−10");
+    }
+
+    #[test]
+    fn a_motion_in_si_is_told_in_si_first() {
+        let asked = Value::Null;
+        let results = json!({ "rms": 0.5, "mean": 1.0, "period": 6.0, "rms_m": 5e-4, "mean_m": 1e-3, "period_s": 0.6, "frequency_hz": 1.0 / 0.6 });
+        let table = quantities(ToldAnalysis { asked: &asked, results: results.as_object().unwrap() });
+        assert_eq!(table.head, ["what", "in SI", "in groups (−)"]);
+        assert_eq!(table.rows[0], ["rms of x about its mean", "500 µm", "0.5"]);
+        let results = json!({ "rms": 0.5, "mean": 1.0, "period": 6.0 });
+        let table = quantities(ToldAnalysis { asked: &asked, results: results.as_object().unwrap() });
+        assert_eq!((table.head.len(), table.rows[0].len()), (2, 2));
+    }
+
+    #[test]
     fn a_diagram_is_told_by_its_ranges() {
         let results = json!({
             "direction": ["forward", "forward", "forward", "backward"],
@@ -209,7 +249,7 @@ mod tests {
         in_si["period_s"] = json!([null, 0.6, 0.6, 0.6]);
         let told = ToldAnalysis { asked: &asked, results: in_si.as_object().unwrap() };
         let table = &diagram(told, "key")[0];
-        assert_eq!(table.head[6..], ["rms (µm)", "period (s)"]);
-        assert_eq!(table.rows[1][6..], ["500 … 700", "0.6"]);
+        assert_eq!(table.head[4..], ["rms (µm)", "period (s)", "rms (−)", "period (−)"]);
+        assert_eq!(table.rows[1][4..], ["500 … 700", "0.6", "0.5 … 0.7", "6"]);
     }
 }

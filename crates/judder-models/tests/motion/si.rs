@@ -1,7 +1,7 @@
 //! Motions of cases that are written in SI.
 
 use crate::{case, number, run_into};
-use judder_store::StudyFolder;
+use judder_store::{StudyFolder, VariableValues};
 use serde_json::{Map, Value};
 
 /// The oscillator paper's oscillator at 0.1 mm/s, with what is said of its operation.
@@ -70,6 +70,25 @@ fn a_spectrum_in_si_tells_hertz() {
     }
     let dataset = StudyFolder::open(folder.path()).unwrap().read_dataset("spectrum").unwrap();
     assert_eq!(dataset.attributes()["si_units"]["second"], 0.025);
+    let attributes = &dataset.variable("eigenvalues").unwrap().attributes;
+    assert_eq!((&attributes["si_unit"], &attributes["si_factor"]), (&"1/s".into(), &40.0.into()));
+}
+
+/// x0 = F_n/k_x grows with the load along which a diagram goes: its arrays in SI are stored, and it is drawn in µm.
+#[test]
+fn a_diagram_along_the_load_is_in_si_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let asked = "kind = \"bifurcation\"\nsweep = { key = \"operation.normal_load\", from = \"0.1 mN\", to = \"0.2 mN\", points = 2 }\nduration = 300.0";
+    let told = results(folder.path(), IN_SI, asked, "bifurcation");
+    let dataset = StudyFolder::open(folder.path()).unwrap().read_dataset("bifurcation").unwrap();
+    let in_si = dataset.variable("rms_si").unwrap();
+    let VariableValues::F64(values) = &in_si.data else { panic!("numbers") };
+    assert_eq!(in_si.units, "m");
+    let in_metres: Vec<f64> = told["rms_m"].as_array().unwrap().iter().map(number).collect();
+    assert_eq!(values, &in_metres);
+    let load = |k: usize| number(&told["rms_m"][k]) / number(&told["rms"][k]);
+    assert!((load(1) / load(0) - 2.0).abs() < 1e-12 && load(0) > 0.0);
+    assert!(std::fs::read_to_string(folder.path().join("report.html")).unwrap().contains("rms of $x$ (µm)"));
 }
 
 /// Over a cycle of the belt in SI the damper of 1 N s/m takes ∮ c v² dt, summed here over the samples of the table in m/s; what friction feeds in is lost there.
@@ -92,6 +111,8 @@ fn energies_of_a_belt_in_si_are_in_joules() {
     assert!((energy("friction") + energy("damping")).abs() < 1e-5 * lost, "{} {lost}", energy("friction"));
     let page = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
     assert!(page.contains("in SI (mJ)") && page.contains("energy (−)"));
+    let place = |what: &str| page.find(what).unwrap_or_else(|| panic!("{what}"));
+    assert!(place("The motion") < place("Every number, by its key"), "what was asked stands first");
 }
 
 /// The unit of energy of the oscillator is k_x x0² = 50 N/m (8/3 µm)².

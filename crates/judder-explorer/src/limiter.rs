@@ -1,7 +1,7 @@
 //! Short computations, a few at a time, and whether their readers are still there: answers in one piece, while the scheduler gives streams.
 
 use crate::limits::with_memory_of_answer;
-use crate::refusal::{ENDING, RequestRefusal};
+use crate::refusal::{ENDING, InTerminal, RequestRefusal};
 use axum::http::StatusCode;
 use judder_study::Progress;
 use std::sync::Arc;
@@ -32,10 +32,7 @@ impl RequestWatch {
         if self.closing.load(Ordering::Relaxed) {
             return RequestRefusal::interrupted(ENDING.to_owned());
         }
-        let seconds = LONGEST.as_secs();
-        RequestRefusal::interrupted(format!(
-            "this takes longer than {seconds} s; export the case, for `judder point` waits as long as it takes"
-        ))
+        RequestRefusal::took_too_long(LONGEST.as_secs(), InTerminal::Point)
     }
 }
 

@@ -1,6 +1,6 @@
 //! How much a page may ask for, and be sent.
 
-use crate::refusal::RequestRefusal;
+use crate::refusal::{InTerminal, RequestRefusal};
 use judder_memory::MemoryBudget;
 use judder_store::Variable;
 use serde_json::{Map, Value};
@@ -53,9 +53,9 @@ pub(crate) fn check_analysis(analysis: &Map<String, Value>) -> Result<(), Reques
     if let (Some(columns), Some(rows)) = (side("x"), side("y"))
         && columns.checked_mul(rows).is_none_or(|points| points > MAP_POINTS)
     {
-        return Err(RequestRefusal::too_large(format!(
-            "a map of {columns} × {rows} points is more than a page shows; ask for {MAP_POINTS} points at most, or export the case for `judder run`"
-        )));
+        let what = format!("a map of {columns} × {rows} points is more than a page shows");
+        let smaller = format!("ask for {MAP_POINTS} points at most");
+        return Err(RequestRefusal::beyond_page(what, &smaller, InTerminal::Run));
     }
     if let Some(key) = analysis.keys().find(|key| !is_settable(key)) {
         return Err(RequestRefusal::wrong(format!(
@@ -89,9 +89,12 @@ fn check_counts(table: &Map<String, Value>) -> Result<(), RequestRefusal> {
             Value::Number(number)
                 if COUNTED.contains(&key.as_str()) && number.as_f64().is_none_or(|n| n > most as f64) =>
             {
-                return Err(RequestRefusal::too_large(format!(
-                    "`{key} = {number}` is more than a page asks for; give {most} at most"
-                )));
+                let what = format!("`{key} = {number}` is more than a page asks for");
+                return Err(RequestRefusal::beyond_page(
+                    what,
+                    &format!("give {most} at most"),
+                    InTerminal::Run,
+                ));
             }
             Value::Object(table) => check_counts(table)?,
             _ => {}
@@ -100,27 +103,29 @@ fn check_counts(table: &Map<String, Value>) -> Result<(), RequestRefusal> {
     Ok(())
 }
 
-/// Refuses arrays that are too large to send.
+/// Refuses arrays that are too large to send; what gives them whole is typed in a terminal.
 ///
 /// # Errors
 /// Their size.
-pub(crate) fn check_answer(variables: &[Variable]) -> Result<(), RequestRefusal> {
-    check_bytes(variables.iter().map(|variable| variable.data.value_size() * variable.data.len()).sum())
+pub(crate) fn check_answer(variables: &[Variable], instead: InTerminal) -> Result<(), RequestRefusal> {
+    let bytes = |variable: &Variable| variable.data.value_size() * variable.data.len();
+    check_bytes(variables.iter().map(bytes).sum(), instead)
 }
 
 /// Refuses an answer of so many bytes where they are too many to send.
 ///
 /// # Errors
 /// As [`check_answer`].
-pub(crate) fn check_bytes(bytes: usize) -> Result<(), RequestRefusal> {
+pub(crate) fn check_bytes(bytes: usize, instead: InTerminal) -> Result<(), RequestRefusal> {
     if bytes <= ANSWER_BYTES {
         return Ok(());
     }
-    Err(RequestRefusal::too_large(format!(
-        "the answer has {} MiB; a page is sent {} MiB at most: export the case, `judder run` stores it",
+    let what = format!(
+        "the answer has {} MiB, where a page is sent {} MiB at most",
         bytes >> 20,
         ANSWER_BYTES >> 20
-    )))
+    );
+    Err(RequestRefusal::beyond_page(what, "ask for less of it", instead))
 }
 
 #[cfg(test)]
@@ -150,6 +155,22 @@ mod tests {
     fn what_a_page_shows_is_let_through() {
         assert!(check(json!({ "x": { "points": 2000 }, "y": { "points": 2000 } })).is_ok());
         assert!(check(json!({ "kind": "motion", "points": 20001, "steps": 1_000_000 })).is_ok());
+    }
+
+    #[test]
+    fn who_is_refused_for_size_is_told_what_to_type() {
+        let refused = [
+            check(json!({ "x": { "points": 31623 }, "y": { "points": 31623 } })),
+            check(json!({ "points": 1_000_000_000 })),
+            check_bytes(ANSWER_BYTES + 1, InTerminal::Run),
+        ];
+        for refusal in refused {
+            let document = refusal.unwrap_err().document();
+            let help = document["help"].as_str().unwrap();
+            assert!(help.contains(" or export the case and type `judder run CASE.toml`"), "{document}");
+        }
+        let of_study = check_bytes(ANSWER_BYTES + 1, InTerminal::Report).unwrap_err().document();
+        assert!(of_study["help"].as_str().unwrap().contains("`judder report FOLDER`"), "{of_study}");
     }
 
     #[test]

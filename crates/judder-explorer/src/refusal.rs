@@ -15,6 +15,28 @@ pub(crate) const ENDING: &str = "`judder explore` is ending; start it again";
 /// After how many seconds a request may come again that found the waiting room full.
 const AGAIN_AFTER: u16 = 1;
 
+/// What to type in a terminal for what is too large, or takes too long, for a page.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum InTerminal {
+    /// The analysis of the view.
+    Run,
+    /// The operating point of the view.
+    Point,
+    /// The study that is looked at.
+    Report,
+}
+
+impl InTerminal {
+    /// The command, in words that go on from what would be right.
+    fn words(self) -> &'static str {
+        match self {
+            Self::Run => "export the case and type `judder run CASE.toml` in a terminal",
+            Self::Point => "export the case and type `judder point CASE.toml` in a terminal",
+            Self::Report => "type `judder report FOLDER` in a terminal, which draws the whole study",
+        }
+    }
+}
+
 /// A request without an answer.
 #[derive(Debug)]
 pub(crate) struct RequestRefusal {
@@ -50,6 +72,17 @@ impl RequestRefusal {
     /// It is too large.
     pub(crate) fn too_large(sentence: impl Into<String>) -> Self {
         Self::new(StatusCode::PAYLOAD_TOO_LARGE, sentence)
+    }
+
+    /// It is larger than a page asks for or is sent: smaller would be right, or a terminal.
+    pub(crate) fn beyond_page(what: String, smaller: &str, instead: InTerminal) -> Self {
+        Self::too_large(format!("{what}; {smaller}, or {}", instead.words()))
+    }
+
+    /// It was given up after as many seconds as a page waits.
+    pub(crate) fn took_too_long(seconds: u64, instead: InTerminal) -> Self {
+        let words = instead.words();
+        Self::interrupted(format!("this takes longer than the {seconds} s that a page waits; {words}"))
     }
 
     /// More requests wait already than are let wait.

@@ -1,7 +1,7 @@
 //! A request at work: its frames, its progress, its end.
 
 use crate::frame::FrameInTheMaking;
-use crate::refusal::{ENDING, RequestRefusal};
+use crate::refusal::{ENDING, InTerminal, RequestRefusal};
 use axum::body::Bytes;
 use judder_study::Progress;
 use std::convert::Infallible;
@@ -32,15 +32,13 @@ pub(crate) enum EndedRequest {
 }
 
 impl EndedRequest {
-    fn reason(self) -> String {
+    fn refusal(self) -> RequestRefusal {
+        let because = |reason: &str| RequestRefusal::interrupted(reason.to_owned());
         match self {
-            Self::Superseded => "a newer request has taken its place".to_owned(),
-            Self::TooLong => format!(
-                "this takes longer than the {} s that a page waits; `judder run` takes its time: export the case",
-                LONGEST.as_secs()
-            ),
-            Self::Closing => ENDING.to_owned(),
-            Self::Deserted => "nobody waits for it any more".to_owned(),
+            Self::Superseded => because("a newer request has taken its place"),
+            Self::TooLong => RequestRefusal::took_too_long(LONGEST.as_secs(), InTerminal::Run),
+            Self::Closing => because(ENDING),
+            Self::Deserted => because("nobody waits for it any more"),
         }
     }
 }
@@ -127,7 +125,7 @@ impl Reporter {
     /// The error of a computation; of one that was given up, the reason: a solver may have its own words for it.
     pub(crate) fn refusal(&self, error: impl Into<RequestRefusal>) -> RequestRefusal {
         match self.ended() {
-            Some(ended) => RequestRefusal::interrupted(ended.reason()),
+            Some(ended) => ended.refusal(),
             None => error.into(),
         }
     }
@@ -187,7 +185,7 @@ mod tests {
         reporter.start = Instant::now().checked_sub(LONGEST + Duration::from_secs(1)).unwrap();
         assert_eq!((reporter.ended(), reporter.interrupted()), (Some(EndedRequest::TooLong), true));
         let words = reporter.refusal(judder_study::StudyError::Interrupted).document();
-        assert!(words["help"].as_str().unwrap().contains("judder run"), "{words}");
+        assert!(words["help"].as_str().unwrap().contains("type `judder run CASE.toml`"), "{words}");
     }
 
     #[test]

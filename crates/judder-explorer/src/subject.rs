@@ -5,14 +5,13 @@ use crate::refusal::RequestRefusal;
 use judder_keys::file_reference::FileReference;
 use judder_models::law_cache::LawCache;
 use judder_models::sliding::case::SlidingCase;
-use judder_models::sliding_shapes::{ShapedPair, SlidingShapes};
+use judder_models::sliding_shapes::{SharedPair, SlidingShapes};
 use judder_models::template::template;
-use judder_study::StudyError;
+use judder_study::Progress;
 use judder_study::case::file::CaseFile;
 use judder_study::study_view::StudyView;
 use std::fmt;
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
 
 /// The base case, which views change, and what was run before.
 #[derive(Debug)]
@@ -29,7 +28,7 @@ pub struct ViewedCase {
 pub(crate) struct Studied {
     pub(crate) view: StudyView,
     case: Option<CaseFile>,
-    pair: Mutex<Option<Arc<ShapedPair>>>,
+    pair: SharedPair,
 }
 
 impl fmt::Debug for Studied {
@@ -94,7 +93,7 @@ impl Studied {
         let is_own = |case: &CaseFile| case.case.files().iter().all(|file| file.lies_in(folder));
         let kept = view.case_file().ok().filter(is_own);
         let case = kept.or_else(|| given.and_then(|given| beside(&view, given)));
-        Ok(Self { view, case, pair: Mutex::default() })
+        Ok(Self { view, case, pair: SharedPair::new() })
     }
 
     /// The case that the folder keeps, its files those of the folder, else those of the case that was given.
@@ -110,12 +109,13 @@ impl Studied {
     /// The shapes in which the pair of the study swings at a position.
     ///
     /// # Errors
-    /// A study of no pair, a position off the track, eigenvalues that are not found.
+    /// A study of no pair, a position off the track, eigenvalues that are not found; that it was interrupted.
     pub(crate) fn shapes(
         &self,
         analysis: &str,
         position: f64,
         count: usize,
+        progress: &dyn Progress,
     ) -> Result<SlidingShapes, RequestRefusal> {
         let case = self.case()?;
         if case.case.of::<SlidingCase>().is_none() {
@@ -124,18 +124,7 @@ impl Studied {
                 "coupled shapes are those of a sliding case; the case of this study is of model `{model}`"
             )));
         }
-        Ok(self.pair(case)?.at(analysis, position, Some(count))?)
-    }
-
-    /// The pair, reduced once.
-    fn pair(&self, case: &CaseFile) -> Result<Arc<ShapedPair>, StudyError> {
-        let mut pair = self.pair.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(pair) = &*pair {
-            return Ok(Arc::clone(pair));
-        }
-        let made = Arc::new(ShapedPair::new(case)?);
-        *pair = Some(Arc::clone(&made));
-        Ok(made)
+        Ok(self.pair.get(case, progress)?.at(analysis, position, Some(count), progress)?)
     }
 }
 

@@ -101,6 +101,12 @@ impl MemoryBudget {
         }
     }
 
+    /// Among how many this thread's work shares: what another thread does for it is to share as well.
+    #[must_use]
+    pub fn parts() -> u64 {
+        SHARED_BY.get()
+    }
+
     /// What was told, or three quarters of what is free now: of the machine, of the control group, of the address space, whichever is
     /// least; of that the part which this thread's work [shares](Self::shared). Where the system does not say, there is no limit.
     #[must_use]

@@ -1,6 +1,7 @@
 //! What takes long to make: made once by many threads, and remembered within a bound of bytes.
 
 use crate::error::ModelError;
+use judder_memory::MemoryBudget;
 use judder_study::Progress;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::panic::resume_unwind;
@@ -107,12 +108,15 @@ impl<T> Drop for UnderWay<'_, T> {
     }
 }
 
-/// Does work on threads of its own, as many as the caller has, which this one waits for without doing anything else.
+/// Does work on threads of its own, as many as the caller has, within the caller's part of the memory, which this one waits for without doing anything
+/// else.
 fn apart<R: Send>(work: impl FnOnce() -> R + Send) -> Result<R, ModelError> {
     let refused = |reason: String| ModelError::Unsupported(format!("threads cannot be started: {reason}"));
     let pool = pool(rayon::current_num_threads()).map_err(refused)?;
+    let parts = MemoryBudget::parts();
     thread::scope(|scope| {
-        let within = thread::Builder::new().spawn_scoped(scope, || pool.install(work));
+        let shared = || pool.install(|| MemoryBudget::shared(parts, work));
+        let within = thread::Builder::new().spawn_scoped(scope, shared);
         let within = within.map_err(|error| refused(error.to_string()))?;
         Ok(within.join().unwrap_or_else(|panic| resume_unwind(panic)))
     })
@@ -161,6 +165,13 @@ mod tests {
         get("larger than all", 1000);
         assert_eq!(makings.load(Ordering::Relaxed), 5);
         assert_eq!(memory.state().known.len(), 1);
+    }
+
+    #[test]
+    fn who_makes_has_the_memory_of_who_asks() {
+        let memory = MadeOnce::new(100);
+        let parts = || memory.get("parts", &Silent, || Ok((MemoryBudget::parts(), 1))).unwrap();
+        assert_eq!(MemoryBudget::shared(6, parts), 6);
     }
 
     #[test]

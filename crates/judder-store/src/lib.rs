@@ -64,7 +64,7 @@ pub use error::StoreError;
 pub use folder::StudyFolder;
 pub use hash::content_hash;
 pub use lock_sign::{LockSign, lock_sign};
-pub use manifest::{FileDamage, SoundFiles, vouch_for, vouch_for_file};
+pub use manifest::{CheckedFile, FileDamage, SoundFiles, vouch_for, vouch_for_file};
 pub use num_complex::Complex64;
 pub use plain::{LARGEST_DOCUMENT, OversizedFile, read_small_file};
 pub use reader::{DatasetHead, StudyReader};

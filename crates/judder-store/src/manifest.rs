@@ -6,8 +6,9 @@
 //!   `summary.json` tells of it.
 //! - `keeper.rs`: the manifest of a study that is being written.
 //! - `reader.rs`: the manifest of a study that others may be writing.
-//! - `look.rs`: files beside what is listed of them.
+//! - `look.rs`: files beside what is listed of them; `checked.rs`: one of them, while it is handed on.
 
+mod checked;
 mod keeper;
 mod look;
 mod reader;
@@ -23,6 +24,7 @@ use crate::{
     ChunkDamage, LARGEST_DOCUMENT, StoreError, Summary, content_hash, plain, results, staging, summary, sweep,
 };
 
+pub use checked::CheckedFile;
 pub(crate) use keeper::{ManifestKeeper, files_below, relative};
 pub use look::{FileDamage, SoundFiles};
 pub(crate) use look::{check, hash_of};

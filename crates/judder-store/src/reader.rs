@@ -1,6 +1,6 @@
 //! A study that is looked at and not held.
 
-use std::fs::{self, File};
+use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -14,7 +14,7 @@ use crate::manifest::ManifestReader;
 use crate::metadata::{self, HASH_ATTRIBUTE};
 use crate::name::check_name;
 use crate::zarr;
-use crate::{StoreError, Summary, Variable, plain, results, summary};
+use crate::{CheckedFile, StoreError, Summary, Variable, results, summary};
 
 /// Folders below that of the study in which [`StudyReader::files`] looks: figures and fields lie one deep.
 const DEPTH: usize = 3;
@@ -196,17 +196,15 @@ impl StudyReader {
         Ok(found)
     }
 
-    /// A file to read that [`files`](Self::files) lists under this extension.
+    /// A file to read that [`files`](Self::files) lists under this extension; its content is compared with the manifest as it is read.
     ///
     /// # Errors
-    /// [`StoreError::OutsideFolder`] for any other path, a failure of the file system.
-    pub fn open_file(&self, relative: &str, extension: &str) -> Result<File, StoreError> {
+    /// [`StoreError::OutsideFolder`] for any other path, [`StoreError::Damaged`] for one of another size, a failure of the file system.
+    pub fn open_file(&self, relative: &str, extension: &str) -> Result<CheckedFile, StoreError> {
         if !self.files(extension)?.iter().any(|(listed, _)| listed == relative) {
             return Err(StoreError::OutsideFolder { path: PathBuf::from(relative) });
         }
-        let path = self.inside(&self.root.join(relative))?;
-        self.manifest.check(&path)?;
-        plain::open(&path).map_err(|source| StoreError::read(&path, source))
+        self.manifest.open(&self.inside(&self.root.join(relative))?)
     }
 
     fn group(&self, name: &str) -> Result<StoredGroup, StoreError> {

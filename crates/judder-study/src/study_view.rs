@@ -2,8 +2,10 @@
 
 mod extremes;
 mod reported;
+mod shown_text;
 
 pub use reported::ReportedAnalysis;
+pub use shown_text::shown_text;
 
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
@@ -13,9 +15,9 @@ use crate::registry::Registry;
 use crate::report;
 use extremes::BinnedExtremes;
 use judder_memory::MemoryBudget;
-use judder_store::{Status, StudyReader, Summary, Variable};
+use judder_store::{CheckedFile, Status, StudyReader, Summary, Variable};
 use serde_json::{Map, Value};
-use std::fs::File;
+use shown_text::{shown_table, shown_texts, shown_variable};
 use std::ops::Range;
 use std::path::Path;
 
@@ -28,7 +30,7 @@ const COPIES: u128 = 4;
 /// Entries that an array among the scalars has at most: longer ones are in the datasets.
 const LISTED: usize = 64;
 
-/// A study folder that is looked at while others may work on it.
+/// A study folder that is looked at while others may work on it. Whatever it tells is cut to what a page shows of it, as [`shown_text`] does.
 #[derive(Debug, Clone)]
 pub struct StudyView {
     reader: StudyReader,
@@ -112,7 +114,7 @@ impl StudyView {
     pub fn listing(&self) -> Result<StudyListing, StudyError> {
         let summary = self.summary()?;
         let stored = self.reader.names()?;
-        let text = |key: &str| summary.case.get(key).and_then(Value::as_str).unwrap_or_default().to_owned();
+        let text = |key: &str| shown_text(summary.case.get(key).and_then(Value::as_str).unwrap_or_default());
         let analyses = report::in_order(&summary).into_iter().map(|(name, record)| {
             let head = match stored.contains(name) && record.status == Status::Done {
                 true => Some(self.reader.head(name)?),
@@ -121,24 +123,24 @@ impl StudyView {
             let (attributes, variables) =
                 head.map_or_else(Default::default, |head| (head.attributes, head.variables));
             Ok(AnalysisListing {
-                name: name.clone(),
-                kind: kind(&summary, name),
-                status: record.status.clone(),
+                name: shown_text(name),
+                kind: shown_text(&kind(&summary, name)),
+                status: shown_status(&record.status),
                 seconds: record.wall_time_s,
                 scalars: summary.results.get(name).map(short).unwrap_or_default(),
-                warnings: record.warnings.clone(),
-                attributes,
-                variables,
+                warnings: shown_texts(&record.warnings),
+                attributes: shown_table(&attributes),
+                variables: variables.into_iter().map(shown_variable).collect(),
             })
         });
         Ok(StudyListing {
             name: self.name.clone(),
             title: text("title"),
             model: text("model"),
-            version: summary.version.clone(),
+            version: shown_text(&summary.version),
             analyses: analyses.collect::<Result<_, StudyError>>()?,
             sounds: self.reader.files("wav")?,
-            warnings: self.doubt()?.into_iter().chain(summary.warnings.iter().cloned()).collect(),
+            warnings: self.doubt()?.into_iter().chain(shown_texts(&summary.warnings)).collect(),
         })
     }
 
@@ -188,14 +190,14 @@ impl StudyView {
             // what is not there is told as the store does
             None => Ok(self.reader.read_rows(analysis, name, 0..0)?),
         };
-        variables.iter().map(read).collect()
+        variables.iter().map(|name| read(name).map(shown_variable)).collect()
     }
 
-    /// A sound of the listing, to be read.
+    /// A sound of the listing, to be handed on as it is read.
     ///
     /// # Errors
-    /// A path that the listing does not have.
-    pub fn sound(&self, path: &str) -> Result<File, StudyError> {
+    /// A path that the listing does not have, a file of another size than was written.
+    pub fn sound(&self, path: &str) -> Result<CheckedFile, StudyError> {
         Ok(self.reader.open_file(path, "wav")?)
     }
 
@@ -302,5 +304,13 @@ fn kind(summary: &Summary, name: &str) -> String {
 /// Scalars without long arrays.
 fn short(scalars: &Map<String, Value>) -> Map<String, Value> {
     let is_short = |value: &Value| value.as_array().is_none_or(|list| list.len() <= LISTED);
-    scalars.iter().filter(|(_, value)| is_short(value)).map(|(k, v)| (k.clone(), v.clone())).collect()
+    let listed = scalars.iter().filter(|(_, value)| is_short(value));
+    shown_table(&listed.map(|(key, value)| (key.clone(), value.clone())).collect())
+}
+
+fn shown_status(status: &Status) -> Status {
+    match status {
+        Status::Done => Status::Done,
+        Status::Failed { reason } => Status::Failed { reason: shown_text(reason) },
+    }
 }

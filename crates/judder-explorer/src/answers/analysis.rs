@@ -3,7 +3,7 @@
 use crate::body::JsonBody;
 use crate::frame::FrameInTheMaking;
 use crate::limits::check_answer;
-use crate::refusal::RequestRefusal;
+use crate::refusal::{InTerminal, RequestRefusal};
 use crate::reporter::Reporter;
 use crate::scheduler::Pace;
 use crate::site::{SharedSite, Site};
@@ -56,7 +56,7 @@ pub(crate) async fn stream(
 /// Sends what an analysis leaves.
 fn send(reporter: &Reporter, name: &str, outcome: &Outcome) -> Result<(), RequestRefusal> {
     let variables = outcome.dataset.variables();
-    check_answer(variables)?;
+    check_answer(variables, InTerminal::Run)?;
     let frame = FrameInTheMaking::new("outcome")
         .with("name", name)
         .with("scalars", Value::Object(outcome.scalars.clone()))

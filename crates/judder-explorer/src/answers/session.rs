@@ -17,6 +17,7 @@ use judder_models::sweep::{StabilityMapAnalysis, Sweep};
 use judder_models::{REGISTRY, worded};
 use judder_study::case::analysis::KindEntry;
 use judder_study::case::file::CaseFile;
+use judder_study::study_view::shown_text;
 use serde_json::{Map, Value, json};
 
 /// Answers `/api/session`.
@@ -37,7 +38,7 @@ pub(crate) async fn answer(State(site): SharedSite) -> Json<Value> {
     let keys = OscillatorKey::ALL.iter().filter(|entry| own.contains(&entry.section()));
     Json(json!({
         "version": judder_study::version(),
-        "title": resolved["title"],
+        "title": resolved["title"].as_str().map(shown_text),
         "case": base.map(|base| json!({ "name": base.name, "file": base.origin, "model": base.case.model(), "text": base.text })),
         "keys": keys.map(|entry| key(entry, base.is_some_and(|base| takes(base, entry)))).collect::<Vec<_>>(),
         "values": values,

@@ -3,7 +3,7 @@
 use crate::body::JsonBody;
 use crate::frame::FrameInTheMaking;
 use crate::limits::{check_answer, check_bytes};
-use crate::refusal::RequestRefusal;
+use crate::refusal::{InTerminal, RequestRefusal};
 use crate::reporter::Reporter;
 use crate::scheduler::Pace;
 use crate::site::{SharedSite, Site};
@@ -15,7 +15,7 @@ use axum::http::HeaderValue;
 use axum::http::header::{CACHE_CONTROL, CONTENT_LENGTH, CONTENT_TYPE};
 use axum::response::{IntoResponse, Response};
 use judder_models::sliding_shapes::SlidingShapes;
-use judder_store::{Complex64, Status, Variable};
+use judder_store::{CheckedFile, Complex64, Status, StoreError, Variable};
 use judder_study::case::compose::alone;
 use judder_study::study_view::{AnalysisListing, ReportedAnalysis, RowWindow};
 use judder_study::{Progress, StudyError};
@@ -119,7 +119,7 @@ pub(crate) async fn arrays(
         let window = RowWindow { from: wanted.from, to: wanted.to, most: wanted.most };
         let found = study.view.arrays(&wanted.analysis, &wanted.variables, &window, reporter);
         let found = found.map_err(|error| reporter.refusal(error))?;
-        check_answer(&found)?;
+        check_answer(&found, InTerminal::Report)?;
         Ok(found.iter().fold(FrameInTheMaking::new("arrays"), FrameInTheMaking::array))
     })
     .await
@@ -145,7 +145,7 @@ pub(crate) async fn report(
             return Err(reporter.refusal(StudyError::Interrupted));
         }
         let drawn = figure.map_err(RequestRefusal::from).and_then(|figure| {
-            figure.as_ref().map_or(Ok(()), |text| check_bytes(text.len()))?;
+            figure.as_ref().map_or(Ok(()), |text| check_bytes(text.len(), InTerminal::Report))?;
             Ok(figure)
         });
         let (figure, undrawn) =
@@ -181,17 +181,17 @@ pub(crate) async fn sound(
     Path(path): Path<String>,
 ) -> Result<Response, RequestRefusal> {
     site.compute(move |subject, _| {
-        fn missing<T>(_: T) -> RequestRefusal {
-            RequestRefusal::missing("the study has no such sound; `/api/study` lists them")
-        }
-        let file = studied(subject)?.view.sound(&path).map_err(missing)?;
-        let size = file.metadata().map_err(|_| missing(())).map(|known| known.len())?;
+        let file = studied(subject)?.view.sound(&path).map_err(|error| match error {
+            StudyError::Store(damaged @ StoreError::Damaged { .. }) => StudyError::from(damaged).into(),
+            _ => RequestRefusal::missing("the study has no such sound; `/api/study` lists them"),
+        })?;
         let head = [
             (CONTENT_TYPE, HeaderValue::from_static("audio/wav")),
             (CACHE_CONTROL, HeaderValue::from_static("no-store")),
-            (CONTENT_LENGTH, size.into()),
+            // not those of `Read`
+            (CONTENT_LENGTH, CheckedFile::bytes(&file).into()),
         ];
-        Ok((head, in_pieces(file.take(size))).into_response())
+        Ok((head, in_pieces(file)).into_response())
     })
     .await
 }
@@ -233,9 +233,10 @@ pub(crate) async fn shapes(
     State(site): SharedSite,
     JsonBody(wanted): JsonBody<Shaped>,
 ) -> Result<Response, RequestRefusal> {
-    stream(&site, wanted.slot.clone(), move |study, _| {
+    stream(&site, wanted.slot.clone(), move |study, reporter| {
         let count = wanted.count.unwrap_or(MODES).min(MODES);
-        Ok(frame(study.shapes(&wanted.analysis, wanted.at, count)?))
+        let found = study.shapes(&wanted.analysis, wanted.at, count, reporter);
+        Ok(frame(found.map_err(|refusal| reporter.refusal(refusal))?))
     })
     .await
 }

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use std::fs;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
 const CASE: &str = r#"
@@ -281,4 +282,120 @@ fn the_case_of_a_folder_reads_no_file_outside_of_it() {
     let point = served.post("/api/point", &json!({}));
     assert_eq!(point.status, 404);
     assert!(!point.text().contains("secret"));
+}
+
+/// A label of 100 kB stops a browser: whatever a folder holds, what is sent of its texts is cut.
+#[test]
+fn labels_are_cut_where_they_are_sent() {
+    let (_place, folder) = study_beside_a_secret();
+    fs::remove_file(folder.join("manifest.json")).unwrap();
+    let long = "ü".repeat(100_000);
+    let edit = |path: &Path, change: &dyn Fn(&mut Value)| {
+        let mut told: Value = serde_json::from_slice(&fs::read(path).unwrap()).unwrap();
+        change(&mut told);
+        fs::write(path, told.to_string()).unwrap();
+    };
+    edit(&folder.join("summary.json"), &|told| {
+        told["case"]["title"] = json!(long);
+        told["warnings"] = json!([long]);
+        told["analyses"]["damping"]["warnings"] = json!([long]);
+        told["results"]["damping"]["note"] = json!({ "deep": [long] });
+    });
+    edit(&array_of(&folder).join("zarr.json"), &|told| {
+        for key in ["long_name", "units", "note"] {
+            told["attributes"][key] = json!(long);
+        }
+    });
+    let served = served(&folder);
+    let listed = served.get("/api/study");
+    let title = listed.json()["title"].as_str().unwrap().to_owned();
+    assert!(title.ends_with("ü…") && title.chars().count() < 5000, "{}", title.chars().count());
+    let longest = |told: &Value| texts(told).into_iter().map(str::len).max().unwrap();
+    assert!(longest(&listed.json()) < 10_000);
+    let wanted = json!({ "analysis": "damping", "variables": ["equivalent_damping"] });
+    let frames = served.post("/api/study/arrays", &wanted).frames();
+    assert_eq!(frames[0].reals("equivalent_damping").len(), 7);
+    assert!(longest(&frames[0].header) < 10_000);
+    let reported = served.post("/api/study/report", &json!({ "analysis": "damping" })).frames();
+    let figure: Value = serde_json::from_str(reported[0].header["figure"].as_str().unwrap()).unwrap();
+    assert!(longest(&figure) < 10_000 && longest(&reported[0].header["tables"]) < 10_000);
+}
+
+/// All texts of a document.
+fn texts(told: &Value) -> Vec<&str> {
+    match told {
+        Value::String(text) => vec![text],
+        Value::Array(items) => items.iter().flat_map(texts).collect(),
+        Value::Object(table) => {
+            table.iter().flat_map(|(key, value)| [vec![key.as_str()], texts(value)].concat()).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Many who ask for what takes long to read, and go: their work is left undone, and the next one does not wait for that.
+#[test]
+fn arrays_that_nobody_waits_for_are_read_no_further() {
+    let (_place, folder) = study_beside_a_secret();
+    fs::remove_file(folder.join("manifest.json")).unwrap();
+    // one chunk under many names
+    let (array, chunks) = (array_of(&folder), 1000);
+    (1..chunks).for_each(|k| fs::hard_link(array.join("c/0"), array.join(format!("c/{k}"))).unwrap());
+    let mut wide: Value = serde_json::from_slice(&fs::read(array.join("zarr.json")).unwrap()).unwrap();
+    wide["shape"] = json!([7 * chunks]);
+    fs::write(array.join("zarr.json"), wide.to_string()).unwrap();
+    let served = served(&folder);
+    let wanted = json!({ "analysis": "damping", "variables": ["equivalent_damping"], "most": 10 });
+    let start = Instant::now();
+    let frames = served.post("/api/study/arrays", &wanted).frames();
+    let whole = start.elapsed();
+    assert_eq!(frames[0].reals("equivalent_damping").len(), 10);
+    // as many as are worked on and wait
+    let asked: Vec<_> = (0..15)
+        .map(|_| {
+            let mut stream = served.connect();
+            let request = served.request("/api/study/arrays", &wanted.to_string());
+            stream.write_all(request.as_bytes()).unwrap();
+            let mut start = [0; 12];
+            stream.read_exact(&mut start).unwrap();
+            assert!(start.ends_with(b"200"));
+            stream
+        })
+        .collect();
+    drop(asked);
+    // three were being read, and would be for most of the time that one takes
+    let start = Instant::now();
+    let few = json!({ "analysis": "spectrum", "variables": ["velocity"] });
+    let mut answer = served.post("/api/study/arrays", &few);
+    while answer.status == 503 && start.elapsed() < whole {
+        std::thread::sleep(Duration::from_millis(5));
+        answer = served.post("/api/study/arrays", &few);
+    }
+    assert_eq!(answer.frames().last().unwrap().kind(), "end");
+    assert!(start.elapsed() < whole / 2, "{:?}, where one takes {whole:?}", start.elapsed());
+}
+
+/// The shapes of a pair that takes a while to be reduced.
+#[test]
+fn shapes_that_nobody_waits_for_are_given_up() {
+    let place = tempfile::tempdir().unwrap();
+    let folder = place.path().join("study");
+    let text = judder_models::template::template("beams-paper").unwrap();
+    let text = text
+        .replace("elements = [75, 2]", "elements = [40, 1]")
+        .replace("elements = [100, 2]", "elements = [50, 1]");
+    let file = judder_models::parse("beams.toml", &text, &[]).unwrap();
+    let only = vec!["modes-horizontal".to_owned()];
+    run(&file, &folder, &RunOptions { only, ..RunOptions::default() }, &Silent).unwrap();
+    let served = served(&folder);
+    let wanted = json!({ "analysis": "locus", "at": 0.05, "count": 1, "slot": "tab/shapes" });
+    let mut older = served.connect();
+    older.write_all(served.request("/api/study/shapes", &wanted.to_string()).as_bytes()).unwrap();
+    let mut start = [0; 12];
+    older.read_exact(&mut start).unwrap();
+    let newer = served.post("/api/study/shapes", &wanted).frames();
+    assert_eq!((newer[0].kind(), newer.last().unwrap().kind()), ("shapes", "end"), "{:?}", newer.last());
+    let mut rest = Vec::new();
+    older.read_to_end(&mut rest).unwrap();
+    assert!(String::from_utf8_lossy(&rest).contains("a newer request has taken its place"));
 }

@@ -1,6 +1,7 @@
 //! The shapes in which the two structures of a sliding case swing together, at any position of the contact, on all points of both.
 
 use crate::error::ModelError;
+use crate::made_once::MadeOnce;
 use crate::sliding::case::SlidingCase;
 use crate::sliding::locus::conditions::conditions as locus_conditions;
 use crate::sliding::locus::settings::{Along, LocusAnalysis};
@@ -11,9 +12,10 @@ use judder_numerics::parallel;
 use judder_sliding::locus::{Conditions, Configuration, contact, spectrum};
 use judder_sliding::shape::{gap_residual, mode_shape};
 use judder_sliding::spectrum::WantedEigenvalues;
-use judder_study::StudyError;
 use judder_study::case::file::CaseFile;
+use judder_study::{Progress, Silent, StudyError};
 use num_complex::Complex64;
+use std::sync::Arc;
 
 /// The pair of a sliding case with the shapes of its structures on all their points: made once, asked at many positions.
 pub struct ShapedPair {
@@ -46,13 +48,15 @@ impl ShapedPair {
     /// Builds, reduces and couples the structures of a sliding case.
     ///
     /// # Errors
-    /// A case of another model, structures that cannot be built or coupled, or of which no one knows where their freedoms lie.
-    pub fn new(file: &CaseFile) -> Result<Self, ModelError> {
+    /// A case of another model, structures that cannot be built or coupled, or of which no one knows where their freedoms lie;
+    /// [`ModelError::Interrupted`].
+    pub fn new(file: &CaseFile, progress: &dyn Progress) -> Result<Self, ModelError> {
         let Some(case) = file.case.of::<SlidingCase>() else {
             return Err(ModelError::WrongModel { command: "explore", model: file.case.model() });
         };
-        let system = ReducedPair::new(case).map_err(|uncoupled| uncoupled.placed(file))?;
+        let system = ReducedPair::until(case, progress).map_err(|uncoupled| uncoupled.placed(file))?;
         let [slider, track] = bodies(case).map(|index| {
+            progress.go_on()?;
             let part = &system.parts[index];
             let Some(layout) = &part.structure.layout else {
                 let name = &case.structures[index].name;
@@ -79,13 +83,16 @@ impl ShapedPair {
     /// conditions; beside any other, the pair is damped and deformed by its load.
     ///
     /// # Errors
-    /// [`StudyError::UnknownAnalysis`]; a locus over a key, a position off the track, no state of rest there, eigenvalues that are not found.
+    /// [`StudyError::UnknownAnalysis`]; a locus over a key, a position off the track, no state of rest there, eigenvalues that are not found;
+    /// [`ModelError::Interrupted`].
     pub fn at(
         &self,
         analysis: &str,
         position: f64,
         count: Option<usize>,
+        progress: &dyn Progress,
     ) -> Result<SlidingShapes, ModelError> {
+        progress.go_on()?;
         let pair = &self.system.pair;
         let (conditions, own) = self.conditions(analysis)?;
         let most = pair.modes().saturating_sub(1).max(1);
@@ -96,11 +103,12 @@ impl ShapedPair {
         let (coupling, _) = contact(pair, &conditions, position)?;
         let damping = if conditions.is_damped { pair.damping() } else { vec![0.0; pair.modes()] };
         let own = pair.eigenvalues();
-        let shapes: Vec<(Vec<[Complex64; 3]>, f64)> = parallel::each(&eigenvalues, |s| {
+        let shapes: Vec<(Vec<[Complex64; 3]>, f64)> = parallel::try_each(&eigenvalues, |s| {
+            progress.go_on()?;
             let shape = mode_shape(&coupling, &own, &damping, *s);
             let shape = if shape.iter().all(|q| q.is_finite()) { shape } else { pole(&own, &damping, *s) };
-            (self.displacements(&shape), gap_residual(&coupling, &shape))
-        });
+            Ok::<_, StudyError>((self.displacements(&shape), gap_residual(&coupling, &shape)))
+        })?;
         let (shapes, gap_residuals) = shapes.into_iter().unzip();
         let (points, slider_points, lines) = self.picture(position);
         Ok(SlidingShapes { position, points, slider_points, lines, eigenvalues, shapes, gap_residuals })
@@ -193,7 +201,33 @@ pub fn sliding_shapes(
     position: f64,
     count: Option<usize>,
 ) -> Result<SlidingShapes, ModelError> {
-    ShapedPair::new(file)?.at(analysis, position, count)
+    ShapedPair::new(file, &Silent)?.at(analysis, position, count, &Silent)
+}
+
+/// The pair of one case, made once for all who ask for its shapes.
+pub struct SharedPair(MadeOnce<Arc<ShapedPair>>);
+
+impl SharedPair {
+    /// Not made yet.
+    #[must_use]
+    pub const fn new() -> Self {
+        // there is one, and the last that was made is remembered
+        Self(MadeOnce::new(0))
+    }
+
+    /// The pair of the case, made now where it was not: who asks meanwhile waits, for as long as he likes.
+    ///
+    /// # Errors
+    /// As of [`ShapedPair::new`].
+    pub fn get(&self, file: &CaseFile, progress: &dyn Progress) -> Result<Arc<ShapedPair>, ModelError> {
+        self.0.get("", progress, || Ok((Arc::new(ShapedPair::new(file, progress)?), 0)))
+    }
+}
+
+impl Default for SharedPair {
+    fn default() -> Self {
+        Self::new()
+    }
 }
 
 /// The first `count` in the order of their frequencies, and the next one where its frequency is that of the last.

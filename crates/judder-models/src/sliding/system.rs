@@ -30,6 +30,7 @@ use judder_sliding::motion::Motion;
 use judder_sliding::pair::{Observed, Pair, PairSide, Slider, TrackBody};
 use judder_sliding::plane::PlaneVector;
 use judder_study::case::text::CaseText;
+use judder_study::{Progress, Silent};
 use nodes::SystemNodes;
 use std::sync::Arc;
 
@@ -59,6 +60,8 @@ pub(crate) enum Uncoupled {
         /// What is wrong.
         problem: SlidingProblem,
     },
+    /// Nobody wants it any more.
+    Interrupted,
 }
 
 impl Uncoupled {
@@ -76,6 +79,7 @@ impl Uncoupled {
         match self {
             Self::Structure(unbuilt) => unbuilt.placed(file),
             Self::Pair { path, problem } => file.error(&path, problem).into(),
+            Self::Interrupted => ModelError::Interrupted,
         }
     }
 }
@@ -91,6 +95,7 @@ impl From<Uncoupled> for ModelError {
         match uncoupled {
             Uncoupled::Structure(unbuilt) => unbuilt.into(),
             Uncoupled::Pair { problem, .. } => Self::Unsupported(problem.to_string()),
+            Uncoupled::Interrupted => Self::Interrupted,
         }
     }
 }
@@ -98,7 +103,12 @@ impl From<Uncoupled> for ModelError {
 impl ReducedPair {
     /// Reads, assembles, reduces and couples what a case describes.
     pub(crate) fn new(case: &SlidingCase) -> Result<Self, Uncoupled> {
-        Self::with(case, [None, None])
+        Self::until(case, &Silent)
+    }
+
+    /// The same, unless the one who asked has gone: each structure is read, then each reduced, in one go.
+    pub(crate) fn until(case: &SlidingCase, progress: &dyn Progress) -> Result<Self, Uncoupled> {
+        Self::with(case, [None, None], progress)
     }
 
     /// The system of a case that differs from this one's by the values of these swept keys alone: structures that they do not concern are
@@ -112,13 +122,18 @@ impl ReducedPair {
             };
             (!keys.iter().any(concerns)).then(|| Arc::clone(&self.parts[index]))
         };
-        Self::with(case, [known(0), known(1)])
+        Self::with(case, [known(0), known(1)], &Silent)
     }
 
-    fn with(case: &SlidingCase, known: [Option<Arc<StructurePart>>; 2]) -> Result<Self, Uncoupled> {
+    fn with(
+        case: &SlidingCase,
+        known: [Option<Arc<StructurePart>>; 2],
+        progress: &dyn Progress,
+    ) -> Result<Self, Uncoupled> {
+        let go_on = || progress.go_on().map_err(|_| Uncoupled::Interrupted);
         let structure = |index: usize| match &known[index] {
             Some(part) => Ok(Arc::clone(&part.structure)),
-            None => built(case, index).map(Arc::new),
+            None => go_on().and_then(|()| built(case, index)).map(Arc::new),
         };
         let structures = [structure(0)?, structure(1)?];
         let nodes = SystemNodes::new(case, [&structures[0], &structures[1]])?;
@@ -131,6 +146,7 @@ impl ReducedPair {
                     Ok(Arc::clone(part))
                 }
                 _ => {
+                    go_on()?;
                     let direction = (index == slider).then_some(edge.direction);
                     StructurePart::new(case, index, &structures[index], &nodes.freedoms[index], direction)
                         .map(Arc::new)

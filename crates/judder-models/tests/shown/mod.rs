@@ -2,12 +2,13 @@
 
 use crate::{case, number, run_into};
 use judder_models::ModelError;
-use judder_models::sliding_shapes::{ShapedPair, SlidingShapes, sliding_shapes};
+use judder_models::sliding_shapes::{ShapedPair, SharedPair, SlidingShapes, sliding_shapes};
 use judder_store::{Dataset, Status, StoreError, StudyFolder, Variable, VariableValues};
 use judder_study::case::file::CaseFile;
 use judder_study::study_view::{MOST_VALUES, RowWindow, StudyView};
-use judder_study::{Silent, StudyError};
+use judder_study::{Progress, Silent, StudyError};
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 const PAPER: &str = "beams-paper/paper.toml";
 
@@ -148,9 +149,9 @@ fn at_place(shapes: &SlidingShapes, points: std::ops::Range<usize>, place: [f64;
 /// picture alone. The other components differ.
 #[test]
 fn the_contact_stays_closed_in_the_picture() {
-    let pair = ShapedPair::new(&case(PAPER, &[])).unwrap();
+    let pair = ShapedPair::new(&case(PAPER, &[]), &Silent).unwrap();
     for position in [0.03, 0.05] {
-        let shapes = pair.at("locus", position, None).unwrap();
+        let shapes = pair.at("locus", position, None, &Silent).unwrap();
         assert_eq!((shapes.shapes.len(), shapes.eigenvalues.len()), (20, 20));
         let all = shapes.points.len();
         let track = shapes.slider_points..all;
@@ -178,8 +179,8 @@ fn the_contact_stays_closed_in_the_picture() {
 /// Where two modes lock in, the one that grows is not left out because the other has a frequency that is a little lower.
 #[test]
 fn modes_that_lock_in_are_shown_together() {
-    let pair = ShapedPair::new(&case(PAPER, &[])).unwrap();
-    let found = |position: f64, count| pair.at("locus", position, Some(count)).unwrap().eigenvalues;
+    let pair = ShapedPair::new(&case(PAPER, &[]), &Silent).unwrap();
+    let found = |position: f64, count| pair.at("locus", position, Some(count), &Silent).unwrap().eigenvalues;
     // the first zone of the locus, at 6908 Hz
     let locked = found(0.016_467_4, 12);
     assert!(locked.len() == 13 && locked[11..].iter().any(|s| s.re > 0.0), "{:?}", &locked[11..]);
@@ -191,8 +192,46 @@ fn modes_that_lock_in_are_shown_together() {
 #[test]
 #[ignore = "expensive: run by make validate"]
 fn all_modes_are_shown_that_there_are() {
-    let pair = ShapedPair::new(&case(PAPER, &[])).unwrap();
-    assert!(pair.at("locus", 0.022, Some(usize::MAX)).unwrap().eigenvalues.len() > 200);
+    let pair = ShapedPair::new(&case(PAPER, &[]), &Silent).unwrap();
+    assert!(pair.at("locus", 0.022, Some(usize::MAX), &Silent).unwrap().eigenvalues.len() > 200);
+}
+
+/// Who stops listening after so many questions whether to go on.
+struct Leaving {
+    after: usize,
+    asked: AtomicUsize,
+}
+
+impl Progress for Leaving {
+    fn begin(&self, _name: &str, _steps: usize) {}
+    fn expect(&self, _steps: usize) {}
+    fn advance(&self) {}
+    fn end(&self) {}
+
+    fn interrupted(&self) -> bool {
+        self.asked.fetch_add(1, Ordering::Relaxed) >= self.after
+    }
+}
+
+/// Before each part of the work it is asked whether anybody still waits; who does gets all.
+#[test]
+fn shapes_are_given_up_where_nobody_waits_for_them() {
+    let coarse = ["structure.oblique.beam.elements=[30, 1]", "structure.horizontal.beam.elements=[40, 1]"];
+    let (file, leaving) = (case(PAPER, &coarse), |after| Leaving { after, asked: AtomicUsize::new(0) });
+    // two structures are read, two reduced, two expanded to all their points
+    for after in 0..6 {
+        let left = SharedPair::new().get(&file, &leaving(after));
+        assert!(matches!(left, Err(ModelError::Interrupted)), "{after}");
+    }
+    let shared = SharedPair::new();
+    assert!(shared.get(&file, &leaving(0)).is_err(), "what was given up is not remembered");
+    let pair = shared.get(&file, &leaving(6)).unwrap();
+    // once before the eigenvalues, and before the shape of each
+    for after in 0..4 {
+        let left = pair.at("locus", 0.03, Some(3), &leaving(after));
+        assert!(matches!(left, Err(ModelError::Interrupted)), "{after}");
+    }
+    assert_eq!(pair.at("locus", 0.03, Some(3), &leaving(4)).unwrap().shapes.len(), 3);
 }
 
 /// The shapes of a position belong to the eigenvalues that the locus has stored there; the folder alone says how to find them.
@@ -203,10 +242,10 @@ fn shapes_come_from_the_study_folder_alone() {
     let report = run_into(folder.path(), &case(PAPER, &few), &["locus"]);
     let locus = &report.summary.results["locus"];
     let view = StudyView::open(judder_models::REGISTRY, folder.path()).unwrap();
-    let pair = ShapedPair::new(&view.case_file().unwrap()).unwrap();
+    let pair = ShapedPair::new(&view.case_file().unwrap(), &Silent).unwrap();
     for k in [1, 3] {
         let position = number(&locus["position_m"][k]);
-        let shapes = pair.at("locus", position, None).unwrap();
+        let shapes = pair.at("locus", position, None, &Silent).unwrap();
         let mut stored: Vec<f64> =
             locus["frequencies_hz"][k].as_array().unwrap().iter().map(number).collect();
         let mut found: Vec<f64> = shapes.eigenvalues.iter().map(|s| s.im / std::f64::consts::TAU).collect();
@@ -218,11 +257,11 @@ fn shapes_come_from_the_study_folder_alone() {
         }
     }
     assert!(matches!(
-        pair.at("none", 0.03, None),
+        pair.at("none", 0.03, None, &Silent),
         Err(ModelError::Study(StudyError::UnknownAnalysis { .. }))
     ));
-    assert!(matches!(pair.at("locus", -0.03, None), Err(ModelError::Sliding(_))));
-    assert!(matches!(pair.at("locus", f64::NAN, None), Err(ModelError::Sliding(_))));
+    assert!(matches!(pair.at("locus", -0.03, None, &Silent), Err(ModelError::Sliding(_))));
+    assert!(matches!(pair.at("locus", f64::NAN, None, &Silent), Err(ModelError::Sliding(_))));
     let other = judder_models::parse("case.toml", "model = \"oscillator\"", &[]).unwrap();
     assert!(matches!(sliding_shapes(&other, "locus", 0.0, None), Err(ModelError::WrongModel { .. })));
 }

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::look::{FileStamp, stamp};
-use super::{FILE, Manifest, check, relative};
-use crate::StoreError;
+use super::{CheckedFile, FILE, FileRecord, Manifest, check, relative};
+use crate::{StoreError, plain};
 
 /// The manifest of a study, read anew where it has changed.
 #[derive(Debug, Clone)]
@@ -35,12 +35,24 @@ impl ManifestReader {
     /// Refuses a file that is listed and not as it was written. One that does not fit is looked at again where the list has changed meanwhile: a run
     /// was replacing it.
     pub(crate) fn check(&self, path: &Path) -> Result<(), StoreError> {
-        let Some(relative) = relative(&self.study, path) else { return Ok(()) };
+        self.compared(path, true).map(drop)
+    }
+
+    /// Opens a file that is handed on as it is read: only its size is compared before.
+    pub(crate) fn open(&self, path: &Path) -> Result<CheckedFile, StoreError> {
+        let record = self.compared(path, false)?;
+        let opened = plain::open(path).and_then(|file| CheckedFile::new(file, record));
+        opened.map_err(|source| StoreError::read(path, source))
+    }
+
+    /// What is listed of a file, which it is: by its size, and by its content where that is to be read.
+    fn compared(&self, path: &Path, by_content: bool) -> Result<Option<FileRecord>, StoreError> {
+        let Some(relative) = relative(&self.study, path) else { return Ok(None) };
         let mut last = None;
         loop {
-            let Some(known) = self.now()? else { return Ok(()) };
-            let Some(record) = known.manifest.files.get(&relative) else { return Ok(()) };
-            let Err(damage) = check(path, record, true) else { return Ok(()) };
+            let Some(known) = self.now()? else { return Ok(None) };
+            let Some(record) = known.manifest.files.get(&relative) else { return Ok(None) };
+            let Err(damage) = check(path, record, by_content) else { return Ok(Some(record.clone())) };
             if last == Some(known.stamp) {
                 return Err(StoreError::Damaged { path: path.to_owned(), damage });
             }

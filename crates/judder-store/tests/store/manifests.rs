@@ -1,6 +1,7 @@
 //! What is damaged of a finished study is found, whatever it is.
 
 use std::fs;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use judder_store::{
@@ -154,6 +155,31 @@ fn what_is_not_listed_is_extra_or_unfinished() {
     ];
     assert_eq!(found.findings, expected);
     assert!(!found.is_sound());
+}
+
+/// Of what is handed on as it is read the size is compared before, the content until the last byte: however long it is, the first ones come at once.
+#[test]
+fn a_file_that_is_handed_on_is_compared_as_it_is_read() {
+    let folder = tempfile::tempdir().unwrap();
+    finished(folder.path());
+    let (sound, reader) = (folder.path().join("sound.wav"), StudyReader::open(folder.path()).unwrap());
+    let read = |content: &str| {
+        fs::write(&sound, content).unwrap();
+        let mut file = reader.open_file("sound.wav", "wav").unwrap();
+        let (mut came, mut part) = (0, [0; 3]);
+        loop {
+            match file.read(&mut part) {
+                Ok(0) => return (came, None),
+                Ok(count) => came += count,
+                Err(error) => return (came, Some(error.to_string())),
+            }
+        }
+    };
+    assert_eq!(read("RIFF"), (4, None));
+    assert_eq!(read("RIFX"), (3, Some("its content is not what was written".to_owned())));
+    fs::write(&sound, "RIFFS").unwrap();
+    let refused = reader.open_file("sound.wav", "wav").unwrap_err();
+    assert!(refused.to_string().contains("5 bytes, where 4 were written"), "{refused}");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! What the report shows of an analysis: its figure and its tables, without a page around them.
 
+use super::shown_text::{shown_page_table, shown_table, shown_variable};
 use super::{MOST_VALUES, StudyView};
 use crate::error::StudyError;
 use crate::pictures::sweep::is_sweep;
@@ -28,6 +29,7 @@ impl StudyView {
     pub fn reported(&self, analysis: &str, progress: &dyn Progress) -> Result<ReportedAnalysis, StudyError> {
         let summary = self.summary_with(analysis)?;
         let tables = report::tables(self.registry, &summary, analysis);
+        let tables = tables.iter().map(shown_page_table).collect();
         Ok(ReportedAnalysis { figure: self.figure(&summary, analysis, progress), tables })
     }
 
@@ -65,14 +67,14 @@ impl StudyView {
             return Err(StudyError::TooManyToDraw { name: analysis.to_owned(), values, most: MOST_VALUES });
         }
         let mut dataset = Dataset::new();
-        for (name, value) in head.attributes {
+        for (name, value) in shown_table(&head.attributes) {
             dataset = dataset.attribute(&name, value)?;
         }
         for own in head.variables {
             progress.go_on()?;
             let rows = own.shape.first().copied().unwrap_or(1);
             let read = self.reader.read_rows(analysis, &own.name, 0..rows)?;
-            dataset = dataset.with(Variable { is_coordinate: own.is_coordinate, ..read })?;
+            dataset = dataset.with(shown_variable(Variable { is_coordinate: own.is_coordinate, ..read }))?;
         }
         Ok(dataset)
     }

@@ -39,6 +39,7 @@ impl Values<'_> {
             self.system.swept(&case, &[self.sweep.path.as_str()]).map_err(|uncoupled| match uncoupled {
                 Uncoupled::Structure(unbuilt) => unbuilt.problem.to_string(),
                 Uncoupled::Pair { problem, .. } => problem.to_string(),
+                Uncoupled::Interrupted => ModelError::Interrupted.to_string(),
             })?;
         Ok((system.pair, conditions(&case, self.settings)))
     }

@@ -50,9 +50,9 @@ impl CountedMotions {
         longest: USUAL_TIME,
     };
 
-    /// The time after which they usually have settled: those that have not within the beginning take half of what is left.
-    pub(crate) fn usual(&self) -> f64 {
-        self.settled + 0.5 * self.open * (self.longest - self.settled).max(0.0)
+    /// What comes to the time after which they have settled, of those that have not within the beginning: half of what is left.
+    pub(crate) fn left(&self) -> f64 {
+        0.5 * self.open * (self.longest - self.settled).max(0.0)
     }
 }
 

@@ -172,20 +172,22 @@ impl MotionSize {
     fn estimate(&self, name: &str, counted: &CountedMotions, step: f64) -> Estimate {
         let branches = if self.branches { cost::BRANCH_STEPS } else { 0.0 };
         let rest = cost::MOTION_FIGURES + self.points as f64 * cost::MOTION_POINT;
-        let over = |time: f64, rounds: f64| {
-            (self.motions as f64 * time * rounds * counted.steps + branches) * step + rest
+        let over = |radians: f64| (self.motions as f64 * radians * counted.steps + branches) * step + rest;
+        let all_rounds: f64 = (0..=FINER_ROUNDS).map(|round| FINER_ROUND.powi(round)).sum();
+        let (usual, most) = match self.ends {
+            MotionEnd::Duration => (counted.longest, None),
+            MotionEnd::Settled => (counted.settled + counted.left(), Some(counted.longest)),
+            // one that settles late is irregular, or goes through all rounds before it is told
+            MotionEnd::Confirmed => (
+                (1.0 + FINER_ROUND) * counted.settled + all_rounds * counted.left(),
+                Some(all_rounds * counted.longest),
+            ),
         };
-        let all_rounds = (0..=FINER_ROUNDS).map(|round| FINER_ROUND.powi(round)).sum();
-        let (rounds, most_rounds) = match self.ends {
-            MotionEnd::Confirmed => (1.0 + FINER_ROUND, all_rounds),
-            MotionEnd::Duration | MotionEnd::Settled => (1.0, 1.0),
-        };
-        let time = if self.ends == MotionEnd::Duration { counted.longest } else { counted.usual() };
         Estimate {
             name: name.to_owned(),
             points: self.points,
-            seconds: over(time, rounds),
-            seconds_at_most: (self.ends != MotionEnd::Duration).then(|| over(counted.longest, most_rounds)),
+            seconds: over(usual),
+            seconds_at_most: most.map(over),
         }
     }
 }
@@ -210,7 +212,9 @@ mod tests {
         assert!((usual - 3.5 * plain).abs() < 1e-12, "{usual}");
         let rounds = 1.0 + 2.5 + 2.5 * 2.5 + 2.5 * 2.5 * 2.5;
         assert!((most.unwrap() - 5.0 * rounds * plain).abs() < 1e-9, "{most:?}");
+        // of those that have not settled half of what is left is added, and all their rounds
         let late = CountedMotions { open: 0.5, ..early };
-        assert_eq!(late.usual(), 2000.0, "half of those that have not settled take half of what is left");
+        assert!((seconds(MotionEnd::Settled, &late).0 - 2.0 * plain).abs() < 1e-12);
+        assert!((seconds(MotionEnd::Confirmed, &late).0 - (3.5 + rounds) * plain).abs() < 1e-9);
     }
 }

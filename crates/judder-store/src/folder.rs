@@ -4,7 +4,6 @@
 
 mod listed;
 
-use std::collections::HashMap;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
@@ -177,8 +176,8 @@ impl StudyFolder {
         check_name("an analysis", analysis)?;
         let below = format!("{}/{analysis}/", results::FOLDER);
         self.manifest().take_off(|path, _| path.starts_with(&below))?;
-        results::write(&self.path, &self.publishing, analysis, hash, dataset, elsewhere)?;
-        self.manifest().list_folder(Some(analysis), &self.path.join(below), HashMap::new())
+        let written = results::write(&self.path, &self.publishing, analysis, hash, dataset, elsewhere)?;
+        self.manifest().list_folder(Some(analysis), &self.path.join(below), written)
     }
 
     /// Reads the arrays of an analysis back.

@@ -1,6 +1,8 @@
 //! The files of one group, as the array library writes and reads them: through `judder-disk`, forced to the disk one by one.
 
-use std::path::Path;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use zarrs::filesystem::{FilesystemStore, FilesystemStoreCreateError};
 use zarrs::storage::byte_range::ByteRangeIterator;
@@ -9,9 +11,17 @@ use zarrs::storage::{
     StorePrefix, WritableStorageTraits, store_set_partial_many,
 };
 
+use crate::content_hash;
+
+/// Files that were written by their paths, with size and hash of what each was to hold.
+pub(crate) type WrittenFiles = HashMap<PathBuf, (u64, String)>;
+
 /// A group that is being written.
 #[derive(Debug)]
-pub(crate) struct GroupStore(FilesystemStore);
+pub(crate) struct GroupStore {
+    store: FilesystemStore,
+    written: Mutex<WrittenFiles>,
+}
 
 impl GroupStore {
     /// That of a folder.
@@ -19,7 +29,12 @@ impl GroupStore {
     /// # Errors
     /// A path that cannot be one.
     pub(crate) fn new(folder: &Path) -> Result<Self, FilesystemStoreCreateError> {
-        FilesystemStore::new(folder).map(Self)
+        Ok(Self { store: FilesystemStore::new(folder)?, written: Mutex::default() })
+    }
+
+    /// What was written, so that no file is read to be listed.
+    pub(crate) fn written(&self) -> WrittenFiles {
+        self.written.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 }
 
@@ -29,27 +44,30 @@ impl ReadableStorageTraits for GroupStore {
         key: &StoreKey,
         byte_ranges: ByteRangeIterator<'a>,
     ) -> Result<MaybeBytesIterator<'a>, StorageError> {
-        self.0.get_partial_many(key, byte_ranges)
+        self.store.get_partial_many(key, byte_ranges)
     }
 
     fn size_key(&self, key: &StoreKey) -> Result<Option<u64>, StorageError> {
-        self.0.size_key(key)
+        self.store.size_key(key)
     }
 
     fn supports_get_partial(&self) -> bool {
-        self.0.supports_get_partial()
+        self.store.supports_get_partial()
     }
 }
 
 impl WritableStorageTraits for GroupStore {
     fn set(&self, key: &StoreKey, value: Bytes) -> Result<(), StorageError> {
-        let path = self.0.key_to_fspath(key);
+        let path = self.store.key_to_fspath(key);
         if let Some(folder) = path.parent() {
             judder_disk::create_folders(folder)?;
         }
         let file = judder_disk::create_file(&path)?;
         judder_disk::write(&file, &value)?;
-        Ok(judder_disk::sync(&file)?)
+        judder_disk::sync(&file)?;
+        let listed = (value.len() as u64, content_hash(&value));
+        self.written.lock().unwrap_or_else(PoisonError::into_inner).insert(path, listed);
+        Ok(())
     }
 
     fn set_partial_many(
@@ -61,11 +79,11 @@ impl WritableStorageTraits for GroupStore {
     }
 
     fn erase(&self, key: &StoreKey) -> Result<(), StorageError> {
-        Ok(judder_disk::remove(&self.0.key_to_fspath(key))?)
+        Ok(judder_disk::remove(&self.store.key_to_fspath(key))?)
     }
 
     fn erase_prefix(&self, prefix: &StorePrefix) -> Result<(), StorageError> {
-        Ok(judder_disk::remove(&self.0.prefix_to_fs_path(prefix))?)
+        Ok(judder_disk::remove(&self.store.prefix_to_fs_path(prefix))?)
     }
 
     fn supports_set_partial(&self) -> bool {

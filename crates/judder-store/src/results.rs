@@ -8,6 +8,7 @@ use std::sync::{Mutex, PoisonError};
 
 use serde_json::{Map, Value};
 
+use crate::group_store::WrittenFiles;
 use crate::staging::{self, Stage};
 use crate::zarr::{self, Elsewhere, WriteFailure};
 use crate::{Dataset, StoreError, metadata, plain};
@@ -15,7 +16,7 @@ use crate::{Dataset, StoreError, metadata, plain};
 /// The name of the store in a study folder.
 pub(crate) const FOLDER: &str = "results.zarr";
 
-/// Writes the group of an analysis, in place of one of that name.
+/// Writes the group of an analysis, in place of one of that name; gives back its files.
 ///
 /// Everything is on the disk before anything that a reader sees changes. Then three renames: the root of the store
 /// forgets its consolidated metadata, the group takes its place, the root learns the new metadata. So a reader never
@@ -30,14 +31,14 @@ pub(crate) fn write(
     hash: &str,
     dataset: &Dataset,
     elsewhere: &Elsewhere,
-) -> Result<(), StoreError> {
+) -> Result<WrittenFiles, StoreError> {
     let results = study.join(FOLDER);
     let target = results.join(analysis);
     let failed = |source| StoreError::write(&target, dataset.byte_count(), source);
 
     let stage = Stage::new(study).map_err(failed)?;
     let staged = stage.place("group");
-    zarr::write_group(&staged, hash, dataset, elsewhere).map_err(|failure| match failure {
+    let written = zarr::write_group(&staged, hash, dataset, elsewhere).map_err(|failure| match failure {
         WriteFailure::Io(source) => failed(source),
         WriteFailure::Refused(source) => StoreError::DatasetUnwritable { path: target.clone(), source },
     })?;
@@ -58,7 +59,9 @@ pub(crate) fn write(
         staging::replace_folder(&stage, &staged, &target)?;
         staging::rename(&knowing, &root)
     };
-    publish().map_err(failed)
+    publish().map_err(failed)?;
+    let moved = |(path, listed): (PathBuf, _)| Some((target.join(path.strip_prefix(&staged).ok()?), listed));
+    Ok(written.into_iter().filter_map(moved).collect())
 }
 
 /// Completes the metadata of the root where a killed run left them without those of the groups.

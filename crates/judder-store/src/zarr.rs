@@ -17,9 +17,9 @@ use zarrs::filesystem::FilesystemStore;
 use zarrs::storage::StorageError;
 
 use crate::array::{self, ReadFailure};
-use crate::group_store::GroupStore;
+use crate::group_store::{GroupStore, WrittenFiles};
 use crate::metadata::{self, HASH_ATTRIBUTE};
-use crate::{Dataset, StoreError, Variable, VariableValues, plain};
+use crate::{Dataset, StoreError, Variable, VariableValues, content_hash, plain};
 
 /// A chunk is one file: large enough that a map of 1000 × 1000 is one, small enough to be read alone from a large one.
 const CHUNK_BYTES: u64 = 8 << 20;
@@ -71,13 +71,13 @@ impl From<ArrayError> for WriteFailure {
     }
 }
 
-/// Writes a dataset as the group in `folder`, which must not exist yet.
+/// Writes a dataset as the group in `folder`, which must not exist yet; gives back its files.
 pub(crate) fn write_group(
     folder: &Path,
     hash: &str,
     dataset: &Dataset,
     elsewhere: &Elsewhere,
-) -> Result<(), WriteFailure> {
+) -> Result<WrittenFiles, WriteFailure> {
     write_group_by(folder, hash, dataset, |store, variable| match elsewhere.get(&variable.name) {
         Some(path) => write_from_file(store, variable, path),
         None => write_variable(store, variable),
@@ -90,28 +90,34 @@ pub(crate) fn write_group_by(
     hash: &str,
     dataset: &Dataset,
     write: impl Fn(&Arc<GroupStore>, &Variable) -> Result<Value, WriteFailure>,
-) -> Result<(), WriteFailure> {
+) -> Result<WrittenFiles, WriteFailure> {
     judder_disk::create_folder(folder)?;
-    let group = describe_group_by(folder, hash, dataset, write)?;
-    let path = folder.join(metadata::FILE);
+    let store = group_store(folder)?;
+    let group = describe_group_by(&store, hash, dataset, write)?;
+    let (path, content) = (folder.join(metadata::FILE), metadata::content(&group));
     let file = judder_disk::create_new_file(&path)?;
-    judder_disk::write(&file, &metadata::content(&group))?;
+    judder_disk::write(&file, &content)?;
     judder_disk::sync(&file)?;
-    Ok(())
+    let mut written = store.written();
+    written.insert(path, (content.len() as u64, content_hash(&content)));
+    Ok(written)
 }
 
-/// The metadata of the group of a dataset, where `describe` returns that of the array of a variable in the store in `folder`.
+/// The store in a folder, to write a group or to describe it.
+pub(crate) fn group_store(folder: &Path) -> Result<Arc<GroupStore>, WriteFailure> {
+    GroupStore::new(folder).map(Arc::new).map_err(|refusal| WriteFailure::Refused(refusal.into()))
+}
+
+/// The metadata of the group of a dataset, where `describe` returns that of the array of a variable in its store.
 pub(crate) fn describe_group_by(
-    folder: &Path,
+    store: &Arc<GroupStore>,
     hash: &str,
     dataset: &Dataset,
     describe: impl Fn(&Arc<GroupStore>, &Variable) -> Result<Value, WriteFailure>,
 ) -> Result<Map<String, Value>, WriteFailure> {
-    let store = GroupStore::new(folder).map_err(|refusal| WriteFailure::Refused(refusal.into()))?;
-    let store = Arc::new(store);
     let mut members = Map::new();
     for variable in dataset.variables() {
-        members.insert(variable.name.clone(), describe(&store, variable)?);
+        members.insert(variable.name.clone(), describe(store, variable)?);
     }
     Ok(metadata::group(group_attributes(hash, dataset), Some(members)))
 }

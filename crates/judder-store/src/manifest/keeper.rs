@@ -90,9 +90,9 @@ impl ManifestKeeper {
         self.now.complete = false;
         let Some(disk) = &self.on_disk else { return Ok(()) };
         let is_true = !disk.complete
-            && disk.files.iter().all(|(path, _)| self.now.files.contains_key(path))
+            && disk.files.keys().all(|path| path != summary::FILE && self.now.files.contains_key(path))
             && disk.results.keys().all(|name| self.now.results.contains_key(name));
-        if is_true { Ok(()) } else { self.write(self.now.clone()) }
+        if is_true { Ok(()) } else { self.write(self.unfinished()) }
     }
 
     /// Takes off the list what a run from nothing forgets as a whole: that any result is there, the summary, all arrays. Gives back what else it forgets,
@@ -165,11 +165,15 @@ impl ManifestKeeper {
             build.clone_into(&mut record.build);
         });
         self.now.complete = complete;
-        let mut listed = self.now.clone();
-        if !complete {
-            listed.files.remove(summary::FILE);
-        }
+        let listed = if complete { self.now.clone() } else { self.unfinished() };
         if self.on_disk.as_ref() == Some(&listed) { Ok(()) } else { self.write(listed) }
+    }
+
+    /// What holds now without the summary, which changes with every result: so one write takes a finished study up again.
+    fn unfinished(&self) -> Manifest {
+        let mut listed = self.now.clone();
+        listed.files.remove(summary::FILE);
+        listed
     }
 
     /// What is wrong with a result: its files, and what the summary tells of it. Nothing is known of one that is not on the list.

@@ -11,7 +11,7 @@ use super::shard;
 use crate::metadata::{self, BUILD_ATTRIBUTE, HASH_ATTRIBUTE};
 use crate::staging::{self, Stage};
 use crate::zarr::{self, WriteFailure};
-use crate::{StoreError, results};
+use crate::{StoreError, Variable, results};
 
 /// Begins the group of a sweep where there is none, else compares; returns the folder of its chunks.
 pub(super) fn join(study: &Path, layout: &SweepLayout) -> Result<PathBuf, StoreError> {
@@ -41,13 +41,15 @@ fn failed(group: &Path, failure: WriteFailure) -> StoreError {
 
 /// The folder of the chunks of a group that is of this sweep.
 fn compared(group: &Path, layout: &SweepLayout) -> Result<PathBuf, StoreError> {
-    let expected = zarr::describe_group_by(group, layout.hash(), layout.dataset(), |store, variable| {
+    let describe = |store: &_, variable: &Variable| {
         if variable.name == VALUES {
             zarr::array_metadata(&shard::build_array(store, layout, variable)?)
         } else {
             zarr::describe_variable(store, variable)
         }
-    });
+    };
+    let expected = zarr::group_store(group)
+        .and_then(|store| zarr::describe_group_by(&store, layout.hash(), layout.dataset(), describe));
     compare(group, layout, &expected.map_err(|failure| failed(group, failure))?)?;
     Ok(group.join(VALUES))
 }
@@ -112,6 +114,7 @@ fn write(staged: &Path, layout: &SweepLayout) -> Result<(), WriteFailure> {
             zarr::write_variable(store, variable)
         }
     })
+    .map(drop)
 }
 
 /// Refuses a group of another build, of another case, or of another layout.

@@ -280,6 +280,20 @@ fn files_that_are_drawn_anew_cost_one_write_of_the_list() {
 }
 
 #[test]
+fn a_finished_study_is_taken_up_again_with_one_write_of_the_list() {
+    let folder = tempfile::tempdir().unwrap();
+    let summary = finished(folder.path());
+    let list = || fs::read_to_string(folder.path().join("manifest.json")).unwrap();
+    let study = StudyFolder::open(folder.path()).unwrap();
+    study.begin_results(&[]).unwrap();
+    let begun = list();
+    assert!(!begun.contains("summary.json") && begun.contains("one.csv"), "{begun}");
+    study.write_summary(&summary, None).unwrap();
+    study.keep_manifest(BUILD).unwrap();
+    assert_eq!(list(), begun);
+}
+
+#[test]
 fn files_that_came_by_other_ways_are_listed() {
     let folder = tempfile::tempdir().unwrap();
     finished(folder.path());

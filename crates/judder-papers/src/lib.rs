@@ -2,7 +2,7 @@
 //!
 //! - `paper`: which papers there are. `reproduction`: what is left of one that was recomputed.
 //! - `claim`: a claim, what it is measured on, its line of the scoreboard. `plain`: its words for a terminal.
-//! - `summary`: what the summary of a reproduction says.
+//! - `summary`: what the summary of a reproduction says. `drawn`: figures from several analyses, of which one may be damaged.
 //! - `oscillator`: a sphere on rubber with two degrees of freedom.
 //! - `beams`: two beams in sliding contact.
 
@@ -10,6 +10,7 @@
 
 mod beams;
 mod claim;
+mod drawn;
 mod oscillator;
 mod paper;
 mod plain;

@@ -36,8 +36,13 @@ impl ModelKind {
     /// As of [`figure`](Self::figure).
     pub fn panels(&self, dataset: &Dataset) -> Result<Vec<Panel>, WrongArray> {
         let arrays = StoredArrays::of(dataset);
-        let drawn = self.picture(dataset).and_then(|own| (own.draw)(&arrays));
-        arrays.settled(drawn.unwrap_or_default())
+        arrays.settled(self.panels_of(&arrays))
+    }
+
+    /// The same of arrays that whoever draws asks at the end whether they are what judder writes.
+    #[must_use]
+    pub fn panels_of(&self, arrays: &StoredArrays<'_>) -> Vec<Panel> {
+        self.picture(arrays.dataset()).and_then(|own| (own.draw)(arrays)).unwrap_or_default()
     }
 
     /// What stands under the figure of a kind.

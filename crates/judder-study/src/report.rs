@@ -89,7 +89,8 @@ pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Resu
         match &record.status {
             Status::Failed { reason } => blocks.push(PageBlock::text(format!("No result: {reason}"))),
             Status::Done => {
-                blocks.extend(figure_blocks(registry, store, summary, name)?);
+                let draw = || figures(registry, store, summary, name).map_err(|error| error.to_string());
+                blocks.extend(figure_blocks(store, name, draw)?);
                 // what was asked first, then every number under its key
                 let asked = tables(registry, summary, name);
                 let caption = if asked.is_empty() { "" } else { "Every number, by its key" };
@@ -122,17 +123,19 @@ pub fn write_copied(registry: Registry, folder: &Path) -> Result<WrittenPage, St
     Ok(page)
 }
 
-/// The figures of an analysis or a sweep as blocks of the page; what cannot be read or drawn says why.
-fn figure_blocks(
-    registry: Registry,
+/// Figures as blocks of the page; what cannot be read or drawn says why under this name, in place of all of them.
+///
+/// # Errors
+/// A folder that cannot be written.
+pub fn figure_blocks(
     store: &StudyFolder,
-    summary: &Summary,
     name: &str,
+    draw: impl FnOnce() -> Result<Vec<Figure>, String>,
 ) -> Result<Vec<PageBlock>, StudyError> {
     let undrawn = |reason| vec![PageBlock::Undrawn(UndrawnFigure { name: name.to_owned(), reason })];
-    let drawn = catch_unwind(AssertUnwindSafe(|| match figures(registry, store, summary, name) {
+    let drawn = catch_unwind(AssertUnwindSafe(|| match draw() {
         Ok(figures) => figures.into_iter().map(|figure| write_figure(store, figure)).collect(),
-        Err(error) => Ok(undrawn(error.to_string())),
+        Err(reason) => Ok(undrawn(reason)),
     }));
     drawn.unwrap_or_else(|panic| Ok(undrawn(fault_told(&*panic))))
 }

@@ -1,9 +1,11 @@
 //! The figures of the beams paper, put together from several marches where the paper compares them.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::passage::Passage;
+use judder_models::sliding::MODEL as SLIDING;
 use judder_models::sliding::march::figure::{history, logarithmic, panel, swing, trace};
 use judder_report::{Axis, Figure, Layer, Legend, Panel, Role, Style};
-use judder_store::Dataset;
 use judder_study::pictures::{StoredArrays, axis, reals};
 use serde_json::Value;
 
@@ -19,18 +21,22 @@ const ABOUT: f64 = 1.5e-3;
 /// What single swings rise to of their axis, so that the legend has room.
 const OVER: f64 = 1.1;
 
+/// The figure that an analysis has by itself.
+pub(super) fn own(arrays: &StoredArrays<'_>, name: &str, title: &str) -> Option<Figure> {
+    let panels = Some(SLIDING.panels_of(arrays)).filter(|panels| !panels.is_empty())?;
+    Some(Figure::new(name, title, panels).with_caption(SLIDING.caption(arrays.dataset())))
+}
+
 /// Fig. 3: what Subs and FiLM find, each on its axis and both on one.
-pub(super) fn subs_and_film(subs: &Dataset, film: &Dataset) -> Option<Figure> {
-    let own = |dataset, label: &str, role: Role| {
-        history(&StoredArrays::of(dataset), SIGNAL, role.solid()).map(|panel| panel.with_title(label))
+pub(super) fn subs_and_film(arrays: &[StoredArrays<'_>]) -> Option<Figure> {
+    let [subs, film] = arrays else { return None };
+    let own = |arrays, label: &str, role: Role| {
+        history(arrays, SIGNAL, role.solid()).map(|panel| panel.with_title(label))
     };
     let both = logarithmic(panel(
-        &StoredArrays::of(film),
+        film,
         SIGNAL,
-        vec![
-            swing(&StoredArrays::of(film), SIGNAL, "FiLM", FILM.solid())?,
-            swing(&StoredArrays::of(subs), SIGNAL, "Subs", SUBS.solid())?,
-        ],
+        vec![swing(film, SIGNAL, "FiLM", FILM.solid())?, swing(subs, SIGNAL, "Subs", SUBS.solid())?],
     )?);
     let mut panels = vec![own(subs, "Subs", SUBS)?, own(film, "FiLM", FILM)?];
     panels.push(both.with_title("amplitude: √2 rms of a column"));
@@ -40,9 +46,9 @@ pub(super) fn subs_and_film(subs: &Dataset, film: &Dataset) -> Option<Figure> {
 }
 
 /// Fig. 4: both spectrograms with one scale of levels, and both waterfalls.
-pub(super) fn spectrograms(subs: &Dataset, film: &Dataset) -> Option<Figure> {
-    let (of_subs, of_film) =
-        (judder_models::sliding::MODEL.panels(subs).ok()?, judder_models::sliding::MODEL.panels(film).ok()?);
+pub(super) fn spectrograms(arrays: &[StoredArrays<'_>]) -> Option<Figure> {
+    let [subs, film] = arrays else { return None };
+    let (of_subs, of_film) = (SLIDING.panels_of(subs), SLIDING.panels_of(film));
     let named = |method: &'static str| {
         move |panel: Panel| {
             let title = format!("{method}: {}", panel.title);
@@ -60,18 +66,19 @@ pub(super) fn spectrograms(subs: &Dataset, film: &Dataset) -> Option<Figure> {
 }
 
 /// Fig. 5: EnSubs over FiLM, the whole, the loudest moment, and their difference.
-pub(super) fn ensubs_and_film(ensubs: &Dataset, film: &Dataset) -> Option<Figure> {
+pub(super) fn ensubs_and_film(arrays: &[StoredArrays<'_>]) -> Option<Figure> {
+    let [ensubs, film] = arrays else { return None };
     let both = vec![
-        trace(&StoredArrays::of(ensubs), SIGNAL, "EnSubs", ENSUBS.solid())?,
-        trace(&StoredArrays::of(film), SIGNAL, "FiLM", FILM.dashed().with_width(0.6))?,
+        trace(ensubs, SIGNAL, "EnSubs", ENSUBS.solid())?,
+        trace(film, SIGNAL, "FiLM", FILM.dashed().with_width(0.6))?,
     ];
-    let whole = panel(&StoredArrays::of(ensubs), SIGNAL, both)?.with_title("whole path");
+    let whole = panel(ensubs, SIGNAL, both)?.with_title("whole path");
     let about = about_loudest(ensubs, &[(ensubs, "EnSubs", ENSUBS.solid()), (film, "FiLM", FILM.dashed())])?;
     let amplitudes = vec![
-        swing(&StoredArrays::of(ensubs), SIGNAL, "EnSubs", ENSUBS.solid())?,
+        swing(ensubs, SIGNAL, "EnSubs", ENSUBS.solid())?,
         difference(ensubs, film, "FiLM − EnSubs", FILM.solid())?,
     ];
-    let amplitudes = logarithmic(panel(&StoredArrays::of(ensubs), SIGNAL, amplitudes)?);
+    let amplitudes = logarithmic(panel(ensubs, SIGNAL, amplitudes)?);
     let amplitudes = Panel { y: Axis::log(amplitudes.y.label.clone()), ..amplitudes };
     let panels = vec![whole, about, amplitudes.with_title("amplitude, and that of the difference")];
     Some(
@@ -81,13 +88,13 @@ pub(super) fn ensubs_and_film(ensubs: &Dataset, film: &Dataset) -> Option<Figure
 }
 
 /// Fig. 6: sliding velocity and normal force of EnSubs, with zero on the axis and after the ramps.
-pub(super) fn forces(ensubs: &Dataset) -> Option<Figure> {
+pub(super) fn forces(ensubs: &StoredArrays<'_>) -> Option<Figure> {
     let mut panels = Vec::new();
     for name in ["sliding_velocity", "normal_force"] {
-        panels.push(history(&StoredArrays::of(ensubs), name, ENSUBS.solid())?.with_title("whole path"));
+        panels.push(history(ensubs, name, ENSUBS.solid())?.with_title("whole path"));
     }
     for name in ["sliding_velocity", "normal_force"] {
-        let own = history(&StoredArrays::of(ensubs), name, ENSUBS.solid())?;
+        let own = history(ensubs, name, ENSUBS.solid())?;
         panels.push(settled(own, ensubs, name)?.with_title("after the ramps"));
     }
     let caption = "EnSubs. Above, with zero on the axis; below, what is left of that after the ramps. Both stay far from zero: the contact slides ahead and never opens. The extremes of every step stand in the scoreboard.";
@@ -95,43 +102,35 @@ pub(super) fn forces(ensubs: &Dataset) -> Option<Figure> {
 }
 
 /// What the zones promise and what EnSubs makes of it.
-pub(super) fn zones(passages: &[Passage]) -> Option<Figure> {
+pub(super) fn zones(passages: &[Passage]) -> Figure {
     let quantity = "Amplitude of $ü_{y}$ of T (m/s^{2})";
     let panels: Vec<Panel> = passages.iter().map(|passage| passage.panel(quantity)).collect();
     let caption = "Every zone that promises one neper or more: the acceleration of T within 200 Hz of the zone's frequency, by a Hann window of 10 ms, and \
                    what ∫ σ dt of the locus promises from the start of the zone on. Steps at whole millimetres are clicks at the nodes of the track; a click \
                    inside a weak zone outdoes it. The whole signal holds the clicks of all modes, so that before a burst it is louder than the mode that \
                    grows, and the burst seems to grow by less than its zone promises.";
-    (!panels.is_empty()).then(|| {
-        Figure::new("zones", "What the unstable zones promise, and the mode in the march", panels)
-            .with_caption(caption)
-    })
+    Figure::new("zones", "What the unstable zones promise, and the mode in the march", panels)
+        .with_caption(caption)
 }
 
 /// Growth with the contact held, four places a figure.
-pub(super) fn growths(method: &str, name: &str, held: &[Dataset]) -> Option<Figure> {
-    let drawn = held.iter().map(|dataset| judder_models::sliding::MODEL.panels(dataset).ok());
-    let panels: Vec<Panel> = drawn.collect::<Option<Vec<_>>>()?.concat();
+pub(super) fn growths(method: &str, name: &str, held: &[StoredArrays<'_>]) -> Option<Figure> {
+    let panels = held.iter().map(|own| Some(SLIDING.panels_of(own)).filter(|panels| !panels.is_empty()));
+    let panels: Vec<Panel> = panels.collect::<Option<Vec<_>>>()?.concat();
+    let caption = SLIDING.caption(held.first()?.dataset());
     let title = format!("Growth with the contact held, by {method}");
-    (!panels.is_empty()).then(|| Figure {
-        caption: held
-            .first()
-            .map(|dataset| judder_models::sliding::MODEL.caption(dataset))
-            .unwrap_or_default()
-            .to_owned(),
-        ..Figure::new(name, title, panels)
-    })
+    Some(Figure::new(name, title, panels).with_caption(caption))
 }
 
 /// Why Subs is quiet: with the static slope it is as loud as EnSubs.
-pub(super) fn reason(subs: &Dataset, sloped: &Dataset, ensubs: &Dataset) -> Option<Figure> {
+pub(super) fn reason(arrays: &[StoredArrays<'_>]) -> Option<Figure> {
+    let [subs, sloped, ensubs] = arrays else { return None };
     let layers = vec![
-        swing(&StoredArrays::of(ensubs), SIGNAL, "EnSubs", ENSUBS.solid())?,
-        swing(&StoredArrays::of(sloped), SIGNAL, "Subs with the static slope", SUBS.dashed())?,
-        swing(&StoredArrays::of(subs), SIGNAL, "Subs", SUBS.solid())?,
+        swing(ensubs, SIGNAL, "EnSubs", ENSUBS.solid())?,
+        swing(sloped, SIGNAL, "Subs with the static slope", SUBS.dashed())?,
+        swing(subs, SIGNAL, "Subs", SUBS.solid())?,
     ];
-    let amplitudes = logarithmic(panel(&StoredArrays::of(ensubs), SIGNAL, layers)?)
-        .with_title("amplitude: √2 rms of a column");
+    let amplitudes = logarithmic(panel(ensubs, SIGNAL, layers)?).with_title("amplitude: √2 rms of a column");
     let styles = [(ensubs, "EnSubs", ENSUBS.solid()), (sloped, "Subs with the static slope", SUBS.dashed())];
     let panels = vec![amplitudes, about_loudest(ensubs, &styles)?];
     let caption = "Of the deformation that Subs leaves out, the static slope of the track alone brings the bursts back. It \
@@ -140,13 +139,13 @@ pub(super) fn reason(subs: &Dataset, sloped: &Dataset, ensubs: &Dataset) -> Opti
 }
 
 /// The march with residual flexibility beside EnSubs.
-pub(super) fn residual(ours: &Dataset, ensubs: &Dataset) -> Option<Figure> {
+pub(super) fn residual(arrays: &[StoredArrays<'_>]) -> Option<Figure> {
+    let [ours, ensubs] = arrays else { return None };
     let layers = vec![
-        swing(&StoredArrays::of(ensubs), SIGNAL, "EnSubs", ENSUBS.solid())?,
-        swing(&StoredArrays::of(ours), SIGNAL, "residual flexibility", RESIDUAL.dashed().with_width(0.8))?,
+        swing(ensubs, SIGNAL, "EnSubs", ENSUBS.solid())?,
+        swing(ours, SIGNAL, "residual flexibility", RESIDUAL.dashed().with_width(0.8))?,
     ];
-    let amplitudes = logarithmic(panel(&StoredArrays::of(ensubs), SIGNAL, layers)?)
-        .with_title("amplitude: √2 rms of a column");
+    let amplitudes = logarithmic(panel(ensubs, SIGNAL, layers)?).with_title("amplitude: √2 rms of a column");
     let styles = [(ensubs, "EnSubs", ENSUBS.solid()), (ours, "residual flexibility", RESIDUAL.dashed())];
     let panels = vec![amplitudes, about_loudest(ensubs, &styles)?];
     let caption = "The march of our own, exact between contacts and with longer steps, beside EnSubs: the whole path, and single swings at the loudest moment.";
@@ -157,7 +156,8 @@ pub(super) fn residual(ours: &Dataset, ensubs: &Dataset) -> Option<Figure> {
 }
 
 /// Single swings of marches about the loudest moment of one of them.
-fn about_loudest(loudest: &Dataset, marches: &[(&Dataset, &str, Style)]) -> Option<Panel> {
+fn about_loudest(loudest: &StoredArrays<'_>, marches: &[(&StoredArrays<'_>, &str, Style)]) -> Option<Panel> {
+    loudest.over(SIGNAL, &["time"])?;
     let (time, values) = (reals(loudest, "time")?, reals(loudest, SIGNAL)?);
     let settled = loudest.attributes().get("settled_s").and_then(Value::as_f64)?;
     let after = time.iter().zip(values).filter(|(time, _)| **time > settled);
@@ -165,6 +165,7 @@ fn about_loudest(loudest: &Dataset, marches: &[(&Dataset, &str, Style)]) -> Opti
     let mut layers = Vec::new();
     let mut peak = 0.0_f64;
     for (march, label, style) in marches {
+        march.over(SIGNAL, &["time"])?;
         let (time, values) = (reals(*march, "time")?, reals(*march, SIGNAL)?);
         let range =
             time.partition_point(|t| *t < middle - ABOUT)..time.partition_point(|t| *t <= middle + ABOUT);
@@ -179,7 +180,7 @@ fn about_loudest(loudest: &Dataset, marches: &[(&Dataset, &str, Style)]) -> Opti
 }
 
 /// How far the difference of two marches with the same samples swings.
-fn difference(a: &Dataset, b: &Dataset, label: &str, style: Style) -> Option<Layer> {
+fn difference(a: &StoredArrays<'_>, b: &StoredArrays<'_>, label: &str, style: Style) -> Option<Layer> {
     let (first, second) = (reals(a, SIGNAL)?, reals(b, SIGNAL)?);
     let difference: Vec<f64> = second.iter().zip(first).map(|(b, a)| b - a).collect();
     let (x, y) = judder_models::sliding::march::figure::swings(reals(a, "time")?, &difference);
@@ -187,11 +188,12 @@ fn difference(a: &Dataset, b: &Dataset, label: &str, style: Style) -> Option<Lay
 }
 
 /// A history from the end of the ramps on.
-fn settled(own: Panel, dataset: &Dataset, name: &str) -> Option<Panel> {
+fn settled(own: Panel, dataset: &StoredArrays<'_>, name: &str) -> Option<Panel> {
     let (time, values) = (reals(dataset, "time")?, reals(dataset, name)?);
     let settled = dataset.attributes().get("settled_s").and_then(Value::as_f64)?;
     let first = time.partition_point(|t| *t <= settled);
-    let (low, high) = values[first..]
+    let (low, high) = values
+        .get(first..)?
         .iter()
         .filter(|value| value.is_finite())
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(*value), high.max(*value)));

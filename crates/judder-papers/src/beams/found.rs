@@ -6,7 +6,7 @@ use crate::summary::is_done;
 use judder_models::band::Band;
 use judder_store::{Dataset, StudyFolder, Summary};
 use judder_study::StudyError;
-use judder_study::pictures::reals;
+use judder_study::pictures::{StoredArrays, reals};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 
@@ -96,7 +96,8 @@ impl StoredResults {
     /// The zones that EnSubs has passed.
     pub(super) fn passages(&self) -> Vec<Passage> {
         let zones = Self::zones_of(&self.results, "ensubs", "zones");
-        let of = |ensubs: &Dataset| passages(ensubs, SIGNAL, &zones, self.locus.as_ref());
+        let locus = self.locus.as_ref().map(StoredArrays::of);
+        let of = |ensubs: &Dataset| passages(&StoredArrays::of(ensubs), SIGNAL, &zones, locus.as_ref());
         self.ensubs.as_ref().map(of).unwrap_or_default()
     }
 

@@ -4,7 +4,6 @@ use judder_models::band::Sampled;
 use judder_models::sliding::locus::figure::zone_profiles;
 use judder_report::figure::ShadedRegion;
 use judder_report::{Axis, Layer, Legend, Panel, Role};
-use judder_store::Dataset;
 use judder_study::pictures::{StoredArrays, reals};
 use serde_json::Value;
 
@@ -41,21 +40,29 @@ pub(super) struct Passage {
 
 /// The zones worth it that a march has passed whole after its ramps; `locus` has their growth rates.
 pub(super) fn passages(
-    march: &Dataset,
+    march: &StoredArrays<'_>,
     signal: &str,
     zones: &[PassedZone],
-    locus: Option<&Dataset>,
+    locus: Option<&StoredArrays<'_>>,
 ) -> Vec<Passage> {
-    let profiles = locus.map(|locus| zone_profiles(&StoredArrays::of(locus))).unwrap_or_default();
+    let profiles = locus.map(zone_profiles).unwrap_or_default();
     let worth = zones.iter().filter(|zone| zone.nepers >= WORTH);
     worth.filter_map(|zone| passage(march, signal, *zone, &profiles)).collect()
 }
 
-fn passage(march: &Dataset, signal: &str, zone: PassedZone, profiles: &[Vec<(f64, f64)>]) -> Option<Passage> {
+fn passage(
+    march: &StoredArrays<'_>,
+    signal: &str,
+    zone: PassedZone,
+    profiles: &[Vec<(f64, f64)>],
+) -> Option<Passage> {
+    march.over("position", &["time"])?;
+    march.over(signal, &["time"])?;
     let (time, position, values) = (reals(march, "time")?, reals(march, "position")?, reals(march, signal)?);
     let settled = march.attributes().get("settled_s").and_then(Value::as_f64)?;
     let first = time.partition_point(|own| *own <= settled);
-    let sampled = Sampled { time: &time[first..], position: &position[first..], values: &values[first..] };
+    let (time, position, values) = (time.get(first..)?, position.get(first..)?, values.get(first..)?);
+    let sampled = Sampled { time, position, values };
     let [before, after] = sampled.passage(zone.frequency, [zone.from, zone.to])?;
     let band = sampled.band(zone.frequency)?;
     let amplitude = |at: f64| band.amplitude(sampled.values, sampled.sample(at));
@@ -127,7 +134,7 @@ impl Passage {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use judder_store::Variable;
+    use judder_store::{Dataset, Variable};
     use std::f64::consts::TAU;
 
     /// A sine that grows in a zone by a known number of nepers has grown by that, under clicks ten times as high as itself.
@@ -159,6 +166,7 @@ mod tests {
             .and_then(|own| own.with(along("position", position)))
             .and_then(|own| own.with(along("T.y", values)))
             .unwrap();
+        let march = StoredArrays::of(&march);
         let found = passages(&march, "T.y", &[zone], None);
         assert_eq!(found.len(), 1);
         assert!((found[0].measured - 4.5).abs() < 0.1, "{}", found[0].measured);

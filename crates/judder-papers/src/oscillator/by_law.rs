@@ -5,15 +5,15 @@ mod thresholds;
 use super::exhibits::{EXHIBITS, PanelSource};
 use super::readings::{READINGS, ReadLaw, Reading};
 use super::{analysis_name, computed_for};
-use crate::summary::is_done;
+use crate::drawn::{StoredAnalysis, made};
 use judder_oscillator::mechanism::StabilityClass;
 use judder_report::figure::{Class, ClassMap};
 use judder_report::page::PageTable;
-use judder_report::{Figure, Layer, PageBlock, PageSection, Panel, Role};
-use judder_store::{Dataset, StudyFolder, Summary, VariableValues};
+use judder_report::{Axis, Figure, Layer, PageBlock, PageSection, Panel, Role, UndrawnFigure};
+use judder_store::{StudyFolder, Summary};
 use judder_study::StudyError;
-use judder_study::pictures::{axis, reals};
-use judder_study::report::write_figure;
+use judder_study::pictures::{StoredArrays, axis, codes, picked, reals};
+use judder_study::report::figure_blocks;
 
 /// The loads that friction can act on.
 const LOADS: [&str; 2] = ["normal-load", "contact-force"];
@@ -26,12 +26,19 @@ const LAWS: [(ReadLaw, &str, Role); 3] = [
 /// Points along each side of a drawn map.
 const DRAWN_SIDE: usize = 300;
 
-/// The section on what the fit does to maps and thresholds.
+/// The section on what the fit does to maps and thresholds. A map or a figure that cannot be made says why.
 pub(super) fn section(store: &StudyFolder, summary: &Summary) -> Result<PageSection, StudyError> {
-    let mut changes = Vec::new();
+    let (mut changes, mut undrawn) = (Vec::new(), Vec::new());
     for source in maps() {
         for load in LOADS {
-            changes.extend(ChangedMap::of(store, summary, source, load)?);
+            let Some(analyses) = stored(store, summary, source, load) else { continue };
+            let changed = made(store.path(), &analyses.each_ref(), |maps| ChangedMap::of(source, load, maps));
+            let lacking =
+                |reason| UndrawnFigure { name: format!("{} in {}", source.name, map_stem(load)), reason };
+            match changed {
+                Ok(change) => changes.push(change),
+                Err(reason) => undrawn.push(PageBlock::Undrawn(lacking(reason))),
+            }
         }
     }
     let mut blocks = vec![PageBlock::text(lead(&changes, computed_for(summary)))];
@@ -39,19 +46,22 @@ pub(super) fn section(store: &StudyFolder, summary: &Summary) -> Result<PageSect
         blocks.push(PageBlock::Table(table(&changes)));
         for load in LOADS {
             let of_load = changes.iter().filter(|change| change.load == load);
-            let panels: Vec<Panel> = of_load.filter_map(ChangedMap::panel).collect();
+            let panels: Vec<Panel> = of_load.map(ChangedMap::panel).collect();
             if !panels.is_empty() {
-                blocks.push(write_figure(store, map_figure(panels, load))?);
+                let draw = || Ok(vec![map_figure(panels, load)]);
+                blocks.extend(figure_blocks(store, &map_stem(load), draw)?);
             }
         }
     }
-    let moved = thresholds::all(store, summary)?;
+    blocks.extend(undrawn);
+    let (moved, undrawn) = thresholds::all(store, summary);
     if !moved.is_empty() {
         blocks.push(PageBlock::Table(thresholds::table(&moved)));
     }
     for moved in &moved {
-        blocks.push(write_figure(store, moved.figure())?);
+        blocks.extend(figure_blocks(store, &moved.stem(), || Ok(vec![moved.figure()]))?);
     }
+    blocks.extend(undrawn.into_iter().map(PageBlock::Undrawn));
     Ok(PageSection::new("How much of the map is the fit's?", blocks))
 }
 
@@ -72,46 +82,47 @@ fn reading(law: ReadLaw, load: &str) -> Option<&'static Reading> {
     READINGS.iter().find(|reading| reading.law == law && reading.friction_load == load)
 }
 
-/// The stored result of an analysis with a law; `None` where there is none.
+/// What is stored of an analysis with each of [`LAWS`]; `None` where one is not done.
 fn stored(
     store: &StudyFolder,
     summary: &Summary,
     source: &PanelSource,
-    law: ReadLaw,
     load: &str,
-) -> Result<Option<Dataset>, StudyError> {
-    match reading(law, load).map(|reading| analysis_name(source, reading)) {
-        Some(name) if is_done(summary, &name) => Ok(Some(store.read_dataset(&name)?)),
-        _ => Ok(None),
-    }
+) -> Option<[StoredAnalysis; 3]> {
+    let with = |(law, ..): (ReadLaw, &str, Role)| {
+        StoredAnalysis::read(store, summary, &analysis_name(source, reading(law, load)?))
+    };
+    let [printed, corrected, computed] = LAWS.map(with);
+    Some([printed?, corrected?, computed?])
 }
 
 /// One map with the three laws.
 struct ChangedMap {
     source: &'static PanelSource,
     load: &'static str,
-    /// Any of the three: they have the same axes.
-    plane: Dataset,
+    /// The axes along columns and rows, the same with all three.
+    axes: [Axis; 2],
+    /// The values along columns and rows.
+    places: [Vec<f64>; 2],
     /// The class of every point with each of [`LAWS`].
     classes: [Vec<StabilityClass>; 3],
 }
 
 impl ChangedMap {
-    fn of(
-        store: &StudyFolder,
-        summary: &Summary,
-        source: &'static PanelSource,
-        load: &'static str,
-    ) -> Result<Option<Self>, StudyError> {
-        let mut all = Vec::new();
-        let mut plane = None;
-        for (law, ..) in LAWS {
-            let Some(dataset) = stored(store, summary, source, law, load)? else { return Ok(None) };
-            all.extend(classes(&dataset));
-            plane = Some(dataset);
-        }
-        let classes: Option<[Vec<StabilityClass>; 3]> = all.try_into().ok();
-        Ok(plane.zip(classes).map(|(plane, classes)| Self { source, load, plane, classes }))
+    /// What the maps with [`LAWS`] say together; nothing unless they are of one plane.
+    fn of(source: &'static PanelSource, load: &'static str, maps: &[StoredArrays<'_>]) -> Option<Self> {
+        let [plane, ..] = maps else { return None };
+        plane.shaped("stability", &[None, None])?;
+        let [y_name, x_name] = plane.variable("stability")?.dimensions.as_slice() else { return None };
+        let (x, y) = (reals(plane, x_name)?.to_vec(), reals(plane, y_name)?.to_vec());
+        let of_law = |map: &StoredArrays<'_>| {
+            map.over("stability", &[y_name.as_str(), x_name.as_str()])?;
+            map.shaped("stability", &[Some(y.len()), Some(x.len())])?;
+            Some(codes(map, "stability")?.iter().map(|code| StabilityClass::from_code(*code)).collect())
+        };
+        let classes: Option<Vec<Vec<StabilityClass>>> = maps.iter().map(of_law).collect();
+        let axes = [axis(plane.variable(x_name)?), axis(plane.variable(y_name)?)];
+        Some(Self { source, load, axes, places: [x, y], classes: classes?.try_into().ok()? })
     }
 
     /// Share of the points that two of the laws class differently.
@@ -130,28 +141,31 @@ impl ChangedMap {
     }
 
     /// Where the printed and the computed law decide differently.
-    fn panel(&self) -> Option<Panel> {
-        let dimensions = self.plane.variable("stability")?.dimensions.as_slice();
-        let [y_name, x_name] = dimensions else { return None };
-        let (x, y) = (reals(&self.plane, x_name)?, reals(&self.plane, y_name)?);
-        let [printed, _, computed] = &self.classes;
+    fn panel(&self) -> Panel {
+        let ([x, y], [printed, _, computed]) = (&self.places, &self.classes);
         let thinned = |count: usize| -> Vec<usize> {
-            let drawn = count.min(DRAWN_SIDE);
-            (0..drawn).map(|k| k * (count - 1) / (drawn - 1).max(1)).collect()
+            let (drawn, last) = (count.min(DRAWN_SIDE), count.saturating_sub(1));
+            (0..drawn).map(|k| k * last / (drawn - 1).max(1)).collect()
         };
         let (across, up) = (thinned(x.len()), thinned(y.len()));
-        let code = |k: usize| match (printed[k].is_unstable(), computed[k].is_unstable()) {
+        let code = |(printed, computed): (&StabilityClass, &StabilityClass)| match (
+            printed.is_unstable(),
+            computed.is_unstable(),
+        ) {
             (false, false) => 0,
             (true, true) => 1,
             (true, false) => 2,
             (false, true) => 3,
         };
-        let at = |row: &usize, column: &usize| code(row * x.len() + column);
-        let codes = up.iter().flat_map(|row| across.iter().map(move |column| at(row, column))).collect();
+        let at = |row: &usize, column: &usize| {
+            let place = row * x.len() + column;
+            printed.get(place).zip(computed.get(place)).map(code)
+        };
+        let codes = up.iter().flat_map(|row| across.iter().filter_map(move |column| at(row, column)));
         let map = ClassMap {
-            x: across.iter().map(|k| x[*k]).collect(),
-            y: up.iter().map(|k| y[*k]).collect(),
-            codes,
+            codes: codes.collect(),
+            x: picked(x, &across),
+            y: picked(y, &up),
             classes: vec![
                 Class::new("stable with both laws", Role::Stable),
                 Class::new("unstable with both laws", Role::Reference),
@@ -159,17 +173,8 @@ impl ChangedMap {
                 Class::new("unstable as computed only", Role::Series(0)),
             ],
         };
-        let (x, y) = (axis(self.plane.variable(x_name)?), axis(self.plane.variable(y_name)?));
-        Some(Panel::new(x, y, vec![Layer::Classes(map)]).with_title(self.source.label))
-    }
-}
-
-fn classes(dataset: &Dataset) -> Option<Vec<StabilityClass>> {
-    match &dataset.variable("stability")?.data {
-        VariableValues::U8(codes) => {
-            Some(codes.iter().map(|code| StabilityClass::from_code(*code)).collect())
-        }
-        _ => None,
+        let [across, up] = self.axes.clone();
+        Panel::new(across, up, vec![Layer::Classes(map)]).with_title(self.source.label)
     }
 }
 
@@ -223,9 +228,13 @@ fn table(changes: &[ChangedMap]) -> PageTable {
     }
 }
 
+/// The file stem of the drawing of the maps with a friction load.
+fn map_stem(load: &str) -> String {
+    if load == LOADS[0] { "maps-by-law".to_owned() } else { format!("maps-by-law-{load}") }
+}
+
 fn map_figure(panels: Vec<Panel>, load: &str) -> Figure {
-    let stem = if load == LOADS[0] { "maps-by-law".to_owned() } else { format!("maps-by-law-{load}") };
-    Figure::new(stem, "Stability maps, printed against computed law", panels).with_caption(format!(
+    Figure::new(map_stem(load), "Stability maps, printed against computed law", panels).with_caption(format!(
         "Figs. 9 and 10 with {}: where the printed fits and the computed law decide differently between stable and unstable.",
         friction(load)
     ))

@@ -1,20 +1,21 @@
 //! Figs. 3, 13 and 14 and the table of coefficients, from what is stored.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::computed_for;
 use super::evidence::{CORRECTED, r_squared};
 use super::exhibits::{FIT, LAW, MODULUS};
-use crate::summary::is_done;
+use crate::drawn::{StoredAnalysis, block};
 use judder_contact::law::PerQuantity;
 use judder_contact::{ContactLaw, FittedLaw, LawPoint};
 use judder_report::figure::ValueMap;
 use judder_report::page::PageTable;
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Figure, Layer, Legend, PageBlock, PageSection, Panel, Role};
-use judder_store::{Dataset, StudyFolder, Summary};
+use judder_store::{StudyFolder, Summary};
 use judder_study::StudyError;
 use judder_study::labels::short_number;
-use judder_study::pictures::{axis, reals};
-use judder_study::report::write_figure;
+use judder_study::pictures::{StoredArrays, axis, picked, reals};
 use serde_json::Value;
 
 /// Rows of equal indentation that Fig. 3 draws as curves: one a decade.
@@ -60,29 +61,22 @@ impl ContactQuantity {
 /// The sections of the contact computation; none where it has no result.
 pub(super) fn sections(store: &StudyFolder, summary: &Summary) -> Result<Vec<PageSection>, StudyError> {
     let mut sections = Vec::new();
-    if is_done(summary, LAW) && is_done(summary, FIT) {
-        let (law, fit) = (store.read_dataset(LAW)?, store.read_dataset(FIT)?);
+    let stored = |name: &str| StoredAnalysis::read(store, summary, name);
+    if let Some((law, fit)) = stored(LAW).zip(stored(FIT)) {
         let functions = Functions::of(summary);
-        let curves = figure_3(&fit, &functions, computed_for(summary));
-        let figures = [curves, figure_3_maps(&law), figure_14(&fit, &functions)];
-        let [curves, maps, scatter] = figures;
-        let mut blocks = Vec::new();
-        for figure in [curves, maps].into_iter().flatten() {
-            blocks.push(write_figure(store, figure)?);
-        }
+        let curves =
+            |arrays: &[StoredArrays<'_>]| figure_3(arrays.first()?, &functions, computed_for(summary));
+        let mut blocks = block(store, "fig-3", &[&fit], curves)?;
+        blocks.extend(block(store, "fig-3-maps", &[&law], |arrays| figure_3_maps(arrays.first()?))?);
         sections.push(PageSection::new("Fig. 3", blocks));
-        let mut blocks = Vec::new();
-        if let Some(figure) = scatter {
-            blocks.push(write_figure(store, figure)?);
-        }
+        let scatter = |arrays: &[StoredArrays<'_>]| figure_14(arrays.first()?, &functions);
+        let mut blocks = block(store, "fig-14", &[&fit], scatter)?;
         blocks.extend(coefficients(summary).map(PageBlock::Table));
         sections.push(PageSection::new("Fig. 14", blocks));
     }
-    if is_done(summary, MODULUS)
-        && let Some(figure) = figure_13(&store.read_dataset(MODULUS)?)
-    {
-        sections
-            .insert(sections.len().min(1), PageSection::new("Fig. 13", vec![write_figure(store, figure)?]));
+    if let Some(modulus) = stored(MODULUS) {
+        let blocks = block(store, "fig-13", &[&modulus], |arrays| figure_13(arrays.first()?))?;
+        sections.insert(sections.len().min(1), PageSection::new("Fig. 13", blocks));
     }
     Ok(sections)
 }
@@ -123,14 +117,20 @@ fn values(law: &FittedLaw, velocity: f64, indentation: f64) -> PerQuantity<f64> 
     PerQuantity { force: found.force.value, area: found.area.value, friction: found.friction.value }
 }
 
+/// A quantity over the plane of speeds and indentations.
+fn over_plane<'a>(arrays: &StoredArrays<'a>, name: &str) -> Option<&'a [f64]> {
+    arrays.over(name, &["indentation", "velocity"])?;
+    reals(arrays, name)
+}
+
 /// Computed points and the fitted functions over speed, at four indentations.
-fn figure_3(fit: &Dataset, functions: &Functions, computed_for: &str) -> Option<Figure> {
+fn figure_3(fit: &StoredArrays<'_>, functions: &Functions, computed_for: &str) -> Option<Figure> {
     let (velocities, indentations) = (reals(fit, "velocity")?, reals(fit, "indentation")?);
     let last = indentations.len().checked_sub(1)?;
     let rows: Vec<usize> = (0..ROWS).map(|k| k * last / (ROWS - 1)).collect();
     let mut panels = Vec::new();
     for quantity in &QUANTITIES {
-        let computed = reals(fit, quantity.name)?;
+        let computed = over_plane(fit, quantity.name)?;
         let mut layers = Vec::new();
         for (name, law, role) in functions.all.iter().rev() {
             for row in &rows {
@@ -142,7 +142,7 @@ fn figure_3(fit: &Dataset, functions: &Functions, computed_for: &str) -> Option<
             }
         }
         for row in &rows {
-            let points = computed.chunks(velocities.len()).nth(*row)?.to_vec();
+            let points = computed.chunks(velocities.len().max(1)).nth(*row)?.to_vec();
             let label = if *row == 0 { "computed" } else { "" };
             layers.push(Layer::points(label, velocities.to_vec(), points, Role::FullBoundary));
         }
@@ -164,10 +164,14 @@ fn figure_3(fit: &Dataset, functions: &Functions, computed_for: &str) -> Option<
 }
 
 /// The computed quantities over speed and indentation, and where the contacts were solved.
-fn figure_3_maps(law: &Dataset) -> Option<Figure> {
+fn figure_3_maps(law: &StoredArrays<'_>) -> Option<Figure> {
     let (velocities, indentations) = (reals(law, "velocity")?, reals(law, "indentation")?);
     // the ends are logarithms there and back
-    let within = |value: f64, list: &[f64]| value > 0.999 * list[0] && value < 1.001 * list[list.len() - 1];
+    let within = |value: f64, list: &[f64]| {
+        let ends = list.first().zip(list.last());
+        ends.is_some_and(|(first, last)| value > 0.999 * first && value < 1.001 * last)
+    };
+    law.alike(&["sample_velocity", "sample_indentation"])?;
     let (solved_v, solved_y) = (reals(law, "sample_velocity")?, reals(law, "sample_indentation")?);
     let places = solved_v.iter().copied().zip(solved_y.iter().copied());
     let (x_dots, y_dots): (Vec<f64>, Vec<f64>) =
@@ -177,7 +181,7 @@ fn figure_3_maps(law: &Dataset) -> Option<Figure> {
         let map = ValueMap {
             x: velocities.to_vec(),
             y: indentations.to_vec(),
-            z: reals(law, quantity.name)?.to_vec(),
+            z: over_plane(law, quantity.name)?.to_vec(),
             bar: quantity.axis(),
             colours: ColourMap::Sequential,
         };
@@ -194,7 +198,7 @@ fn figure_3_maps(law: &Dataset) -> Option<Figure> {
 }
 
 /// Fitted against computed values, with r² of each.
-fn figure_14(fit: &Dataset, functions: &Functions) -> Option<Figure> {
+fn figure_14(fit: &StoredArrays<'_>, functions: &Functions) -> Option<Figure> {
     let (velocities, indentations) = (reals(fit, "velocity")?, reals(fit, "indentation")?);
     let places: Vec<(f64, f64)> =
         indentations.iter().flat_map(|y| velocities.iter().map(move |v| (*v, *y))).collect();
@@ -206,15 +210,14 @@ fn figure_14(fit: &Dataset, functions: &Functions) -> Option<Figure> {
     let mut panels = Vec::new();
     for name in ["force", "area", "friction"] {
         let quantity = QUANTITIES.iter().find(|quantity| quantity.name == name)?;
-        let computed = reals(fit, name)?;
+        let computed = over_plane(fit, name)?;
         let largest = computed.iter().copied().fold(0.0, f64::max);
         let mut layers = vec![Layer::line("", vec![0.0, largest], vec![0.0, largest], Role::Reference)];
         let mut r2 = Vec::new();
         for (label, law, role) in functions.all.iter().rev() {
             let all: Vec<f64> = places.iter().map(|(v, y)| (quantity.pick)(values(law, *v, *y))).collect();
             r2.push(format!("{:.4}", r_squared(computed, &all)).replace('-', "−"));
-            let some = |list: &[f64]| shown.iter().map(|k| list[*k]).collect::<Vec<f64>>();
-            layers.push(Layer::points(*label, some(computed), some(&all), *role));
+            layers.push(Layer::points(*label, picked(computed, &shown), picked(&all, &shown), *role));
         }
         let title = format!("$r^{{2}}$ = {}", r2.join("; "));
         let x = Axis::linear(format!("{}, computed", quantity.label.trim_end_matches(" (−)")));
@@ -230,8 +233,8 @@ fn figure_14(fit: &Dataset, functions: &Functions) -> Option<Figure> {
 }
 
 /// Storage and loss modulus and loss tangent over frequency.
-fn figure_13(modulus: &Dataset) -> Option<Figure> {
-    let panels = judder_models::contact::MODEL.panels(modulus).ok()?;
+fn figure_13(modulus: &StoredArrays<'_>) -> Option<Figure> {
+    let panels = judder_models::contact::MODEL.panels_of(modulus);
     let figure = Figure::new("fig-13", "Modulus and loss tangent, the paper's Fig. 13", panels).with_caption(
         "One retardation time $τ$ = 10 ms, $E_{0}$ = 1 MPa, $E_{∞}$ = 10 MPa: the material that the contacts are computed for.",
     );

@@ -1,14 +1,16 @@
 //! Figs. 11 and 12 with every way to read section 5, and the engines against each other, from what is stored.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::motion_exhibits::{ComputedPart, ENGINES, LOAD, OF_CAPTIONS, ReadingWay, WAYS};
 use crate::claim::ClaimLine;
-use crate::summary::is_done;
+use crate::drawn::{StoredAnalysis, block};
 use judder_models::motion::pictures::ending;
-use judder_report::{Axis, Figure, Layer, Legend, PageSection, Panel, Role};
-use judder_store::{Dataset, StudyFolder, Summary};
+use judder_models::oscillator::MODEL as OSCILLATOR;
+use judder_report::{Axis, Figure, Layer, Legend, PageBlock, PageSection, Panel, Role};
+use judder_store::{StudyFolder, Summary};
 use judder_study::StudyError;
 use judder_study::pictures::{StoredArrays, axis, reals};
-use judder_study::report::write_figure;
 
 /// Oscillations that Fig. 12 shows.
 const SHOWN: f64 = 2.5;
@@ -33,31 +35,26 @@ pub(super) fn decision(motions: &[ClaimLine]) -> String {
 
 /// The sections of Figs. 11 and 12 and of the engines.
 pub(super) fn sections(store: &StudyFolder, summary: &Summary) -> Result<Vec<PageSection>, StudyError> {
-    let mut sections = Vec::new();
-    if let Some(figure) = figure_11(store, summary)? {
-        sections.push(PageSection::new("Fig. 11", vec![write_figure(store, figure)?]));
-    }
+    let mut sections = vec![PageSection::new("Fig. 11", figure_11(store, summary)?)];
     let (captions, text) = WAYS.split_at(OF_CAPTIONS);
     let mut blocks = Vec::new();
     for (ways, name, title) in [
         (captions, "fig-12", "Motion over time, the paper's Fig. 12"),
         (text, "fig-12-text", "Motion over time with the text's speed"),
     ] {
-        if let Some(figure) = figure_12(store, summary, ways, name, title)? {
-            blocks.push(write_figure(store, figure)?);
-        }
+        blocks.extend(figure_12(store, summary, ways, name, title)?);
     }
-    if !blocks.is_empty() {
-        sections.push(PageSection::new("Fig. 12", blocks));
+    sections.push(PageSection::new("Fig. 12", blocks));
+    if let Some(engines) = StoredAnalysis::read(store, summary, ENGINES) {
+        let blocks = block(store, ENGINES, &[&engines], |arrays| {
+            let arrays = arrays.first()?;
+            let panels = Some(OSCILLATOR.panels_of(arrays)).filter(|panels| !panels.is_empty())?;
+            let figure = Figure::new(ENGINES, "One cycle of section 5 by three engines", panels);
+            Some(figure.with_caption(OSCILLATOR.caption(arrays.dataset())))
+        })?;
+        sections.push(PageSection::new("Three engines", blocks));
     }
-    if is_done(summary, ENGINES) {
-        let dataset = store.read_dataset(ENGINES)?;
-        let title = "One cycle of section 5 by three engines";
-        let drawn = judder_models::oscillator::MODEL.figure(ENGINES, title, &dataset);
-        if let Some(figure) = drawn.map_err(|wrong| wrong.in_study(store.path(), ENGINES))? {
-            sections.push(PageSection::new("Three engines", vec![write_figure(store, figure)?]));
-        }
-    }
+    sections.retain(|section| !section.blocks.is_empty());
     Ok(sections)
 }
 
@@ -66,25 +63,24 @@ fn stored(
     summary: &Summary,
     part: ComputedPart,
     way: &ReadingWay,
-) -> Result<Option<Dataset>, StudyError> {
-    let name = part.name(way);
-    if is_done(summary, &name) { Ok(Some(store.read_dataset(&name)?)) } else { Ok(None) }
+) -> Option<StoredAnalysis> {
+    StoredAnalysis::read(store, summary, &part.name(way))
 }
 
 /// One curve of Fig. 11 with its colour.
-struct DiagramCurve {
+struct DiagramCurve<'a> {
     way: &'static ReadingWay,
     role: Role,
-    dataset: Dataset,
+    arrays: &'a StoredArrays<'a>,
 }
 
-impl DiagramCurve {
+impl DiagramCurve<'_> {
     /// A quantity along τ̃0, upwards (0) or downwards (1).
     fn along(&self, name: &str, direction: usize) -> Option<(Vec<f64>, Vec<f64>)> {
-        let variable = self.dataset.variable(name)?;
-        let swept = reals(&self.dataset, variable.dimensions.last()?)?;
+        self.arrays.shaped(name, &[Some(2), None])?;
+        let swept = reals(self.arrays, self.arrays.variable(name)?.dimensions.last()?)?;
         let part = direction * swept.len()..(direction + 1) * swept.len();
-        Some((swept.to_vec(), reals(&self.dataset, name)?.get(part)?.to_vec()))
+        Some((swept.to_vec(), reals(self.arrays, name)?.get(part)?.to_vec()))
     }
 
     /// Upwards and downwards as points, the latter small: what lies between motions that have settled is not known.
@@ -96,70 +92,83 @@ impl DiagramCurve {
     }
 }
 
-fn figure_11(store: &StudyFolder, summary: &Summary) -> Result<Option<Figure>, StudyError> {
-    let mut diagrams = Vec::new();
-    for (k, way) in WAYS.iter().enumerate() {
-        if let Some(dataset) = stored(store, summary, ComputedPart::Diagram, way)? {
-            diagrams.push(DiagramCurve { way, role: Role::Series(k), dataset });
-        }
-    }
-    let Some(first) = diagrams.first() else { return Ok(None) };
-    let Some(strength) =
-        first.dataset.variable("rms").and_then(|rms| first.dataset.variable(rms.dimensions.last()?))
-    else {
-        return Ok(None);
+fn figure_11(store: &StudyFolder, summary: &Summary) -> Result<Vec<PageBlock>, StudyError> {
+    let done = |(k, way): (usize, &'static ReadingWay)| {
+        Some((Role::Series(k), way, stored(store, summary, ComputedPart::Diagram, way)?))
     };
-    let layers =
-        |name: &str| -> Vec<Layer> { diagrams.iter().filter_map(|d| d.layers(name)).flatten().collect() };
+    let diagrams: Vec<_> = WAYS.iter().enumerate().filter_map(done).collect();
+    if diagrams.is_empty() {
+        return Ok(Vec::new());
+    }
+    let analyses: Vec<&StoredAnalysis> = diagrams.iter().map(|(_, _, analysis)| analysis).collect();
+    block(store, "fig-11", &analyses, |all| {
+        let own = diagrams.iter().zip(all);
+        let curves = own.map(|((role, way, _), arrays)| DiagramCurve { way: *way, role: *role, arrays });
+        draw_figure_11(&curves.collect::<Vec<_>>())
+    })
+}
+
+fn draw_figure_11(diagrams: &[DiagramCurve<'_>]) -> Option<Figure> {
+    let first = diagrams.first()?.arrays;
+    let strength = first.variable(first.variable("rms")?.dimensions.last()?)?;
+    let layers = |name: &str| -> Option<Vec<Layer>> {
+        Some(diagrams.iter().map(|own| own.layers(name)).collect::<Option<Vec<_>>>()?.concat())
+    };
     let (most, highest) = BEGINNING;
     let beginning = Axis::linear(axis(strength).label).with_range(0.0, most);
     let panels = vec![
-        Panel::new(axis(strength), Axis::log("rms of $x̃$ (−)"), layers("rms")),
-        Panel::new(beginning, Axis::linear("rms of $x̃$ (−)").with_range(0.0, highest), layers("rms")),
-        Panel::new(axis(strength), Axis::linear("Share of the time in stick (−)"), layers("stick_fraction")),
-        Panel::new(axis(strength), Axis::linear("Share of the time off (−)"), layers("lift_off_fraction")),
+        Panel::new(axis(strength), Axis::log("rms of $x̃$ (−)"), layers("rms")?),
+        Panel::new(beginning, Axis::linear("rms of $x̃$ (−)").with_range(0.0, highest), layers("rms")?),
+        Panel::new(axis(strength), Axis::linear("Share of the time in stick (−)"), layers("stick_fraction")?),
+        Panel::new(axis(strength), Axis::linear("Share of the time off (−)"), layers("lift_off_fraction")?),
     ];
     let panels = panels.into_iter().map(|panel| panel.with_legend(Legend::Below)).collect();
     let figure =
         Figure::new("fig-11", "Vibration amplitude over shear strength, the paper's Fig. 11", panels);
-    Ok(Some(figure.with_caption(format!(
+    Some(figure.with_caption(format!(
         "Motions at $F̃_{{n}}$ = {LOAD:e}, each from the end of the one before: $τ̃_{{0}}$ upwards (large) and downwards (small points); steady sliding, with no amplitude, is a \
          gap on the logarithmic axis. The captions' $ṽ_{{d}}$ = 5 × 10^{{−3}} is $v̂_{{d}}$ = 4 × 10^{{−4}}."
-    ))))
+    )))
 }
 
 fn figure_12(
     store: &StudyFolder,
     summary: &Summary,
-    ways: &[ReadingWay],
+    ways: &'static [ReadingWay],
     name: &str,
     title: &str,
-) -> Result<Option<Figure>, StudyError> {
-    let mut columns = Vec::new();
-    for way in ways {
-        let strong = stored(store, summary, ComputedPart::Strong, way)?;
-        let weak = stored(store, summary, ComputedPart::Weak, way)?;
-        if let Some(panels) = strong.zip(weak).and_then(|(strong, weak)| both(&strong, &weak, way)) {
-            columns.push(panels);
-        }
+) -> Result<Vec<PageBlock>, StudyError> {
+    let part = |part, way| stored(store, summary, part, way);
+    let done = |way: &'static ReadingWay| {
+        Some((way, [part(ComputedPart::Strong, way)?, part(ComputedPart::Weak, way)?]))
+    };
+    let motions: Vec<_> = ways.iter().filter_map(done).collect();
+    if motions.is_empty() {
+        return Ok(Vec::new());
     }
-    let rows = columns.first().map_or(0, Vec::len);
-    let panels: Vec<Panel> =
-        (0..rows).flat_map(|row| columns.iter().map(move |column| column[row].clone())).collect();
-    if panels.is_empty() {
-        return Ok(None);
-    }
-    let figure = Figure::new(name, title, panels).with_columns(columns.len()).with_caption(
-        "Black: $τ̃_{0}$ = 5 × 10^{−2}, the last oscillations with the contact state shaded (white: slip). Blue, dashed: $τ̃_{0}$ = 10^{−4}. Last row: phase portraits of $τ̃_{0}$ = 5 × 10^{−2} with the changes of the contact state.",
-    );
-    Ok(Some(figure))
+    let analyses: Vec<&StoredAnalysis> = motions.iter().flat_map(|(_, both)| both).collect();
+    block(store, name, &analyses, |arrays| {
+        let of_way = |((way, _), pair): (&(&ReadingWay, _), &[StoredArrays<'_>])| {
+            let [strong, weak] = pair else { return None };
+            both(strong, weak, way)
+        };
+        let pairs = motions.iter().zip(arrays.chunks(2));
+        let columns: Vec<Vec<Panel>> = pairs.map(of_way).collect::<Option<_>>()?;
+        let rows = columns.first()?.len();
+        let row = |row: usize| columns.iter().filter_map(move |column| column.get(row).cloned());
+        let panels: Vec<Panel> = (0..rows).flat_map(row).collect();
+        Some(Figure::new(name, title, panels).with_columns(columns.len()).with_caption(
+            "Black: $τ̃_{0}$ = 5 × 10^{−2}, the last oscillations with the contact state shaded (white: slip). Blue, dashed: $τ̃_{0}$ = 10^{−4}. Last row: phase portraits of $τ̃_{0}$ = 5 × 10^{−2} with the changes of the contact state.",
+        ))
+    })
 }
 
 /// The panels of one way: the strong motion, and over its histories the weak one.
-fn both(strong: &Dataset, weak: &Dataset, way: &ReadingWay) -> Option<Vec<Panel>> {
-    let mut panels = ending(&StoredArrays::of(strong), SHOWN)?;
+fn both(strong: &StoredArrays<'_>, weak: &StoredArrays<'_>, way: &ReadingWay) -> Option<Vec<Panel>> {
+    let mut panels = ending(strong, SHOWN)?;
     for (panel, quantity) in panels.iter_mut().zip(["x", "relative_velocity", "contact_area"]) {
         let (from, to) = panel.x.range?;
+        weak.over(quantity, &["time"])?;
         let time = reals(weak, "time")?;
         let part = time.partition_point(|t| *t < from)..time.partition_point(|t| *t <= to);
         let weak = reals(weak, quantity)?.get(part.clone())?.to_vec();
@@ -173,7 +182,7 @@ fn both(strong: &Dataset, weak: &Dataset, way: &ReadingWay) -> Option<Vec<Panel>
             let (x, y) = (from + 0.02 * (to - from), least + 0.08 * (most - least));
             Layer::note(x, y, "$τ̃_{0}$ = 10^{−4}: bounces, far beyond the frame")
         } else {
-            Layer::line("$τ̃_{0}$ = 10^{−4}", time[part].to_vec(), weak, Role::Series(0).dashed())
+            Layer::line("$τ̃_{0}$ = 10^{−4}", time.get(part)?.to_vec(), weak, Role::Series(0).dashed())
         });
     }
     Some(panels.into_iter().map(|panel| panel.with_title(way.label).with_legend(Legend::Below)).collect())

@@ -2,26 +2,28 @@
 
 use super::claims::CLAIMS;
 use super::claims::motion::MOTION_CLAIMS;
-use super::exhibits::{CONTACT_CASES, EXHIBITS, Exhibit};
+use super::exhibits::{CONTACT_CASES, EXHIBITS, Exhibit, PanelSource};
 use super::motion_exhibits::{MOTION_CASES, WAYS};
-use super::readings::READINGS;
+use super::readings::{READINGS, Reading};
 use super::{analysis_name, by_law, computed_for, contact_figures, motion_figures};
 use crate::claim::{self, ClaimLine};
-use crate::summary::{KEY, is_done, tally};
+use crate::drawn::{StoredAnalysis, block};
+use crate::summary::{KEY, tally};
+use judder_models::oscillator::MODEL as OSCILLATOR;
 use judder_report::page::{Code, Details, PageTable};
-use judder_report::{Figure, Legend, Page, PageBlock, PageSection};
+use judder_report::{Figure, Legend, Page, PageBlock, PageSection, Panel};
 use judder_store::{StudyFolder, Summary};
 use judder_study::StudyError;
 use judder_study::ledger::Keepsakes;
-use judder_study::report::{WrittenPage, check_rows, facts, warnings, write_figure, write_page};
+use judder_study::report::{WrittenPage, check_rows, facts, warnings, write_page};
 use rayon::prelude::*;
 use serde_json::Value;
 
-/// The figures of one law: how many of the readings, from where, and what is added to names and titles.
-const LAWS: [(usize, &str, &str); 3] = [
-    (0, "", ""),
-    (2, "-corrected", ", with the corrected velocity axis"),
-    (4, "-computed", ", with the computed law"),
+/// The figures of each law in the order of the readings: what is added to names and titles.
+const LAWS: [(&str, &str); 3] = [
+    ("", ""),
+    ("-corrected", ", with the corrected velocity axis"),
+    ("-computed", ", with the computed law"),
 ];
 /// The readings that a verdict is about: both friction loads, with the printed law.
 const FRICTION_LOADS: usize = 2;
@@ -95,41 +97,48 @@ fn boards(lines: &[ClaimLine], computed_for: &str) -> Vec<PageBlock> {
     ]
 }
 
-/// The figure with the printed law, and the one with the corrected axis.
+/// The figures with the printed law, with the corrected axis, with the computed law.
 fn exhibit_blocks(
     store: &StudyFolder,
     summary: &Summary,
     exhibit: &Exhibit,
 ) -> Result<Vec<PageBlock>, StudyError> {
     let mut blocks = Vec::new();
-    for (first, ending, addition) in LAWS {
-        let mut panels = Vec::new();
-        for source in exhibit.sources {
-            for reading in &READINGS[first..first + 2] {
+    for ((ending, addition), readings) in LAWS.into_iter().zip(READINGS.chunks(FRICTION_LOADS)) {
+        let all = exhibit.sources.iter().flat_map(|source| readings.iter().map(move |own| (source, own)));
+        let analyses: Vec<(String, StoredAnalysis)> = all
+            .filter_map(|(source, reading)| {
                 let name = analysis_name(source, reading);
-                if !is_done(summary, &name) {
-                    continue;
-                }
-                let title = if source.label.is_empty() {
-                    reading.label.to_owned()
-                } else {
-                    format!("{}; {}", source.label, reading.label)
-                };
-                let drawn = judder_models::oscillator::MODEL.panels(&store.read_dataset(&name)?);
-                let drawn = drawn.map_err(|wrong| wrong.in_study(store.path(), &name))?;
-                panels.extend(
-                    drawn.into_iter().map(|p| p.with_title(title.clone()).with_legend(Legend::Below)),
-                );
-            }
-        }
-        if panels.is_empty() {
+                Some((panel_title(source, reading), StoredAnalysis::read(store, summary, &name)?))
+            })
+            .collect();
+        if analyses.is_empty() {
             continue;
         }
-        let figure =
-            Figure::new(format!("{}{ending}", exhibit.name), format!("{}{addition}", exhibit.title), panels);
-        blocks.push(write_figure(store, figure.with_caption(exhibit.caption))?);
+        let (titles, analyses): (Vec<&String>, Vec<&StoredAnalysis>) =
+            analyses.iter().map(|(title, own)| (title, own)).unzip();
+        let stem = format!("{}{ending}", exhibit.name);
+        blocks.extend(block(store, &stem, &analyses, |arrays| {
+            let mut panels = Vec::new();
+            for (title, arrays) in titles.iter().zip(arrays) {
+                let drawn = Some(OSCILLATOR.panels_of(arrays)).filter(|drawn| !drawn.is_empty())?;
+                let named = |panel: Panel| panel.with_title(title.as_str()).with_legend(Legend::Below);
+                panels.extend(drawn.into_iter().map(named));
+            }
+            let title = format!("{}{addition}", exhibit.title);
+            Some(Figure::new(stem.clone(), title, panels).with_caption(exhibit.caption))
+        })?);
     }
     Ok(blocks)
+}
+
+/// What stands over the panels of a case with a reading.
+fn panel_title(source: &PanelSource, reading: &Reading) -> String {
+    if source.label.is_empty() {
+        reading.label.to_owned()
+    } else {
+        format!("{}; {}", source.label, reading.label)
+    }
 }
 
 /// The shares of every mechanism in every map.
@@ -185,6 +194,8 @@ fn cases() -> Vec<PageBlock> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::drawn::stored_by_hand::undrawn;
+    use judder_store::{Dataset, Variable, VariableValues};
 
     #[test]
     fn shares_of_maps_have_their_unit_in_the_head() {
@@ -193,5 +204,72 @@ mod tests {
             table.head.len() == 9 && table.head[2..].iter().all(|head| head.ends_with(" (%)")),
             "{table:?}"
         );
+    }
+
+    /// Two by three points.
+    fn plane(kind: &str, [y, x]: [&str; 2], arrays: Vec<Variable>) -> Dataset {
+        let begun = Dataset::new().attribute("kind", kind).unwrap();
+        let coordinates =
+            [Variable::coordinate(y, vec![0.1, 1.0]), Variable::coordinate(x, vec![0.1, 1.0, 10.0])];
+        coordinates.into_iter().chain(arrays).fold(begun, |all, own| all.with(own).unwrap())
+    }
+
+    fn contact(kind: &str, wrong: Option<&str>) -> Dataset {
+        let values = || (1..=6).map(|k| 0.1 * f64::from(k)).collect::<Vec<f64>>();
+        let along = |name: &str| match wrong {
+            Some(wrong) if wrong == name => {
+                Variable::new(name, &["velocity", "indentation"], &[3, 2], values())
+            }
+            _ => Variable::new(name, &["indentation", "velocity"], &[2, 3], values()),
+        };
+        let samples = ["sample_velocity", "sample_indentation"]
+            .map(|name| Variable::new(name, &["sample"], &[1], vec![0.5]));
+        let arrays = ["force", "area", "friction"].map(along).into_iter().chain(samples).collect();
+        plane(kind, ["indentation", "velocity"], arrays)
+    }
+
+    fn map(stability: VariableValues) -> Dataset {
+        let dimensions = ["contact.shear_strength", "operation.velocity"];
+        plane("stability-map", dimensions, vec![Variable::new("stability", &dimensions, &[2, 3], stability)])
+    }
+
+    /// What is stored of one analysis and is not what judder writes is told in the place of each figure that shows it; all others are drawn.
+    #[test]
+    fn a_figure_of_wrong_arrays_takes_no_other_with_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let store = StudyFolder::create(folder.path()).unwrap();
+        let sound = || map(VariableValues::U8(vec![0; 6]));
+        let analyses = [
+            ("fig-3", contact("contact-law", None)),
+            ("fig-14", contact("fit", Some("area"))),
+            ("fig-9a-normal-load", sound()),
+            ("fig-9a-corrected-normal-load", sound()),
+            ("fig-9a-computed-normal-load", map(VariableValues::F64(vec![0.0; 6]))),
+            ("fig-9b-normal-load", sound()),
+            ("fig-9b-corrected-normal-load", sound()),
+            ("fig-9b-computed-normal-load", sound()),
+            ("engines", Dataset::new()),
+        ];
+        let undrawn = undrawn(&store, &analyses, |summary| write(&store, summary).unwrap());
+        let expected = [
+            (
+                "fig-3",
+                "analysis `fig-14`: the array `area` is one of real numbers over (velocity: 3, indentation: 2)",
+            ),
+            ("fig-14", "analysis `fig-14`: the array `area` is"),
+            (
+                "fig-9-computed",
+                "analysis `fig-9a-computed-normal-load`: the array `stability` is one of real numbers",
+            ),
+            ("engines", "what it shows is not among what is stored of `engines`"),
+            ("fig-9a in maps-by-law", "analysis `fig-9a-computed-normal-load`: the array `stability` is"),
+        ];
+        for ((name, reason), (figure, told)) in undrawn.iter().zip(expected) {
+            assert!(name == figure && reason.contains(told), "{name}: {reason}");
+        }
+        assert_eq!(undrawn.len(), expected.len(), "{undrawn:?}");
+        for drawn in ["fig-3-maps", "fig-9", "fig-9-corrected", "maps-by-law"] {
+            assert!(folder.path().join(format!("figures/{drawn}.svg")).is_file(), "{drawn}");
+        }
     }
 }

@@ -2,14 +2,14 @@
 
 use super::{LAWS, LOADS, friction, sources, stored};
 use crate::claim::short;
+use crate::drawn::made;
 use judder_models::oscillator::curves::curves_of;
 use judder_report::page::PageTable;
 use judder_report::runs::through;
-use judder_report::{Axis, Figure, Layer, Legend, Panel, Style};
-use judder_store::{Dataset, StudyFolder, Summary};
-use judder_study::StudyError;
+use judder_report::{Axis, Figure, Layer, Legend, Panel, Style, UndrawnFigure};
+use judder_store::{StudyFolder, Summary};
 use judder_study::labels::short_number;
-use judder_study::pictures::{axis, reals};
+use judder_study::pictures::{StoredArrays, axis, reals};
 
 /// A figure of thresholds over speed.
 struct ThresholdFigure {
@@ -81,50 +81,56 @@ pub(super) struct MovedThresholds {
     conservative: Vec<Vec<Picked>>,
 }
 
-/// What is stored of both figures with both friction loads.
-pub(super) fn all(store: &StudyFolder, summary: &Summary) -> Result<Vec<MovedThresholds>, StudyError> {
-    let mut all = Vec::new();
+/// What is stored of both figures with both friction loads, and of which figures it is not what judder writes.
+pub(super) fn all(store: &StudyFolder, summary: &Summary) -> (Vec<MovedThresholds>, Vec<UndrawnFigure>) {
+    let (mut all, mut undrawn) = (Vec::new(), Vec::new());
     for kind in &KINDS {
+        let Some(source) = sources().find(|source| source.name == kind.source) else { continue };
         for load in LOADS {
-            all.extend(MovedThresholds::of(store, summary, kind, load)?);
+            let Some(analyses) = stored(store, summary, source, load) else { continue };
+            let moved = |laws: &[StoredArrays<'_>]| MovedThresholds::of(kind, load, laws);
+            match made(store.path(), &analyses.each_ref(), moved) {
+                Ok(moved) => all.push(moved),
+                Err(reason) => undrawn.push(UndrawnFigure { name: stem(kind, load), reason }),
+            }
         }
     }
-    Ok(all)
+    (all, undrawn)
+}
+
+/// The file stem of the drawing of a figure with a friction load.
+fn stem(kind: &ThresholdFigure, load: &str) -> String {
+    if load == LOADS[0] { kind.stem.to_owned() } else { format!("{}-{load}", kind.stem) }
 }
 
 impl MovedThresholds {
-    fn of(
-        store: &StudyFolder,
-        summary: &Summary,
-        kind: &'static ThresholdFigure,
-        load: &'static str,
-    ) -> Result<Option<Self>, StudyError> {
-        let Some(source) = sources().find(|source| source.name == kind.source) else { return Ok(None) };
-        let mut datasets = Vec::new();
-        for (law, ..) in LAWS {
-            let Some(dataset) = stored(store, summary, source, law, load)? else { return Ok(None) };
-            datasets.push(dataset);
-        }
-        Ok(Self::from_datasets(kind, load, &datasets))
-    }
-
-    fn from_datasets(
-        kind: &'static ThresholdFigure,
-        load: &'static str,
-        datasets: &[Dataset],
-    ) -> Option<Self> {
-        let first = datasets.first()?;
-        let of = |name: &str| datasets.iter().map(|dataset| picked(dataset, name, kind)).collect();
-        let (full, conservative): (Option<Vec<_>>, Option<Vec<_>>) = (of("full"), of("conservative"));
+    /// What the thresholds with [`LAWS`] say together; nothing unless all have the same speeds and the same family.
+    fn of(kind: &'static ThresholdFigure, load: &'static str, laws: &[StoredArrays<'_>]) -> Option<Self> {
+        let first = laws.first()?;
+        let (speeds, family) = (reals(first, "velocity")?, reals(first, kind.family.0)?);
+        let of = |name: &str| {
+            let shape = [Some(family.len()), Some(speeds.len()), None];
+            laws.iter()
+                .map(|arrays| {
+                    arrays.shaped(name, &shape)?;
+                    picked(arrays, name, kind).filter(|curves| curves.len() == family.len())
+                })
+                .collect::<Option<Vec<_>>>()
+        };
         Some(Self {
             kind,
             load,
             speed: axis(first.variable("velocity")?),
-            speeds: reals(first, "velocity")?.to_vec(),
-            family: reals(first, kind.family.0)?.to_vec(),
-            full: full?,
-            conservative: conservative?,
+            full: of("full")?,
+            conservative: of("conservative")?,
+            speeds: speeds.to_vec(),
+            family: family.to_vec(),
         })
+    }
+
+    /// The file stem of the drawing.
+    pub(super) fn stem(&self) -> String {
+        stem(self.kind, self.load)
     }
 
     /// One panel a curve of the paper's figure, with the three laws.
@@ -140,8 +146,7 @@ impl MovedThresholds {
                 .with_legend(Legend::Below)
         };
         let panels = self.family.iter().enumerate().map(panel).collect();
-        let ending = if self.load == LOADS[0] { String::new() } else { format!("-{}", self.load) };
-        Figure::new(format!("{}{ending}", self.kind.stem), self.kind.title, panels).with_caption(format!(
+        Figure::new(self.stem(), self.kind.title, panels).with_caption(format!(
             "The {} threshold of {} with {}. Solid: full system. Dashed: without damping.",
             self.kind.which,
             self.kind.label,
@@ -167,8 +172,8 @@ impl MovedThresholds {
 }
 
 /// The threshold that a figure is about, of every curve and speed.
-fn picked(dataset: &Dataset, name: &str, kind: &ThresholdFigure) -> Option<Vec<Picked>> {
-    let speeds = reals(dataset, "velocity")?.len();
+fn picked(dataset: &StoredArrays<'_>, name: &str, kind: &ThresholdFigure) -> Option<Vec<Picked>> {
+    let speeds = reals(dataset, "velocity")?.len().max(1);
     let most = (*dataset.variable(name)?.shape.last()?).max(1);
     let curve = |roots: &[f64]| {
         let on = curves_of(roots, most);

@@ -155,6 +155,11 @@ impl Manifest {
         Err(StoreError::Damaged { path: study.join(summary::FILE), damage: FileDamage::Content })
     }
 
+    /// Whether a file of a finished study is of a result that it no longer has: an earlier case has left it.
+    pub(crate) fn is_earlier(&self, file: &FileRecord) -> bool {
+        self.complete && file.of.as_ref().is_some_and(|of| !self.results.contains_key(of))
+    }
+
     /// The files of an analysis or a sweep.
     pub(crate) fn files_of(&self, name: &str) -> impl Iterator<Item = (&String, &FileRecord)> {
         self.files.iter().filter(move |(_, record)| record.of.as_deref() == Some(name))

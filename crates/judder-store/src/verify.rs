@@ -1,6 +1,6 @@
 //! A whole study against its manifest.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -43,10 +43,12 @@ pub enum Finding {
         /// What is wrong.
         damage: FileDamage,
     },
-    /// It is not in the manifest: something that judder does not know, or what an earlier case has left.
+    /// It is not in the manifest, or is of a result that the finished study no longer has: an earlier case has left it.
     Extra {
         /// Its path.
         path: String,
+        /// The analysis or sweep of an earlier case that it is of; none where judder does not know it.
+        of: Option<String>,
     },
     /// It is of a result that no run has finished.
     Unfinished {
@@ -60,7 +62,16 @@ impl Finding {
     #[must_use]
     pub fn path(&self) -> &str {
         match self {
-            Self::Damaged { path, .. } | Self::Extra { path } | Self::Unfinished { path } => path,
+            Self::Damaged { path, .. } | Self::Extra { path, .. } | Self::Unfinished { path } => path,
+        }
+    }
+
+    /// The analysis or sweep that it is of, as far as known.
+    #[must_use]
+    pub fn of(&self) -> Option<&str> {
+        match self {
+            Self::Damaged { of, .. } | Self::Extra { of, .. } => of.as_deref(),
+            Self::Unfinished { .. } => None,
         }
     }
 
@@ -70,7 +81,12 @@ impl Finding {
         match self {
             Self::Damaged { of: Some(of), damage, .. } => format!("of {of}: {damage}"),
             Self::Damaged { of: None, damage, .. } => damage.to_string(),
-            Self::Extra { .. } => "it is not in the manifest".to_owned(),
+            Self::Extra { of: None, .. } => "it is not in the manifest".to_owned(),
+            Self::Extra { of: Some(of), .. } => {
+                format!(
+                    "it is of {of} of an earlier case, which the study has no more; `judder run --fresh` removes it"
+                )
+            }
             Self::Unfinished { .. } => "it is of a result that no run has finished".to_owned(),
         }
     }
@@ -98,8 +114,7 @@ impl Verification {
     #[must_use]
     pub fn told(&self) -> Value {
         let findings = self.findings.iter().map(|finding| {
-            let of = if let Finding::Damaged { of, .. } = finding { of.as_deref() } else { None };
-            json!({ "path": finding.path(), "kind": finding.kind(), "of": of, "reason": finding.words() })
+            json!({ "path": finding.path(), "kind": finding.kind(), "of": finding.of(), "reason": finding.words() })
         });
         json!({
             "sound": self.is_sound(),
@@ -128,6 +143,11 @@ pub fn verify(
     let manifest = Manifest::of_study(study)?;
     let mut found = Verification { is_complete: manifest.complete, ..Verification::default() };
     compare(&mut found, study, &manifest, &mut read);
+    for (path, record) in manifest.files.iter().filter(|(_, record)| manifest.is_earlier(record)) {
+        if study.join(path).symlink_metadata().is_ok() {
+            found.findings.push(Finding::Extra { path: path.clone(), of: record.of.clone() });
+        }
+    }
     let root = format!("{}/{}", results::FOLDER, metadata::FILE);
     match root_is_derived(study) {
         Ok(true) => found.sound += 1,
@@ -152,7 +172,7 @@ fn compare(
     manifest: &Manifest,
     read: &mut impl FnMut(&str, u64) -> bool,
 ) {
-    for stretch in stretches(&manifest.files) {
+    for stretch in stretches(manifest) {
         let of = |(path, record): &(&String, &FileRecord)| manifest::check(&study.join(path), record, true);
         let wanted: Vec<_> =
             stretch.iter().take_while(|(path, record)| read(path, record.bytes)).copied().collect();
@@ -175,11 +195,11 @@ fn compare(
     }
 }
 
-/// The files of a manifest, in its order, in stretches that are read on all cores before anybody is asked whether to go on.
-fn stretches(files: &BTreeMap<String, FileRecord>) -> Vec<Vec<(&String, &FileRecord)>> {
+/// The files of what a manifest lists, but for those of an earlier case, in its order, in stretches that are read on all cores before anybody is asked whether to go on.
+fn stretches(manifest: &Manifest) -> Vec<Vec<(&String, &FileRecord)>> {
     let mut stretches: Vec<Vec<(&String, &FileRecord)>> = Vec::new();
     let mut bytes = u64::MAX;
-    for (path, record) in files {
+    for (path, record) in manifest.files.iter().filter(|(_, record)| !manifest.is_earlier(record)) {
         if bytes >= STRETCH_BYTES {
             stretches.push(Vec::new());
             bytes = 0;
@@ -203,7 +223,11 @@ fn unlisted(path: String, manifest: &Manifest) -> Finding {
     let group = group.and_then(|below| below.split('/').next());
     let is_open = group.is_some_and(|name| !manifest.results.contains_key(name));
     let is_summary = path == summary::FILE && !manifest.complete;
-    if is_work || is_open || is_summary { Finding::Unfinished { path } } else { Finding::Extra { path } }
+    if is_work || is_open || is_summary {
+        Finding::Unfinished { path }
+    } else {
+        Finding::Extra { path, of: None }
+    }
 }
 
 /// Whether the metadata of all arrays together are those that follow from the metadata of each.

@@ -82,7 +82,7 @@ impl WrittenPage {
 pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Result<WrittenPage, StudyError> {
     let kept = Keepsakes::of(summary);
     // all at once: one write of the list for all files
-    store.begin_files(is_drawn)?;
+    let drawn_before = store.begin_files(is_drawn)?;
     let mut sections = Vec::new();
     for (name, record) in in_order(summary) {
         let mut blocks = Vec::new();
@@ -107,7 +107,10 @@ pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Resu
     let title =
         summary.case.get("title").and_then(Value::as_str).filter(|t| !t.is_empty()).unwrap_or("A study");
     let page = Page { title: title.to_owned(), lead: lead(summary, &kept), facts: facts(summary), sections };
-    write_page(store, &page)
+    let page = write_page(store, &page)?;
+    // what an earlier case had
+    store.end_files(&drawn_before)?;
+    Ok(page)
 }
 
 /// Draws all figures and the page of a study that was copied to this folder; the way to its case file was that from another.

@@ -95,6 +95,8 @@ pub struct RunReport {
 pub struct ForgottenResults {
     /// Those of which what they depend on in the case has changed.
     pub changed: Vec<String>,
+    /// Those that the case no longer has; their files stay.
+    pub gone: Vec<String>,
     /// Those of this case that another build had computed.
     pub of_other_build: Vec<String>,
     /// The version of that build.
@@ -107,8 +109,9 @@ impl ForgottenResults {
         let version = study.computed_by.clone();
         let of_other_build = asked.computed_by(&version, &study.forgotten);
         let names = study.forgotten.iter().map(|(name, _)| name);
-        let changed = names.filter(|name| !of_other_build.contains(name)).cloned().collect();
-        Self { changed, of_other_build, version }
+        let others = names.filter(|name| !of_other_build.contains(name)).cloned();
+        let (changed, gone) = others.partition(|name| asked.all().any(|(own, _)| own == name));
+        Self { changed, gone, of_other_build, version }
     }
 
     /// A line for each reason why results are dropped.
@@ -124,6 +127,12 @@ impl ForgottenResults {
         }
         if !changed.is_empty() {
             lines.push(format!("forgotten, since what they depend on has changed: {changed}"));
+        }
+        if !self.gone.is_empty() {
+            let gone = self.gone.join(", ");
+            lines.push(format!(
+                "forgotten, since the case no longer has them: {gone}; their files stay until `judder run --fresh`"
+            ));
         }
         lines
     }

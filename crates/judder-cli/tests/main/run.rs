@@ -115,6 +115,41 @@ fn a_rerun_does_only_what_has_changed() {
     );
 }
 
+/// What is left of an analysis that was taken out of the case is named by the run and by `verify`, is no damage, and goes with `--fresh`.
+#[test]
+fn files_of_an_earlier_case_are_named() {
+    let desk = Desk::with_case(CASE);
+    let run = |more: &[&str]| {
+        desk.succeed(&[&["run", "case.toml", "--only", "loci", "--only", "loads"], more].concat())
+    };
+    run(&[]);
+    let before = desk.succeed(&["verify", "out/case", "--json"]).json();
+    assert_eq!(before["findings"], serde_json::json!([]));
+    desk.write("case.toml", CASE.replace("\"loads\"", "\"others\""));
+    let said = desk.succeed(&["run", "case.toml", "--only", "loci"]);
+    said.says(
+        "forgotten, since the case no longer has them: loads; their files stay until `judder run --fresh`",
+    );
+    said.says("done before: loci\n");
+    let found = desk.succeed(&["verify", "out/case", "--json"]).json();
+    let findings = found["findings"].as_array().unwrap();
+    // its figure has gone: the report draws anew what there is
+    let is_left = |finding: &Value| finding["kind"] == "extra" && finding["of"] == "loads";
+    assert!(findings.iter().all(is_left) && !desk.path("out/case/figures/loads.svg").exists(), "{found}");
+    for path in ["loads.csv", "results.zarr/loads/zarr.json"] {
+        assert!(findings.iter().any(|finding| finding["path"] == path), "{path}: {found}");
+    }
+    let reason = findings.iter().find(|finding| is_left(finding)).unwrap()["reason"].as_str().unwrap();
+    assert!(reason.contains("it is of loads of an earlier case"), "{found}");
+    // it may be removed, or be anything
+    std::fs::remove_file(desk.path("out/case/loads.csv")).unwrap();
+    let left = desk.succeed(&["verify", "out/case", "--json"]).json();
+    assert_eq!(left["findings"].as_array().unwrap().len(), findings.len() - 1);
+    desk.succeed(&["run", "case.toml", "--only", "loci", "--fresh"]);
+    assert_eq!(desk.succeed(&["verify", "out/case", "--json"]).json()["findings"], before["findings"]);
+    assert!(!desk.path("out/case/results.zarr/loads").exists());
+}
+
 #[test]
 fn only_and_fresh() {
     let desk = Desk::with_case(CASE);

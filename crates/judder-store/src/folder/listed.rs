@@ -52,15 +52,37 @@ impl StudyFolder {
         if path.is_dir() { self.manifest().list_folder(None, &path, HashMap::new()) } else { Ok(()) }
     }
 
-    /// Takes files that belong to no result off the list at once, before they are written anew one after the other.
+    /// Takes files that belong to no result off the list at once, before they are written anew one after the other; gives back which.
     ///
     /// # Errors
     /// Failures of the file system.
-    pub fn begin_files(&self, changes: impl Fn(&str) -> bool) -> Result<(), StoreError> {
+    pub fn begin_files(&self, changes: impl Fn(&str) -> bool) -> Result<Vec<String>, StoreError> {
         if self.output.is_some() {
-            return Ok(());
+            return Ok(Vec::new());
         }
-        self.manifest().take_off(|path, record| record.of.is_none() && changes(path))
+        let mut keeper = self.manifest();
+        let changes = |path: &str, record: &FileRecord| record.of.is_none() && changes(path);
+        let listed = keeper.manifest().files.iter().filter(|(path, record)| changes(path, record));
+        let begun = listed.map(|(path, _)| path.clone()).collect();
+        keeper.take_off(changes)?;
+        Ok(begun)
+    }
+
+    /// Removes those of the files with which [`begin_files`](Self::begin_files) began that have not been written anew.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn end_files(&self, begun: &[String]) -> Result<(), StoreError> {
+        for left in begun {
+            if self.manifest().manifest().files.contains_key(left) {
+                continue;
+            }
+            // a list that names what lies elsewhere is none of this crate's
+            if let Ok(place) = self.inner_place(Path::new(left)) {
+                judder_disk::remove(&place).map_err(|source| StoreError::write(&place, 0, source))?;
+            }
+        }
+        Ok(())
     }
 
     /// Takes these results off the list of what the study holds, before they are computed anew: a run that is killed then leaves no list that names

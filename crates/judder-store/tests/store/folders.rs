@@ -147,7 +147,7 @@ fn a_run_from_nothing_forgets_files_of_results_and_what_is_drawn() {
     study.seal("build").unwrap();
     drop(study);
     let found = verify(folder.path(), |_, _| true).unwrap();
-    assert_eq!(found.findings, [Finding::Extra { path: "figures/notes.txt".to_owned() }]);
+    assert_eq!(found.findings, [Finding::Extra { path: "figures/notes.txt".to_owned(), of: None }]);
 }
 
 /// Names the folder of the study that a child forgets.
@@ -187,7 +187,10 @@ fn a_run_from_nothing_that_is_killed_leaves_nothing_that_the_next_takes_for_some
         drop(study);
         let is_whole = forgets_until(call, &path);
         let found = verify(&path, |_, _| true).unwrap().findings;
-        assert!(!found.iter().any(|finding| matches!(finding, Finding::Extra { .. })), "{call}: {found:?}");
+        assert!(
+            !found.iter().any(|finding| matches!(finding, Finding::Extra { of: None, .. })),
+            "{call}: {found:?}"
+        );
         let next = StudyFolder::create(&path).unwrap();
         next.forget(|path| path.starts_with("figures/")).unwrap();
         next.seal("build").unwrap();

@@ -150,7 +150,7 @@ fn what_is_not_listed_is_extra_or_unfinished() {
     fs::write(folder.path().join("results.zarr/begun/c"), "").unwrap();
     let found = verify(folder.path(), all).unwrap();
     let expected = [
-        Finding::Extra { path: "notes.txt".to_owned() },
+        Finding::Extra { path: "notes.txt".to_owned(), of: None },
         Finding::Unfinished { path: "results.zarr/begun/c".to_owned() },
     ];
     assert_eq!(found.findings, expected);
@@ -291,6 +291,30 @@ fn a_finished_study_is_taken_up_again_with_one_write_of_the_list() {
     study.write_summary(&summary, None).unwrap();
     study.keep_manifest(BUILD).unwrap();
     assert_eq!(list(), begun);
+}
+
+/// What a finished study lists of a result that its summary no longer has is of an earlier case: named, no damage whatever became of it.
+#[test]
+fn what_an_earlier_case_has_left_is_extra() {
+    let folder = tempfile::tempdir().unwrap();
+    finished(folder.path());
+    let study = StudyFolder::open(folder.path()).unwrap();
+    study.write_summary(&summary(&["one"]), None).unwrap();
+    study.seal(BUILD).unwrap();
+    drop(study);
+    let left = |found: &[Finding]| -> Vec<String> {
+        let of_other = |finding: &Finding| finding.kind() == "extra" && finding.of() == Some("other");
+        assert!(found.iter().all(of_other), "{found:?}");
+        found.iter().map(|finding| finding.path().to_owned()).collect()
+    };
+    let found = verify(folder.path(), all).unwrap();
+    let paths = left(&found.findings);
+    assert!(found.is_sound() && paths.contains(&"other.csv".to_owned()), "{found:?}");
+    assert!(paths.iter().any(|path| path.starts_with("results.zarr/other/value/c/")), "{paths:?}");
+    fs::write(folder.path().join("other.csv"), "mine").unwrap();
+    fs::remove_dir_all(folder.path().join("results.zarr/other/value")).unwrap();
+    let now = verify(folder.path(), all).unwrap();
+    assert!(left(&now.findings).len() < paths.len(), "{now:?}");
 }
 
 #[test]

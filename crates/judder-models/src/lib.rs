@@ -31,6 +31,7 @@ mod estimate;
 pub mod friction;
 mod indenter;
 pub mod key_sweep;
+mod key_unit;
 mod known_substrate;
 mod labels;
 pub mod law_cache;

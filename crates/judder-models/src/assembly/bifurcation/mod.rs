@@ -17,6 +17,7 @@ use super::swept::SWEPT;
 use crate::assembly::case::AssemblyCase;
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
+use crate::key_unit::{in_unit, unit_of_any};
 use judder_cycles::fold::FOLD_REFINEMENT;
 use judder_cycles::receptance::MOST_FREEDOMS;
 use judder_keys::Settings;
@@ -125,7 +126,8 @@ impl Analysis<AssemblyCase> for CycleDiagram {
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
-        ToldCycleBranch::declared()
+        let of_key = ["value", "folds", "hopf_points", "error", "between"];
+        in_unit(ToldCycleBranch::declared(), &unit_of_any(&self.sweep), &of_key)
     }
 
     fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {

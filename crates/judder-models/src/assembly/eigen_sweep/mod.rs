@@ -9,6 +9,7 @@ use super::swept::{SWEPT, SoughtRegion};
 use crate::assembly::case::AssemblyCase;
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
+use crate::key_unit::{in_unit, unit_of_any};
 use crate::structure::eigen_sweep::branches::EigenvalueCurve;
 use crate::structure::eigen_sweep::figure;
 use crate::structure::eigen_sweep::settings::MethodKeys;
@@ -73,7 +74,8 @@ impl Analysis<AssemblyCase> for AssemblySweep {
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
-        [EigenvalueCurve::declared(), ToldSweep::declared()].concat()
+        let keys = [EigenvalueCurve::declared(), ToldSweep::declared()].concat();
+        in_unit(keys, &unit_of_any(&self.sweep), EigenvalueCurve::OF_KEY)
     }
 
     fn estimate(&self, _: &AssemblySubject<'_>) -> Result<String, ModelError> {

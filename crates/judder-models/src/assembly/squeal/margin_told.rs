@@ -97,6 +97,7 @@ pub(super) struct ToldMargins {
     /// its value in the case; none where it gives none
     own: Option<f64>,
     /// the largest margin of which it is known what it may be off
+    #[result(unit = "1")]
     largest: Option<f64>,
     /// onsets whose margin is not known, or not what it may be off
     unknown: usize,
@@ -130,8 +131,10 @@ struct MarginOfMode {
     /// the value farthest on that side at which a cycle is known
     reaches: Option<f64>,
     /// how far the fold lies from the onset, of the onset: so far before it cycles exist already
+    #[result(unit = "1")]
     margin: Option<f64>,
     /// what it may be off; none where that is not known
+    #[result(unit = "1")]
     margin_error: Option<f64>,
     /// its place from the largest margin on, one more than those that are larger whatever they may be off; none where it is not known what it may be off itself
     rank: Option<usize>,

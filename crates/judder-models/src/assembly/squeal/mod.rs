@@ -25,6 +25,7 @@ use crate::assembly::limit_cycle::settings::admits_cycles;
 use crate::assembly::limit_cycle::stability::multipliers_estimated;
 use crate::assembly::periodic::PeriodicSize;
 use crate::error::ModelError;
+use crate::key_unit::{in_unit, unit_of_any};
 use cures::cures_estimated;
 use judder_cycles::fold::FOLD_REFINEMENT;
 use judder_cycles::receptance::MOST_FREEDOMS;
@@ -96,7 +97,9 @@ impl Analysis<AssemblyCase> for AssemblySqueal {
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
-        ToldSqueal::declared()
+        let of_key = ["own", "onset", "onset_error", "fold", "fold_error", "reaches", "looked_at"];
+        let unit = self.margin_sweep().map(unit_of_any).unwrap_or_default();
+        in_unit(ToldSqueal::declared(), &unit, &of_key)
     }
 
     fn estimate(&self, of: &AssemblySubject<'_>) -> Result<String, ModelError> {

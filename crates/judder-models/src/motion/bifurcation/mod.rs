@@ -14,6 +14,7 @@ use super::settings::{
 };
 use super::{MotionEnd, MotionOf, MotionSize, pictures};
 use crate::error::ModelError;
+use crate::key_unit::{in_unit, unit_of};
 use crate::read_sweep::SWEEP;
 use crate::sweep::Sweep;
 use judder_keys::declared::{Settings, both};
@@ -122,7 +123,8 @@ impl<S: MotionModel> MotionOf<S> for Bifurcation<S::Key> {
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
-        run::summary_keys(self.diagram.branches)
+        let keys = run::summary_keys(self.diagram.branches);
+        in_unit(keys, &unit_of::<S>(&self.sweep), &["value", "folds", "between"])
     }
 
     fn run<M: Moving<N, Key = S::Key>, const N: usize>(

@@ -6,7 +6,9 @@ use crate::axis::{self, Curves, keys_of_curves};
 use crate::bridge;
 use crate::checks;
 use crate::error::ModelError;
+use crate::key_unit::{in_unit, unit_of};
 use crate::oscillator::case::OscillatorCase;
+use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::margins::{MarginCrossing, MarginOnset, fold_check};
 use crate::oscillator::settings::{CriticalThresholds, SoughtThresholds};
@@ -137,7 +139,10 @@ struct ToldRange {
 pub(super) fn summary_keys(settings: &CriticalThresholds) -> Vec<Declared> {
     let curve =
         [ThresholdCurve::declared(), onsets::keys(settings.global_margin), within_law::keys()].concat();
-    [keys_of_curves(settings.family.is_some(), curve), ToldRange::declared()].concat()
+    let keys = [keys_of_curves(settings.family.is_some(), curve), ToldRange::declared()].concat();
+    let (_, unit) = label(settings.sought, settings.within.form);
+    let keys = in_unit(keys, unit, &["full", "conservative", "within", "fold", "branch_fold", "reaches"]);
+    in_unit(keys, &unit_of::<OscillatorKeys>(&settings.sweep), &["value"])
 }
 
 fn assemble(

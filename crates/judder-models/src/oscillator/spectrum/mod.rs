@@ -9,6 +9,7 @@ use super::{KnownOscillator, Operated, OscillatorSubject, curves, ends_of_curves
 use crate::axis::keys_of_curves;
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost, memory_of_points, point_bytes};
+use crate::key_unit::{in_unit, unit_of};
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::curves::SpectrumLabels;
@@ -48,7 +49,8 @@ impl Analysis<OscillatorCase> for SpectrumCurves {
 
     fn summary_keys(&self) -> Vec<Declared> {
         let curve = [ToldSpectra::declared(), GROWTH_RATE.keys()].concat();
-        keys_of_curves(self.family.is_some(), curve)
+        let keys = keys_of_curves(self.family.is_some(), curve);
+        in_unit(keys, &unit_of::<OscillatorKeys>(&self.sweep), &["value"])
     }
 
     fn run(&self, of: &OscillatorSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

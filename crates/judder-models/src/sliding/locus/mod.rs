@@ -76,7 +76,7 @@ impl Analysis<SlidingCase> for LocusAnalysis {
     }
 
     fn summary_keys(&self) -> Vec<Declared> {
-        results::summary_keys(matches!(self.along, Along::Positions(_)))
+        results::summary_keys(&self.along)
     }
 
     fn run(&self, of: &SlidingSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {

@@ -2,6 +2,7 @@
 
 use super::traced::{FamilyRow, Traced};
 use crate::error::ModelError;
+use crate::key_unit::{in_unit, unit_of_any};
 use crate::sliding::locus::settings::{Along, LocusAnalysis};
 use judder_sliding::zones::{Zone, ZoneEnd};
 use judder_store::{Dataset, Declared, Results, Table, Variable};
@@ -106,12 +107,15 @@ struct LocusFailure {
 }
 
 /// The keys of the summary of a locus over positions, or over the values of another key.
-pub(super) fn summary_keys(is_over_positions: bool) -> Vec<Declared> {
-    let others: &[&str] = match is_over_positions {
-        true => &["value", "from", "to", "peak", "key", "unit", "shown_unit", "at_m"],
-        false => &["position_m", "from_m", "to_m", "peak_m"],
-    };
-    Declared::without(ToldLocus::declared(), others)
+pub(super) fn summary_keys(along: &Along) -> Vec<Declared> {
+    let without = |others: &[&str]| Declared::without(ToldLocus::declared(), others);
+    match along {
+        Along::Positions(_) => without(&["value", "from", "to", "peak", "key", "unit", "shown_unit", "at_m"]),
+        Along::Key { sweep, .. } => {
+            let keys = without(&["position_m", "from_m", "to_m", "peak_m"]);
+            in_unit(keys, &unit_of_any(sweep), &["value", "from", "to", "peak"])
+        }
+    }
 }
 
 pub(super) struct Locating<'a> {

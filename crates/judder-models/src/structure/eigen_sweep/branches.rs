@@ -54,6 +54,9 @@ struct OnBranch {
 }
 
 impl EigenvalueCurve {
+    /// What has the unit of the parameter, among what is told of it and of onsets.
+    pub(crate) const OF_KEY: &[&str] = &["value", "error", "from", "to"];
+
     fn new(values: &[f64], sweep: &SweptEigenvalues, found: &LocatedOnsets) -> Self {
         let told = |own: &Tracked| OnBranch { mode: ToldMode::new(0, &own.eigenvalue), branch: own.branch };
         let is_unstable = |point: &PointEigenvalues| {

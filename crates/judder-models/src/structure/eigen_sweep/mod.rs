@@ -10,6 +10,7 @@ pub(crate) mod tables;
 use super::{StructureSubject, solved_size};
 use crate::axis::keys_of_curves;
 use crate::error::ModelError;
+use crate::key_unit::in_unit;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
 use branches::EigenvalueCurve;
@@ -49,7 +50,7 @@ impl Analysis<StructureCase> for EigenSweep {
     fn summary_keys(&self) -> Vec<Declared> {
         let mut keys = keys_of_curves(self.family.is_some(), EigenvalueCurve::declared());
         keys.extend(ToldEigenSweep::declared());
-        keys
+        in_unit(keys, "1", EigenvalueCurve::OF_KEY)
     }
 
     fn memory(&self, of: &StructureSubject<'_>) -> Result<NeededMemory, ModelError> {

@@ -56,6 +56,7 @@ pub mod sweep;
 mod swept_keys;
 mod swept_tables;
 pub mod template;
+mod told_quantities;
 pub mod two_degrees;
 mod within_law;
 mod written;

@@ -1,5 +1,6 @@
 //! Growth that a march shows: which mode is meant, and how its growth is held against its eigenvalue.
 
+use crate::told_quantities::ToldQuantity;
 use judder_study::outcome::CheckRecord;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -16,6 +17,20 @@ pub(crate) const SOUGHT: f64 = 1.5;
 pub(crate) const FAR: f64 = 0.5;
 /// One farther than this is meant, but worth a word.
 const OFF: f64 = 0.03;
+
+/// What the table of a growth tells, of any model that marches.
+pub(crate) const TOLD: &[ToldQuantity] = &[
+    ("measured", "growth rate in the march", "1/s"),
+    ("predicted", "growth rate of the eigenvalue", "1/s"),
+    ("spread", "how much it differs from half to half", "1/s"),
+    ("measured_frequency_hz", "frequency in the march", "Hz"),
+    ("frequency_hz", "frequency of the eigenvalue", "Hz"),
+    ("position_m", "where the contact is held", "m"),
+    ("normal_force", "normal force there, at rest", "N"),
+    ("method", "marched by", "1"),
+    ("steps", "steps", "1"),
+    ("step_s", "step", "s"),
+];
 
 /// The mode that a frequency means, by its place in a list.
 pub(crate) enum MeantMode {

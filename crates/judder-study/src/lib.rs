@@ -36,6 +36,7 @@ pub mod ledger;
 pub mod model;
 pub mod outcome;
 pub mod pictures;
+pub mod prefixed;
 mod progress;
 pub mod registry;
 pub mod report;

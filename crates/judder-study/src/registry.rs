@@ -65,8 +65,6 @@ pub enum TerminalTable {
     FirstOfReport,
     /// The same, and a line for each of the others.
     FirstAndLines(fn(ToldAnalysis<'_>) -> Vec<String>),
-    /// Rows of its own; none where there are none.
-    Own(fn(ToldAnalysis<'_>) -> Option<TableRows>),
 }
 
 impl KindTables {
@@ -78,11 +76,10 @@ impl KindTables {
 
     /// What the terminal shows; none where there is nothing.
     pub(crate) fn on_terminal(&self, told: ToldAnalysis<'_>) -> Option<String> {
-        let first = || on_terminal((self.report)(told));
-        let (rows, lines) = match self.terminal {
-            TerminalTable::FirstOfReport => (first(), Vec::new()),
-            TerminalTable::FirstAndLines(lines) => (first(), lines(told)),
-            TerminalTable::Own(rows) => (rows(told), Vec::new()),
+        let rows = on_terminal((self.report)(told));
+        let lines = match self.terminal {
+            TerminalTable::FirstOfReport => Vec::new(),
+            TerminalTable::FirstAndLines(lines) => lines(told),
         };
         let lines = lines.iter().map(|line| format!("  {line}\n"));
         Some(columns(&rows?)).map(|text| std::iter::once(text).chain(lines).collect())

@@ -36,6 +36,8 @@ use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::error::ModelError;
 use crate::material::with_used;
+use crate::measured_growth;
+use crate::told_quantities::quantities;
 use build::BuiltAssembly;
 use judder_assembly::assembly::Assembly;
 use judder_assembly::compliance::Compliance;
@@ -226,6 +228,12 @@ pub(crate) const MODEL: ModelKind = ModelKind {
         KindTables::new(steady_sliding::KIND.name, |told| steady_sliding::tables::report(told.results)),
         KindTables::new(eigen::KIND.name, |told| eigen::tables::report(told.results)),
         KindTables::new(march::KIND.name, |told| march::tables::report(told.results)),
+        KindTables::new(growth::KIND.name, |told| {
+            quantities("Growth of the mode", told.results, measured_growth::TOLD)
+        }),
+        KindTables::new(spectrogram::KIND.name, |told| {
+            quantities("The loudest", told.results, crate::spectrogram::TOLD)
+        }),
         KindTables::new(bifurcation::KIND.name, |told| bifurcation::tables::report(told.results)),
         KindTables {
             kind: squeal::KIND.name,

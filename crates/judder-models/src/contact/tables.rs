@@ -2,6 +2,7 @@
 
 use crate::swept_tables::{table, told, word};
 use judder_report::page::PageTable;
+use judder_study::prefixed::PrefixedUnit;
 use judder_study::registry::ToldAnalysis;
 use judder_study::report_tables::listed;
 use judder_study::shown::{SHOWN_UNIT, ShownValues};
@@ -62,15 +63,88 @@ pub(crate) fn law(analysis: ToldAnalysis<'_>) -> Vec<PageTable> {
     if rows.is_empty() { Vec::new() } else { vec![table("What the law is known to".to_owned(), &head, rows)] }
 }
 
-/// The errors of one contact.
+/// What a contact tells: its name in groups, and what of it is told in SI, each in words, by its key, in its unit.
+type ContactQuantity = (&'static str, &'static [(&'static str, &'static str, &'static str)]);
+
+const QUANTITIES: [ContactQuantity; 5] = [
+    ("force", &[("force per length", "force_newton_per_metre", "N/m"), ("force", "force_newton", "N")]),
+    ("area", &[("width", "width_metre", "m"), ("area", "area_square_metre", "m²")]),
+    ("friction", &[("friction coefficient", "", "")]),
+    ("indentation", &[("indentation", "indentation_metre", "m")]),
+    ("peak_pressure", &[("peak pressure", "peak_pressure_pascal", "Pa")]),
+];
+
+/// The results of one contact in SI and in groups, with their errors.
 pub(crate) fn single(analysis: ToldAnalysis<'_>) -> Vec<PageTable> {
-    let errors = analysis.results.get("errors").and_then(Value::as_object);
-    let of = |errors: &serde_json::Map<String, Value>| {
-        let rows = errors.iter().map(|(name, error)| {
-            let value = analysis.results.get(name).and_then(Value::as_f64).unwrap_or(f64::NAN);
-            vec![name.replace('_', " "), told(value), told(error.as_f64().unwrap_or(f64::NAN))]
-        });
-        table("The contact".to_owned(), &["quantity", "in groups (−)", "error (relative)"], rows.collect())
-    };
-    errors.map(of).into_iter().collect()
+    let told_as = |key: &str| analysis.results.get(key).and_then(Value::as_f64);
+    let Some(errors) = analysis.results.get("errors").and_then(Value::as_object) else { return Vec::new() };
+    let mut rows = Vec::new();
+    for (name, in_si) in QUANTITIES {
+        let error = errors.get(name).and_then(Value::as_f64).unwrap_or(f64::NAN);
+        let group = told_as(name).unwrap_or(f64::NAN);
+        // of a line the first is per length, as the group is
+        let told = in_si.iter().filter(|(_, key, _)| key.is_empty() || told_as(key).is_some());
+        for (place, (words, key, unit)) in told.enumerate() {
+            let si = told_as(key).map_or_else(String::new, |own| with_prefix(own, error, unit));
+            let group = if place == 0 { within(group, error) } else { String::new() };
+            let error = if error < 1.0 { self::told(error) } else { "–".to_owned() };
+            rows.push(vec![(*words).to_owned(), si, group, error]);
+        }
+    }
+    vec![table("The contact".to_owned(), &["quantity", "in SI", "in groups (−)", "error (relative)"], rows)]
+}
+
+fn with_prefix(value: f64, error: f64, unit: &str) -> String {
+    let shown = PrefixedUnit::of(unit, value);
+    format!("{} {}", within(shown.factor * value, error), shown.name)
+}
+
+/// A value with a relative error; where that is as large as the value, zero within it.
+fn within(value: f64, error: f64) -> String {
+    if error < 1.0 || !error.is_finite() {
+        told(value)
+    } else {
+        format!("0 ± {}", told((value * error).abs()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn rows(results: &Value) -> Vec<Vec<String>> {
+        let asked = Value::Null;
+        single(ToldAnalysis { asked: &asked, results: results.as_object().unwrap() }).remove(0).rows
+    }
+
+    #[test]
+    fn a_contact_is_told_in_si_and_in_groups() {
+        let rows = rows(&json!({
+            "force": 0.05, "area": 0.5, "friction": 2.8e-17, "indentation": 0.1, "peak_pressure": 0.125,
+            "force_newton_per_metre": 15.0, "force_newton": 9.0, "width_metre": 1.015e-4, "area_square_metre": 6.09e-5,
+            "indentation_metre": 2.06e-5, "peak_pressure_pascal": 188_428.0,
+            "errors": { "force": 0.0, "area": 3.6e-3, "friction": 1.857, "indentation": 2e-5, "peak_pressure": 6e-5 },
+        }));
+        let row = |place: usize| rows[place].join(" | ");
+        assert_eq!(row(0), "force per length | 15 N/m | 0.05 | 0");
+        assert_eq!(row(1), "force | 9 N |  | 0");
+        assert_eq!(row(2), "width | 101.5 µm | 0.5 | 0.0036");
+        assert_eq!(row(3), "area | 60.9 mm² |  | 0.0036");
+        assert_eq!(
+            row(4),
+            "friction coefficient |  | 0 ± 5.1996e−17 | –",
+            "an error as large as the value leaves no digit of it"
+        );
+        assert_eq!(row(6), "peak pressure | 188.428 kPa | 0.125 | 6e−5");
+    }
+
+    #[test]
+    fn a_contact_that_ends_has_a_force_and_an_area() {
+        let rows = rows(&json!({
+            "force": 0.05, "area": 0.5, "force_newton": 9.0, "area_square_metre": 6.09e-5,
+            "errors": { "force": 1e-3, "area": 3.6e-3 },
+        }));
+        assert_eq!((&*rows[0][0], &*rows[0][2], &*rows[1][0]), ("force", "0.05", "area"));
+    }
 }

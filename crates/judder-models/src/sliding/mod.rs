@@ -23,7 +23,9 @@ pub(crate) mod system;
 
 use crate::error::ModelError;
 use crate::estimate::Estimate;
+use crate::measured_growth;
 use crate::sliding::case::{SlidingCase, SlidingSections};
+use crate::told_quantities::quantities;
 use judder_keys::declared::Settings;
 use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
@@ -33,7 +35,7 @@ use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::text::CaseText;
 use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Refusal, Task, admit};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{KindTables, ModelKind, Template, TerminalTable};
+use judder_study::registry::{KindTables, ModelKind, Template};
 use judder_study::resolve::Resolved;
 use spectrogram::settings::check_references;
 use std::path::Path;
@@ -103,11 +105,13 @@ pub const MODEL: ModelKind = ModelKind {
     tables: &[
         KindTables::new(locus::KIND.name, |told| locus::tables::report(told.results)),
         KindTables::new(march::KIND.name, |told| march::tables::report(told.results)),
-        KindTables {
-            kind: modes::KIND.name,
-            report: |_| Vec::new(),
-            terminal: TerminalTable::Own(|told| crate::structure::modes::tables::terminal(told.results)),
-        },
+        KindTables::new(growth::KIND.name, |told| {
+            quantities("Growth of the mode", told.results, measured_growth::TOLD)
+        }),
+        KindTables::new(spectrogram::KIND.name, |told| {
+            quantities("The loudest", told.results, crate::spectrogram::TOLD)
+        }),
+        KindTables::new(modes::KIND.name, |told| crate::structure::modes::tables::report(told.results)),
     ],
 };
 

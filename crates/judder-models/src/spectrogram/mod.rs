@@ -6,3 +6,17 @@
 pub(crate) mod figure;
 pub(crate) mod levels;
 pub mod settings;
+
+use crate::told_quantities::ToldQuantity;
+
+/// What its table tells.
+pub(crate) const TOLD: &[ToldQuantity] = &[
+    ("of", "march", "1"),
+    ("peak_level_db", "largest level", "dB"),
+    ("reference", "over", "1"),
+    ("peak_frequency_hz", "at the frequency", "Hz"),
+    ("peak_time_s", "at the time", "s"),
+    ("peak_position_m", "at the position", "m"),
+    ("resolution_hz", "resolution", "Hz"),
+    ("windows", "pieces of time", "1"),
+];

@@ -26,6 +26,7 @@ pub(crate) mod vectors;
 use crate::error::ModelError;
 use crate::structure::case::scope::StructureScope;
 use crate::structure::case::{StructureCase, StructureSections};
+use crate::told_quantities::quantities;
 use build::Structure;
 use judder_keys::declared::Settings;
 use judder_keys::file_reference::FileReference;
@@ -34,7 +35,7 @@ use judder_study::case::analysis::{Kinds, Planned};
 use judder_study::case::text::CaseText;
 use judder_study::model::{Analysed, Analysis, Case, Model, Prepared, Task, admit};
 use judder_study::outcome::Outcome;
-use judder_study::registry::{KindTables, ModelKind, Template, TerminalTable};
+use judder_study::registry::{KindTables, ModelKind, Template};
 use judder_study::resolve::Resolved;
 use std::sync::Arc;
 
@@ -90,11 +91,11 @@ pub const MODEL: ModelKind = ModelKind {
     tables: &[
         KindTables::new(eigen::KIND.name, |told| eigen::tables::report(told.results)),
         KindTables::new(eigen_sweep::KIND.name, |told| eigen_sweep::tables::report(told.results)),
-        KindTables {
-            kind: modes::KIND.name,
-            report: |_| Vec::new(),
-            terminal: TerminalTable::Own(|told| modes::tables::terminal(told.results)),
-        },
+        KindTables::new(receptance::KIND.name, |told| {
+            quantities("The receptance", told.results, receptance::TOLD)
+        }),
+        KindTables::new(reduction::KIND.name, |told| reduction::tables::report(told.results)),
+        KindTables::new(modes::KIND.name, |told| modes::tables::report(told.results)),
     ],
 };
 

@@ -5,31 +5,69 @@
 use judder_report::figure::ValueMap;
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Layer, Panel, Role};
-use judder_study::pictures::{FRAME, StoredArrays, at, reals};
+use judder_study::pictures::{FRAME, StoredArrays, at, reals, text};
+use judder_study::prefixed::PrefixedUnit;
 
 /// What the arrays are over that are read row by row.
 const OVER: [(&str, [&str; 2]); 3] =
     [("pressure", ["y", "x"]), ("displacement", ["y", "x_surface"]), ("height", ["y", "x_surface"])];
+
+/// How an array is drawn: in SI where it says what it is there, else over what makes the group.
+struct DrawnUnit {
+    factor: f64,
+    over: &'static str,
+    unit: Option<String>,
+}
+
+impl DrawnUnit {
+    fn of(dataset: &StoredArrays<'_>, name: &str, over: &'static str) -> Option<Self> {
+        let own = dataset.variable(name)?;
+        let told =
+            own.attributes.get("si_factor").and_then(serde_json::Value::as_f64).zip(text(own, "si_unit"));
+        let Some((factor, unit)) = told else { return Some(Self { factor: 1.0, over, unit: None }) };
+        let values = reals(dataset, name)?;
+        let largest =
+            values.iter().filter(|own| own.is_finite()).fold(0.0, |most: f64, own| most.max(own.abs()));
+        let shown = PrefixedUnit::of(unit, factor * largest);
+        Some(Self { factor: factor * shown.factor, over, unit: Some(shown.name) })
+    }
+
+    fn values(&self, own: &[f64]) -> Vec<f64> {
+        own.iter().map(|own| self.factor * own).collect()
+    }
+
+    fn label(&self, quantity: &str) -> String {
+        match &self.unit {
+            Some(unit) => format!("{quantity} ({unit})"),
+            None => format!("{quantity}/{} (−)", self.over),
+        }
+    }
+}
+
+/// Friction of a contact at rest is rounding, and so is how far each grid's is from it.
+const NOTHING: f64 = 1e-12;
 
 /// Pressure with the contact's boundary, pressure and surfaces along y = 0, values over grids.
 pub(crate) fn contact(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     for (name, dimensions) in OVER {
         dataset.over(name, &dimensions)?;
     }
-    let (x, y) = (reals(dataset, "x")?, reals(dataset, "y")?);
-    let pressure = reals(dataset, "pressure")?;
+    let length = DrawnUnit::of(dataset, "x", "$R$")?;
+    let (x, y) = (&length.values(reals(dataset, "x")?), &length.values(reals(dataset, "y")?));
+    let load = DrawnUnit::of(dataset, "pressure", "$E_{0}^{*}$")?;
+    let pressure = &load.values(reals(dataset, "pressure")?);
     let mut panels = Vec::new();
     if y.len() > 1 {
-        panels.push(pressure_map(x, y, pressure)?);
+        panels.push(pressure_map([x, y], pressure, [&length, &load])?);
     }
     let middle = y.iter().enumerate().min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?.0;
     let row = |values: &[f64], width: usize| -> Option<Vec<f64>> {
         Some(values.get(middle * width..(middle + 1) * width)?.to_vec())
     };
-    let along = || Axis::linear("Position $x$/$R$ (−)");
+    let along = || Axis::linear(length.label("Position $x$"));
     let section = Layer::line("", x.to_vec(), row(pressure, x.len())?, Role::Series(0));
     panels.push(
-        Panel::new(along(), Axis::linear("Pressure $p$/$E_{0}^{*}$ (−)"), vec![section])
+        Panel::new(along(), Axis::linear(load.label("Pressure $p$")), vec![section])
             .with_title("pressure along $y$ = 0"),
     );
     if let Some(at) = reals(dataset, "x_surface")
@@ -37,6 +75,7 @@ pub(crate) fn contact(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
         && let Some(height) = row(reals(dataset, "height")?, at.len())
         && let Some(depth) = dataset.attributes().get("indentation").and_then(serde_json::Value::as_f64)
     {
+        let depths = DrawnUnit::of(dataset, "displacement", "$R$")?;
         let surface: Vec<f64> = displacement.iter().map(|u| -u).collect();
         // what stands far above the contact would flatten the picture
         let touching = height.iter().zip(row(pressure, x.len())?).filter(|(_, pressure)| *pressure > 0.0);
@@ -44,11 +83,16 @@ pub(crate) fn contact(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
         let indenter: Vec<f64> =
             height.iter().map(|h| if *h < highest { h - depth } else { f64::NAN }).collect();
         let layers = vec![
-            Layer::line("surface of the substrate", at.to_vec(), surface, Role::Series(0)),
-            Layer::line("indenter", at.to_vec(), indenter, Role::Reference.dashed()),
+            Layer::line(
+                "surface of the substrate",
+                length.values(at),
+                depths.values(&surface),
+                Role::Series(0),
+            ),
+            Layer::line("indenter", length.values(at), depths.values(&indenter), Role::Reference.dashed()),
         ];
         panels.push(
-            Panel::new(along(), Axis::linear("Height $z$/$R$ (−)"), layers)
+            Panel::new(along(), Axis::linear(depths.label("Height $z$")), layers)
                 .with_title("surfaces along $y$ = 0"),
         );
     }
@@ -56,24 +100,22 @@ pub(crate) fn contact(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     Some(panels)
 }
 
-fn pressure_map(x: &[f64], y: &[f64], pressure: &[f64]) -> Option<Panel> {
+fn pressure_map([x, y]: [&[f64]; 2], pressure: &[f64], [length, load]: [&DrawnUnit; 2]) -> Option<Panel> {
     let half = 0.5 * (y.last()? - y.first()?) * FRAME;
     let centre = 0.5 * (x.last()? + x.first()?);
     let map = ValueMap {
         x: x.to_vec(),
         y: y.to_vec(),
         z: pressure.to_vec(),
-        bar: Axis::linear("Pressure $p$/$E_{0}^{*}$ (−)"),
+        bar: Axis::linear(load.label("Pressure $p$")),
         colours: ColourMap::Sequential,
     };
     let (boundary_x, boundary_y) = boundary(x, y, pressure);
     let layers =
         vec![Layer::Values(map), Layer::line("", boundary_x, boundary_y, Role::FullBoundary.solid())];
-    let across = Axis::linear("Position $x$/$R$ (−)").over(centre - half, centre + half);
-    Some(
-        Panel::new(across, Axis::linear("Position $y$/$R$ (−)"), layers)
-            .with_title("pressure, contact boundary"),
-    )
+    let across = Axis::linear(length.label("Position $x$")).over(centre - half, centre + half);
+    let up = Axis::linear(length.label("Position $y$"));
+    Some(Panel::new(across, up, layers).with_title("pressure, contact boundary"))
 }
 
 /// The sides of cells between contact and gap, with a gap after each run of them.
@@ -127,7 +169,8 @@ fn runs(numbers: impl Iterator<Item = usize>) -> Vec<(usize, usize)> {
 /// How far each grid's values are from those that stand in the summary.
 fn history(dataset: &StoredArrays<'_>) -> Option<Panel> {
     dataset.alike(&["level_cell", "level_force", "level_area", "level_friction"])?;
-    let cells = reals(dataset, "level_cell")?;
+    let side = DrawnUnit::of(dataset, "level_cell", "$R$")?;
+    let cells = side.values(reals(dataset, "level_cell")?);
     if cells.len() < 2 {
         return None;
     }
@@ -135,6 +178,9 @@ fn history(dataset: &StoredArrays<'_>) -> Option<Panel> {
     for (index, name) in ["force", "area", "friction"].into_iter().enumerate() {
         let values = reals(dataset, &format!("level_{name}"))?;
         let best = dataset.attributes().get(name)?.as_f64()?;
+        if best.abs() < NOTHING {
+            continue;
+        }
         // the grid that gave the value itself has no place on a logarithmic axis: a gap
         let distance = values.iter().map(|value| (value / best - 1.0).abs());
         let distance: Vec<f64> =
@@ -143,11 +189,11 @@ fn history(dataset: &StoredArrays<'_>) -> Option<Panel> {
             continue;
         }
         let role = Role::Series(index);
-        layers.push(Layer::line(name, cells.to_vec(), distance.clone(), role));
-        layers.push(Layer::points(name, cells.to_vec(), distance, role));
+        layers.push(Layer::line(name, cells.clone(), distance.clone(), role));
+        layers.push(Layer::points(name, cells.clone(), distance, role));
     }
     let vertical = Axis::log("Distance from the result (−)");
-    Some(Panel::new(Axis::log("Cell $h$/$R$ (−)"), vertical, layers).with_title("grids"))
+    Some(Panel::new(Axis::log(side.label("Cell $h$")), vertical, layers).with_title("grids"))
 }
 
 #[cfg(test)]

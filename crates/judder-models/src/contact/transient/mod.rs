@@ -13,6 +13,7 @@ use crate::contact::problem::ContactProblem;
 use crate::contact::settings::ContactScope;
 use crate::contact::transient::settings::TransientSettings;
 use crate::error::ModelError;
+use crate::told_quantities::ToldQuantity;
 use asked::AskedTransient;
 use judder_contact::transient::TransientError;
 use judder_keys::declared::Settings;
@@ -23,6 +24,18 @@ use judder_study::outcome::Outcome;
 use run::ToldHistory;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
+
+/// What its table tells.
+pub(crate) const TOLD: &[ToldQuantity] = &[
+    ("duration_second", "duration", "s"),
+    ("force_newton", "normal force at the end", "N"),
+    ("friction_force_newton", "friction force at the end", "N"),
+    ("work_per_cycle_joule", "work of the last cycle", "J"),
+    ("cycle_change", "its change from the cycle before (relative)", "1"),
+    ("c_y_newton_second_per_metre", "damper of the oscillating depth c_y", "N s/m"),
+    ("steady_friction", "friction coefficient of steady sliding", "1"),
+    ("steps", "steps", "1"),
+];
 
 /// The kind.
 pub(crate) const KIND: Kind<Option<ContactScope>, Arc<dyn Exciting>> = Kind {

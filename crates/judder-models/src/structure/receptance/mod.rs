@@ -8,6 +8,7 @@ use super::{StructureSubject, solved_size};
 use crate::error::ModelError;
 use crate::structure::case::StructureCase;
 use crate::structure::case::scope::StructureScope;
+use crate::told_quantities::ToldQuantity;
 use judder_keys::declared::Settings;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
@@ -19,6 +20,13 @@ use serde_json::{Map, Value as Json};
 use settings::ReceptanceAnalysis;
 use std::f64::consts::TAU;
 use std::sync::Arc;
+
+/// What its table tells.
+pub(crate) const TOLD: &[ToldQuantity] = &[
+    ("peak_frequency_hz", "frequency of the largest receptance", "Hz"),
+    ("peak_m_per_n", "the largest receptance", "m/N"),
+    ("points", "frequencies", "1"),
+];
 
 /// The kind.
 pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = Kind {

@@ -3,6 +3,7 @@
 mod figure;
 mod files;
 mod run;
+pub(super) mod tables;
 
 use super::{StructureSubject, solved_size};
 use crate::error::ModelError;

@@ -17,6 +17,7 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
+mod array_in_si;
 pub mod assembly;
 mod axis;
 pub mod band;

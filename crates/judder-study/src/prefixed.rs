@@ -15,11 +15,11 @@ pub struct PrefixedUnit {
 const PREFIXES: [(&str, i32); 7] = [("n", -9), ("µ", -6), ("m", -3), ("", 0), ("k", 3), ("M", 6), ("G", 9)];
 
 impl PrefixedUnit {
-    /// That in which the largest of some values is best read; lengths and areas take none above the metre.
+    /// That in which the largest of some values is best read; lengths, areas and times take none above metre and second.
     #[must_use]
     pub fn of(unit: &str, largest: f64) -> Self {
         let power = if unit.ends_with('²') { 2 } else { 1 };
-        let most = if unit.starts_with('m') { 0 } else { 9 };
+        let most = if unit.starts_with(['m', 's']) { 0 } else { 9 };
         let largest = largest.abs();
         let fits = |(_, exponent): &&(&str, i32)| {
             *exponent <= most && largest >= power_of_ten(f64::from(power * exponent))
@@ -42,6 +42,7 @@ mod tests {
             ("Pa", 188_428.0, 1e-3, "kPa"),
             ("m", 1.01e-4, 1e6, "µm"),
             ("m", 3e3, 1.0, "m"),
+            ("s", 2e3, 1.0, "s"),
             ("m²", 6.09e-5, 1e6, "mm²"),
             ("N/m", 15.0, 1.0, "N/m"),
             ("N", 2e-12, 1e9, "nN"),

@@ -1,5 +1,6 @@
 //! Pressure, gap and displacement as arrays and for ParaView.
 
+use crate::contact::in_si;
 use crate::error::ModelError;
 use crate::material::ContactScales;
 use crate::written::written;
@@ -15,6 +16,8 @@ use judder_store::{Dataset, Variable};
 
 /// The fields of one contact, row-major, lengths in R, pressures in E0*.
 pub(super) struct ContactFields<'a> {
+    /// Whether forces and areas are per length.
+    is_line: bool,
     grid: SurfaceGrid,
     solution: &'a UnilateralSolution,
     /// x of the cells' centres, where pressures are.
@@ -40,7 +43,8 @@ impl<'a> ContactFields<'a> {
         let (grid, shift) = (level.grid, level.collocation_shift);
         let rows = (0..grid.rows).map(|row| grid.y(row));
         let height = |y: f64| (0..grid.columns).map(move |column| profile.height(grid.x(column) - shift, y));
-        Self::of(grid, &level.solution, shift, rows.flat_map(height).collect())
+        let own = Self::of(grid, &level.solution, shift, rows.flat_map(height).collect());
+        Self { is_line: profile.is_line(), ..own }
     }
 
     /// The fields of one period of a surface.
@@ -58,7 +62,7 @@ impl<'a> ContactFields<'a> {
             .zip(&height)
             .map(|(gap, height)| if *height < REACH { gap + solution.indentation - height } else { f64::NAN })
             .collect();
-        Self { grid, solution, x, x_surface, y, height, displacement }
+        Self { is_line: false, grid, solution, x, x_surface, y, height, displacement }
     }
 
     /// `pressure` over y and x; `gap`, `displacement` and `height` over y and `x_surface`.
@@ -92,11 +96,12 @@ impl<'a> ContactFields<'a> {
         Ok(dataset)
     }
 
-    /// The surfaces, and the grids from coarse to fine.
+    /// The surfaces, and the grids from coarse to fine; with what they are in SI where that is asked.
     pub(super) fn dataset(
         &self,
         refinement: &Refinement,
         scales: &ContactScales,
+        is_in_si: bool,
     ) -> Result<Dataset, ModelError> {
         let mut dataset = self.surfaces()?;
         let coordinate = |name: &str, values: &[f64], long_name: &str| {
@@ -116,6 +121,9 @@ impl<'a> ContactFields<'a> {
             let values: Vec<f64> = levels.iter().map(value).collect();
             dataset = dataset
                 .with(Variable::new(name, &["level"], &[values.len()], values).long_name(long_name))?;
+        }
+        if is_in_si {
+            dataset = in_si::fields(dataset, scales, self.is_line)?;
         }
         Ok(dataset
             .attribute("force", refinement.force.value)?

@@ -8,8 +8,10 @@
 mod blame;
 pub mod case;
 mod check;
+mod drawn_unit;
 mod fields;
 pub mod fit;
+mod in_si;
 pub mod law;
 pub(crate) mod memory;
 pub mod modulus;

@@ -196,6 +196,12 @@ impl LoadingSettings {
         }
     }
 
+    /// Its value.
+    pub(crate) fn value(self) -> Value {
+        let (Self::Indentation(own) | Self::Load(own)) = self;
+        own
+    }
+
     /// Refuses both, and neither.
     pub(crate) fn is_one(section: &Section<'_>, is_line: bool) -> Result<(), Fault> {
         match (section.get("indentation"), section.get("load")) {
@@ -243,6 +249,11 @@ impl ContactSettings {
             .map(|node| if is_line { LINE_LOAD } else { LOAD }.read("load", node).map(UnreadLoad));
         let (settings, (load, ())) = both(Self::read_table(section), both(load.transpose(), loading))?;
         Ok(Self { load, memory: scope.memory_limit(section, settings.memory), ..settings })
+    }
+
+    /// Whether speed, depth or load are written in SI.
+    pub(crate) fn is_in_si(&self) -> bool {
+        [self.velocity, self.loading().value()].iter().any(|own| own.form == Form::Si)
     }
 
     /// What presses the indenter down.

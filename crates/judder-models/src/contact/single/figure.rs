@@ -2,47 +2,15 @@
 
 #![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
 
+use crate::contact::drawn_unit::DrawnUnit;
 use judder_report::figure::ValueMap;
 use judder_report::palette::ColourMap;
 use judder_report::{Axis, Layer, Panel, Role};
-use judder_study::pictures::{FRAME, StoredArrays, at, reals, text};
-use judder_study::prefixed::PrefixedUnit;
+use judder_study::pictures::{FRAME, StoredArrays, at, reals};
 
 /// What the arrays are over that are read row by row.
 const OVER: [(&str, [&str; 2]); 3] =
     [("pressure", ["y", "x"]), ("displacement", ["y", "x_surface"]), ("height", ["y", "x_surface"])];
-
-/// How an array is drawn: in SI where it says what it is there, else over what makes the group.
-struct DrawnUnit {
-    factor: f64,
-    over: &'static str,
-    unit: Option<String>,
-}
-
-impl DrawnUnit {
-    fn of(dataset: &StoredArrays<'_>, name: &str, over: &'static str) -> Option<Self> {
-        let own = dataset.variable(name)?;
-        let told =
-            own.attributes.get("si_factor").and_then(serde_json::Value::as_f64).zip(text(own, "si_unit"));
-        let Some((factor, unit)) = told else { return Some(Self { factor: 1.0, over, unit: None }) };
-        let values = reals(dataset, name)?;
-        let largest =
-            values.iter().filter(|own| own.is_finite()).fold(0.0, |most: f64, own| most.max(own.abs()));
-        let shown = PrefixedUnit::of(unit, factor * largest);
-        Some(Self { factor: factor * shown.factor, over, unit: Some(shown.name) })
-    }
-
-    fn values(&self, own: &[f64]) -> Vec<f64> {
-        own.iter().map(|own| self.factor * own).collect()
-    }
-
-    fn label(&self, quantity: &str) -> String {
-        match &self.unit {
-            Some(unit) => format!("{quantity} ({unit})"),
-            None => format!("{quantity}/{} (−)", self.over),
-        }
-    }
-}
 
 /// Friction of a contact at rest is rounding, and so is how far each grid's is from it.
 const NOTHING: f64 = 1e-12;

@@ -63,7 +63,7 @@ pub(super) fn run(
     scalars.extend(of_period.scalars());
     Ok(Outcome {
         scalars,
-        dataset: fields.dataset(&contact.refinement, &scales)?,
+        dataset: fields.dataset(&contact.refinement, &scales, settings.is_in_si())?,
         table: Some(refined.history()?),
         files: vec![(format!("fields/{name}.vtu"), fields.vtu()?)],
         checks: checks(&contact, &question),

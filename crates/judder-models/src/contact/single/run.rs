@@ -93,7 +93,7 @@ pub(crate) fn run(
     };
     Ok(Outcome {
         scalars: refined.told(&scales, velocity).scalars(),
-        dataset: fields.dataset(&contact.refinement, &scales)?,
+        dataset: fields.dataset(&contact.refinement, &scales, settings.is_in_si())?,
         table: Some(refined.history()?),
         checks: checks(case, &contact, &question, velocity, scales.material.spectrum.contrast())?,
         files: vec![(format!("fields/{name}.vtu"), fields.vtu()?)],

@@ -2,33 +2,47 @@
 
 #![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
 
+use crate::contact::drawn_unit::DrawnUnit;
 use judder_report::{Axis, Layer, Panel, Role};
-use judder_study::pictures::{StoredArrays, axis, reals};
+use judder_study::pictures::{StoredArrays, reals};
+
+/// What a force is over.
+const FORCE: &str = "($E_{0}$* $R$²)";
 
 /// Force and friction force, area; the loop of a cycle where the path repeats itself.
 pub(crate) fn transient(dataset: &StoredArrays<'_>) -> Option<Vec<Panel>> {
     dataset.alike(&["time", "position", "indentation", "force", "friction_force", "area"])?;
-    let time = reals(dataset, "time")?;
-    let horizontal = || dataset.variable("time").map(axis);
-    let line = |over: &[f64], name: &str, label: &str, role: Role| {
-        Some(Layer::line(label, over.to_vec(), reals(dataset, name)?.to_vec(), role.solid()))
+    let drawn = |name: &str, over| {
+        let unit = DrawnUnit::of(dataset, name, over)?;
+        Some((unit.values(reals(dataset, name)?), unit))
+    };
+    let (time, seconds) = drawn("time", "$τ$")?;
+    let (force, newtons) = drawn("force", FORCE)?;
+    let (area, square) = drawn("area", "$R$²")?;
+    let friction = reals(dataset, "friction_force")?;
+    let horizontal = || Axis::linear(seconds.label("Time $t$"));
+    let line = |label: &str, over: &[f64], up: Vec<f64>, series: usize| {
+        Layer::line(label, over.to_vec(), up, Role::Series(series).solid())
     };
     let forces = vec![
-        line(time, "force", "normal force", Role::Series(0))?,
-        line(time, "friction_force", "friction force", Role::Series(1))?,
+        line("normal force", &time, force.clone(), 0),
+        line("friction force", &time, newtons.values(friction), 1),
     ];
-    let area = vec![line(time, "area", "", Role::Series(2))?];
     let mut panels = vec![
-        Panel::new(horizontal()?, Axis::linear("Force $F$/($E_{0}$* $R$²) (−)"), forces),
-        Panel::new(horizontal()?, Axis::linear("Area $A$/$R$² (−)"), area),
+        Panel::new(horizontal(), Axis::linear(newtons.label("Force $F$")), forces),
+        Panel::new(horizontal(), Axis::linear(square.label("Area $A$")), vec![line("", &time, area, 2)]),
     ];
     let over = dataset.attributes().get("loop_over").and_then(|over| over.as_str()).unwrap_or_default();
-    let (name, across, up) = match over {
-        "position" => ("friction_force", "Position $x$/$R$ (−)", "Friction force/($E_{0}$* $R$²) (−)"),
-        "indentation" => ("force", "Indentation $δ$/$R$ (−)", "Force $F$/($E_{0}$* $R$²) (−)"),
+    let (up, upwards, across) = match over {
+        "position" => {
+            let (friction, unit) = drawn("friction_force", FORCE)?;
+            (friction, unit.label("Friction force"), "Position $x$")
+        }
+        "indentation" => (force, newtons.label("Force $F$"), "Indentation $δ$"),
         _ => return Some(panels),
     };
-    let cycle = vec![line(reals(dataset, over)?, name, "", Role::Series(3))?];
-    panels.push(Panel::new(Axis::linear(across), Axis::linear(up), cycle));
+    let (places, unit) = drawn(over, "$R$")?;
+    let cycle = vec![line("", &places, up, 3)];
+    panels.push(Panel::new(Axis::linear(unit.label(across)), Axis::linear(upwards), cycle));
     Some(panels)
 }

@@ -1,6 +1,7 @@
 //! `transient`: a contact that is followed in time.
 
 use crate::contact::case::ContactCase;
+use crate::contact::in_si;
 use crate::contact::memory::{operator_at_once, operator_limit};
 use crate::contact::single::run::RESIDUAL_LIMIT;
 use crate::contact::transient::asked::AskedTransient;
@@ -48,7 +49,7 @@ pub(super) fn run(
         return Err(ModelError::Interrupted);
     };
     let mut outcome = Outcome {
-        dataset: dataset(&history, settings)?,
+        dataset: dataset(&history, settings, &scales)?,
         table: Some(table(&history)?),
         checks: checks(&history, &last, &question),
         ..Outcome::default()
@@ -280,7 +281,11 @@ fn column(history: &TransientHistory, value: fn(&TransientSample) -> f64) -> Vec
     history.samples.iter().map(value).collect()
 }
 
-fn dataset(history: &TransientHistory, settings: &TransientSettings) -> Result<Dataset, ModelError> {
+fn dataset(
+    history: &TransientHistory,
+    settings: &TransientSettings,
+    scales: &ContactScales,
+) -> Result<Dataset, ModelError> {
     let time = Variable::coordinate("time", column(history, |sample| sample.time))
         .units("1")
         .long_name("t/τ")
@@ -296,6 +301,9 @@ fn dataset(history: &TransientHistory, settings: &TransientSettings) -> Result<D
         (_, Some(_)) => "indentation",
         _ => "",
     };
+    if settings.is_in_si() {
+        dataset = in_si::history(dataset, scales)?;
+    }
     Ok(dataset.attribute("loop_over", loop_over)?)
 }
 

@@ -6,7 +6,7 @@ use judder_keys::declared::{Scaled, Settings, Whole, all, both};
 use judder_keys::dimension::Dimension;
 use judder_keys::error::Fault;
 use judder_keys::memory::Memory;
-use judder_keys::numeric_key::{Range, Value};
+use judder_keys::numeric_key::{Form, Range, Value};
 use judder_keys::section::Section;
 use judder_keys::{Choice, Settings};
 
@@ -110,6 +110,12 @@ impl TransientSettings {
             }
             _ => IndenterMotion::Rest,
         }
+    }
+
+    /// Whether speed, stroke, depth or load are written in SI.
+    pub(crate) fn is_in_si(&self) -> bool {
+        let given = [self.velocity, self.amplitude, self.indentation, self.load];
+        given.into_iter().flatten().any(|own| own.form == Form::Si)
     }
 
     /// What presses the indenter down, on average.

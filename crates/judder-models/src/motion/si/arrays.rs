@@ -1,15 +1,11 @@
 //! Arrays of motions in SI: what of them has a dimension, what is stored of that, how it is drawn.
 
 use super::SiUnits;
+use crate::array_in_si::{ArrayInSi, FACTOR};
 use crate::error::ModelError;
 use judder_store::{Dataset, StoreError, Table, Variable, VariableValues};
 use serde_json::{Map, Value, json};
 use std::borrow::Cow;
-
-/// What an array of groups is multiplied by to be in SI, the unit that it then has, and what it then is: attributes that readers go by.
-const FACTOR: &str = "si_factor";
-const UNIT: &str = "si_unit";
-const WORDS: &str = "si_long_name";
 
 /// What is measured by what, of the arrays of motions.
 #[derive(Clone, Copy)]
@@ -136,7 +132,7 @@ impl SiUnits {
         let told = dataset.described(|name| {
             MotionQuantity::of(name).map_or_else(Vec::new, |quantity| {
                 let (unit, factor) = (quantity.measured.units().0, self.factor(quantity.measured));
-                vec![(UNIT, unit.into()), (FACTOR, factor.into()), (WORDS, quantity.words.into())]
+                ArrayInSi { unit, factor, words: quantity.words }.attributes()
             })
         })?;
         let Self { second, metre, joule, square_metre } = self;
@@ -224,7 +220,7 @@ fn converted(dataset: &Dataset, drawn: Vec<Option<Variable>>) -> Result<Dataset,
 /// An array as it is drawn in SI; none where it stays as it is.
 fn drawn(dataset: &Dataset, variable: &Variable) -> Option<Variable> {
     let quantity = MotionQuantity::of(&variable.name)?;
-    let factor = variable.attributes.get(FACTOR).and_then(Value::as_f64);
+    let factor = ArrayInSi::of(variable).map(|own| own.factor);
     let (data, factor) = match (factor, dataset.variable(&beside(&variable.name))) {
         (Some(factor), _) => (&variable.data, factor),
         (None, Some(in_si)) => (&in_si.data, 1.0),
@@ -296,10 +292,13 @@ mod tests {
     fn arrays_say_what_they_are_in_si() {
         let told = UNITS.told_in(in_groups()).unwrap();
         let attribute = |name: &str, key: &str| told.variable(name).unwrap().attributes.get(key).cloned();
-        assert_eq!((attribute("x", UNIT), attribute("x", FACTOR)), (Some("m".into()), Some(4e-3.into())));
-        assert_eq!(attribute("x", WORDS), Some("displacement x along sliding".into()));
+        assert_eq!(
+            (attribute("x", "si_unit"), attribute("x", FACTOR)),
+            (Some("m".into()), Some(4e-3.into()))
+        );
+        assert_eq!(attribute("x", "si_long_name"), Some("displacement x along sliding".into()));
         assert_eq!(told.variable("x").unwrap().units, "1", "stored is what the model computes in");
-        assert_eq!(attribute("quasi_steady_condition", UNIT), None);
+        assert_eq!(attribute("quasi_steady_condition", "si_unit"), None);
         assert_eq!(MotionQuantity::of("event_velocity_y").unwrap().words, "velocity dy/dt");
         assert!(MotionQuantity::of("event_rms").is_none());
     }

@@ -91,12 +91,12 @@ pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Resu
             Status::Done => {
                 let draw = || figures(registry, store, summary, name).map_err(|error| error.to_string());
                 blocks.extend(figure_blocks(store, name, draw)?);
-                // what was asked first, then every number under its key
                 let asked = tables(registry, summary, name);
-                let caption = if asked.is_empty() { "" } else { "Every number, by its key" };
+                let scalars = summary.results.get(name).and_then(scalar_table).map(PageBlock::Table);
+                // what was asked first, then every number under its key, where somebody wants it
+                let is_beside = !asked.is_empty();
                 blocks.extend(asked.into_iter().map(PageBlock::Table));
-                let scalars = summary.results.get(name).and_then(|own| scalar_table(own, caption));
-                blocks.extend(scalars.map(PageBlock::Table));
+                blocks.extend(scalars.map(|table| if is_beside { folded(table) } else { table }));
             }
         }
         sections.push(PageSection::new(name, blocks));
@@ -265,25 +265,30 @@ fn six_digits(number: &serde_json::Number) -> String {
     }
 }
 
-/// The scalars of an analysis that fit a table.
-fn scalar_table(scalars: &serde_json::Map<String, Value>, caption: &str) -> Option<PageTable> {
+fn folded(table: PageBlock) -> PageBlock {
+    let summary = "Every number, by its key in `summary.json`".to_owned();
+    PageBlock::Details(Details { summary, blocks: vec![table] })
+}
+
+/// The scalars of an analysis that fit a table, under their keys.
+fn scalar_table(scalars: &serde_json::Map<String, Value>) -> Option<PageTable> {
     let rows: Vec<Vec<String>> = scalars
         .iter()
         .filter_map(|(name, value)| match value {
-            Value::Number(number) => Some(vec![name.replace('_', " "), six_digits(number)]),
-            Value::String(text) => Some(vec![name.replace('_', " "), text.clone()]),
+            Value::Number(number) => Some(vec![name.clone(), six_digits(number)]),
+            Value::String(text) => Some(vec![name.clone(), text.clone()]),
             Value::Array(list)
                 if !list.is_empty() && list.len() <= 12 && list.iter().all(Value::is_number) =>
             {
                 let shown: Vec<String> = list.iter().filter_map(Value::as_number).map(six_digits).collect();
-                Some(vec![name.replace('_', " "), shown.join(", ")])
+                Some(vec![name.clone(), shown.join(", ")])
             }
             _ => None,
         })
         .collect();
     (!rows.is_empty()).then(|| PageTable {
-        caption: caption.to_owned(),
-        head: vec!["quantity".to_owned(), "value".to_owned()],
+        caption: String::new(),
+        head: vec!["key".to_owned(), "value".to_owned()],
         rows,
     })
 }

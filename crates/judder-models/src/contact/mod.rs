@@ -33,7 +33,6 @@ use crate::oscillator::inputs::OscillatorInputs;
 use crate::oscillator::keys::OscillatorKey;
 use crate::spectrum_source::temperature_warning;
 use crate::substrate::RelaxationSource;
-use crate::told_quantities::quantities;
 use check::ContactEstimate;
 use judder_contact::material::Discretisation;
 use judder_contact::steady::profile::Profile;
@@ -159,9 +158,7 @@ pub const MODEL: ModelKind = ModelKind {
     operating_quantities: &[],
     tables: &[
         KindTables::new(single::KIND.name, tables::single),
-        KindTables::new(transient::KIND.name, |told| {
-            quantities("The contact in time", told.results, transient::TOLD)
-        }),
+        KindTables::new(transient::KIND.name, |told| transient::tables(told.results)),
         KindTables::new(law::KIND.name, tables::law),
         KindTables::new(fit::KIND.name, tables::fit),
         KindTables::new(modulus::KIND.name, tables::modulus),

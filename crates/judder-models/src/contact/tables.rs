@@ -1,6 +1,7 @@
 //! The tables of contact analyses: coefficients, terms, errors of a law.
 
 use crate::swept_tables::{table, told, word};
+use crate::told_quantities::{ToldQuantity, quantities};
 use judder_report::page::PageTable;
 use judder_study::prefixed::PrefixedUnit;
 use judder_study::registry::ToldAnalysis;
@@ -38,7 +39,20 @@ pub(crate) fn fit(analysis: ToldAnalysis<'_>) -> Vec<PageTable> {
     list(analysis, "beside_the_paper").map(of).into_iter().collect()
 }
 
-/// The terms of the creep form.
+/// What is told of a modulus.
+const MODULUS: &[ToldQuantity] = &[
+    ("rubbery_modulus_pascal", "rubbery modulus", "Pa"),
+    ("glassy_modulus_pascal", "glassy modulus", "Pa"),
+    ("contrast", "glassy over rubbery", "1"),
+    ("mean_retardation_time_second", "mean retardation time", "s"),
+    ("largest_loss_tangent", "largest loss tangent", "1"),
+    ("terms", "terms", "1"),
+    ("measurements", "measurements", "1"),
+    ("storage_deviation", "how far they are from the storage modulus at most (relative)", "1"),
+    ("loss_deviation", "the same of the loss modulus (relative)", "1"),
+];
+
+/// What is told of the modulus, and the terms of its creep form.
 pub(crate) fn modulus(analysis: ToldAnalysis<'_>) -> Vec<PageTable> {
     let shown = ShownValues::called(analysis.results.get(SHOWN_UNIT).and_then(Value::as_str));
     let head = [&*shown.head("retardation time"), "compliance (1/Pa)"];
@@ -47,7 +61,8 @@ pub(crate) fn modulus(analysis: ToldAnalysis<'_>) -> Vec<PageTable> {
             vec![shown.value(&own["time_second"]), number(own, "compliance_per_pascal")]
         })
     };
-    list(analysis, "prony").map(of).into_iter().collect()
+    let terms = list(analysis, "prony").map(of);
+    terms.into_iter().chain(quantities("The modulus", analysis.results, MODULUS)).collect()
 }
 
 /// What the law is known to.

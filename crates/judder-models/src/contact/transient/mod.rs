@@ -13,10 +13,11 @@ use crate::contact::problem::ContactProblem;
 use crate::contact::settings::ContactScope;
 use crate::contact::transient::settings::TransientSettings;
 use crate::error::ModelError;
-use crate::told_quantities::ToldQuantity;
+use crate::told_quantities::{ToldQuantity, quantities};
 use asked::AskedTransient;
 use judder_contact::transient::TransientError;
 use judder_keys::declared::Settings;
+use judder_report::page::PageTable;
 use judder_store::{Declared, Results};
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, NeededMemory, Refusal, Task};
@@ -26,7 +27,7 @@ use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
 /// What its table tells.
-pub(crate) const TOLD: &[ToldQuantity] = &[
+const TOLD: &[ToldQuantity] = &[
     ("duration_second", "duration", "s"),
     ("force_newton", "normal force at the end", "N"),
     ("friction_force_newton", "friction force at the end", "N"),
@@ -36,6 +37,21 @@ pub(crate) const TOLD: &[ToldQuantity] = &[
     ("steady_friction", "friction coefficient of steady sliding", "1"),
     ("steps", "steps", "1"),
 ];
+
+/// A friction force below this share of the normal force is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// The table of a contact in time.
+pub(super) fn tables(results: &Map<String, Json>) -> Vec<PageTable> {
+    let mut told = results.clone();
+    let number = |key: &str| results.get(key).and_then(Json::as_f64);
+    if let (Some(friction), Some(force)) = (number("friction_force_newton"), number("force_newton"))
+        && friction.abs() < ROUNDING * force.abs()
+    {
+        told.insert("friction_force_newton".to_owned(), "0 within rounding".into());
+    }
+    quantities("The contact in time", &told, TOLD)
+}
 
 /// The kind.
 pub(crate) const KIND: Kind<Option<ContactScope>, Arc<dyn Exciting>> = Kind {

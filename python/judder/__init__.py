@@ -1,6 +1,6 @@
 """judder: a workbench for friction-induced vibration.
 
-A first result: :func:`demo`, :func:`examples`. Whole cases: :func:`run`, :func:`check`, :func:`load_study`, :func:`new`, :func:`schema`, :func:`report`, :func:`explore`; papers:
+A first result: :func:`demo`, :func:`examples`. Whole cases: :func:`run`, :func:`check`, :func:`limit_memory`, :func:`load_study`, :func:`new`, :func:`schema`, :func:`report`, :func:`explore`; papers:
 :func:`reproduce`. Every analysis as a method, every key as an argument: :mod:`judder.models`. Building blocks on NumPy arrays: :mod:`judder.oscillator`,
 :mod:`judder.contact`, :mod:`judder.sliding`. Sweeps of cases: :mod:`judder.sweep`, :mod:`judder.distributed`. Pictures: :mod:`judder.plot`.
 Errors: :class:`JudderError` and its subclasses.
@@ -35,7 +35,7 @@ from judder.errors import (
     UnknownResultError,
 )
 from judder.progress import Progress, tqdm_progress
-from judder.study import CaseLike, RemotePath, Study, check, load_study, run
+from judder.study import CaseLike, RemotePath, Study, check, limit_memory, load_study, run
 
 if TYPE_CHECKING:
     from judder import distributed, models
@@ -80,6 +80,7 @@ __all__ = [
     "errors",
     "examples",
     "explore",
+    "limit_memory",
     "load_study",
     "models",
     "new",

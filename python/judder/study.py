@@ -15,14 +15,14 @@ from judder._objects import CaseSource
 from judder._placed import Placed
 from judder._places import RemotePath
 from judder.contact import Law
-from judder.errors import JudderError, RewrittenError, StoreError, StudyError, UnknownResultError, rewritten
+from judder.errors import InputError, JudderError, RewrittenError, StoreError, StudyError, UnknownResultError, rewritten
 from judder.progress import Progress
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
-__all__ = ["CaseLike", "RemotePath", "Study", "check", "load_study", "run"]
+__all__ = ["CaseLike", "RemotePath", "Study", "check", "limit_memory", "load_study", "run"]
 
 CaseLike: TypeAlias = str | os.PathLike[str] | Mapping[str, Any]
 """A case: the path of its file, its text (a ``str`` with a line break), or its tables as a mapping.
@@ -37,6 +37,28 @@ _LONGEST_WORDS: Final = 80
 """Letters of a text among the numbers of an analysis that a notebook shows."""
 _NOT_KEPT = "with a folder as `output` what the others leave is kept"
 """What is told of the other analyses where one of a run without a folder is refused."""
+
+
+def limit_memory(amount: str | int | None) -> None:
+    """Says how much memory this process takes at most, as ``--memory`` of the command does.
+
+    One budget holds for all that judder does in a process, whichever function is called: :func:`check` and :func:`run` refuse what would need more
+    before they compute it. Where nothing is said it is three quarters of what is free. Processes of :mod:`judder.distributed` have their own.
+
+    Args:
+        amount: such as ``"4 GiB"`` or ``"500 MB"``, or a number of bytes, 1 MiB or more; ``None`` takes back what was said.
+
+    Raises:
+        InputError: no amount, or less than 1 MiB.
+
+    >>> judder.limit_memory("8 GiB")
+    >>> judder.limit_memory(None)
+    """
+    count = _judder.bytes_of_memory(amount) if isinstance(amount, str) else amount
+    if amount is not None and (not isinstance(count, int) or count < 1 << 20):
+        message = f'amount: {amount!r} is no amount of 1 MiB or more, such as "4 GiB" or "500 MB", or a number of bytes'
+        raise InputError(message, "Input", {"argument": "amount"})
+    _judder.limit_memory(count)
 
 
 def check(case: CaseLike, *, set: Mapping[str, Any] | None = None) -> dict[str, Any]:

@@ -50,9 +50,9 @@ mod _judder {
     };
     #[pymodule_export]
     use crate::programs::{
-        ServedPage, embedded_examples, foreign_chunk, listed_files, rebuilt_report, reproduced_paper,
-        schema_text, template_text, unusable_chunk, verified_study, vouch_for_content, vouch_for_summary,
-        written_example,
+        ServedPage, bytes_of_memory, embedded_examples, foreign_chunk, limit_memory, listed_files,
+        rebuilt_report, reproduced_paper, schema_text, template_text, unusable_chunk, verified_study,
+        vouch_for_content, vouch_for_summary, written_example,
     };
     #[pymodule_export]
     use crate::sliding::{PyPair, sliding_locus, sliding_march};

@@ -5,6 +5,8 @@ use crate::errors;
 use crate::watched::{Manner, is_ctrl_c, watched};
 use judder_examples::{Example, example, examples};
 use judder_explorer::{Explorer, ViewedCase};
+use judder_keys::memory::Memory;
+use judder_memory::MemoryBudget;
 use judder_models::template::template;
 use judder_papers::{Paper, rebuild};
 use judder_store::{ChunkDamage, StoreError, StudyFolder, verify, vouch_for, vouch_for_file};
@@ -16,6 +18,18 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
+
+/// Sets how many bytes of memory this process takes at most; with none three quarters of what is free.
+#[pyfunction]
+pub(crate) fn limit_memory(bytes: Option<u64>) {
+    MemoryBudget::tell(bytes.unwrap_or(0));
+}
+
+/// The bytes of an amount of memory such as `4 GiB`; none where it is none, or less than the least.
+#[pyfunction]
+pub(crate) fn bytes_of_memory(amount: &str) -> Option<u64> {
+    Memory::parse(amount).map(|memory| memory.bytes)
+}
 
 /// The commented case file of this name.
 #[pyfunction]

@@ -162,6 +162,23 @@ def test_a_run_in_memory_holds_no_more_than_it_may():
     assert judder.run(case, memory=1 << 20).complete
 
 
+def test_a_process_takes_no_more_memory_than_was_said():
+    case = {"model": "oscillator", "analysis": [{"kind": "motion", "points": 1_000_000}]}
+    try:
+        for amount in ("100 MB", 100_000_000):
+            judder.limit_memory(amount)
+            for call in (judder.check, judder.run):
+                with pytest.raises(judder.CaseError, match=r"points: 396.0 MB of memory are needed, and 100.0 MB are to be had, as was said"):
+                    call(case)
+        judder.limit_memory("1 GB")
+        assert judder.check(case)["estimate"][0]["bytes"] == 396_000_000
+    finally:
+        judder.limit_memory(None)
+    for wrong in ("lots", "1 kB", 100, 0, -1, True, 1.5):
+        with pytest.raises(judder.InputError, match="amount: .* is no amount of 1 MiB or more"):
+            judder.limit_memory(wrong)
+
+
 def test_runs_are_logged(caplog, tmp_path):
     case = {key: own for key, own in CASE.items() if key != "sweep"}
     with caplog.at_level("INFO", logger="judder"):

@@ -27,8 +27,8 @@ pub(crate) const TOLD: &[ToldQuantity] = &[
     ("frequency_hz", "frequency of the eigenvalue", "Hz"),
     ("position_m", "where the contact is held", "m"),
     ("normal_force", "normal force there, at rest", "N"),
-    ("method", "marched by", "1"),
-    ("steps", "steps", "1"),
+    ("method", "marched by", ""),
+    ("steps", "steps", ""),
     ("step_s", "step", "s"),
 ];
 

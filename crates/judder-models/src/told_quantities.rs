@@ -2,14 +2,15 @@
 
 use crate::swept_tables::{table, told};
 use judder_report::page::PageTable;
+use judder_study::labels::with_unit;
 use judder_study::prefixed::PrefixedUnit;
 use serde_json::{Map, Value};
 
-/// A quantity of a summary: its key, within tables after dots, what it is, and its unit in SI; `1` of plain numbers.
+/// A quantity of a summary: its key, within tables after dots, what it is, and its unit in SI; `1` of plain numbers, nothing of counts and words.
 pub(crate) type ToldQuantity = (&'static str, &'static str, &'static str);
 
 /// Frequencies and levels are told as they are.
-const PLAIN: [&str; 5] = ["1", "Hz", "dB", "1/s", "°"];
+const PLAIN: [&str; 4] = ["Hz", "dB", "1/s", "°"];
 
 /// Those that the summary has, texts as they are, numbers in the unit in which they are best read; no table where there are none.
 pub(crate) fn quantities(
@@ -22,7 +23,8 @@ pub(crate) fn quantities(
         let first = results.get(parts.next()?)?;
         let own = parts.try_fold(first, |own, part| own.get(part))?;
         let cell = own.as_str().map(str::to_owned).or_else(|| Some(in_words(own.as_f64()?, unit)))?;
-        Some(vec![(*words).to_owned(), cell])
+        let has_dash = *unit == "1" && !words.contains('(');
+        Some(vec![if has_dash { with_unit(words, unit) } else { (*words).to_owned() }, cell])
     });
     let rows: Vec<Vec<String>> = rows.collect();
     if rows.is_empty() { Vec::new() } else { vec![table(caption.to_owned(), &["quantity", "value"], rows)] }
@@ -30,7 +32,7 @@ pub(crate) fn quantities(
 
 /// A number with its unit.
 pub(crate) fn in_words(value: f64, unit: &str) -> String {
-    if unit == "1" {
+    if ["", "1"].contains(&unit) {
         return told(value);
     }
     if PLAIN.contains(&unit) {
@@ -48,21 +50,30 @@ mod tests {
     #[test]
     fn what_a_summary_lacks_has_no_row() {
         let results = json!({
-            "peak_frequency_hz": 45.5, "peak_m_per_n": 1.0e-3, "method": "events", "of": { "steps": 3 }, "unknown": null,
+            "peak_frequency_hz": 45.5, "peak_m_per_n": 1.0e-3, "method": "events", "of": { "steps": 3 }, "ratio": 0.5, "change": 0.25, "unknown": null,
         });
         let asked = [
             ("peak_frequency_hz", "largest at", "Hz"),
             ("peak_m_per_n", "receptance there", "m/N"),
-            ("method", "marched by", "1"),
-            ("of.steps", "steps", "1"),
-            ("of.none", "none", "1"),
+            ("method", "marched by", ""),
+            ("of.steps", "steps", ""),
+            ("of.none", "none", ""),
+            ("ratio", "ratio", "1"),
+            ("change", "change (relative)", "1"),
             ("unknown", "unknown", "Hz"),
         ];
         let table = quantities("Peak", results.as_object().unwrap(), &asked).remove(0);
         let rows: Vec<String> = table.rows.iter().map(|row| row.join(": ")).collect();
         assert_eq!(
             rows,
-            ["largest at: 45.5 Hz", "receptance there: 1 mm/N", "marched by: events", "steps: 3"]
+            [
+                "largest at: 45.5 Hz",
+                "receptance there: 1 mm/N",
+                "marched by: events",
+                "steps: 3",
+                "ratio (−): 0.5",
+                "change (relative): 0.25"
+            ]
         );
         assert!(quantities("Peak", &Map::new(), &asked).is_empty());
     }

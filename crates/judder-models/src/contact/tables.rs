@@ -46,8 +46,8 @@ const MODULUS: &[ToldQuantity] = &[
     ("contrast", "glassy over rubbery", "1"),
     ("mean_retardation_time_second", "mean retardation time", "s"),
     ("largest_loss_tangent", "largest loss tangent", "1"),
-    ("terms", "terms", "1"),
-    ("measurements", "measurements", "1"),
+    ("terms", "terms", ""),
+    ("measurements", "measurements", ""),
     ("storage_deviation", "how far they are from the storage modulus at most (relative)", "1"),
     ("loss_deviation", "the same of the loss modulus (relative)", "1"),
 ];

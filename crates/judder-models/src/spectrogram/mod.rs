@@ -11,12 +11,12 @@ use crate::told_quantities::ToldQuantity;
 
 /// What its table tells.
 pub(crate) const TOLD: &[ToldQuantity] = &[
-    ("of", "march", "1"),
+    ("of", "march", ""),
     ("peak_level_db", "largest level", "dB"),
-    ("reference", "over", "1"),
+    ("reference", "over", ""),
     ("peak_frequency_hz", "at the frequency", "Hz"),
     ("peak_time_s", "at the time", "s"),
     ("peak_position_m", "at the position", "m"),
     ("resolution_hz", "resolution", "Hz"),
-    ("windows", "pieces of time", "1"),
+    ("windows", "pieces of time", ""),
 ];

@@ -35,7 +35,7 @@ const TOLD: &[ToldQuantity] = &[
     ("cycle_change", "its change from the cycle before (relative)", "1"),
     ("c_y_newton_second_per_metre", "damper of the oscillating depth c_y", "N s/m"),
     ("steady_friction", "friction coefficient of steady sliding", "1"),
-    ("steps", "steps", "1"),
+    ("steps", "steps", ""),
 ];
 
 /// A friction force below this share of the normal force is rounding.

@@ -25,7 +25,7 @@ use std::sync::Arc;
 pub(crate) const TOLD: &[ToldQuantity] = &[
     ("peak_frequency_hz", "frequency of the largest receptance", "Hz"),
     ("peak_m_per_n", "the largest receptance", "m/N"),
-    ("points", "frequencies", "1"),
+    ("points", "frequencies", ""),
 ];
 
 /// The kind.

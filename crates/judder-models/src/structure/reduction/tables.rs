@@ -10,10 +10,10 @@ const TOLD: &[ToldQuantity] = &[
     ("static_compliance_error", "error of the compliance at rest (relative)", "1"),
     ("dynamic_compliance.error", "error of the compliance in motion (relative)", "1"),
     ("dynamic_compliance.frequency_hz", "told at", "Hz"),
-    ("kept_freedoms", "freedoms of the interface", "1"),
-    ("fixed_interface_modes", "modes with the interface held", "1"),
-    ("reduced_freedoms", "freedoms of the reduction", "1"),
-    ("degrees_of_freedom", "freedoms of the structure", "1"),
+    ("kept_freedoms", "freedoms of the interface", ""),
+    ("fixed_interface_modes", "modes with the interface held", ""),
+    ("reduced_freedoms", "freedoms of the reduction", ""),
+    ("degrees_of_freedom", "freedoms of the structure", ""),
 ];
 
 /// Frequencies full and reduced, with their errors and what the reduction says of them; what else it says.

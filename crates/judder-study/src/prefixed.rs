@@ -20,7 +20,8 @@ impl PrefixedUnit {
     pub fn of(unit: &str, largest: f64) -> Self {
         let power = if unit.ends_with('²') { 2 } else { 1 };
         let most = if unit.starts_with(['m', 's']) { 0 } else { 9 };
-        let largest = largest.abs();
+        // as a table rounds it: 999999.9 Pa are 1 MPa there, not 1000 kPa
+        let largest = format!("{:.5e}", largest.abs()).parse().unwrap_or(largest);
         let fits = |(_, exponent): &&(&str, i32)| {
             *exponent <= most && largest >= power_of_ten(f64::from(power * exponent))
         };
@@ -49,6 +50,7 @@ mod tests {
             ("N", 0.0, 1.0, "N"),
             ("Pa", f64::NAN, 1.0, "Pa"),
             ("Pa", -1e9, 1e-9, "GPa"),
+            ("Pa", 999_999.999, 1e-6, "MPa"),
         ] {
             assert_eq!(
                 PrefixedUnit::of(unit, value),

@@ -2,22 +2,27 @@
 
 use judder_report::page::PageTable;
 use judder_study::report_tables::{listed, short};
+use judder_study::text::number;
 use serde_json::{Map, Value};
 
-/// A column of the table: its key, its head, and a value in words. The last two are those of a reduction.
+/// A column of the table: its key, its head, and a value in words.
 type ModeColumn = (&'static str, &'static str, fn(&Value) -> String);
 
-const COLUMNS: [ModeColumn; 4] = [
-    ("frequencies_hz", "frequency (Hz)", short),
+const ALONE: &[ModeColumn] =
+    &[("frequencies_hz", "frequency (Hz)", short), ("damping_ratios", "damping ratio (−)", short)];
+/// Beside a reduction, which differs in digits that a frequency alone does not need.
+const BESIDE_REDUCED: &[ModeColumn] = &[
+    ("frequencies_hz", "full (Hz)", digits),
     ("damping_ratios", "damping ratio (−)", short),
-    ("reduced_hz", "reduced (Hz)", reduced),
+    ("reduced_hz", "reduced (Hz)", digits),
     ("reduction_errors", "reduced less full", percent),
 ];
 
 /// Frequencies, with what damping and a reduction there are; those of rigid motions are rounding.
 pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     let list = |key: &str| results.get(key).and_then(Value::as_array).filter(|list| !list.is_empty());
-    let columns = COLUMNS.iter().filter_map(|(key, head, words)| Some((*head, *words, list(key)?)));
+    let asked = if list("reduced_hz").is_some() { BESIDE_REDUCED } else { ALONE };
+    let columns = asked.iter().filter_map(|(key, head, words)| Some((*head, *words, list(key)?)));
     let columns: Vec<_> = columns.collect();
     let rigid = results.get("rigid_modes").and_then(Value::as_u64).unwrap_or(0);
     let Some(frequencies) = list("frequencies_hz") else { return Vec::new() };
@@ -34,8 +39,8 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     })]
 }
 
-fn reduced(value: &Value) -> String {
-    value.as_f64().map_or_else(|| "none".to_owned(), |_| short(value))
+fn digits(value: &Value) -> String {
+    value.as_f64().map_or_else(|| "none".to_owned(), number)
 }
 
 fn percent(value: &Value) -> String {
@@ -64,7 +69,8 @@ mod tests {
         let (head, rows) = rows(json!({
             "frequencies_hz": [45.0, 286.0], "rigid_modes": 0, "reduced_hz": [45.1, null], "reduction_errors": [2e-3, null],
         }));
-        assert_eq!(head[1..], ["frequency (Hz)", "reduced (Hz)", "reduced less full"]);
-        assert_eq!(rows, [["1", "45", "45.1", "0.2000 %"], ["2", "286", "none", ""]]);
+        assert_eq!(head[1..], ["full (Hz)", "reduced (Hz)", "reduced less full"]);
+        assert_eq!(rows[0], ["1", "45.0000000", "45.1000000", "0.2000 %"]);
+        assert_eq!(rows[1][2..], ["none", ""]);
     }
 }

@@ -103,7 +103,7 @@ fn figure_11(store: &StudyFolder, summary: &Summary) -> Result<Vec<PageBlock>, S
     let analyses: Vec<&StoredAnalysis> = diagrams.iter().map(|(_, _, analysis)| analysis).collect();
     block(store, "fig-11", &analyses, |all| {
         let own = diagrams.iter().zip(all);
-        let curves = own.map(|((role, way, _), arrays)| DiagramCurve { way: *way, role: *role, arrays });
+        let curves = own.map(|((role, way, _), arrays)| DiagramCurve { way, role: *role, arrays });
         draw_figure_11(&curves.collect::<Vec<_>>())
     })
 }

@@ -8,6 +8,9 @@ use serde_json::{Map, Value};
 /// A column of the table: its key, its head, and a value in words.
 type ModeColumn = (&'static str, &'static str, fn(&Value) -> String);
 
+/// A column that there is: its head, a value in words, its values.
+type GivenColumn<'a> = (&'static str, fn(&Value) -> String, &'a Vec<Value>);
+
 const ALONE: &[ModeColumn] =
     &[("frequencies_hz", "frequency (Hz)", short), ("damping_ratios", "damping ratio (−)", short)];
 /// Beside a reduction, which differs in digits that a frequency alone does not need.
@@ -23,12 +26,12 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     let list = |key: &str| results.get(key).and_then(Value::as_array).filter(|list| !list.is_empty());
     let asked = if list("reduced_hz").is_some() { BESIDE_REDUCED } else { ALONE };
     let columns = asked.iter().filter_map(|(key, head, words)| Some((*head, *words, list(key)?)));
-    let columns: Vec<_> = columns.collect();
+    let columns: Vec<GivenColumn<'_>> = columns.collect();
     let rigid = results.get("rigid_modes").and_then(Value::as_u64).unwrap_or(0);
     let Some(frequencies) = list("frequencies_hz") else { return Vec::new() };
     let head: Vec<&str> = ["mode"].into_iter().chain(columns.iter().map(|(head, ..)| *head)).collect();
     vec![listed("Modes", &head, frequencies, |mode, _| {
-        let cell = |(place, (_, words, values)): (usize, &(_, fn(&Value) -> String, &Vec<Value>))| {
+        let cell = |(place, (_, words, values)): (usize, &GivenColumn<'_>)| {
             if place == 0 && mode as u64 <= rigid {
                 return "0, a rigid motion".to_owned();
             }

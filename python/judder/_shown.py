@@ -61,7 +61,8 @@ def verdict(numbers: Mapping[str, Any]) -> str:
     if isinstance(own := numbers.get("verdict"), str):
         return own
     if isinstance(count := numbers.get("unstable"), int):
-        return "unstable" if count is True else "stable" if not count else f"{count} unstable"
+        # of those that were sought: another may grow
+        return f"{count or 'none'} unstable of the modes found"
     if isinstance(share := numbers.get("unstable_fraction"), float):
         return f"unstable at {100 * share:.3g} % of the points"
     rates = numbers.get("growth_rate")

@@ -7,6 +7,8 @@
 
 mod free;
 
+use free::SystemMemory;
+
 use std::cell::Cell;
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -111,20 +113,21 @@ impl MemoryBudget {
     /// least; of that the part which this thread's work [shares](Self::shared). Where the system does not say, there is no limit.
     #[must_use]
     pub fn of_process() -> Self {
-        Self::beside(0)
+        Self::beside(|_| 0)
     }
 
     /// The same for all that the process will hold at its peak: what it holds already counts as free.
     #[must_use]
     pub fn of_whole_process() -> Self {
-        Self::beside(free::resident_bytes().unwrap_or(0))
+        Self::beside(|memory| memory.resident.unwrap_or(0))
     }
 
     /// With so many bytes free beside those that the system says are.
-    fn beside(held: u64) -> Self {
-        let share = |free: u64| free.saturating_add(held) / SHARE * (SHARE - 1);
+    fn beside(held: fn(&SystemMemory) -> u64) -> Self {
+        let share =
+            |memory: SystemMemory| Some(memory.free?.saturating_add(held(&memory)) / SHARE * (SHARE - 1));
         let (bytes, origin) = match TOLD.load(Ordering::Relaxed) {
-            0 => (free::free_bytes().map(share), BudgetOrigin::Free),
+            0 => (share(free::system_memory()), BudgetOrigin::Free),
             told => (Some(told), BudgetOrigin::Told),
         };
         let shared_by = SHARED_BY.get();

@@ -10,6 +10,7 @@ import xarray
 
 import judder
 from common import ROOT
+from judder import _shown
 
 CASE = {
     "title": "Both",
@@ -225,3 +226,8 @@ def test_a_case_in_groups_has_no_si(studies):
     data = study["motion"]
     assert not [name for name in data.variables if str(name).endswith("_si")] and study.in_si("motion").identical(data)
     assert studies[0].in_si("line").eigenvalues.attrs["units"] == "1"
+
+
+@pytest.mark.parametrize(("count", "words"), [(0, "none unstable of the modes found"), (2, "2 unstable of the modes found")])
+def test_modes_that_were_not_sought_are_not_called_stable(count, words):
+    assert _shown.verdict({"unstable": count}) == words

@@ -207,7 +207,6 @@ print(json.dumps([min(times), [name for name in ("xarray", "zarr", "pandas", "as
 def test_a_run_in_memory_takes_milliseconds_and_imports_nothing_heavy():
     done = subprocess.run([sys.executable, "-c", TIMED], capture_output=True, text=True, env={**os.environ, "RAYON_NUM_THREADS": "2"})
     least, imported = json.loads(done.stdout.splitlines()[-1])
-    # 3 ms are what the released wheel may take; the wheel of the tests is hardly optimised, and its machine does other work
-    assert least < 9e-3 and imported == [], done.stdout
+    assert least < 3e-3 and imported == [], done.stdout
     began = time.perf_counter()
     assert judder.run(CASE).complete and time.perf_counter() - began < 1.0

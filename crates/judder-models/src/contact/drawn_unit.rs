@@ -1,5 +1,7 @@
 //! The units in which fields and histories of contacts are drawn.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use crate::array_in_si::ArrayInSi;
 use judder_study::pictures::{StoredArrays, reals};
 use judder_study::prefixed::PrefixedUnit;

@@ -79,9 +79,9 @@ pub(crate) fn law(analysis: ToldAnalysis<'_>) -> Vec<PageTable> {
 }
 
 /// What a contact tells: its name in groups, and what of it is told in SI, each in words, by its key, in its unit.
-type ContactQuantity = (&'static str, &'static [(&'static str, &'static str, &'static str)]);
+type QuantityOfContact = (&'static str, &'static [(&'static str, &'static str, &'static str)]);
 
-const QUANTITIES: [ContactQuantity; 5] = [
+const QUANTITIES: [QuantityOfContact; 5] = [
     ("force", &[("force per length", "force_newton_per_metre", "N/m"), ("force", "force_newton", "N")]),
     ("area", &[("width", "width_metre", "m"), ("area", "area_square_metre", "m²")]),
     ("friction", &[("friction coefficient", "", "")]),

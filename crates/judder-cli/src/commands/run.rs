@@ -60,6 +60,9 @@ pub(crate) struct RunArguments {
     /// Say what the sweeps would take, from a few of their points; write nothing
     #[arg(long)]
     dry_run: bool,
+    /// Draw neither figures nor report; `judder report` draws them later
+    #[arg(long)]
+    no_report: bool,
 }
 
 impl RunArguments {
@@ -67,8 +70,13 @@ impl RunArguments {
         let file = self.case.read()?;
         let folder = self.output.clone().map_or_else(|| home::of_file(&file, self.fresh), Ok)?;
         let sweeps = self.shard.map_or(SweepWork::All, SweepWork::Part);
-        let options =
-            RunOptions { only: self.only.clone(), fresh: self.fresh, sweeps, ..RunOptions::default() };
+        let options = RunOptions {
+            only: self.only.clone(),
+            fresh: self.fresh,
+            sweeps,
+            without_report: self.no_report,
+            ..RunOptions::default()
+        };
         let bars = Bars::new(console);
         if self.dry_run {
             let estimates = self.threads.install(|| dry_run(&file, &folder, &options, &bars))??;

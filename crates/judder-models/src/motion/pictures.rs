@@ -118,7 +118,7 @@ fn along_time(dataset: &StoredArrays<'_>) -> Option<Axis> {
 type EventKind = (&'static str, fn(u8, u8) -> bool, usize);
 
 /// What motions have of every time of their grid, of every change of the contact state, of every point of their path, of every oscillation.
-const OVER_TIME: [&str; 6] = ["x", "y", "velocity_x", "relative_velocity", "contact_area", "contact_state"];
+const OVER_TIME: [&str; 5] = ["x", "y", "velocity_x", "relative_velocity", "contact_area"];
 const OVER_EVENTS: [&str; 5] = ["event_time", "event_from", "event_to", "event_x", "event_velocity_x"];
 const OVER_PATH: [&str; 3] = ["path_time", "path_x", "path_velocity_x"];
 const OVER_OSCILLATIONS: [&str; 5] =
@@ -153,8 +153,11 @@ impl<'a> ShownHistory<'a> {
     }
 
     fn since(dataset: &StoredArrays<'a>, start: f64) -> Option<Self> {
-        for name in OVER_TIME {
+        dataset.over("contact_state", &["time"])?;
+        for name in OVER_TIME.into_iter().filter(|name| dataset.variable(name).is_some()) {
             dataset.over(name, &["time"])?;
+            // an array that holds no numbers would keep the label of its group beside others in SI
+            reals(dataset, name)?;
         }
         for own in [&OVER_EVENTS[..], &OVER_PATH, &OVER_OSCILLATIONS] {
             dataset.alike(own)?;

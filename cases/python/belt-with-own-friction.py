@@ -17,7 +17,7 @@ cycle = belt.limit_cycle(start={"x": 1.0, "velocity_x": 0.6}).numbers
 print(f"at 0.6 it sticks {100 * cycle['stick_fraction']:.0f} % of the period of {cycle['period']:.2f}")
 
 speeds = {"key": "operation.velocity", "from": 0.8, "to": 1.6, "points": 9}
-found = belt.bifurcation(sweep=speeds, start={"x": 1.0, "velocity_x": 0.0}).numbers
+found = belt.bifurcation(sweep=speeds, start={"x": 1.0, "velocity_x": 0.0}, tolerance=1e-8).numbers
 vibrates = {"forward": set(), "backward": set()}
 for value, direction, becomes in zip(found["value"], found["direction"], found["becomes"], strict=True):
     if becomes != "steady sliding":

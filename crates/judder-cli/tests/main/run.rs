@@ -24,6 +24,18 @@ fn a_study_is_whole() {
 }
 
 #[test]
+fn what_is_not_drawn_is_drawn_later() {
+    let desk = Desk::with_case(CASE);
+    desk.succeed(&["run", "case.toml", "--only", "damping", "--no-report"]);
+    assert!(desk.path("out/case/damping.csv").is_file());
+    let drawn = ["report.html", "figures"].map(|name| desk.path(&format!("out/case/{name}")));
+    assert!(drawn.iter().all(|path| !path.exists()));
+    desk.succeed(&["verify", "out/case"]);
+    desk.succeed(&["report", "out/case"]);
+    assert!(drawn.iter().all(|path| path.exists()));
+}
+
+#[test]
 fn the_summary_has_its_keys() {
     let desk = Desk::with_case(CASE);
     let summary = desk.succeed(&["run", "case.toml", "--json"]).json();

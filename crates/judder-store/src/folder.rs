@@ -18,7 +18,7 @@ use crate::name::check_name;
 use crate::staging::{self, Stage};
 use crate::sweep::{self, SweepLayout, SweepStore};
 use crate::zarr::Elsewhere;
-use crate::{Dataset, Scratch, Status, StoreError, Summary, Table, results, scratch, summary, zarr};
+use crate::{Dataset, Status, StoreError, Summary, Table, results, scratch, summary, zarr};
 
 /// The folder of one study, held by this process alone until dropped.
 ///
@@ -240,15 +240,6 @@ impl StudyFolder {
         let recorded = record.is_some_and(|record| record.hash == hash && record.status == Status::Done);
         let is_listed = self.manifest().manifest().results.contains_key(analysis);
         Ok(recorded && is_listed && zarr::stored_hash(&group).is_some_and(|stored| stored == hash))
-    }
-
-    /// What an analysis has kept under this hash before it was interrupted, and where it keeps more.
-    ///
-    /// # Errors
-    /// A name that cannot be a file, failures of the file system.
-    pub fn scratch(&self, analysis: &str, hash: &str) -> Result<Scratch, StoreError> {
-        check_name("an analysis", analysis)?;
-        Scratch::open(&self.path, analysis, hash)
     }
 
     /// Writes `summary.json`. What it tells of the result `renewed` is new; what it tells of others must be what it was, or they count as damaged.

@@ -43,7 +43,7 @@ pub enum Finding {
         /// What is wrong.
         damage: FileDamage,
     },
-    /// It is not in the manifest, or is of a result that the finished study no longer has: an earlier case has left it.
+    /// It is not in the manifest, or is of a result that the finished study no longer has: an earlier case has left it, finished or not.
     Extra {
         /// Its path.
         path: String,

@@ -95,7 +95,7 @@ pub struct RunReport {
 pub struct ForgottenResults {
     /// Those of which what they depend on in the case has changed.
     pub changed: Vec<String>,
-    /// Those that the case no longer has; their files stay.
+    /// Those that the case no longer has, finished or not; their files stay.
     pub gone: Vec<String>,
     /// Those of this case that another build had computed.
     pub of_other_build: Vec<String>,
@@ -104,13 +104,15 @@ pub struct ForgottenResults {
 }
 
 impl ForgottenResults {
-    /// What a study has dropped.
-    fn of(study: &Study<'_>, asked: &AskedCase<'_>) -> Self {
+    /// What a study has dropped; of what is `left` nothing was told before.
+    fn of(study: &Study<'_>, asked: &AskedCase<'_>, left: Vec<String>) -> Self {
         let version = study.computed_by.clone();
         let of_other_build = asked.computed_by(&version, &study.forgotten);
         let names = study.forgotten.iter().map(|(name, _)| name);
         let others = names.filter(|name| !of_other_build.contains(name)).cloned();
-        let (changed, gone) = others.partition(|name| asked.all().any(|(own, _)| own == name));
+        let (changed, mut gone): (Vec<_>, Vec<_>) =
+            others.partition(|name| asked.all().any(|(own, _)| own == name));
+        gone.extend(left);
         Self { changed, gone, of_other_build, version }
     }
 
@@ -352,12 +354,13 @@ fn compute_in(
     }
     study.summary.wall_time_s = start.elapsed().as_secs_f64();
     store.write_summary(&study.summary, None)?;
+    let left = store.list_left(&asked.all().map(|(name, _)| name.as_str()).collect::<Vec<_>>())?;
     store.keep_manifest(maker())?;
     let wanted = asked.wanted();
     let lacking = study.kept.lacking(&study.summary, &wanted);
     let messages = messages(&study.summary, &study.kept, &refused);
     let damages = mem::take(&mut study.damages);
-    let forgotten = ForgottenResults::of(&study, asked);
+    let forgotten = ForgottenResults::of(&study, asked, left);
     let summary = study.summary;
     let tables = terminal_tables::tables(asked.file.registry(), &summary, &wanted);
     Ok(Computed { store, summary, skipped, forgotten, tables, damages, messages, lacking, refused })

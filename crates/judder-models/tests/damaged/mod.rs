@@ -204,3 +204,26 @@ fn a_report_is_not_drawn_of_what_is_damaged() {
         .map(|found| found.findings.iter().any(|own| matches!(own, Finding::Extra { .. })));
     assert!(matches!(findings, Err(StoreError::NoManifest { .. })));
 }
+
+/// A run was killed while it stored an analysis that the case then lost: the next run says so once, and `verify` takes it for what was left.
+#[test]
+fn what_a_killed_run_left_of_an_analysis_that_is_gone_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let without = CASE.replace("name = \"spectrum\"", "name = \"others\"");
+    let file = judder_models::parse("case.toml", &without, &[]).unwrap();
+    let options = RunOptions { without_report: true, ..RunOptions::default() };
+    run(&file, folder.path(), &options, &Silent).unwrap();
+    // arrays that are whole, and on no list yet
+    let others = contents(&folder.path().join("results.zarr/others"));
+    written(&folder.path().join("results.zarr/spectrum"), &others);
+    fs::remove_file(folder.path().join("results.zarr/spectrum/.judder.lock")).unwrap();
+    assert!(!verify(folder.path(), all).unwrap().is_sound());
+    let told = run(&file, folder.path(), &options, &Silent).unwrap().forgotten.told();
+    let expected =
+        "forgotten, since the case no longer has them: spectrum; their files stay until `judder run --fresh`";
+    assert_eq!(told, [expected]);
+    let found = verify(folder.path(), all).unwrap();
+    assert!(found.is_sound() && found.findings.len() == others.len(), "{found:?}");
+    assert!(found.findings.iter().all(|own| (own.kind(), own.of()) == ("extra", Some("spectrum"))));
+    assert!(run(&file, folder.path(), &options, &Silent).unwrap().forgotten.told().is_empty());
+}

@@ -1,14 +1,20 @@
 //! What of a study is on the list of what it holds, and how it comes there.
 
-use std::collections::{BTreeMap, HashMap};
-use std::path::Path;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::path::{Path, PathBuf};
 use std::sync::PoisonError;
+use std::{fs, io};
 
 use crate::manifest::{self, FileRecord, SoundFiles};
+use crate::name::check_name;
 use crate::sweep::{self, ChunkFile, SweepLayout};
 use crate::{
-    FileDamage, LARGEST_DOCUMENT, Status, StoreError, StudyFolder, Summary, plain, results, staging, summary,
+    FileDamage, LARGEST_DOCUMENT, Status, StoreError, StudyFolder, Summary, plain, results, scratch, staging,
+    summary,
 };
+
+/// How the names of what analyses keep while they run begin.
+const KEPT_WHILE_RUNNING: &[&str] = &[scratch::OF_ANALYSIS, staging::STREAM_PREFIX];
 
 impl StudyFolder {
     /// Writes anew what frames the chunks of a sweep, coordinates and metadata, where that is known to be damaged, or a run was killed that wrote it
@@ -40,6 +46,32 @@ impl StudyFolder {
         let group = self.group(name)?;
         let known = chunks.into_iter().map(|ChunkFile { path, bytes, hash }| (path, (bytes, hash)));
         self.manifest().list_folder(Some(name), &group, known.collect())
+    }
+
+    /// Lists what killed runs have left of results that are none of the `current` ones: arrays that are on no list, and what analyses keep while they run. From
+    /// then on it counts as what an earlier case has left. Gives back the names of these results.
+    ///
+    /// # Errors
+    /// Failures of the file system, but for those that concern one file: that stays off the list.
+    pub fn list_left(&self, current: &[&str]) -> Result<Vec<String>, StoreError> {
+        let mut keeper = self.manifest();
+        let mut left = BTreeSet::new();
+        let work = work_of_results(&self.path).map_err(|source| StoreError::read(&self.path, source))?;
+        for (name, path) in work.iter().filter(|(name, _)| !current.contains(&name.as_str())) {
+            let files = if path.is_dir() { manifest::files_below(path) } else { Ok(vec![path.clone()]) };
+            for file in files.map_err(|source| StoreError::read(path, source))? {
+                let Some(relative) = manifest::relative(&self.path, &file) else { continue };
+                if keeper.manifest().files.contains_key(&relative) {
+                    continue;
+                }
+                if let Ok((bytes, hash)) = manifest::hash_of(&file) {
+                    let record = FileRecord { bytes, hash, of: Some(name.clone()), build: String::new() };
+                    keeper.list(relative, record);
+                    left.insert(name.clone());
+                }
+            }
+        }
+        Ok(left.into_iter().collect())
     }
 
     /// Lists all files below a folder of the study that came there by other ways than this crate's, as a part of the study as a whole.
@@ -209,4 +241,21 @@ impl StudyFolder {
         let record = keeper.manifest().files.get(&manifest::relative(&self.path, file)?)?;
         manifest::check(file, record, true).err()
     }
+}
+
+/// Where arrays of results lie, and what analyses keep while they run, each with the name of the result.
+fn work_of_results(study: &Path) -> io::Result<Vec<(String, PathBuf)>> {
+    let mut work = Vec::new();
+    let folders = [(study.to_owned(), KEPT_WHILE_RUNNING), (study.join(results::FOLDER), &[""])];
+    for (folder, prefixes) in folders.iter().filter(|(folder, _)| folder.is_dir()) {
+        for entry in fs::read_dir(folder)? {
+            let path = entry?.path();
+            let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+            let own = prefixes.iter().find_map(|prefix| name.strip_prefix(prefix));
+            if let Some(own) = own.filter(|own| check_name("an analysis", own).is_ok()) {
+                work.push((own.to_owned(), path));
+            }
+        }
+    }
+    Ok(work)
 }

@@ -5,8 +5,8 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use judder_store::{
-    AnalysisRecord, FileDamage, Finding, Status, StoreError, StudyFolder, StudyReader, Summary, Table,
-    Variable, verify,
+    AnalysisRecord, FileDamage, Finding, Status, StoreError, StreamWriter, StudyFolder, StudyReader, Summary,
+    Table, Variable, verify,
 };
 use serde_json::json;
 
@@ -353,4 +353,45 @@ fn what_was_sound_and_is_as_it_was_is_not_read_again() {
     };
     assert_eq!(damages(time), 0, "by its stamp it is not read");
     assert_eq!(damages(time + std::time::Duration::from_secs(1)), 1);
+}
+
+/// What a killed run has left of results that the case no longer has is of an earlier case, too; what it has of those of the case is unfinished.
+#[test]
+fn what_a_killed_run_has_left_of_an_earlier_case_is_extra() {
+    let folder = tempfile::tempdir().unwrap();
+    finished(folder.path());
+    let group = folder.path().join("results.zarr/begun/c");
+    fs::create_dir_all(&group).unwrap();
+    fs::write(group.join("0"), "half").unwrap();
+    let study = StudyFolder::create(folder.path()).unwrap();
+    for name in ["begun", "stopped", "gone"] {
+        study.scratch(name, "h").unwrap().keep("line").unwrap();
+    }
+    let grows = Variable::new("time", &["time"], &[0], Vec::<f64>::new());
+    drop(StreamWriter::open(&study, "gone", "h", &[grows]).unwrap());
+    assert_eq!(study.list_left(&["one", "other", "stopped"]).unwrap(), ["begun", "gone"]);
+    study.seal(BUILD).unwrap();
+    let found = verify(folder.path(), all).unwrap();
+    let told: Vec<(&str, &str, Option<&str>)> =
+        found.findings.iter().map(|own| (own.path(), own.kind(), own.of())).collect();
+    let expected = [
+        (".scratch-of-begun", "extra", Some("begun")),
+        (".scratch-of-gone", "extra", Some("gone")),
+        (".scratch-of-stopped", "unfinished", None),
+        (".stream-gone/time.f64", "extra", Some("gone")),
+        ("results.zarr/begun/c/0", "extra", Some("begun")),
+    ];
+    assert_eq!(told, expected);
+    // a run says it once, and takes it up where the case has it again
+    assert!(study.list_left(&["one", "other", "stopped"]).unwrap().is_empty());
+    assert_eq!(study.scratch("begun", "h").unwrap().lines(), ["line"]);
+    study.begin_results(&["begun"]).unwrap();
+    study.scratch("begun", "h").unwrap().keep("another").unwrap();
+    study.seal(BUILD).unwrap();
+    let found = verify(folder.path(), all).unwrap();
+    assert_eq!(found.findings[0].kind(), "unfinished", "{found:?}");
+    study.forget(|_| false).unwrap();
+    for left in [".scratch-of-gone", ".stream-gone", "results.zarr/begun"] {
+        assert!(!folder.path().join(left).exists(), "{left}");
+    }
 }

@@ -31,13 +31,12 @@ impl AnalysisRunner<'_> {
         let Self { file, store, all, .. } = self;
         let (name, hash) = &all[index];
         progress.begin(name, file.case.steps(index));
-        // under a name that what they share does not have
-        let scratch = store.scratch(&format!("of-{name}"), hash)?;
+        let scratch = store.scratch(name, hash)?;
         // a line that cannot be kept costs a rerun, no result
         let keep = |line: &str| {
             let _ = scratch.keep(line);
         };
-        let shared = self.shared.map(|of| store.scratch(SHARED, of)).transpose()?;
+        let shared = self.shared.map(|of| store.shared_scratch(SHARED, of)).transpose()?;
         let keep_shared = |line: &str| {
             let _ = shared.as_ref().map(|shared| shared.keep(line));
         };
@@ -59,7 +58,7 @@ impl AnalysisRunner<'_> {
                 return Ok(());
             }
         }
-        Ok(self.store.scratch(SHARED, shared)?.discard()?)
+        Ok(self.store.shared_scratch(SHARED, shared)?.discard()?)
     }
 }
 

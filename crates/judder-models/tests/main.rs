@@ -12,6 +12,7 @@ mod damaged;
 mod global_margin;
 mod growing;
 mod held;
+mod kept;
 mod line;
 mod live;
 mod march;

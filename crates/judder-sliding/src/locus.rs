@@ -192,7 +192,7 @@ pub fn follow(
 ) -> Result<Followed, SlidingError> {
     check_ascending(parameters)?;
     let shown: Vec<Result<Spectrum, SlidingError>> =
-        parallel::each(parameters, |at| Spectrum::with_more(&family.at(*at)?, *at, count));
+        parallel::each(parameters, |at| family.spectrum(*at, count));
     let Zones { zones, samples } = zones(family, pieces, count, resolution)?;
     let shown = parameters.iter().zip(shown).map(|(at, spectrum)| Ok((*at, spectrum?)));
     let shown = shown.collect::<Result<Vec<_>, SlidingError>>()?;

@@ -70,7 +70,7 @@ impl Spectrum {
     ///
     /// # Errors
     /// As of [`Spectrum::new`].
-    pub(crate) fn with_more(
+    pub fn with_more(
         function: &PairCharacteristic,
         position: f64,
         count: usize,

@@ -15,6 +15,7 @@ mod strip;
 
 use crate::SlidingError;
 use crate::characteristic::PairCharacteristic;
+use crate::spectrum::Spectrum;
 use crate::tracking::continued;
 use branch::EigenvaluePath;
 use follow::{is_on, onward};
@@ -33,6 +34,14 @@ pub trait PairFamily: Sync {
     /// # Errors
     /// Whatever keeps the pair from being there.
     fn at(&self, parameter: f64) -> Result<PairCharacteristic, SlidingError>;
+
+    /// Its `count` lowest eigenvalues there and a few more; for families that know them already.
+    ///
+    /// # Errors
+    /// Those of [`at`](Self::at) and of [`Spectrum::with_more`].
+    fn spectrum(&self, parameter: f64, count: usize) -> Result<Spectrum, SlidingError> {
+        Spectrum::with_more(&self.at(parameter)?, parameter, count)
+    }
 }
 
 impl<F: Fn(f64) -> Result<PairCharacteristic, SlidingError> + Sync> PairFamily for F {

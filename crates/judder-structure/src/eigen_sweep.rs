@@ -238,7 +238,7 @@ impl<'a, F: ProblemFamily> PreparedSweep<'a, F> {
     /// # Errors
     /// As of [`Self::point`], at the first point that has one.
     pub fn followed(&self, curve: Range<usize>) -> Result<SweptEigenvalues, F::Error> {
-        let sweep = followed(curve, self.region, &|number| self.point(number))?;
+        let sweep = followed(curve, self.region, &|number| self.point(number), &NothingFollowed)?;
         Ok(SweptEigenvalues { basis: self.basis(), samples: self.samples(), ..sweep })
     }
 
@@ -255,7 +255,26 @@ impl<'a, F: ProblemFamily> PreparedSweep<'a, F> {
     }
 }
 
-/// Solves the points of a curve side by side and follows their modes in order.
+/// Points of a curve that an earlier run has followed, by their numbers, and who keeps those that this one follows.
+pub trait FollowedPoints {
+    /// The point of this number, if it is known.
+    fn known(&self, number: usize) -> Option<PointEigenvalues>;
+    /// Takes a point that was not.
+    fn keep(&self, number: usize, point: &PointEigenvalues);
+}
+
+/// No point is known, and none is kept.
+pub struct NothingFollowed;
+
+impl FollowedPoints for NothingFollowed {
+    fn known(&self, _: usize) -> Option<PointEigenvalues> {
+        None
+    }
+
+    fn keep(&self, _: usize, _: &PointEigenvalues) {}
+}
+
+/// Solves the points of a curve that are not known side by side and follows their modes in order, from those of the point before, which is solved again.
 ///
 /// # Errors
 /// That of the first point that has one.
@@ -263,21 +282,32 @@ pub fn followed<E: Send>(
     curve: Range<usize>,
     region: &Region,
     solve: &(dyn Fn(usize) -> Result<SolvedPoint, E> + Sync),
+    earlier: &dyn FollowedPoints,
 ) -> Result<SweptEigenvalues, E> {
     let mut tracker = SweepTracker::default();
     let mut sweep = SweptEigenvalues::empty();
-    let numbers: Vec<usize> = curve.collect();
-    for batch in numbers.chunks(BATCH) {
-        let solved = parallel::try_each(batch, |number| solve(*number))?;
-        for point in solved {
-            let SolvedPoint { modes, gaps, full } = point;
-            let branches = tracker.next(&modes);
-            let eigenvalues = modes
-                .iter()
-                .zip(branches)
-                .map(|(mode, branch)| Tracked { eigenvalue: mode.eigenvalue, branch })
-                .collect();
-            sweep.points.push(PointEigenvalues { eigenvalues, gaps, full });
+    let known: Vec<Option<PointEigenvalues>> = curve.clone().map(|number| earlier.known(number)).collect();
+    let is_open = |place: usize| known.get(place).is_some_and(Option::is_none);
+    let places: Vec<usize> = (0..known.len()).collect();
+    for batch in places.chunks(BATCH) {
+        let solved = parallel::try_each(batch, |place| {
+            let is_needed = is_open(*place) || is_open(place + 1);
+            is_needed.then(|| solve(curve.start + place)).transpose()
+        })?;
+        for (place, solved) in batch.iter().zip(solved) {
+            let SolvedPoint { modes, gaps, full } = solved.unwrap_or_else(SolvedPoint::unsolved);
+            if let Some(point) = &known[*place] {
+                tracker.pass(point, &modes);
+                sweep.points.push(point.clone());
+                continue;
+            }
+            let branches = tracker.next(&modes).into_iter();
+            let eigenvalues = modes.iter().zip(branches);
+            let eigenvalues =
+                eigenvalues.map(|(mode, branch)| Tracked { eigenvalue: mode.eigenvalue, branch }).collect();
+            let point = PointEigenvalues { eigenvalues, gaps, full };
+            earlier.keep(curve.start + place, &point);
+            sweep.points.push(point);
         }
     }
     sweep.branches = tracker.branches();

@@ -21,6 +21,8 @@ use judder_oscillator::cycle::{Continuation, CycleError};
 use judder_oscillator::hopf::{HopfPoint, growth_rate, growth_slope, hopf_point};
 use judder_oscillator::motion::{SlidingSystem, StickSlip};
 use judder_study::Progress;
+use judder_study::kept::KeptResults;
+use serde::{Deserialize, Serialize};
 
 /// Local error of a step; smooth folds of the paper's law come out to 1e-6 with it.
 const TOLERANCE: f64 = 1e-8;
@@ -58,12 +60,16 @@ pub(super) struct MarginOnset {
 }
 
 /// What is known of motions beside stable steady sliding, on the stable side of a threshold.
+#[derive(Clone, Serialize, Deserialize)]
 pub(super) struct Margin {
     /// The branch that begins at the threshold; `None` beside a supercritical one.
     pub(super) own: Option<OwnBranch>,
     /// What lies beyond it.
     pub(super) search: MotionSearch,
 }
+
+/// What is known beside the thresholds of many crossings, by the places of these.
+pub(super) type KeptMargins<'a> = KeptResults<'a, Vec<Option<Margin>>>;
 
 impl Margin {
     /// The least fold over all known branches; `None` where there is none, and where they reach to the end of the range or to another
@@ -132,7 +138,7 @@ impl MarginCrossing<'_> {
     }
 
     /// The mode at one of all `thresholds`, with its branch and what was found beyond it; what is interrupted ends early.
-    pub(super) fn onset_with_margin(
+    fn onset_with_margin(
         &self,
         threshold: f64,
         thresholds: &[f64],
@@ -145,6 +151,28 @@ impl MarginCrossing<'_> {
         let next = on_the_side.min_by(|a, b| away(a).total_cmp(&away(b)));
         let search = self.search(&onset, own.as_ref(), next, progress);
         Some(MarginOnset { margin: Some(Margin { own, search }), ..onset })
+    }
+
+    /// The modes at all `thresholds` of the crossing at a place of many, with what a knock does beside them: as an earlier run has kept it, or found and kept.
+    pub(super) fn onsets_with_margins(
+        &self,
+        place: usize,
+        thresholds: &[f64],
+        (kept, progress): (&KeptMargins<'_>, &dyn Progress),
+    ) -> Vec<Option<MarginOnset>> {
+        if let Some(known) = kept.known(place as u64) {
+            let onset = |(threshold, margin): (&f64, &Option<Margin>)| {
+                Some(MarginOnset { margin: margin.clone(), ..self.onset(*threshold)? })
+            };
+            return thresholds.iter().zip(known).map(onset).collect();
+        }
+        let found = thresholds.iter().map(|own| self.onset_with_margin(*own, thresholds, progress));
+        let found: Vec<Option<MarginOnset>> = found.collect();
+        // what is interrupted has ended early
+        if !progress.interrupted() {
+            kept.keep(place as u64, &found.iter().map(|own| own.as_ref()?.margin.clone()).collect());
+        }
+        found
     }
 
     /// The places beside a threshold on its stable side, and how cycles are followed there: what lies beyond the threshold tells

@@ -1,8 +1,11 @@
 //! How far below a threshold a knock reaches: thresholds with their folds, maps with a third region.
 
+use crate::stopping::Stopping;
 use crate::{number, run_into};
 use judder_store::{StudyFolder, VariableValues};
+use judder_study::StudyError;
 use judder_study::case::file::CaseFile;
+use judder_study::run::{RunOptions, run};
 use serde_json::{Map, Value};
 use std::path::Path;
 
@@ -173,4 +176,29 @@ fn a_map_follows_any_key() {
     assert_eq!(map["global_margin"]["along"], "oscillator.coupling");
     assert!(number(&map["global_margin"]["branches"]) > 0.0, "{map:?}");
     assert!(number(&map["knock_fraction"]) + number(&map["knock_unknown_fraction"]) > 0.0, "{map:?}");
+}
+
+/// The lines of a map along which branches were followed are known to the run that goes on.
+#[test]
+fn an_interrupted_map_goes_on_from_its_lines() {
+    let analysis = "kind = \"stability-map\"\nglobal_margin = true\nboundaries = false\n\
+        x = { key = \"operation.velocity\", from = 5e-3, to = 1e-2, points = 2 }\n\
+        y = { key = \"oscillator.coupling\", from = 0.5, to = 2.0, points = 16 }";
+    let text = format!("{HEAD}{analysis}");
+    let case = judder_models::parse("case.toml", &text, &["contact.shear_strength=0.1".to_owned()]).unwrap();
+    let (whole, study) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let patient = Stopping::at(usize::MAX);
+    let mut at_once = run(&case, whole.path(), &RunOptions::default(), &patient).unwrap();
+    let stopped = run(&case, study.path(), &RunOptions::default(), &Stopping::at(9 * patient.looks() / 10));
+    assert!(matches!(stopped, Err(StudyError::Interrupted)), "{stopped:?}");
+    let lines = std::fs::read_to_string(study.path().join(".scratch-of-a")).unwrap().lines().count();
+    assert!((2..=3).contains(&lines), "{lines}: the hash, then a line each");
+    let resumed = Stopping::at(usize::MAX);
+    let mut report = run(&case, study.path(), &RunOptions::default(), &resumed).unwrap();
+    assert!(resumed.looks() < patient.looks(), "{} {}", resumed.looks(), patient.looks());
+    for report in [&mut at_once, &mut report] {
+        report.summary.results.get_mut("a").unwrap().remove("seconds");
+    }
+    assert_eq!(report.summary.results, at_once.summary.results);
+    assert_eq!(codes(study.path(), "knock"), codes(whole.path(), "knock"));
 }

@@ -15,6 +15,7 @@ use judder_numerics::parallel;
 use judder_numerics::piecewise::StepSettings;
 use judder_numerics::sampling::SobolSequence;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::array::from_fn;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -39,7 +40,7 @@ const CARRIED: (f64, f64) = (0.05, 0.005);
 const POINTS: usize = 60;
 
 /// What became of the starts at one value of the parameter.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Look {
     /// The parameter.
     pub parameter: f64,

@@ -54,8 +54,7 @@ impl<'a> PieceSearch<'a> {
 
     /// The place of a new sample in the list.
     fn sample(&mut self, at: f64) -> Result<usize, SlidingError> {
-        let function = self.family.at(at)?;
-        let Spectrum { mut eigenvalues, limit, .. } = Spectrum::with_more(&function, at, self.count)?;
+        let Spectrum { mut eigenvalues, limit, .. } = self.family.spectrum(at, self.count)?;
         sort_by_number(&mut eigenvalues, |own| reach(*own));
         self.done.samples.push(SpectrumSample { at, eigenvalues, limit });
         Ok(self.done.samples.len() - 1)

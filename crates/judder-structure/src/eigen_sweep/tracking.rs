@@ -1,5 +1,6 @@
 //! Which eigenvalue of one point is which of the next: continuity of the vectors on both sides and of the eigenvalue.
 
+use super::{PointEigenvalues, Tracked};
 use crate::complex_modes::{ComplexMode, vectors::assurances};
 use faer::{Mat, c64};
 use judder_numerics::complex::ElementaryComplex;
@@ -12,6 +13,7 @@ pub(super) struct SweepTracker {
 }
 
 /// A branch as far as it was seen.
+#[derive(Default)]
 struct SeenBranch {
     right: Vec<c64>,
     left: Vec<c64>,
@@ -31,6 +33,25 @@ impl SweepTracker {
     /// Branches seen so far.
     pub(super) fn branches(&self) -> usize {
         self.branches.len()
+    }
+
+    /// Goes over a point of which the branches are known, with its modes where those of the next point are to follow them.
+    pub(super) fn pass(&mut self, point: &PointEigenvalues, modes: &[ComplexMode]) {
+        let before: Vec<Option<c64>> =
+            self.branches.iter().map(|branch| branch.alive.then_some(branch.value)).collect();
+        for branch in &mut self.branches {
+            branch.alive = false;
+        }
+        for (k, Tracked { eigenvalue, branch }) in point.eigenvalues.iter().enumerate() {
+            let value = eigenvalue.value;
+            let step = before.get(*branch).copied().flatten().map_or(c64::new(0.0, 0.0), |own| value - own);
+            let (right, left) =
+                modes.get(k).map_or_else(Default::default, |mode| (mode.right.clone(), mode.left.clone()));
+            if self.branches.len() <= *branch {
+                self.branches.resize_with(branch + 1, SeenBranch::default);
+            }
+            self.branches[*branch] = SeenBranch { right, left, value, step, alive: true };
+        }
     }
 
     /// The branch of each mode of the next point; one that follows none of the last point's begins a new one.

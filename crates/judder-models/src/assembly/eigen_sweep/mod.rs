@@ -70,7 +70,7 @@ impl Analysis<AssemblyCase> for AssemblySweep {
     }
 
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run(of, self, task.progress)
+        run::run(of, self, (task.own, task.progress))
     }
 
     fn summary_keys(&self) -> Vec<Declared> {

@@ -7,10 +7,12 @@ use crate::assembly::swept::{SweptAssembly, beyond_laws};
 use crate::axis::Curves;
 use crate::error::ModelError;
 use crate::structure::eigen_sweep::branches::SweptBranches;
+use crate::structure::eigen_sweep::kept_points::KeptPoints;
 use crate::structure::eigen_sweep::onsets::{LocatedOnsets, ToldDoubt, ToldOnset};
 use judder_store::Results;
 use judder_structure::onset::Onset;
 use judder_study::axis::SweptAxis;
+use judder_study::kept::KeptLines;
 use judder_study::outcome::Outcome;
 use judder_study::{Progress, StudyError, Untold};
 
@@ -49,18 +51,21 @@ struct ToldFailure {
 pub(super) fn run(
     of: &AssemblySubject<'_>,
     settings: &AssemblySweep,
-    progress: &dyn Progress,
+    (kept, progress): (KeptLines<'_>, &dyn Progress),
 ) -> Result<Outcome, ModelError> {
     let asked = settings.sought.region();
     let region = asked.rectangle();
     let sweep = &settings.sweep;
     let family = SweptAssembly::new(of, vec![sweep], settings.damping);
     let method = settings.method.method();
-    let solved = SolvedSweep::new(&family, &sweep.values, method, &region, progress)?;
+    let solved_of = |family: &SweptAssembly<'_>, part: &'static str, progress: &dyn Progress| {
+        let kept = KeptPoints::of(part, kept);
+        SolvedSweep::new(family, &sweep.values, method, &region, (&kept, progress))
+    };
+    let solved = solved_of(&family, "points", progress)?;
     let all_closed = match solved.has_open_points() {
         true => {
-            let held =
-                SolvedSweep::new(&family.all_closed(), &sweep.values, method, &region, &Untold(progress))?;
+            let held = solved_of(&family.all_closed(), "points all closed", &Untold(progress))?;
             Some(held.onsets.asked_of(&asked))
         }
         false => None,

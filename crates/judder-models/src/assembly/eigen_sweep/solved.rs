@@ -2,6 +2,7 @@
 
 use crate::assembly::swept::{SlidingState, SweptAssembly};
 use crate::error::ModelError;
+use crate::structure::eigen_sweep::kept_points::KeptPoints;
 use crate::structure::eigen_sweep::onsets::LocatedOnsets;
 use judder_numerics::parallel;
 use judder_structure::complex_modes::{ComplexModeSettings, Region};
@@ -23,7 +24,7 @@ impl SolvedSweep {
         values: &[f64],
         method: SweepMethod,
         region: &Region,
-        progress: &dyn Progress,
+        (kept, progress): (&KeptPoints<'_>, &dyn Progress),
     ) -> Result<Self, ModelError> {
         let states = parallel::try_each(values, |value| {
             progress.go_on()?;
@@ -42,17 +43,19 @@ impl SolvedSweep {
                 )
             })
             .collect::<Result<Vec<_>, _>>()?;
-        let sweep = followed(0..values.len(), region, &|number| {
+        // who runs analyses takes the last step of each
+        (1..values.len()).filter(|number| kept.has(*number)).for_each(|_| progress.advance());
+        let solve = |number: usize| {
             progress.go_on()?;
-            // who runs analyses takes the last step of each
-            if number > 0 {
+            if number > 0 && !kept.has(number) {
                 progress.advance();
             }
             let Ok(state) = &states[number] else { return Ok(SolvedPoint::unsolved()) };
             let (group, place) = HeldGroup::place(&groups, number);
             let solved = prepared[group].point(place)?;
             if groups.len() == 1 { Ok(solved) } else { family.expanded(state, solved) }
-        })?;
+        };
+        let sweep = followed(0..values.len(), region, &solve, kept)?;
         let known: Vec<Option<StabilityAt>> = states
             .iter()
             .zip(&sweep.points)

@@ -8,7 +8,7 @@ use crate::key_sweep::KeySweep;
 use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::parallel;
 use judder_structure::complex_modes::{Eigenvalue, Verdict};
-use judder_structure::eigen_sweep::{SolvedPoint, SweptEigenvalues, followed};
+use judder_structure::eigen_sweep::{NothingFollowed, SolvedPoint, SweptEigenvalues, followed};
 use judder_study::Progress;
 use judder_study::text::short;
 use num_complex::Complex64;
@@ -80,7 +80,7 @@ impl ModeInBand {
             return Ok(ModesAtChange::unknown(reason));
         }
         let known = |step: usize| Ok(solved[step].clone().unwrap_or_else(|_| SolvedPoint::unsolved()));
-        let swept = followed::<ModelError>(0..steps + 1, &region, &known)?;
+        let swept = followed::<ModelError>(0..steps + 1, &region, &known, &NothingFollowed)?;
         Ok(self.told(&swept, steps))
     }
 

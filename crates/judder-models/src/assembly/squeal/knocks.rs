@@ -16,9 +16,8 @@ use judder_numerics::share::wilson;
 use judder_store::{Dataset, Results, Variable};
 use judder_structure::factor::SymmetricFactor;
 use judder_study::Progress;
-use judder_study::kept::KeptLines;
+use judder_study::kept::{KeptLines, KeptResults};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
 
 /// The share of the duration from which on energies are compared.
 const FROM: f64 = 0.6;
@@ -100,15 +99,9 @@ pub(super) fn knocked(
     });
     let sliding = sliding.collect();
     let follower = KnockFollower { asked, steady, sliding, unit, energy, small, progress };
-    let known: BTreeMap<usize, KnockedMotion> =
-        kept.known::<KnockedMotion>().into_iter().map(|motion| (motion.sample, motion)).collect();
-    let motions = parallel::try_each_place(asked.samples, |sample| match known.get(&sample) {
-        Some(motion) => Ok(*motion),
-        None => {
-            let motion = follower.follow(&mut march.clone(), sample)?;
-            kept.add(&motion);
-            Ok::<_, ModelError>(motion)
-        }
+    let kept = KeptResults::of("knocks", kept);
+    let motions = parallel::try_each_place(asked.samples, |sample| {
+        kept.at(sample as u64, || follower.follow(&mut march.clone(), sample))
     })?;
     Ok(SampledKnocks { motions })
 }

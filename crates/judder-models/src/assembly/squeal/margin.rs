@@ -13,6 +13,7 @@ use crate::assembly::meant_mode::near_frequency;
 use crate::assembly::swept::{ALL_FRICTION, SlidingState, SweptAssembly};
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
+use crate::structure::eigen_sweep::kept_points::KeptPoints;
 use judder_cycles::CyclesError;
 use judder_cycles::backbone::BackboneSettings;
 use judder_cycles::balance::HarmonicBalance;
@@ -23,6 +24,7 @@ use judder_numerics::parallel;
 use judder_structure::complex_modes::Verdict;
 use judder_structure::eigen_sweep::{SweepMethod, SweptEigenvalues};
 use judder_structure::onset::{Onset, OnsetKind};
+use judder_study::kept::KeptLines;
 use judder_study::{Progress, Untold};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -56,8 +58,9 @@ pub(super) fn margins(
     asked: &AssemblySqueal,
     sweep: &KeySweep,
     modes: &[Complex64],
-    progress: &dyn Progress,
+    (kept, progress): (KeptLines<'_>, &dyn Progress),
 ) -> Result<SoughtMargins, ModelError> {
+    let kept = KeptPoints::of("points of the margin", kept);
     let own = own_value(of, sweep).unwrap_or(f64::NAN);
     let mut values = sweep.values.clone();
     sort_numbers(&mut values);
@@ -67,7 +70,7 @@ pub(super) fn margins(
     }
     let family = SweptAssembly::new(of, vec![sweep], true);
     let region = band(asked.band[0], asked.band[1]);
-    let solved = SolvedSweep::new(&family, &values, SweepMethod::Full, &region, &Untold(progress))?;
+    let solved = SolvedSweep::new(&family, &values, SweepMethod::Full, &region, (&kept, &Untold(progress)))?;
     let along = CyclesAlongKey {
         family: &family,
         sweep,

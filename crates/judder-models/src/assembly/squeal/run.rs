@@ -60,7 +60,7 @@ pub(super) fn run(
     warnings.extend(unheard);
     let mut checks = checked(&modes);
     if let Some(sweep) = asked.margin_sweep() {
-        let found = margins(of, asked, sweep, &values, progress)?;
+        let found = margins(of, asked, sweep, &values, (kept, progress))?;
         warnings.extend(ToldMargins::doubts(sweep, &found));
         missing += ToldMargins::missing(&found);
         checks.extend(found.checks(sweep));

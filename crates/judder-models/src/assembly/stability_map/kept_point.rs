@@ -9,8 +9,6 @@ pub(super) type DecidedPoint = Result<MapPoint, String>;
 /// A point of a map as it is kept.
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct KeptMapPoint {
-    /// Its place in the map, row by row.
-    pub(super) index: usize,
     /// Why there is none.
     reason: Option<String>,
     verdict: u8,
@@ -21,11 +19,10 @@ pub(super) struct KeptMapPoint {
 }
 
 impl KeptMapPoint {
-    pub(super) fn new(index: usize, solved: &DecidedPoint) -> Self {
+    pub(super) fn new(solved: &DecidedPoint) -> Self {
         let point = solved.as_ref().unwrap_or(&MapPoint::UNKNOWN);
         let number = |value: f64| value.is_finite().then_some(value);
         Self {
-            index,
             reason: solved.as_ref().err().cloned(),
             verdict: point.verdict.code(),
             growth: number(point.growth),
@@ -67,9 +64,8 @@ mod tests {
             stability: None,
         };
         let came_back = |solved: &DecidedPoint| {
-            let line = serde_json::to_string(&KeptMapPoint::new(7, solved)).unwrap();
+            let line = serde_json::to_string(&KeptMapPoint::new(solved)).unwrap();
             let kept: KeptMapPoint = serde_json::from_str(&line).unwrap();
-            assert_eq!(kept.index, 7);
             kept.solved()
         };
         let back = came_back(&Ok(point.clone())).unwrap();

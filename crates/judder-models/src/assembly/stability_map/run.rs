@@ -14,9 +14,8 @@ use judder_structure::onset::onsets_between;
 use judder_structure::quadratic::Region;
 use judder_study::Progress;
 use judder_study::axis::SweptAxis;
-use judder_study::kept::KeptLines;
+use judder_study::kept::{KeptLines, KeptResults};
 use judder_study::outcome::Outcome;
-use std::collections::BTreeMap;
 
 /// What is told of a map.
 #[derive(Results)]
@@ -114,8 +113,7 @@ impl SolvedMap<'_> {
         progress: &dyn Progress,
     ) -> Result<(Vec<MapPoint>, Vec<String>), ModelError> {
         let columns = self.x.values.len();
-        let known = kept.known::<KeptMapPoint>().into_iter().map(|own| (own.index, own));
-        let known: BTreeMap<usize, KeptMapPoint> = known.collect();
+        let kept = KeptResults::<KeptMapPoint>::of("points", kept);
         let count = columns * self.y.values.len();
         let solved: Vec<DecidedPoint> = parallel::try_each_place(count, |index| {
             progress.go_on()?;
@@ -123,14 +121,14 @@ impl SolvedMap<'_> {
             if index > 0 {
                 progress.advance();
             }
-            if let Some(point) = known.get(&index) {
+            if let Some(point) = kept.known(index as u64) {
                 return Ok(point.solved());
             }
             let solved = match self.solved([index % columns, index / columns]) {
                 Err(ModelError::Interrupted) => return Err(ModelError::Interrupted),
                 solved => solved.map_err(|error| error.to_string()),
             };
-            kept.add(&KeptMapPoint::new(index, &solved));
+            kept.keep(index as u64, &KeptMapPoint::new(&solved));
             Ok::<_, ModelError>(solved)
         })?;
         let (mut points, mut reasons) = (Vec::with_capacity(solved.len()), Vec::new());

@@ -13,10 +13,9 @@ use judder_oscillator::motion::SlidingSystem;
 use judder_oscillator::motion::attractor::{Patience, Settled};
 use judder_store::{ByName, Dataset, Declared, Results, Table, Variable};
 use judder_study::Progress;
-use judder_study::kept::KeptLines;
+use judder_study::kept::{KeptLines, KeptResults};
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
 
 /// Which starts are drawn.
 pub(crate) struct Draw<'a> {
@@ -65,17 +64,9 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     progress: &dyn Progress,
 ) -> Result<Outcome, ModelError> {
     let operating = model.operating(None)?;
-    let known: BTreeMap<usize, SampledStart> =
-        kept.known::<SampledStart>().into_iter().map(|sample| (sample.sample, sample)).collect();
+    let kept = KeptResults::of("starts", kept);
     let samples: Vec<SampledStart> = parallel::try_each_place(draw.samples, |index| {
-        let sample = match known.get(&index) {
-            Some(sample) => *sample,
-            None => {
-                let sample = follow(&operating, draw, following, index, progress)?;
-                kept.add(&sample);
-                sample
-            }
-        };
+        let sample = kept.at(index as u64, || follow(&operating, draw, following, index, progress))?;
         progress.advance();
         Ok::<_, ModelError>(sample)
     })?;

@@ -16,10 +16,8 @@ use judder_oscillator::cycle::settle_confirmed;
 use judder_oscillator::motion::attractor::Patience;
 use judder_store::{Declared, Results};
 use judder_study::Progress;
-use judder_study::kept::KeptLines;
+use judder_study::kept::{KeptLines, KeptResults};
 use judder_study::outcome::{CheckRecord, Outcome};
-use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
 
 /// What is asked.
 pub(crate) struct DiagramSettings<'a, K> {
@@ -37,15 +35,6 @@ const REPEATED: usize = 8;
 const FINER: f64 = 1e-2;
 /// What the rms of a cycle may change by then, relative.
 const RMS_LIMIT: f64 = 1e-3;
-
-/// A point that an interrupted run has left.
-#[derive(Serialize, Deserialize)]
-struct KeptPoint {
-    direction: String,
-    /// Its place along the axis.
-    place: usize,
-    point: SettledPoint,
-}
 
 pub(crate) fn run<M: Moving<N>, const N: usize>(
     model: &M,
@@ -104,8 +93,7 @@ fn along<M: Moving<N>, const N: usize>(
     kept: KeptLines<'_>,
     progress: &dyn Progress,
 ) -> Result<Vec<SettledPoint>, ModelError> {
-    let known = kept.known::<KeptPoint>().into_iter().filter(|known| known.direction == direction.name());
-    let mut known: BTreeMap<usize, SettledPoint> = known.map(|known| (known.place, known.point)).collect();
+    let kept = KeptResults::<SettledPoint>::of(direction.name(), kept);
     let mut places: Vec<(usize, f64)> = settings.sweep.values().into_iter().enumerate().collect();
     let backward = direction == SweepDirection::Backward;
     if backward {
@@ -115,17 +103,7 @@ fn along<M: Moving<N>, const N: usize>(
     for (place, value) in places {
         // after a lost motion the next one starts as the first did
         let last = points.last().and_then(|point| point.as_ref().ok());
-        let point = match known.remove(&place) {
-            Some(point) => point,
-            None => {
-                let point = settled(model, settings, value, last, progress)?;
-                let direction = direction.name().to_owned();
-                let line = KeptPoint { direction, place, point };
-                kept.add(&line);
-                line.point
-            }
-        };
-        points.push(point);
+        points.push(kept.at(place as u64, || settled(model, settings, value, last, progress))?);
         progress.advance();
     }
     if backward {

@@ -60,7 +60,7 @@ impl Analysis<OscillatorCase> for CriticalThresholds {
     }
 
     fn run(&self, of: &OscillatorSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run(of.case, of.contact, self, task.progress)
+        run::run(of.case, of.contact, self, (task.own, task.progress))
     }
 
     fn memory(&self, _: &KnownOscillator<'_>) -> Result<NeededMemory, ModelError> {

@@ -10,7 +10,7 @@ use crate::key_unit::{in_unit, unit_of};
 use crate::oscillator::case::OscillatorCase;
 use crate::oscillator::case::swept_keys::OscillatorKeys;
 use crate::oscillator::inputs::OscillatorInputs;
-use crate::oscillator::margins::{MarginCrossing, MarginOnset, fold_check};
+use crate::oscillator::margins::{KeptMargins, MarginCrossing, MarginOnset, fold_check};
 use crate::oscillator::settings::{CriticalThresholds, SoughtThresholds};
 use judder_keys::numeric_key::{Form, Value};
 use judder_numerics::parallel;
@@ -20,6 +20,7 @@ use judder_oscillator::undecided::undecided;
 use judder_store::{Dataset, Declared, Results, Table, Variable};
 use judder_study::Progress;
 use judder_study::axis::SweptAxis;
+use judder_study::kept::KeptLines;
 use judder_study::outcome::Outcome;
 
 /// Samples of the search a decade of its range.
@@ -39,7 +40,7 @@ pub(super) fn run(
     case: &OscillatorCase,
     contact: &Contact,
     settings: &CriticalThresholds,
-    progress: &dyn Progress,
+    (kept, progress): (KeptLines<'_>, &dyn Progress),
 ) -> Result<Outcome, ModelError> {
     let (axis, curves) = (axis::of_key(&settings.sweep), Curves::new(case, settings.family.as_ref()));
     let points: Vec<OscillatorInputs> = curves
@@ -53,8 +54,9 @@ pub(super) fn run(
             })
         })
         .collect();
-    let found: Vec<FoundThresholds> = parallel::try_each(&points, |inputs| {
-        let found = at_point(contact, settings, *inputs, progress);
+    let kept = KeptMargins::of("points", kept);
+    let found: Vec<FoundThresholds> = parallel::try_each_place(points.len(), |place| {
+        let found = at_point(contact, settings, (place, points[place]), (&kept, progress));
         progress.advance();
         // a branch that was interrupted has only ended early
         if progress.interrupted() { Err(ModelError::Interrupted) } else { Ok(found) }
@@ -102,19 +104,18 @@ fn crossing<'a>(
 fn at_point(
     contact: &Contact,
     settings: &CriticalThresholds,
-    inputs: OscillatorInputs,
-    progress: &dyn Progress,
+    (place, inputs): (usize, OscillatorInputs),
+    way: (&KeptMargins<'_>, &dyn Progress),
 ) -> FoundThresholds {
     let crossing = crossing(contact, settings, inputs);
     let decades = libm::log10(settings.within.to / settings.within.from);
     let samples = (decades * SAMPLES_PER_DECADE).ceil() as usize + 1;
     let at = |value: f64| bridge::coefficients(&crossing.inputs_at(value));
     let thresholds = thresholds(contact, &crossing.range, samples, at);
-    let onset = |threshold: &f64| match settings.global_margin {
-        true => crossing.onset_with_margin(*threshold, &thresholds.full, progress),
-        false => crossing.onset(*threshold),
+    let onsets = match settings.global_margin {
+        true => crossing.onsets_with_margins(place, &thresholds.full, way),
+        false => thresholds.full.iter().map(|threshold| crossing.onset(*threshold)).collect(),
     };
-    let onsets = thresholds.full.iter().map(onset).collect();
     let roots = [thresholds.full.as_slice(), thresholds.conservative.as_slice()];
     let is_known = contact.law.knows_its_errors();
     let within_law = is_known.then(|| undecided(contact, &crossing.range, samples, roots, at));

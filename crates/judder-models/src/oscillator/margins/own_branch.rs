@@ -6,12 +6,14 @@ use judder_oscillator::cycle::{
 };
 use judder_oscillator::hopf::growth_rate;
 use judder_study::Progress;
+use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The most flights around a cycle of one branch: most branches turn within a few hundred.
 const FLIGHTS: usize = 4000;
 
 /// The branch of cycles beside a subcritical threshold.
+#[derive(Clone, Serialize, Deserialize)]
 pub(crate) struct OwnBranch {
     /// Its first turn.
     pub(crate) fold: Option<f64>,

@@ -4,9 +4,10 @@ use super::{MarginCrossing, MarginOnset, OwnBranch};
 use judder_oscillator::cycle::{Continuation, CycleError, Exploration, Look, SearchEnd, explore};
 use judder_store::Results;
 use judder_study::Progress;
+use serde::{Deserialize, Serialize};
 
 /// What a search tells of the stable points beyond all that is known.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) enum BeyondBranch {
     /// No start moved at the places that were looked at.
     NoneMoved = 1,
@@ -31,6 +32,7 @@ pub(crate) const TOLD: [(u8, &str); 5] = [
 pub(crate) const NOT_KNOWN: u8 = BeyondBranch::Open as u8;
 
 /// Motions beyond the threshold's own branch, in values of the quantity.
+#[derive(Clone, Serialize, Deserialize)]
 pub(crate) struct MotionSearch {
     /// Up to here from the threshold on a motion is known everywhere.
     pub(crate) known_to: f64,

@@ -1,6 +1,8 @@
 //! The third region of a map: steady sliding is stable, but a knock starts a cycle.
 
-use super::super::margins::{self, Margin, MarginCrossing, MarginOnset, MotionSearch, fold_check};
+use super::super::margins::{
+    self, KeptMargins, Margin, MarginCrossing, MarginOnset, MotionSearch, fold_check,
+};
 use super::arrays::MapOverAxes;
 use crate::axis::range;
 use crate::bridge;
@@ -17,6 +19,7 @@ use judder_oscillator::mechanism::StabilityClass;
 use judder_store::{Results, Variable};
 use judder_study::Progress;
 use judder_study::axis::SweptAxis;
+use judder_study::kept::KeptLines;
 use judder_study::outcome::Outcome;
 
 /// Lines of a map along which branches are followed, at most; between them the margin is interpolated.
@@ -149,7 +152,7 @@ impl<'a> Lines<'a> {
         (0..count).map(|k| k * (self.count() - 1) / (count - 1).max(1)).collect()
     }
 
-    fn line(&self, index: usize, is_followed: bool, progress: &dyn Progress) -> MapLine {
+    fn line(&self, index: usize, is_followed: bool, way: (&KeptMargins<'_>, &dyn Progress)) -> MapLine {
         let crossing = self.crossing(index);
         let samples = match self.range.scale {
             RangeScale::Logarithmic => {
@@ -159,19 +162,20 @@ impl<'a> Lines<'a> {
         };
         let at = |value: f64| bridge::coefficients(&crossing.inputs_at(value));
         let roots = thresholds(self.contact, &self.range, samples, at).full;
-        let onset = |threshold: &f64| match is_followed {
-            true => crossing.onset_with_margin(*threshold, &roots, progress),
-            false => crossing.onset(*threshold),
+        let onsets = match is_followed {
+            true => crossing.onsets_with_margins(index, &roots, way),
+            false => roots.iter().map(|threshold| crossing.onset(*threshold)).collect(),
         };
-        MapLine { onsets: roots.iter().map(onset).collect(), is_followed }
+        MapLine { onsets, is_followed }
     }
 
-    fn all(&self, progress: &dyn Progress) -> Result<Vec<MapLine>, ModelError> {
+    fn all(&self, (kept, progress): (KeptLines<'_>, &dyn Progress)) -> Result<Vec<MapLine>, ModelError> {
         let followed = self.followed();
+        let kept = KeptMargins::of("lines", kept);
         progress.expect(followed.len());
         parallel::try_each_place(self.count(), |index| {
             let is_followed = followed.contains(&index);
-            let line = self.line(index, is_followed, progress);
+            let line = self.line(index, is_followed, (&kept, progress));
             if is_followed {
                 progress.advance();
             }
@@ -278,11 +282,11 @@ pub(super) fn add(
     contact: &Contact,
     settings: &StabilityMapAnalysis<OscillatorKey>,
     over: MapOverAxes<'_>,
-    progress: &dyn Progress,
+    (kept, progress): (KeptLines<'_>, &dyn Progress),
 ) -> Result<(), ModelError> {
     let MapOverAxes { x, y, map } = over;
     let lines = Lines::new(contact, case, settings, x, y);
-    let found = lines.all(progress)?;
+    let found = lines.all((kept, progress))?;
     let codes = lines.codes(&found, map);
     let share = |code: u8| codes.iter().filter(|c| **c == code).count() as f64 / codes.len() as f64;
     let onsets: Vec<(usize, &MarginOnset)> = found

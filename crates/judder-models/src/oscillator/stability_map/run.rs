@@ -16,6 +16,7 @@ use judder_oscillator::mechanism::StabilityClass;
 use judder_store::Results;
 use judder_study::Progress;
 use judder_study::axis::SweptAxis;
+use judder_study::kept::KeptLines;
 use judder_study::outcome::Outcome;
 
 /// Points along each side of the grid on which checks are made and the law's range of validity is looked at.
@@ -25,7 +26,7 @@ pub(crate) fn run(
     case: &OscillatorCase,
     contact: &Contact,
     settings: &StabilityMapAnalysis<OscillatorKey>,
-    progress: &dyn Progress,
+    (kept, progress): (KeptLines<'_>, &dyn Progress),
 ) -> Result<Outcome, ModelError> {
     let (x, y) = (axis::of_key(&settings.x), axis::of_key(&settings.y));
     let side = |sweep: &Sweep<OscillatorKey>, axis: &SweptAxis| KeyAxis {
@@ -70,7 +71,7 @@ pub(crate) fn run(
         within_law::add(&mut outcome, over, codes.ok_or(ModelError::Interrupted)?)?;
     }
     if settings.global_margin {
-        knock::add(&mut outcome, case, contact, settings, over, progress)?;
+        knock::add(&mut outcome, case, contact, settings, over, (kept, progress))?;
     }
     Ok(outcome)
 }

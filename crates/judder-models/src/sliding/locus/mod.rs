@@ -2,13 +2,16 @@
 //!
 //! - `positions`, `swept`: the two families of pairs.
 //! - `traced`: eigenvalues and zones of either, with what could not be.
+//! - `kept_values`: what of it an interrupted run keeps.
 //! - `doubt`: a few values against full matrices.
 //! - `results`: scalars, arrays, table.
 
 pub(super) mod conditions;
 mod doubt;
 pub mod figure;
+mod kept_values;
 mod positions;
+mod rest_state;
 mod results;
 mod run;
 pub mod settings;
@@ -80,7 +83,7 @@ impl Analysis<SlidingCase> for LocusAnalysis {
     }
 
     fn run(&self, of: &SlidingSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run(of.case, of.system, self, task.progress)
+        run::run(of.case, of.system, self, (task.own, task.progress))
     }
 
     fn blame(&self, error: &ModelError) -> Option<Refusal> {

@@ -2,7 +2,8 @@
 
 use super::conditions::conditions;
 use super::doubt::doubted;
-use super::traced::{RestState, Traced, TracedFamily, TracedRange, trace};
+use super::rest_state::RestState;
+use super::traced::{Traced, TracedFamily, TracedRange, trace};
 use crate::error::ModelError;
 use crate::sliding::case::SlidingCase;
 use crate::sliding::locus::settings::{LocusAnalysis, Positions};
@@ -14,6 +15,7 @@ use judder_sliding::pair::Pair;
 use judder_study::Progress;
 use judder_study::axis::SweptAxis;
 use judder_study::case::scale::Spacing;
+use judder_study::kept::KeptLines;
 use judder_study::labels::SweptQuantity;
 use judder_study::outcome::CheckRecord;
 
@@ -45,7 +47,7 @@ pub(super) fn run(
     system: &ReducedPair,
     settings: &LocusAnalysis,
     positions: &Positions,
-    progress: &dyn Progress,
+    way: (KeptLines<'_>, &dyn Progress),
 ) -> Result<(SweptAxis, Traced, Vec<CheckRecord>), ModelError> {
     let Positions { from, to, points } = *positions;
     let step = (to - from) / (points - 1) as f64;
@@ -59,7 +61,7 @@ pub(super) fn run(
     let pieces = |[from, to]: [f64; 2]| smooth_pieces(pair, &conditions, [from, to]);
     let range = TracedRange { values: &values, pieces: &pieces, resolution: RESOLUTION * segment };
     let family = Places { pair, conditions };
-    let traced = trace(&family, &range, settings.count, progress)?;
+    let traced = trace(&family, &range, settings.count, way)?;
     let at = |position: f64| -> Result<_, SlidingError> {
         Ok((contact(pair, &conditions, position)?.0, pair.eigenvalues(), pair.damping()))
     };

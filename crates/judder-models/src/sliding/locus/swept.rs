@@ -2,7 +2,8 @@
 
 use super::conditions::conditions;
 use super::doubt::doubted;
-use super::traced::{RestState, Traced, TracedFamily, TracedRange, trace};
+use super::rest_state::RestState;
+use super::traced::{Traced, TracedFamily, TracedRange, trace};
 use crate::error::ModelError;
 use crate::key_sweep::KeySweep;
 use crate::sliding::case::SlidingCase;
@@ -14,6 +15,7 @@ use judder_sliding::locus::{Conditions, characteristic, contact};
 use judder_sliding::pair::Pair;
 use judder_study::Progress;
 use judder_study::axis::SweptAxis;
+use judder_study::kept::KeptLines;
 use judder_study::outcome::CheckRecord;
 
 /// Zones are searched down to this share of the swept range.
@@ -80,7 +82,7 @@ pub(super) fn run(
     settings: &LocusAnalysis,
     held: f64,
     sweep: &KeySweep,
-    progress: &dyn Progress,
+    way: (KeptLines<'_>, &dyn Progress),
 ) -> Result<(SweptAxis, Traced, Vec<CheckRecord>), ModelError> {
     let falls = sweep.values.first() > sweep.values.last();
     let mut values = sweep.values.clone();
@@ -92,7 +94,7 @@ pub(super) fn run(
     let span = values.last().copied().unwrap_or_default() - values.first().copied().unwrap_or_default();
     let range = TracedRange { values: &values, pieces: &pieces, resolution: RESOLUTION * span };
     let family = Values { case, system, settings, sweep, held };
-    let mut traced = trace(&family, &range, settings.count, progress)?;
+    let mut traced = trace(&family, &range, settings.count, way)?;
     let at = |value: f64| -> Result<_, SlidingError> {
         let (pair, conditions) = family.known(value)?;
         Ok((contact(&pair, &conditions, held)?.0, pair.eigenvalues(), pair.damping()))

@@ -1,18 +1,18 @@
 //! Eigenvalues and unstable zones of a family of pairs, with what could not be.
 
+use super::kept_values::KeptValues;
+use super::rest_state::RestState;
 use crate::error::ModelError;
 use judder_numerics::parallel;
 use judder_numerics::words::plain;
 use judder_sliding::SlidingError;
 use judder_sliding::characteristic::PairCharacteristic;
-use judder_sliding::coupling::SteadyFriction;
-use judder_sliding::locus::{Conditions, Configuration, Followed, follow};
-use judder_sliding::pair::Pair;
+use judder_sliding::locus::{Followed, follow};
 use judder_sliding::spectrum::{Spectrum, WantedEigenvalues};
-use judder_sliding::statics::PairEquilibrium;
-use judder_sliding::zones::{Zone, ZoneEnd};
+use judder_sliding::zones::{PairFamily, Zone, ZoneEnd};
 use judder_study::Progress;
 use judder_study::axis::SweptAxis;
+use judder_study::kept::KeptLines;
 use num_complex::Complex64;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -24,29 +24,6 @@ pub(super) trait TracedFamily: Sync {
     fn state(&self, value: f64) -> Result<RestState, SlidingError>;
     /// Why there is none at a value, in words; `None` where there is one.
     fn reason(&self, value: f64) -> Option<String>;
-}
-
-/// What a pair is like at rest.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct RestState {
-    /// N, N.
-    pub(super) normal_force: f64,
-    /// By how much the edge climbs at the contact, over the line from the track's first node to its last.
-    pub(super) slope: f64,
-}
-
-impl RestState {
-    pub(super) fn new(pair: &Pair, conditions: &Conditions, position: f64) -> Result<Self, SlidingError> {
-        let Conditions { configuration, velocity, load, .. } = *conditions;
-        let sliding = SteadyFriction::at(pair.friction(), velocity);
-        let rest = match configuration {
-            Configuration::Undeformed => PairEquilibrium::undeformed(pair, position, load, sliding)?,
-            Configuration::Deformed => PairEquilibrium::new(pair, position, load, sliding)?,
-        };
-        let ([x, y], [along, up]) = (pair.direction(), rest.touch.tangent);
-        let slope = (x * up - y * along) / (x * along + y * up);
-        Ok(Self { normal_force: rest.normal_force, slope })
-    }
 }
 
 /// A smooth piece after the other from one value to another.
@@ -151,15 +128,13 @@ pub(super) fn trace(
     family: &impl TracedFamily,
     range: &TracedRange<'_>,
     count: usize,
-    progress: &dyn Progress,
+    (kept, progress): (KeptLines<'_>, &dyn Progress),
 ) -> Result<Traced, ModelError> {
-    let states: Vec<Option<RestState>> =
-        parallel::each(
-            range.values,
-            |value| {
-                if progress.interrupted() { None } else { family.state(*value).ok() }
-            },
-        );
+    let kept = KeptValues::new(kept);
+    let state = |value: &f64| {
+        if progress.interrupted() { None } else { kept.state(*value, &|| family.state(*value)).ok() }
+    };
+    let states: Vec<Option<RestState>> = parallel::each(range.values, state);
     let mut rows: Vec<FamilyRow> = states
         .into_iter()
         .map(|state| FamilyRow {
@@ -170,14 +145,15 @@ pub(super) fn trace(
         })
         .collect();
     let mut traced = Traced { rows: Vec::new(), zones: Vec::new(), untraced: Vec::new() };
-    let whole = followed(family, range, 0, range.values.len(), count, Some(progress));
+    let search = LocusSearch { family, range, count, kept: &kept, progress };
+    let whole = search.followed(0, range.values.len(), true);
     stop(progress)?;
     match whole {
         Ok(found) => {
             traced.zones = found.zones.clone();
             place(&mut rows, 0, found);
         }
-        Err(error) => piecewise(family, range, count, &mut rows, &mut traced, progress, error)?,
+        Err(error) => search.piecewise(&mut rows, &mut traced, error)?,
     }
     let branches = rows.iter().map(|row| row.eigenvalues.len()).max().unwrap_or(0);
     for row in &mut rows {
@@ -221,84 +197,107 @@ fn alone(spectrum: &Spectrum, count: usize) -> Followed {
     Followed { eigenvalues: vec![eigenvalues], errors: vec![errors], zones: Vec::new() }
 }
 
-/// Branches and zones from one value to another, by their numbers; each value advances the progress, and the user may stop.
-fn followed(
-    family: &impl TracedFamily,
-    range: &TracedRange<'_>,
-    first: usize,
-    end: usize,
+/// How a family is traced.
+struct LocusSearch<'a, F> {
+    family: &'a F,
+    range: &'a TracedRange<'a>,
     count: usize,
-    progress: Option<&dyn Progress>,
-) -> Result<Followed, SlidingError> {
-    let values = &range.values[first..end];
-    let is_told: Vec<AtomicBool> = values.iter().map(|_| AtomicBool::new(false)).collect();
-    let at = |value: f64| {
-        if let Some(progress) = progress {
-            if progress.interrupted() {
-                // told as an interruption by the caller
-                return Err(SlidingError::NoEquilibrium {
-                    position: value,
-                    reason: "the run was interrupted",
-                });
-            }
-            // the search for zones comes by some values again
-            if let Ok(k) = values.binary_search_by(|known| known.total_cmp(&value))
-                && !is_told[k].swap(true, Ordering::Relaxed)
-            {
-                progress.advance();
-            }
-        }
-        family.at(value)
-    };
-    let pieces = match values {
-        [first, .., last] => (range.pieces)([*first, *last])?,
-        _ => Vec::new(),
-    };
-    follow(&at, values, &pieces, count, range.resolution)
+    kept: &'a KeptValues<'a>,
+    progress: &'a dyn Progress,
 }
 
-/// Every value by itself, then each run of values that succeed.
-fn piecewise(
-    family: &impl TracedFamily,
-    range: &TracedRange<'_>,
-    count: usize,
-    rows: &mut [FamilyRow],
-    traced: &mut Traced,
-    progress: &dyn Progress,
-    error: SlidingError,
-) -> Result<(), ModelError> {
-    let spectra: Vec<Result<Spectrum, SlidingError>> = parallel::each(range.values, |value| {
-        Spectrum::new(&family.at(*value)?, *value, WantedEigenvalues::Lowest(count))
-    });
-    if spectra.iter().all(Result::is_err) {
-        return Err(error.into());
-    }
-    stop(progress)?;
-    for ((row, found), value) in rows.iter_mut().zip(&spectra).zip(range.values) {
-        if let Err(error) = found {
-            row.failure = Some(family.reason(*value).unwrap_or_else(|| told(error)));
+/// A family as it is followed over some values: what is kept of it is known, and the user may stop.
+struct FollowedFamily<'a, F> {
+    search: &'a LocusSearch<'a, F>,
+    values: &'a [f64],
+    /// Of each value whether it has advanced the progress: the search for zones comes by some again.
+    is_told: Vec<AtomicBool>,
+}
+
+impl<F: TracedFamily> FollowedFamily<'_, F> {
+    /// Refuses to go on where the user has stopped, which the caller tells as an interruption.
+    fn met(&self, value: f64) -> Result<(), SlidingError> {
+        if self.search.progress.interrupted() {
+            return Err(SlidingError::Interrupted);
         }
+        if let Ok(k) = self.values.binary_search_by(|known| known.total_cmp(&value))
+            && self.is_told.get(k).is_some_and(|is_told| !is_told.swap(true, Ordering::Relaxed))
+        {
+            self.search.progress.advance();
+        }
+        Ok(())
     }
-    let (mut first, mut begun) = (0, 0);
-    while first < spectra.len() {
-        let end = (first..spectra.len()).find(|k| spectra[*k].is_err()).unwrap_or(spectra.len());
-        let run = (end > first + 1).then(|| followed(family, range, first, end, count, None));
+}
+
+impl<F: TracedFamily> PairFamily for FollowedFamily<'_, F> {
+    fn at(&self, value: f64) -> Result<PairCharacteristic, SlidingError> {
+        self.met(value)?;
+        self.search.family.at(value)
+    }
+
+    fn spectrum(&self, value: f64, count: usize) -> Result<Spectrum, SlidingError> {
+        self.met(value)?;
+        let solve = || Spectrum::with_more(&self.search.family.at(value)?, value, count);
+        self.search.kept.spectrum(value, &solve)
+    }
+}
+
+impl<F: TracedFamily> LocusSearch<'_, F> {
+    /// Branches and zones from one value to another, by their numbers; each value may advance the progress.
+    fn followed(&self, first: usize, end: usize, is_told: bool) -> Result<Followed, SlidingError> {
+        let values = &self.range.values[first..end];
+        let told = if is_told { values.len() } else { 0 };
+        let is_told = (0..told).map(|_| AtomicBool::new(false)).collect();
+        let pieces = match values {
+            [first, .., last] => (self.range.pieces)([*first, *last])?,
+            _ => Vec::new(),
+        };
+        let family = FollowedFamily { search: self, values, is_told };
+        follow(&family, values, &pieces, self.count, self.range.resolution)
+    }
+
+    /// Every value by itself, then each run of values that succeed.
+    fn piecewise(
+        &self,
+        rows: &mut [FamilyRow],
+        traced: &mut Traced,
+        error: SlidingError,
+    ) -> Result<(), ModelError> {
+        let Self { family, range, count, kept, progress } = *self;
+        let spectra: Vec<Result<Spectrum, SlidingError>> = parallel::each(range.values, |value| {
+            let solve = || Spectrum::new(&family.at(*value)?, *value, WantedEigenvalues::Lowest(count));
+            if progress.interrupted() { Err(SlidingError::Interrupted) } else { kept.alone(*value, &solve) }
+        });
         stop(progress)?;
-        if let Some(Ok(found)) = run {
-            traced.zones.extend(found.zones.clone());
-            begun = place(&mut rows[first..end], begun, found);
-        } else {
-            if let Some(Err(error)) = run {
-                traced.untraced.push(([range.values[first], range.values[end - 1]], told(&error)));
-            }
-            // neighbours stand in branches apart: none is known to go on as another
-            let apart = spectra[first..end].iter().flatten().enumerate().map(|(k, spectrum)| {
-                let row = std::slice::from_mut(&mut rows[first + k]);
-                place(row, begun + k % 2 * count, alone(spectrum, count))
-            });
-            begun = apart.max().unwrap_or(begun);
+        if spectra.iter().all(Result::is_err) {
+            return Err(error.into());
         }
-        first = end + 1;
+        for ((row, found), value) in rows.iter_mut().zip(&spectra).zip(range.values) {
+            if let Err(error) = found {
+                row.failure = Some(family.reason(*value).unwrap_or_else(|| told(error)));
+            }
+        }
+        let (mut first, mut begun) = (0, 0);
+        while first < spectra.len() {
+            let end = (first..spectra.len()).find(|k| spectra[*k].is_err()).unwrap_or(spectra.len());
+            let run = (end > first + 1).then(|| self.followed(first, end, false));
+            stop(progress)?;
+            if let Some(Ok(found)) = run {
+                traced.zones.extend(found.zones.clone());
+                begun = place(&mut rows[first..end], begun, found);
+            } else {
+                if let Some(Err(error)) = run {
+                    traced.untraced.push(([range.values[first], range.values[end - 1]], told(&error)));
+                }
+                // neighbours stand in branches apart: none is known to go on as another
+                let apart = spectra[first..end].iter().flatten().enumerate().map(|(k, spectrum)| {
+                    let row = std::slice::from_mut(&mut rows[first + k]);
+                    place(row, begun + k % 2 * count, alone(spectrum, count))
+                });
+                begun = apart.max().unwrap_or(begun);
+            }
+            first = end + 1;
+        }
+        Ok(())
     }
-    Ok(())
 }

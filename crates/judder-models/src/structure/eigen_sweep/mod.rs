@@ -2,6 +2,7 @@
 
 pub(crate) mod branches;
 pub(crate) mod figure;
+pub(crate) mod kept_points;
 pub(crate) mod onsets;
 mod run;
 pub mod settings;
@@ -44,7 +45,7 @@ impl Analysis<StructureCase> for EigenSweep {
     }
 
     fn run(&self, of: &StructureSubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
-        run::run(of.case, of.structure, self, task.progress)
+        run::run(of.case, of.structure, self, (task.own, task.progress))
     }
 
     fn summary_keys(&self) -> Vec<Declared> {

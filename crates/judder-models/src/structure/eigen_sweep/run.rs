@@ -1,6 +1,7 @@
 //! `eigen-sweep`: complex modes along a parameter, followed from value to value.
 
 use super::branches::SweptBranches;
+use super::kept_points::KeptPoints;
 use super::onsets::LocatedOnsets;
 use super::settings::EigenSweep;
 use crate::axis::{Curves, name_of};
@@ -12,10 +13,11 @@ use judder_numerics::complex::ElementaryComplex;
 use judder_store::Results;
 use judder_structure::affine::Factors;
 use judder_structure::complex_modes::{ComplexModeSettings, Eigenvalue, Region, complex_modes};
-use judder_structure::eigen_sweep::{PointEigenvalues, PreparedSweep};
+use judder_structure::eigen_sweep::{PointEigenvalues, PreparedSweep, SweptEigenvalues, followed};
 use judder_structure::onset::StabilityAt;
 use judder_study::Progress;
 use judder_study::axis::SweptAxis;
+use judder_study::kept::KeptLines;
 use judder_study::labels::SweptQuantity;
 use judder_study::outcome::{CheckRecord, Disagreement, Outcome};
 
@@ -26,7 +28,7 @@ pub(super) fn run(
     case: &StructureCase,
     structure: &Structure,
     settings: &EigenSweep,
-    progress: &dyn Progress,
+    (kept, progress): (KeptLines<'_>, &dyn Progress),
 ) -> Result<Outcome, ModelError> {
     let curves = Curves::of_parameters(case.values(), settings.family.as_ref());
     let points = curves
@@ -43,9 +45,24 @@ pub(super) fn run(
         settings.method,
     )?;
     let values = &settings.sweep.values;
+    let kept = KeptPoints::of("points", kept);
+    let numbers = 0..points.len() * values.len();
+    // who runs analyses takes the last step of each
+    numbers.filter(|number| *number > 0 && kept.has(*number)).for_each(|_| progress.advance());
+    let solve = |number: usize| {
+        progress.go_on()?;
+        if number > 0 && !kept.has(number) {
+            progress.advance();
+        }
+        Ok::<_, ModelError>(prepared.point(number)?)
+    };
     let sweeps = (0..points.len())
-        .map(|curve| prepared.followed(curve * values.len()..(curve + 1) * values.len()))
-        .collect::<Result<Vec<_>, _>>()?;
+        .map(|curve| {
+            let curve = curve * values.len()..(curve + 1) * values.len();
+            let sweep = followed(curve, &region, &solve, &kept)?;
+            Ok(SweptEigenvalues { basis: prepared.basis(), samples: prepared.samples(), ..sweep })
+        })
+        .collect::<Result<Vec<_>, ModelError>>()?;
     let onsets = curves.inputs.iter().zip(&sweeps).map(|(inputs, sweep)| {
         let known: Vec<Option<StabilityAt>> =
             sweep.points.iter().map(|point| Some(point.stability(Vec::new()))).collect();
@@ -61,7 +78,6 @@ pub(super) fn run(
     let axis = SweptAxis { quantity, values, scale, shown: None };
     let (all_factors, all_points): (Vec<&Factors>, Vec<&PointEigenvalues>) =
         points.iter().flatten().zip(sweeps.iter().flat_map(|sweep| &sweep.points)).unzip();
-    (1..all_points.len()).for_each(|_| progress.advance());
     let against_full = against_full(structure, &region, &all_factors, &all_points)?;
     let branches = SweptBranches::new(&settings.region, axis, curves, sweeps, onsets);
     let checks = [branches.completeness()].into_iter().chain(against_full).collect();

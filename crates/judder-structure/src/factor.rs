@@ -7,6 +7,7 @@
 mod compliance;
 mod front;
 pub(crate) mod general;
+mod likely;
 mod lines;
 mod ordering;
 mod substitution;
@@ -20,6 +21,7 @@ use faer::perm::PermRef;
 use faer::sparse::utils::{permute_self_adjoint_scratch, permute_self_adjoint_to_unsorted};
 use front::{Front, FrontAssembly};
 use judder_numerics::parallel;
+pub use likely::likely_entries;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use tree::{Subtree, Tree};

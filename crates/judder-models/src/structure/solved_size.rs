@@ -1,24 +1,30 @@
 //! What solving one structure needs of memory.
 
 use super::build::Structure;
-use judder_numerics::elementary::{exp, ln};
-use judder_structure::element::ElementKind;
-use judder_structure::mesh::Mesh;
+use judder_structure::assembly::Sparse;
+use judder_structure::factor::likely_entries;
 use judder_study::model::{MemoryBound, NeededMemory};
+
+/// Bytes an entry of the stiffness: stiffness and mass, those of the shift, and what is left of making them.
+const ENTRY_BYTES: f64 = 135.0;
+/// The same of a term of the damping, with where its entries lie among those of all terms; and of their sum.
+const TERM_BYTES: f64 = 24.0;
+/// Bytes a number of the factors: themselves, what waits to be added to blocks while they are made, and the blocks of the factors that count.
+const FACTOR_BYTES: f64 = 22.0;
 
 /// Of whatever factors stiffness and mass, without what is found.
 ///
-/// Measured of three modes and of twelve, bytes an entry of the stiffness, the matrices themselves included: plates of 15 000 to 242 000 freedoms 221 to 237; bricks of
-/// twenty nodes with 1800, 19 900 and 100 800 freedoms 231, 218 and 248; bricks of eight nodes with 15 000 to 73 000, whose factor fills as the cube root of their
-/// number, 262 to 358.
+/// Measured of twelve modes of plates of linear and quadratic quadrilaterals, long and short, and of a bar, a slab and cubes of both kinds of bricks, of 23 000 to 45 000
+/// freedoms, whose factors hold 2 to 11 numbers an entry of the stiffness, with Rayleigh damping, and of a plate without.
 pub(crate) fn undamped(structure: &Structure, what: &str) -> NeededMemory {
     let freedoms = structure.family.size();
-    let of_entry = match structure.mesh().is_some_and(is_of_linear_bricks) {
-        true => 212.0 + 80.0 * exp(ln(freedoms.max(1) as f64 / 14_700.0) / 3.0),
-        false => 232.0,
-    };
+    let terms = structure.family.damping().len();
+    let of_damping = if terms == 0 { 0.0 } else { TERM_BYTES * (terms + 1) as f64 };
+    let of_entry = ENTRY_BYTES + of_damping;
+    let bytes = fullest(structure)
+        .map_or(0.0, |matrix| of_entry * matrix.val().len() as f64 + FACTOR_BYTES * likely_entries(matrix));
     NeededMemory {
-        beside: (entries(structure) * of_entry) as u128,
+        beside: bytes as u128,
         bound: MemoryBound::AtLeast,
         what: format!("{what} of {freedoms} freedoms").into(),
         keys: &["count"],
@@ -26,27 +32,22 @@ pub(crate) fn undamped(structure: &Structure, what: &str) -> NeededMemory {
     }
 }
 
-/// The same of complex modes and of receptances, over what a real factor of the same matrices takes: measured of modes of bars of bricks with 1800 and 19 900
-/// freedoms 2.7 and 2.2.
+/// The same of complex modes and of receptances: measured of modes of bars of bricks with 1800 and 19 900 freedoms 620 and 480 bytes an entry of the stiffness.
 pub(super) fn damped(structure: &Structure, what: &str) -> NeededMemory {
-    NeededMemory { keys: &[], ..scaled(undamped(structure, what), 2.45) }
+    NeededMemory { keys: &[], ..scaled(undamped(structure, what), 2.1) }
 }
 
-/// The same of a reduction: measured of these bars 1.0 and 1.4.
+/// The same of a reduction: measured of these bars 230 and 305.
 pub(super) fn reduced(structure: &Structure) -> NeededMemory {
-    scaled(undamped(structure, "a reduction"), 1.35)
+    scaled(undamped(structure, "a reduction"), 1.4)
 }
 
 fn scaled(needed: NeededMemory, times: f64) -> NeededMemory {
     NeededMemory { beside: (needed.beside as f64 * times) as u128, ..needed }
 }
 
-/// Those of the fullest matrix.
-fn entries(structure: &Structure) -> f64 {
+/// The matrix with most entries.
+fn fullest(structure: &Structure) -> Option<&Sparse> {
     let terms = structure.family.stiffness().iter().chain(structure.family.mass());
-    terms.map(|term| term.matrix.val().len()).max().unwrap_or(0) as f64
-}
-
-fn is_of_linear_bricks(mesh: &Mesh) -> bool {
-    mesh.blocks.iter().any(|block| block.kind == ElementKind::Hexahedron8)
+    terms.map(|term| &term.matrix).max_by_key(|matrix| matrix.val().len())
 }

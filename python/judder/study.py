@@ -218,7 +218,7 @@ class Study(Placed, Exported, Mapping[str, "xarray.Dataset"]):
 
     A key is called by its last name, ``data.velocity``, and by all of it where two end alike; its attribute ``key`` is the dotted path. The attribute
     ``judder_case`` is the case with law and fixed keys, JSON, ``judder_warnings`` what has to be known of the result. All write to Zarr and NetCDF after
-    any operation.
+    any operation, to NetCDF by ``engine="h5netcdf"``; ``netCDF4`` takes complex numbers with ``auto_complex=True``.
 
     Oscillators and belts are computed in groups. Where their case is written in SI, every array that has a unit there stands beside as ``<name>_si``,
     of a motion ``data.x_si`` in m over ``data.time_si`` in s; :meth:`in_si` has those alone::

@@ -160,7 +160,11 @@ fn compared(path: &Path) -> Compared {
     let folder = tempfile::tempdir().unwrap();
     let report = run(&case, folder.path(), &RunOptions::default(), &Silent).unwrap();
     let name = format!("studies/{}.json", case.name);
-    let difference = file::difference(&name, &frozen(&case, &report), Numbers::Close);
+    let numbers = match report.summary.case["model"].as_str() {
+        Some("assembly" | "structure" | "sliding") => Numbers::Factored,
+        _ => Numbers::Close,
+    };
+    let difference = file::difference(&name, &frozen(&case, &report), numbers);
     let kinds = kinds_of(&report.summary.case).collect();
     Compared {
         kinds,

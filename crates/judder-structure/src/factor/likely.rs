@@ -84,7 +84,7 @@ impl<'a> Search<'a> {
 
     /// The box that all rows fill to which a way leads from this one: as long as it is far from end to end, the sections halfway as wide as they are far, and so on.
     fn filled_box(&mut self, row: usize) -> GraphBox {
-        let mut levels = self.from_an_end(row);
+        let mut levels = self.levels_of_an_end(row);
         let found = levels.rows.len() as f64;
         let entries: usize = levels.rows.iter().map(|row| self.matrix.val_of_col(*row).len()).sum();
         let mut sides = Vec::new();
@@ -92,13 +92,13 @@ impl<'a> Search<'a> {
             sides.push(levels.count() as f64);
             let section = levels.level(levels.count() / 2);
             self.mark(section);
-            levels = self.from_an_end(section[0]);
+            levels = self.levels_of_an_end(section[0]);
         }
         GraphBox { rows: found, sides, neighbours: entries as f64 / found }
     }
 
     /// Levels from all rows that are as far from this one as any with the same mark: from a whole side they go straight to the other.
-    fn from_an_end(&mut self, row: usize) -> Levels {
+    fn levels_of_an_end(&mut self, row: usize) -> Levels {
         let levels = self.levels(&[row]);
         self.levels(levels.level(levels.count() - 1))
     }

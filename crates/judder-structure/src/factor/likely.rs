@@ -97,14 +97,14 @@ impl<'a> Search<'a> {
         GraphBox { rows: found, sides, neighbours: entries as f64 / found }
     }
 
-    /// Levels from all rows that are as far from this one as any with the same mark: from a whole side they go straight to the other.
-    fn levels_of_an_end(&mut self, row: usize) -> Levels {
+    /// GraphLevels from all rows that are as far from this one as any with the same mark: from a whole side they go straight to the other.
+    fn levels_of_an_end(&mut self, row: usize) -> GraphLevels {
         let levels = self.levels(&[row]);
         self.levels(levels.level(levels.count() - 1))
     }
 
     /// Rows with the mark of these by their distance from them.
-    fn levels(&mut self, from: &[usize]) -> Levels {
+    fn levels(&mut self, from: &[usize]) -> GraphLevels {
         let sought = self.marks[from[0]];
         self.mark(from);
         let (mut rows, mut starts) = (from.to_vec(), vec![0]);
@@ -122,7 +122,7 @@ impl<'a> Search<'a> {
             }
             start = end;
         }
-        Levels { rows, starts }
+        GraphLevels { rows, starts }
     }
 
     /// Gives rows a mark of their own.
@@ -135,13 +135,13 @@ impl<'a> Search<'a> {
 }
 
 /// Rows by their distance from some.
-struct Levels {
+struct GraphLevels {
     rows: Vec<usize>,
     /// Where each distance begins, and the end.
     starts: Vec<usize>,
 }
 
-impl Levels {
+impl GraphLevels {
     fn count(&self) -> usize {
         self.starts.len() - 1
     }

@@ -97,7 +97,7 @@ impl<'a> Search<'a> {
         GraphBox { rows: found, sides, neighbours: entries as f64 / found }
     }
 
-    /// GraphLevels from all rows that are as far from this one as any with the same mark: from a whole side they go straight to the other.
+    /// Levels from all rows that are as far from this one as any with the same mark: from a whole side they go straight to the other.
     fn levels_of_an_end(&mut self, row: usize) -> GraphLevels {
         let levels = self.levels(&[row]);
         self.levels(levels.level(levels.count() - 1))

@@ -161,7 +161,7 @@ fn compared(path: &Path) -> Compared {
     let report = run(&case, folder.path(), &RunOptions::default(), &Silent).unwrap();
     let name = format!("studies/{}.json", case.name);
     let numbers = match report.summary.case["model"].as_str() {
-        Some("assembly" | "structure" | "sliding") => Numbers::Factored,
+        Some("assembly" | "structure") => Numbers::Factored,
         _ => Numbers::Close,
     };
     let difference = file::difference(&name, &frozen(&case, &report), numbers);

@@ -1,4 +1,4 @@
-"""Functions of one variable as tables that are read with straight lines between their points."""
+"""Friction coefficients that are functions of the speed, as tables that are read with straight lines between their points."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ def _reals(argument: str, given: Any) -> NDArray[np.float64]:
 def sampled(
     argument: str, function: Callable[[NDArray[np.float64]], Any], span: tuple[float, float], tolerance: float, *, first: NDArray[np.float64] | None = None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Points and values such that straight lines are off by no more than a tolerance of the largest value, looked at within all intervals,
+    """Speeds and friction coefficients such that straight lines are off by no more than a tolerance of the largest value, looked at within all intervals,
     those between the `first` points to begin with.
 
     Raises:
-        InputError: values that are not real and finite, or not as many as points; a function that would need too many points.
+        InputError: values that are negative, or not real and finite, or not as many as points; a function that would need too many points.
         Exception: what the function itself raises, as it is, with a note that says where it was given.
     """
     begin, end = map(float, span)
@@ -62,6 +62,9 @@ def sampled(
             raise wrong(argument, f"gives an array of the shape {found.shape} for one of the shape {at.shape}")
         if not np.isfinite(found).all():
             raise wrong(argument, f"is not finite at {at[~np.isfinite(found)][0]:g}")
+        if (found < 0.0).any():
+            first = int(np.argmax(found < 0.0))
+            raise wrong(argument, f"is {found[first]:g} at a speed of {at[first]:g}; a friction coefficient is zero or more at every speed")
         return found
 
     points = np.linspace(begin, end, _FIRST) if first is None else first

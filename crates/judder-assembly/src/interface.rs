@@ -88,6 +88,15 @@ impl InterfaceLaw {
 }
 
 impl InterfaceLaw {
+    /// Its friction coefficient; `None` where friction is part of a law of an asperity.
+    #[must_use]
+    pub fn friction(&self) -> Option<&Friction> {
+        match self {
+            Self::Rigid(friction) | Self::Compliant(_, friction) => Some(friction),
+            Self::Asperity(_) => None,
+        }
+    }
+
     /// The closure in m at which a cubic stiffness presses a hundredth of the linear one beside it; none of other laws.
     #[must_use]
     pub fn bend(&self) -> Option<f64> {

@@ -31,6 +31,35 @@ pub struct FrictionAt {
     pub slope: f64,
 }
 
+/// A slip speed beyond those of a table: the coefficient is kept constant there, which is assumed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BeyondSpeeds {
+    /// The slip speed.
+    pub speed: f64,
+    /// The first and the last speed of the table.
+    pub known: [f64; 2],
+}
+
+impl BeyondSpeeds {
+    /// What is told of it, with speeds in a unit; of a model without units the unit is empty.
+    #[must_use]
+    pub fn text(&self, unit: &str) -> String {
+        let own = |speed: f64| format!("{} {unit}", plain(speed)).trim_end().to_owned();
+        let [from, to] = self.known.map(own);
+        let speed = own(self.speed);
+        format!(
+            "the slip speed {speed} lies beyond the table of friction, which goes from {from} to {to}: that the coefficient neither falls nor rises there is \
+             assumed"
+        )
+    }
+
+    /// The same with speeds in another unit.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self { speed: factor * self.speed, known: self.known.map(|speed| factor * speed) }
+    }
+}
+
 /// Why numbers make no friction coefficient.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum FrictionError {
@@ -168,6 +197,14 @@ impl Friction {
         self.on_piece(self.piece(speed), speed)
     }
 
+    /// Whether a slip speed lies beyond those of its table, and how.
+    #[must_use]
+    pub fn beyond(&self, speed: f64) -> Option<BeyondSpeeds> {
+        let Self::Table(table) = self else { return None };
+        let known = [*table.places().first()?, *table.places().last()?];
+        (speed < known[0] || speed > known[1]).then_some(BeyondSpeeds { speed, known })
+    }
+
     /// How many pieces it has on which it is smooth: between the speeds of a table, and beyond.
     #[must_use]
     pub fn pieces(&self) -> usize {
@@ -239,6 +276,16 @@ mod tests {
         assert_eq!((friction.at(0.0).slope, friction.at(0.1).slope, friction.bound(0.0)), (0.0, 0.0, 0.4));
         assert_eq!(friction.ends(1), [Some(0.01), Some(0.03)]);
         assert_eq!((friction.ends(0), friction.ends(2)), ([None, Some(0.01)], [Some(0.03), None]));
+    }
+
+    #[test]
+    fn speeds_beyond_a_table_are_named() {
+        let friction = Friction::table(vec![0.01, 0.03], vec![0.4, 0.2], TableInterpolation::Linear).unwrap();
+        assert_eq!((friction.beyond(0.01), friction.beyond(0.03)), (None, None));
+        assert!(friction.beyond(0.0).is_some() && Friction::Constant(0.3).beyond(1e9).is_none());
+        let told = friction.beyond(0.04).unwrap();
+        assert!(told.scaled(1e3).text("mm/s").starts_with("the slip speed 40 mm/s lies beyond"), "{told:?}");
+        assert!(told.text("").contains("from 0.01 to 0.03:"), "{}", told.text(""));
     }
 
     #[test]

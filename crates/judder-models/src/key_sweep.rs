@@ -9,6 +9,7 @@ use judder_keys::error::Fault;
 use judder_keys::problem::{Placed, Problem};
 use judder_keys::quantity::{Quantity, WrittenUnit};
 use judder_keys::section::Section;
+use judder_numerics::words::plain;
 use judder_study::axis::SweptAxis;
 use judder_study::case::key_sweep::{AnyNumber, Ends, VariedKey, of_one_dimension, written};
 use judder_study::case::scale::{Spacing, spaced};
@@ -48,9 +49,9 @@ pub struct KeySweep {
 }
 
 impl KeySweep {
-    /// A value with its unit.
+    /// A value with its unit, in a sentence: to six digits.
     pub fn text(&self, value: f64) -> String {
-        self.unit.text(value)
+        format!("{} {}", plain(self.unit.value(value)), self.unit.name).trim_end().to_owned()
     }
 
     /// The name of the unit in which values are shown; `1` of plain numbers.

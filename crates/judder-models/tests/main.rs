@@ -4,6 +4,7 @@
 
 mod assembly;
 mod bare_figures;
+mod beyond_friction;
 mod cases;
 mod checks;
 mod computed_law;

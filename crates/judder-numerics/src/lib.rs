@@ -1,6 +1,7 @@
 //! The few numerical tools that two rooms of judder share.
 //!
 //! - [`elementary`]: `exp`, `ln`, `erf` without branches, the same bits on every machine and at every vector width.
+//! - [`cancellation`]: sums whose terms cancel.
 //! - [`complex`]: elementary functions of complex numbers, with portable bits.
 //! - [`root`]: one root in a bracket, and all roots of a scalar function over an interval.
 //! - [`polynomial`]: all roots of a small real polynomial, conjugate pairs exact.
@@ -26,6 +27,7 @@
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
+pub mod cancellation;
 pub mod complex;
 pub mod contact_state;
 pub mod counter;

@@ -5,7 +5,7 @@ use judder_numerics::verdict::Verdict;
 
 /// Relative width of the band around a vanishing Hurwitz condition in which a point is called marginal: a condition is a
 /// sum of terms, and below this share of their magnitudes its sign is rounding.
-pub const MARGINAL_BAND: f64 = 1e-12;
+pub const MARGINAL_BAND: f64 = judder_numerics::cancellation::ROUNDING;
 
 /// A number over the size of what it was summed from; 0 of nothing.
 #[inline(always)]

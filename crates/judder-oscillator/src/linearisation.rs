@@ -9,11 +9,12 @@ use crate::friction::friction_force;
 use crate::groups::Coefficients;
 use crate::linear_system::LinearSystem;
 use judder_contact::ContactResponse;
+use judder_numerics::cancellation;
 
 /// The entries of C and K in (20).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Linearisation {
-    /// c11 = 2ξ_x + (τ̃/k̃_x) ∂|F̃_μ|/∂v̂.
+    /// c11 = 2ξ_x + (τ̃/k̃_x) ∂|F̃_μ|/∂v̂; zero where the two cancel but for rounding.
     pub c11: f64,
     /// c21 = −(τ̃/k̃_x) ∂F̃_k/∂v̂.
     pub c21: f64,
@@ -40,7 +41,7 @@ impl Linearisation {
         let per_indentation = 1.0 / c.stiffness;
         let per_velocity = c.retardation_time * per_indentation;
         Self {
-            c11: c.damping_x + per_velocity * friction.by_velocity,
+            c11: cancellation::sum(c.damping_x, per_velocity * friction.by_velocity),
             c21: -per_velocity * response.force.by_velocity,
             c22: c.damping_y,
             k11: c.k11,

@@ -55,19 +55,37 @@ pub fn listed(
 
 /// A number to six digits; a dash where there is none.
 pub fn short(value: &Value) -> String {
-    match value.as_f64() {
-        None => "–".to_owned(),
-        Some(value) => {
-            let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-            let plain = value == 0.0 || (1e-3..1e7).contains(&value.abs());
-            if plain { format!("{rounded}") } else { format!("{rounded:e}") }.replace('-', "−")
-        }
-    }
+    to_digits(value, 6)
+}
+
+/// By how much a number may be off, to two digits; a dash where that is not known.
+pub fn uncertainty(value: &Value) -> String {
+    to_digits(value, 2)
+}
+
+fn to_digits(value: &Value, digits: usize) -> String {
+    let Some(value) = value.as_f64() else { return "–".to_owned() };
+    let rounded: f64 = format!("{value:.0$e}", digits - 1).parse().unwrap_or(value);
+    let plain = value == 0.0 || (1e-3..1e7).contains(&value.abs());
+    if plain { format!("{rounded}") } else { format!("{rounded:e}") }.replace('-', "−")
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn errors_have_two_digits() {
+        let words = [
+            (json!(-1.2345678e-5), "−1.23457e−5", "−1.2e−5"),
+            (json!(0.0996), "0.0996", "0.1"),
+            (json!(null), "–", "–"),
+        ];
+        for (value, whole, error) in words {
+            assert_eq!((short(&value), uncertainty(&value)), (whole.to_owned(), error.to_owned()));
+        }
+    }
 
     #[test]
     fn a_table_without_a_head_begins_with_its_rows() {

@@ -2,7 +2,7 @@
 
 use crate::labels::with_unit;
 use crate::pictures::text;
-use crate::report_tables::short;
+use crate::report_tables::{short, uncertainty};
 use judder_keys::dimension::Dimension;
 use judder_keys::quantity::WrittenUnit;
 use judder_store::Variable;
@@ -52,10 +52,10 @@ impl ShownValues {
         short(&own.as_f64().map_or(Json::Null, |own| json!(self.0.value(own))))
     }
 
-    /// A difference of values of a summary.
+    /// By how much a value of a summary may be off.
     #[must_use]
-    pub fn difference(&self, own: &Json) -> String {
-        short(&own.as_f64().map_or(Json::Null, |own| json!(self.0.difference(own))))
+    pub fn error(&self, own: &Json) -> String {
+        uncertainty(&own.as_f64().map_or(Json::Null, |own| json!(self.0.difference(own))))
     }
 
     /// The values of an array.

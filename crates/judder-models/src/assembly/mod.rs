@@ -7,6 +7,7 @@
 //! - `meant_mode`: which mode about steady sliding an analysis means.
 //! - `periodic`: what has periodic motions that can be computed, and what memory they need. `linear_size`: what steady sliding and modes need.
 //! - `cycles_along_key`: the first cycle of a mode along a key, and the branch through it.
+//! - `doubts`: what is to be said of steady sliding before anything is concluded from it.
 //! - `branch_checks`: what is checked of such a branch.
 //! - A folder each: `steady_sliding`, `eigen`, `eigen_sweep`, `stability_map`, `growth`, `march`, `spectrogram`, `limit_cycle`, `squeal`, `bifurcation`, `frequency_response`.
 
@@ -16,6 +17,7 @@ pub(crate) mod build;
 pub mod case;
 mod check;
 mod cycles_along_key;
+mod doubts;
 pub mod eigen;
 pub mod eigen_sweep;
 pub mod frequency_response;
@@ -42,9 +44,7 @@ use build::BuiltAssembly;
 use judder_assembly::assembly::Assembly;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::interface::InterfaceLaw;
-use judder_assembly::steady::{
-    FrictionAmount, FrictionLimit, PointState, SteadySliding, steady_sliding as slide,
-};
+use judder_assembly::steady::{PointState, SteadySliding, steady_sliding as slide};
 use judder_keys::file_reference::FileReference;
 use judder_nonsmooth::course::Course;
 use judder_study::case::analysis::{Kinds, Planned};
@@ -70,9 +70,6 @@ pub(crate) static KINDS: Kinds<Option<AssemblyCase>, Arc<dyn Analysis<AssemblyCa
     bifurcation::KIND,
     frequency_response::KIND,
 ]);
-
-/// What the forces of a converged solution may be off, over all forces.
-const IMBALANCE: f64 = 1e-9;
 
 /// An assembly, and the name under which an analysis of it leaves files.
 pub struct AssemblySubject<'a> {
@@ -161,41 +158,6 @@ impl AssemblySubject<'_> {
                 interfaces[point.interface].name, -point.normal_force,
             ))),
         }
-    }
-
-    /// What is to be said of steady sliding before anything is concluded from it.
-    fn doubts(&self, steady: &SteadySliding) -> Vec<String> {
-        let interfaces = &self.built.assembly.interfaces;
-        let mut doubts = Vec::new();
-        if let FrictionLimit::At { friction: FrictionAmount::Factor(factor), point } = steady.friction_limit
-            && factor <= 1.0
-            && let Some((interface, at)) =
-                interfaces.iter().flat_map(|own| own.points.iter().map(move |point| (own, point))).nth(point)
-        {
-            let [x, y, z] = at.place;
-            doubts.push(format!(
-                "sprag-slip: at {factor:.6} times their friction coefficients the closed points have begun to move without a change of force, first \
-                 at ({x}, {y}, {z}) m of `{}`: beside the state shown there are others, or it is not reached",
-                interface.name,
-            ));
-        }
-        if steady.residual > IMBALANCE {
-            let off = steady.residual;
-            doubts.push(format!(
-                "forces are out of balance by {off:.1e} of all forces: steady sliding is not to be trusted"
-            ));
-        }
-        let pulling = steady.points.iter().filter(|point| point.normal_force < 0.0).count();
-        if pulling > 0 {
-            doubts.push(format!(
-                "{pulling} contact points that are held closed pull: with `all_closed = false` they open, and the modes are others"
-            ));
-        }
-        for (index, sphere, state) in self.built.sliding_spheres(steady) {
-            let name = &interfaces[index].name;
-            doubts.extend(sphere.doubts(&state).into_iter().map(|doubt| format!("`{name}`: {doubt}")));
-        }
-        doubts
     }
 }
 

@@ -32,11 +32,7 @@ pub(super) fn resolve(file: &CaseText, case: &BeltCase, resolved: Json) -> Resul
     let mut text = format!("{}\n\n{}", title(&case.title), columns(&keys.collect::<Vec<_>>()));
     let damping = system.equivalent_damping();
     let [displacement, _] = system.steady_sliding();
-    let verdict = match damping.total_cmp(&0.0) {
-        std::cmp::Ordering::Less => "unstable",
-        std::cmp::Ordering::Equal => "marginal",
-        std::cmp::Ordering::Greater => "stable",
-    };
+    let verdict = system.verdict().name();
     text.push_str("\nat the operating point\n");
     text.push_str(&columns(&[
         vec!["steady sliding".to_owned(), verdict.to_owned()],

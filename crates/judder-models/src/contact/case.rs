@@ -170,6 +170,7 @@ pub(crate) fn read(node: &Node, folder: &Path) -> Result<ContactCase, Fault> {
     });
     let scope = case.as_ref().ok().map(|(case, memory)| ContactScope {
         shape: case.shape.clone(),
+        length: case.length,
         inputs: case.inputs,
         is_layer: case.substrate.thickness.is_some(),
         moduli_known: case.knows_moduli(),

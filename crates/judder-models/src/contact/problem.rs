@@ -61,6 +61,14 @@ pub enum ContactProblem {
         /// The shape of the case.
         shape: &'static str,
     },
+    /// A force where that of a cylinder is one per length.
+    #[error("the load of a cylinder is a force per length, N/m, and no force of {} N", plain(*force))]
+    WholeLoad {
+        /// The force, N.
+        force: f64,
+        /// The length of the cylinder, m, where it is given.
+        length: Option<f64>,
+    },
     /// A depth of a cylinder on a half-space, which has none.
     #[error(
         "{what} of a cylinder needs `substrate.thickness`: on a half-space its depth depends on how far away it is measured"
@@ -189,6 +197,7 @@ impl Problem for ContactProblem {
             Self::Shape { .. } | Self::Collapse { .. } | Self::Endless { .. } | Self::LineKey { .. } => {
                 "another shape"
             }
+            Self::WholeLoad { .. } => "not per length",
             Self::NoThickness { .. } => "of a half-space",
             Self::ThroughLayer { .. } => "too deep",
             Self::WiderThanLayer { .. } => "too wide",
@@ -224,6 +233,12 @@ impl ContactProblem {
             Self::Collapse { .. } => "leave `method` out, or use method = \"sweep\"".to_owned(),
             Self::Endless { .. } => "give `load`, and leave this key out".to_owned(),
             Self::LineKey { .. } => "leave it out, or set indenter.shape = \"cylinder\"".to_owned(),
+            Self::WholeLoad { force, length: Some(length) } => {
+                format!("over the length of this cylinder, {} m, it is load = \"{} N/m\"", plain(*length), plain(force / length))
+            }
+            Self::WholeLoad { force, length: None } => {
+                format!("divide it by the length of the cylinder: over 100 mm it is load = \"{} N/m\"", plain(force / 0.1))
+            }
             Self::NoThickness { .. } => {
                 "give the thickness of the layer, which a rigid base holds; one `contact` may have a `load` instead".to_owned()
             }

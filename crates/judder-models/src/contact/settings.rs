@@ -144,6 +144,8 @@ pub const FREQUENCIES: usize = 200;
 /// What the analyses of a contact case need to know of it.
 pub(crate) struct ContactScope {
     pub(crate) shape: ShapeSettings,
+    /// Length of a cylinder, m, where it is given.
+    pub(crate) length: Option<f64>,
     pub(crate) inputs: OscillatorInputs,
     /// Whether the substrate is a layer of given thickness.
     pub(crate) is_layer: bool,
@@ -202,15 +204,18 @@ impl LoadingSettings {
         own
     }
 
-    /// Refuses both, and neither.
-    pub(crate) fn is_one(section: &Section<'_>, is_line: bool) -> Result<(), Fault> {
+    /// Refuses both, and neither; of a cylinder a load is one per length, and on a half-space it has no depth.
+    pub(crate) fn is_one(section: &Section<'_>, is_line: bool, is_layer: bool) -> Result<(), Fault> {
         match (section.get("indentation"), section.get("load")) {
             (Some(_), Some(node)) => {
                 let (first, second) = ("indentation".to_owned(), "load".to_owned());
                 Err(Cause::OneOfTwo { first, second }.at(node.place))
             }
-            (None, None) if is_line => {
+            (None, None) if is_line && !is_layer => {
                 Err(section.missing("load", "load = 1e-2 (F/(E0* R)), or \"600 N/mm\""))
+            }
+            (None, None) if is_line => {
+                Err(section.missing("indentation", "indentation = 1e-2 (δ/R), or load = 1e-2 (F/(E0* R))"))
             }
             (None, None) => {
                 Err(section.missing("indentation", "indentation = 1e-2 (δ/R), or load = 1e-4 (F/(E0* R²))"))
@@ -243,10 +248,8 @@ impl ContactSettings {
             _ => Ok(()),
         };
         let loading = both(refused, on_half_space)
-            .and_then(|_| LoadingSettings::is_one(section, is_line && !scope.is_layer));
-        let load = section
-            .get("load")
-            .map(|node| if is_line { LINE_LOAD } else { LOAD }.read("load", node).map(UnreadLoad));
+            .and_then(|_| LoadingSettings::is_one(section, is_line, scope.is_layer));
+        let load = section.get("load").map(|node| load(node, scope).map(UnreadLoad));
         let (settings, (load, ())) = both(Self::read_table(section), both(load.transpose(), loading))?;
         Ok(Self { load, memory: scope.memory_limit(section, settings.memory), ..settings })
     }
@@ -301,6 +304,20 @@ impl FitSettings {
         keys.splice(end..end, FitReading::declarations());
         keys
     }
+}
+
+/// A load, of a cylinder one per length.
+fn load(node: &Node, scope: &ContactScope) -> Result<Value, Fault> {
+    if scope.shape != ShapeSettings::Cylinder {
+        return LOAD.read("load", node);
+    }
+    let length = scope.length;
+    LINE_LOAD.read("load", node).map_err(|fault| match LOAD.read("load", node) {
+        Ok(Value { number, form: Form::Si }) => {
+            ContactProblem::WholeLoad { force: number, length }.at(node.place)
+        }
+        _ => fault,
+    })
 }
 
 /// A load, read as soon as the shape has decided whether it is one per length.

@@ -5,7 +5,7 @@ use crate::told_quantities::{ToldQuantity, quantities};
 use judder_report::page::PageTable;
 use judder_study::prefixed::PrefixedUnit;
 use judder_study::registry::ToldAnalysis;
-use judder_study::report_tables::listed;
+use judder_study::report_tables::{listed, uncertainty};
 use judder_study::shown::{SHOWN_UNIT, ShownValues};
 use serde_json::Value;
 
@@ -70,7 +70,7 @@ pub(crate) fn law(analysis: ToldAnalysis<'_>) -> Vec<PageTable> {
     let rows = [("interpolation_error", "between its knots"), ("solver_error", "of the solved contacts")];
     let rows = rows.into_iter().filter_map(|(key, words)| {
         let own = analysis.results.get(key)?;
-        let numbers = ["force", "area", "friction"].map(|key| number(own, key));
+        let numbers = ["force", "area", "friction"].map(|key| uncertainty(&own[key]));
         Some([words.to_owned()].into_iter().chain(numbers).collect())
     });
     let rows: Vec<Vec<String>> = rows.collect();
@@ -102,7 +102,7 @@ pub(crate) fn single(analysis: ToldAnalysis<'_>) -> Vec<PageTable> {
         for (place, (words, key, unit)) in told.enumerate() {
             let si = told_as(key).map_or_else(String::new, |own| with_prefix(own, error, unit));
             let group = if place == 0 { within(group, error) } else { String::new() };
-            let error = if error < 1.0 { self::told(error) } else { "–".to_owned() };
+            let error = if error < 1.0 { uncertainty(&error.into()) } else { "–".to_owned() };
             rows.push(vec![(*words).to_owned(), si, group, error]);
         }
     }
@@ -119,7 +119,7 @@ fn within(value: f64, error: f64) -> String {
     if error < 1.0 || !error.is_finite() {
         told(value)
     } else {
-        format!("0 ± {}", told((value * error).abs()))
+        format!("0 ± {}", uncertainty(&(value * error).abs().into()))
     }
 }
 

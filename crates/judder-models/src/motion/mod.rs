@@ -2,7 +2,7 @@
 //!
 //! - `model`: the two of them. `si`: what their units are in SI.
 //! - `counted`: what they take, counted over their beginnings.
-//! - `becomes`: what motions settle to. `amplitude_spectrum`: how they swing.
+//! - `becomes`: what motions settle to. `doubts`: what makes them doubtful. `amplitude_spectrum`: how they swing.
 //! - `pictures`: their figures. `tables`: those of reports.
 //! - A folder each: `history` (kind `motion`), `limit_cycle`, `bifurcation`, `basin`.
 
@@ -11,6 +11,7 @@ pub mod basin;
 pub mod becomes;
 pub mod bifurcation;
 pub(crate) mod counted;
+mod doubts;
 pub mod history;
 pub mod limit_cycle;
 pub(crate) mod model;

@@ -147,6 +147,9 @@ pub(crate) trait Moving<const N: usize>: Sync {
     /// What eq. (3) compares; `None` for a contact without memory.
     fn memory(system: &Self::System) -> Option<ContactMemory>;
 
+    /// How a state lies beyond what is known of friction and contact.
+    fn concern(operating: &Operating<Self::System>, state: &[f64; N]) -> Option<String>;
+
     /// A swept key as an axis.
     fn axis(sweep: &Sweep<Self::Key>) -> SweptAxis;
 }
@@ -232,6 +235,10 @@ impl Moving<4> for OscillatorModel<'_> {
         Some(ContactMemory { belt_velocity: system.belt_velocity(), retardation_time: c.retardation_time })
     }
 
+    fn concern(operating: &Operating<StickSlip>, state: &[f64; 4]) -> Option<String> {
+        operating.system.concern(state).map(|concern| concern.to_string())
+    }
+
     fn axis(sweep: &Sweep<OscillatorKey>) -> SweptAxis {
         axis::of_key(sweep)
     }
@@ -298,6 +305,14 @@ impl Moving<2> for BeltModel<'_> {
 
     fn memory(_: &BeltOscillator) -> Option<ContactMemory> {
         None
+    }
+
+    fn concern(operating: &Operating<BeltOscillator>, state: &[f64; 2]) -> Option<String> {
+        let beyond = operating.system.beyond(state)?;
+        Some(match operating.si {
+            Some(units) => beyond.scaled(units.metre / units.second).text("m/s"),
+            None => beyond.text(""),
+        })
     }
 
     fn axis(sweep: &Sweep<BeltKey>) -> SweptAxis {

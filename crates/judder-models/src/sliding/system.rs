@@ -163,6 +163,7 @@ impl ReducedPair {
         for (part, own) in parts.iter().zip(&case.structures[..]) {
             warnings.extend(part.warnings().map(|warning| format!("`{}`: {warning}", own.name)));
         }
+        warnings.extend(pair.friction().beyond(motion.velocity.abs()).map(|beyond| beyond.text("m/s")));
         Ok(Self { pair, motion, parts, moved: [start[0] - c[0], start[1] - c[1]], warnings })
     }
 

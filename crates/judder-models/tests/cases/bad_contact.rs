@@ -181,6 +181,40 @@ fn a_contact_without_loading() {
     );
 }
 
+/// A cylinder on a layer with one contact.
+fn on_layer(length: &str, settings: &str) -> String {
+    contact(&format!(
+        "substrate.thickness = \"5 mm\"\nindenter = {{ shape = \"cylinder\"{length} }}\n[[analysis]]\nkind = \"contact\"\nvelocity = 1e-2\n{settings}"
+    ))
+}
+
+#[test]
+fn a_cylinder_without_loading() {
+    refused(
+        &on_layer("", ""),
+        "an analysis of kind `contact` lacks the key `indentation`",
+        "[[analysis]]",
+        "give indentation = 1e-2 (δ/R), or load = 1e-2 (F/(E0* R))",
+    );
+}
+
+#[test]
+fn a_cylinder_under_a_whole_force() {
+    let told = "the load of a cylinder is a force per length, N/m, and no force of 9 N";
+    refused(
+        &on_layer(", length = \"90 mm\"", "load = \"9 N\""),
+        told,
+        "\"9 N\"",
+        "over the length of this cylinder, 0.09 m, it is load = \"100 N/m\"",
+    );
+    refused(
+        &on_layer("", "load = \"9 N\""),
+        told,
+        "\"9 N\"",
+        "divide it by the length of the cylinder: over 100 mm it is load = \"90 N/m\"",
+    );
+}
+
 #[test]
 fn a_contact_with_both_loadings() {
     refused(

@@ -55,6 +55,13 @@ impl<const N: usize> Cycle<N> {
         self.largest_multiplier() < 1.0
     }
 
+    /// Whether its largest multiplier is one but for what is known of it: without damping all motions nearby are cycles.
+    #[must_use]
+    pub fn is_neutral(&self) -> bool {
+        const KNOWN: f64 = 1e-6;
+        (self.largest_multiplier() - 1.0).abs() < KNOWN
+    }
+
     /// The share of the period in a contact state.
     #[must_use]
     pub fn fraction(&self, contact_state: ContactState) -> f64 {

@@ -4,9 +4,11 @@ use super::ContactState;
 use super::measures::{Measures, Powers};
 use super::sliding_system::SlidingSystem;
 use crate::OscillatorError;
-pub use judder_contact::friction::{FallingFriction, Friction};
+pub use judder_contact::friction::{BeyondSpeeds, FallingFriction, Friction};
+use judder_numerics::cancellation;
 use judder_numerics::piecewise::tangent::{SquareMatrix, along_leg};
 use judder_numerics::piecewise::{Advance, Leg, MarchError, PiecewiseMarch, PiecewiseSmooth};
+use judder_numerics::verdict::Verdict;
 
 /// x″ + 2ξ x′ + x + κ x³ = −sgn(x′ − v) N μ(|x′ − v|), in units of the mass and the natural frequency; a state is x, x′.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,10 +80,30 @@ impl BeltOscillator {
         Err(OscillatorError::InvalidGroup { name, value: cubic_stiffness, requirement })
     }
 
-    /// ξ + N μ′(v)/2, at which steady sliding loses stability as it passes zero.
+    /// ξ + N μ′(v)/2, at which steady sliding loses stability as it passes zero; zero where the two cancel but for rounding.
     #[must_use]
     pub fn equivalent_damping(&self) -> f64 {
-        self.damping + 0.5 * self.normal_force * self.friction.at(self.belt_velocity).slope
+        let slope = self.friction.at(self.belt_velocity).slope;
+        cancellation::sum(self.damping, 0.5 * self.normal_force * slope)
+    }
+
+    /// Whether steady sliding is stable, as its equivalent damping says.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        let damping = self.equivalent_damping();
+        if damping > 0.0 {
+            Verdict::Stable
+        } else if damping < 0.0 {
+            Verdict::Unstable
+        } else {
+            Verdict::Marginal
+        }
+    }
+
+    /// Whether the mass slips on its belt, or sticks to it, at a speed beyond those of its table of friction.
+    #[must_use]
+    pub fn beyond(&self, state: &[f64; 2]) -> Option<BeyondSpeeds> {
+        self.friction.beyond(self.relative_velocity(state).abs())
     }
 
     fn speed(&self, contact_state: ContactState, state: &[f64; 2]) -> f64 {
@@ -148,7 +170,7 @@ impl PiecewiseSmooth<2> for BeltOscillator {
             [0.0, 1.0],
             [
                 -self.stiffness(state[0]),
-                -2.0 * self.damping - direction * direction * (self.normal_force * slope),
+                -cancellation::sum(2.0 * self.damping, direction * direction * (self.normal_force * slope)),
             ],
         ]
     }

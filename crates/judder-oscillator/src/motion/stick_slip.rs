@@ -11,7 +11,8 @@ use super::sliding_system::SlidingSystem;
 use crate::equilibrium::equilibrium;
 use crate::groups::Coefficients;
 use crate::{Contact, OscillatorError};
-use judder_contact::{ContactResponse, WithDerivatives};
+use judder_contact::{ContactLaw, ContactResponse, ValidityConcern, WithDerivatives};
+use judder_numerics::cancellation;
 use judder_numerics::piecewise::tangent::{SquareMatrix, along_leg};
 use judder_numerics::piecewise::{Advance, Leg, MarchError, PiecewiseMarch, PiecewiseSmooth};
 
@@ -49,6 +50,18 @@ impl StickSlip {
         let c = &self.coefficients;
         let speed = equations::speed(c, contact_state, state);
         equations::response(&self.contact, c, speed, state[1].max(0.0))
+    }
+
+    /// Whether a state that slides as fast as in steady sliding, or faster, lies outside the law's range.
+    ///
+    /// Of slower ones nothing is told: every motion that sticks passes all speeds down to rest.
+    #[must_use]
+    pub fn concern(&self, state: &[f64; 4]) -> Option<ValidityConcern> {
+        let (c, speed) = (&self.coefficients, self.relative_velocity(state).abs());
+        let indentation = state[1] / c.radius();
+        let is_told = indentation > 0.0 && speed >= c.belt_velocity();
+        let velocity = speed * c.retardation_time / c.radius();
+        is_told.then(|| self.contact.law.concern(velocity, indentation)).flatten()
     }
 
     fn forces(&self, contact_state: ContactState, state: &[f64; 4]) -> RelativeForces {
@@ -108,7 +121,7 @@ impl PiecewiseSmooth<4> for StickSlip {
             [
                 -c.k11,
                 -c.k12 - direction * friction.by_indentation * per_depth,
-                -c.damping_x - direction * direction * friction.by_velocity * per_speed,
+                -cancellation::sum(c.damping_x, direction * direction * friction.by_velocity * per_speed),
                 0.0,
             ]
         };

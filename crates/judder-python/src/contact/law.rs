@@ -243,7 +243,8 @@ impl PyLaw {
 
     /// Force, area, friction and their exact first derivatives by speed and indentation, a :class:`LawResponse` of arrays.
     ///
-    /// Many points are computed on all cores, without the interpreter's lock, and Ctrl-C ends that.
+    /// Many points are computed on all cores, without the interpreter's lock, and Ctrl-C ends that. Of points outside the law's range, as
+    /// ``concern`` tells them, a :class:`judder.JudderWarning` says how many there are.
     ///
     /// Args:
     ///     velocity: v τ/R, zero or more, of any shape.
@@ -269,6 +270,9 @@ impl PyLaw {
             }
         }
         let responses = self.responses(py, &velocities, &indentations, threads)?;
+        if let Some(beyond) = self.beyond(&velocities, &indentations) {
+            errors::warn(py, &beyond)?;
+        }
         let result = PyDict::new(py);
         let put = |name: &str, of: &dyn Fn(&ContactResponse) -> f64| -> PyResult<()> {
             let values: Vec<f64> = responses.iter().map(of).collect();
@@ -343,6 +347,15 @@ impl PyLaw {
             Law::Sampled(law) => Some(law.errors()),
             law => law.data().map(|data| data.errors().total()),
         }
+    }
+
+    /// How many of these points lie outside the law's range, and how one of them does.
+    fn beyond(&self, velocities: &[f64], indentations: &[f64]) -> Option<String> {
+        let points = velocities.iter().zip(indentations);
+        let mut concerns = points.filter_map(|(v, y)| self.law.concern(*v, *y));
+        let first = concerns.next()?;
+        let (count, all) = (concerns.count() + 1, velocities.len());
+        Some(format!("outside the law's range at {count} of {all} points, for one: {first}"))
     }
 
     /// What the law gives at points: few of them here and now, many side by side.

@@ -30,7 +30,7 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     );
     let row = |_, own: &Value| {
         let kind = own["kind"].as_str().unwrap_or_default().to_owned();
-        let (value, error) = (shown.value(&own["value"]), shown.difference(&own["error"]));
+        let (value, error) = (shown.value(&own["value"]), shown.error(&own["error"]));
         let [frequency, rms] = ["frequency_hz", "rms"].map(|name| short(&own[name]));
         let between = format!("{} … {}", shown.value(&own["between"][0]), shown.value(&own["between"][1]));
         let motion = own["motion"].as_str().unwrap_or_default().to_owned();

@@ -2,9 +2,10 @@
 
 use super::beyond_law::BeyondLaws;
 use super::{AssemblyEigen, SoughtModes};
+use crate::assembly::AssemblySubject;
 use crate::assembly::build::{BuiltAssembly, ShownBodies};
+use crate::assembly::doubts::IMBALANCE;
 use crate::assembly::interface_error::WithInterfaceFreedoms;
-use crate::assembly::{AssemblySubject, IMBALANCE};
 use crate::error::ModelError;
 use crate::structure::eigen::run::{ShownModes, asked_of, found};
 use crate::structure::vectors::ImportedFreedoms;

@@ -1,7 +1,7 @@
 //! The tables of a motion in the report.
 
 use judder_report::page::PageTable;
-use judder_study::report_tables::short;
+use judder_study::report_tables::{short, uncertainty};
 use serde_json::{Map, Value};
 
 /// What each contact does on average, and where the energy goes.
@@ -34,7 +34,8 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
         let error = errors.into_iter().flatten().reduce(f64::max).map_or(Value::Null, Value::from);
         let shares = ["stick_share", "slip_share", "open_share"].map(|key| short(&mean(key)));
         let points = numbers(told, "x_m").len().to_string();
-        [vec![name.clone(), points], shares.to_vec(), vec![known(&error), short(&force.into()), rms]].concat()
+        [vec![name.clone(), points], shares.to_vec(), vec![known_error(&error), short(&force.into()), rms]]
+            .concat()
     };
     let contacts = results.get("contacts").and_then(Value::as_object);
     let rows: Vec<Vec<String>> = contacts.into_iter().flatten().map(row).collect();
@@ -65,8 +66,13 @@ fn known(value: &Value) -> String {
     if value.is_null() { "unknown".to_owned() } else { short(value) }
 }
 
+/// By how much a number may be off, or that it is not known.
+fn known_error(value: &Value) -> String {
+    if value.is_null() { "unknown".to_owned() } else { uncertainty(value) }
+}
+
 fn with_error(value: &Value, error: &Value) -> String {
-    format!("{} ± {}", short(value), known(error))
+    format!("{} ± {}", short(value), known_error(error))
 }
 
 /// Frequency and forces with their standard errors.
@@ -81,7 +87,9 @@ fn averages(results: &Map<String, Value>) -> Option<PageTable> {
     Some(PageTable {
         caption: "The whole motion, with standard errors".to_owned(),
         head: ["", "average", "error"].map(String::from).to_vec(),
-        rows: rows.map(|(name, key, error)| vec![name.to_owned(), known(of(key)), known(of(error))]).to_vec(),
+        rows: rows
+            .map(|(name, key, error)| vec![name.to_owned(), known(of(key)), known_error(of(error))])
+            .to_vec(),
     })
 }
 

@@ -82,7 +82,7 @@ fn margins(results: &Map<String, Value>) -> Option<PageTable> {
         "margin_error" if own[key].is_null() && !own["margin"].is_null() => "unknown".to_owned(),
         _ if own[key].is_null() => String::new(),
         "onset" | "fold" | "reaches" => shown.value(&own[key]),
-        "fold_error" => shown.difference(&own[key]),
+        "fold_error" => shown.error(&own[key]),
         _ => words(&own[key]),
     };
     let row = |own: &&Value| keys.map(|key| cell(own, key)).to_vec();

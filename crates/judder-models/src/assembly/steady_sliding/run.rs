@@ -2,9 +2,10 @@
 
 use super::faces::with_faces;
 use super::uniqueness::{ToldUniqueness, of_closed_points};
+use crate::assembly::AssemblySubject;
 use crate::assembly::build::{ShownBodies, SphereState, SubstrateSphere};
+use crate::assembly::doubts::IMBALANCE;
 use crate::assembly::interface_error::WithInterfaceFreedoms;
-use crate::assembly::{AssemblySubject, IMBALANCE};
 use crate::error::ModelError;
 use crate::structure::shapes;
 use crate::written::written;

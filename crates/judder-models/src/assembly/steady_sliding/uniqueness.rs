@@ -4,7 +4,7 @@ use crate::assembly::AssemblySubject;
 use crate::error::ModelError;
 use judder_assembly::compliance::Compliance;
 use judder_assembly::contact_point::ContactPoint;
-use judder_assembly::interface::{Interface, InterfaceLaw};
+use judder_assembly::interface::Interface;
 use judder_assembly::steady::{FrictionAmount, FrictionLimit, SteadySliding};
 use judder_assembly::uniqueness::{
     FrictionOnset, Uniqueness, UniquenessProof, UniquenessVerdict, uniqueness,
@@ -143,12 +143,7 @@ impl ToldFrictionOnset {
     fn new(of: &AssemblySubject<'_>, onset: Option<FrictionOnset>, known: bool) -> Self {
         let at = onset.and_then(|onset| point_of(of, onset.point));
         let coefficient = at.and_then(|(interface, point)| {
-            let (InterfaceLaw::Rigid(friction) | InterfaceLaw::Compliant(_, friction)) = &interface.law
-            else {
-                return None;
-            };
-            let speed = point.slip_velocity().iter().map(|v| v * v).sum::<f64>().sqrt();
-            Some(friction.at(speed).coefficient)
+            Some(interface.law.friction()?.at(point.slip_speed()).coefficient)
         });
         let friction_coefficient = match onset.map(|onset| onset.friction) {
             Some(FrictionAmount::Factor(factor)) => coefficient.map(|own| factor * own),

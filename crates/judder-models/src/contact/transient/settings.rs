@@ -92,7 +92,7 @@ impl TransientSettings {
         let is_round = scope.map_or(Ok(()), |scope| scope.is_round("transient", section));
         let word = section.choice("motion", "motion", &MotionWord::ALL).ok().flatten();
         let fits = word.map_or(Ok(()), |word| word.fits(section));
-        let own = both(Self::read_table(section), LoadingSettings::is_one(section, false));
+        let own = both(Self::read_table(section), LoadingSettings::is_one(section, false, false));
         let (((), ()), (settings, ())) = both(both(is_round, fits), own)?;
         if settings.word == MotionWord::Reciprocation {
             OscillationSettings::read_table(section)?;

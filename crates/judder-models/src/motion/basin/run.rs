@@ -2,6 +2,7 @@
 
 use crate::error::ModelError;
 use crate::motion::becomes::{BECOMES, LOST, STEADY_SLIDING, UNCONFIRMED, becomes};
+use crate::motion::doubts;
 use crate::motion::model::{Moving, Operating};
 use crate::motion::settings::Following;
 use judder_numerics::counter::uniform;
@@ -77,6 +78,7 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
         let why = why.map_or_else(String::new, |error| format!("; the first: {error}"));
         format!("{lost} of {} motions cannot be followed{why}", draw.samples)
     });
+    let beyond = doubts::beyond_law::<M, N>(&operating, &[]);
     let open = basin.count(UNCONFIRMED);
     let unconfirmed = (open > 0).then(|| {
         format!(
@@ -90,7 +92,7 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
         dataset: basin.dataset::<M, N>()?,
         table: Some(basin.table::<M, N>()?),
         checks: vec![repeated(&operating, draw, following, &samples, progress)?],
-        warnings: warning.into_iter().chain(unconfirmed).collect(),
+        warnings: beyond.into_iter().chain(warning).chain(unconfirmed).collect(),
         missing: lost,
         ..Outcome::default()
     })

@@ -6,6 +6,7 @@ use super::point::{SettledPoint, Settling};
 use crate::error::ModelError;
 use crate::motion::becomes::CYCLE;
 use crate::motion::bifurcation::SweepDirection;
+use crate::motion::doubts;
 use crate::motion::model::Moving;
 use crate::motion::settings::{Following, MotionStart};
 use crate::sweep::Sweep;
@@ -55,12 +56,16 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     };
     let lost = sweeps.iter().flatten().filter(|point| point.is_err()).count();
     let told = diagram.told(&settings.sweep.path);
+    let values = settings.sweep.values().into_iter();
+    let beyond = doubts::beyond_law_along::<M, N>(
+        values.filter_map(|value| model.operating(Some((settings.sweep, value))).ok()),
+    );
     let mut outcome = Outcome {
         scalars: told.scalars(),
         dataset: diagram.dataset(&M::COORDINATES)?,
         table: Some(diagram.table(&told)?),
         checks: repeated(model, settings, &sweeps, progress)?.into_iter().collect(),
-        warnings: diagram.warnings(),
+        warnings: beyond.into_iter().chain(diagram.warnings()).collect(),
         missing: lost,
         ..Outcome::default()
     };

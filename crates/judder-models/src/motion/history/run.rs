@@ -4,6 +4,7 @@ use super::sound::{ToldSounds, sound};
 use super::watched::Blocks;
 use crate::error::ModelError;
 use crate::motion::amplitude_spectrum::amplitude_spectrum;
+use crate::motion::doubts;
 use crate::motion::history::HistoryAnalysis;
 use crate::motion::model::{ContactMemory, Coordinate, Moving, Operating};
 use crate::motion::si::{EnergyFlow, MotionInSi, SiUnits};
@@ -65,6 +66,7 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
         dataset: arrays.in_si(arrays.with_spectrum(arrays.dataset()?, &window)?)?,
         table: Some(arrays.table()?),
         checks: energy_check(&history).into_iter().collect(),
+        warnings: doubts::beyond_law::<M, N>(&operating, &history.samples).into_iter().collect(),
         files: sound.into_iter().map(|own| (own.name, own.bytes)).collect(),
         ..Outcome::default()
     })

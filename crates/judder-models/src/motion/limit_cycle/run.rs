@@ -1,6 +1,7 @@
 //! `limit-cycle`: the cycle that a motion settles to, made exact by Newton's method.
 
 use crate::error::ModelError;
+use crate::motion::doubts;
 use crate::motion::history::run::{Arrays, ToldMotion, energy_check, told};
 use crate::motion::model::{Moving, Operating};
 use crate::motion::settings::{Following, MotionStart};
@@ -62,8 +63,10 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
         cycle.trivial_error.into(),
         TRIVIAL_LIMIT,
     );
+    let doubts = [doubts::beyond_law::<M, N>(&operating, &history.samples), doubts::neutral(&cycle)];
     Ok(Outcome {
         scalars,
+        warnings: doubts.into_iter().flatten().collect(),
         dataset: arrays.in_si(arrays.dataset()?.with(multipliers)?)?,
         table: Some(arrays.table()?),
         checks: energy_check(&history).into_iter().chain([monodromy]).collect(),
@@ -89,7 +92,8 @@ pub(crate) fn shooting<S: SlidingSystem<N>, const N: usize>(
 struct ToldCycle {
     #[result(unit = "1")]
     floquet_multipliers: Vec<Complex64>,
-    stable: bool,
+    /// unknown where a multiplier is one but for what is known of it
+    stable: Option<bool>,
     /// of the return
     #[result(unit = "1")]
     residual: f64,
@@ -113,7 +117,7 @@ impl ToldCycle {
     fn new<const N: usize>(cycle: &Cycle<N>) -> Self {
         Self {
             floquet_multipliers: cycle.multipliers.clone(),
-            stable: cycle.is_stable(),
+            stable: (!cycle.is_neutral()).then(|| cycle.is_stable()),
             residual: cycle.residual,
             newton_iterations: cycle.iterations,
             pattern: cycle.around.pattern.iter().map(ToString::to_string).collect(),

@@ -27,9 +27,21 @@ pub(super) fn run(
         dataset: results.dataset()?,
         table: Some(results.table()?),
         checks,
-        warnings: traced.warnings(&axis),
+        warnings: beyond_friction(system, &settings.along)
+            .into_iter()
+            .chain(traced.warnings(&axis))
+            .collect(),
         missing: traced.missing(),
         files: Vec::new(),
         ..Outcome::default()
     })
+}
+
+/// How many swept speeds lie beyond the table of friction, and one of them; the speed of the case itself is told of every analysis.
+fn beyond_friction(system: &ReducedPair, along: &Along) -> Option<String> {
+    let Along::Key { sweep, .. } = along else { return None };
+    let swept = sweep.values.iter().filter(|_| sweep.path == "motion.velocity");
+    let beyond: Vec<_> = swept.filter_map(|speed| system.pair.friction().beyond(speed.abs())).collect();
+    let first = beyond.first()?.text("m/s");
+    Some(format!("at {} of {} values {first}", beyond.len(), sweep.values.len()))
 }

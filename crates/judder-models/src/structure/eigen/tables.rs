@@ -2,7 +2,7 @@
 
 use crate::structure::undamped::words_of;
 use judder_report::page::PageTable;
-use judder_study::report_tables::{listed, short};
+use judder_study::report_tables::{listed, short, uncertainty};
 use serde_json::{Map, Value};
 
 /// The numbers of an eigenvalue.
@@ -37,7 +37,10 @@ fn eigenvalues(values: &[Value]) -> PageTable {
     let head: Vec<&str> =
         ["mode"].into_iter().chain(NUMBERS.map(|(_, head)| head)).chain(["verdict"]).collect();
     listed("Eigenvalues", &head, values, |mode, value| {
-        let numbers = NUMBERS.iter().map(|(key, _)| short(&value[*key]));
+        let numbers = NUMBERS.iter().map(|(key, _)| match *key {
+            "error" | "residual" => uncertainty(&value[*key]),
+            _ => short(&value[*key]),
+        });
         [mode.to_string()].into_iter().chain(numbers).chain([word(&value["verdict"]).to_owned()]).collect()
     })
 }

@@ -59,13 +59,10 @@ fn critical(
             true => "jumps: contact points open or close, or pass a corner of a table",
             false => "runs through",
         };
-        let mut row = vec![
-            shown.value(&onset["value"]),
-            shown.difference(&onset["error"]),
-            short(&onset["frequency_hz"]),
-        ];
+        let mut row =
+            vec![shown.value(&onset["value"]), shown.error(&onset["error"]), short(&onset["frequency_hz"])];
         row.extend([happens, spectrum].map(str::to_owned));
-        row.extend(of_reduction.map(|errors| shown.difference(&errors[number - 1])));
+        row.extend(of_reduction.map(|errors| shown.error(&errors[number - 1])));
         row
     }))
 }

@@ -2,7 +2,7 @@
 
 use crate::told_quantities::{ToldQuantity, quantities};
 use judder_report::page::PageTable;
-use judder_study::report_tables::{listed, short};
+use judder_study::report_tables::{listed, short, uncertainty};
 use serde_json::{Map, Value};
 
 const TOLD: &[ToldQuantity] = &[
@@ -24,9 +24,9 @@ pub(crate) fn report(results: &Map<String, Value>) -> Vec<PageTable> {
     tables.extend(full.map(|full| {
         listed("Frequencies", &head, full, |mode, own| {
             let beside = |key: &str| results.get(key).and_then(|list| list.get(mode - 1));
-            let cells =
-                ["reduced_hz", "errors", "bounds"].map(|key| short(beside(key).unwrap_or(&Value::Null)));
-            [mode.to_string(), short(own)].into_iter().chain(cells).collect()
+            let of = |key: &str| beside(key).unwrap_or(&Value::Null);
+            let errors = ["errors", "bounds"].map(|key| uncertainty(of(key)));
+            [mode.to_string(), short(own), short(of("reduced_hz"))].into_iter().chain(errors).collect()
         })
     }));
     tables

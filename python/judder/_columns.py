@@ -167,5 +167,8 @@ def freedoms(key: str, value: Any) -> str:
 
 def described(value: Any) -> str:
     """What an object is, in a message."""
+    if value is None:
+        return "None"
     kind = type(value)
-    return f"a {kind.__module__}.{kind.__qualname__}" if kind.__module__ != "builtins" else f"a {kind.__qualname__}"
+    name = kind.__qualname__ if kind.__module__ == "builtins" else f"{kind.__module__}.{kind.__qualname__}"
+    return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}"

@@ -54,7 +54,9 @@ class Model:
 
     def __init__(self, case: CaseLike | None, set: Mapping[str, Any] | None, keys: Mapping[str, Any]) -> None:
         self._source = CaseSource({"model": self._name} if case is None else case)
-        changes = {**dict(_flat(self._source.whole(keys, self._name, without_none=True))), **self._source.whole(set or {}, self._name)}
+        arguments, changed = dict(_flat(self._source.whole(keys, self._name, without_none=True))), self._source.whole(set or {}, self._name)
+        changes = {**arguments, **changed}
+        self._source.arguments = arguments.keys() - changed.keys()
         self._case = self._source.given, self._name, _toml.overrides(changes)
 
     def __repr__(self) -> str:

@@ -23,7 +23,7 @@ from judder._keys import FILES, ROWS
 from judder._numpy import np
 from judder._said_of_objects import HeldObject, said, said_fields
 from judder._sampled import FASTEST, SPEED_TOLERANCE, sampled, speeds_of_sliding
-from judder.errors import OF_TABLES, CaseError, JudderError
+from judder.errors import OF_ARGUMENTS, OF_CHANGES, OF_TABLES, CaseError, JudderError
 
 INPUTS = "inputs"
 """The folder of the files, beside the case and in a study."""
@@ -43,6 +43,8 @@ class CaseSource:
     """A name and a text, or a path."""
     overrides: list[str]
     """The changed keys."""
+    arguments: Collection[str] = ()
+    """The dotted keys that are changed because they were given as arguments of a function."""
 
     def __init__(self, case: str | os.PathLike[str] | Mapping[str, Any], set: Mapping[str, Any] | None = None) -> None:
         self._files = _InputFiles()
@@ -107,8 +109,8 @@ class CaseSource:
 
     def said_error(self, error: JudderError) -> JudderError:
         """An error that speaks of objects and tables, not of what judder writes of them."""
-        of_tables = self._is_written_here and isinstance(error, CaseError) and os.path.basename(error.file) == CASE
-        if self._files.folder is None and not of_tables:
+        file = self._file_said(error) if isinstance(error, CaseError) else None
+        if self._files.folder is None and file is None:
             return error
         fields = said_fields(error.fields, self.said)
         path, reason = error.fields.get("path"), error.fields.get("reason")
@@ -116,11 +118,19 @@ class CaseSource:
             # which speaks of the file that the path names
             fields["reason"] = self.said(f"{path}: {reason}").partition(": ")[2]
         message = self.said(str(error))
-        if of_tables:
-            fields |= {"file": OF_TABLES, "line": None, "column": None}
+        if file is not None:
+            fields["file"] = file
             if (key := fields["text"]) != error.text and f"`{key}" not in message:
                 message = f"`{key}`: {message}"
         return type(error)(message, error.cause, fields)
+
+    def _file_said(self, error: CaseError) -> str | None:
+        """What an error calls the text in which it has its place, where that is written here; nothing where it is a file of the caller's."""
+        if self._is_written_here and os.path.basename(error.file) == CASE:
+            return OF_TABLES
+        key = error.key or ""
+        given = any(key == own or key.startswith(f"{own}.") for own in self.arguments)
+        return OF_ARGUMENTS if given and error.file == OF_CHANGES else None
 
     @contextmanager
     def told(self) -> Iterator[None]:

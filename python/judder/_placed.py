@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from judder import _judder, _memory, _places, _summaries
+from judder._said_in_python import in_python
 from judder.errors import StudyError
 
 if TYPE_CHECKING:
@@ -51,8 +52,8 @@ class Placed:
         return study
 
     def _said(self, text: str) -> str:
-        """What the summary says of the case, of a study in memory of the objects that the case has."""
-        return text if self._source is None else self._source.said(text)
+        """What the summary says of the case in words of Python, of a study in memory of the objects that the case has."""
+        return in_python(text if self._source is None else self._source.said(text))
 
     @property
     def folder(self) -> Path | RemotePath:

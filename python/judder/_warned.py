@@ -6,6 +6,7 @@ import sys
 import warnings
 from types import FrameType
 
+from judder._said_in_python import in_python
 from judder.errors import JudderWarning
 
 
@@ -15,7 +16,7 @@ def warn(message: str) -> None:
     level = 0
     while frame is not None and is_own(frame):
         level, frame = level + 1, frame.f_back
-    warnings.warn(message, JudderWarning, stacklevel=level + 1)
+    warnings.warn(in_python(message), JudderWarning, stacklevel=level + 1)
 
 
 def is_own(frame: FrameType) -> bool:

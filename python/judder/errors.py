@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from judder._said_in_python import fields_in_python, in_python
+
 __all__ = [
     "ArgumentError",
     "CaseError",
@@ -31,6 +33,12 @@ __all__ = [
 
 OF_TABLES = "tables"
 """What errors call a case whose tables come from Python."""
+OF_CHANGES = "set"
+"""What errors call changed keys."""
+OF_ARGUMENTS = "argument"
+"""What errors call keys that are given as arguments."""
+_OPTION = "--set"
+"""What the command calls changed keys."""
 
 
 class JudderError(Exception):
@@ -53,9 +61,9 @@ class JudderError(Exception):
     """What a caller can act on, by name."""
 
     def __init__(self, message: str, cause: str = "", fields: Mapping[str, Any] | None = None) -> None:
-        super().__init__(message)
+        super().__init__(in_python(message))
         self.cause = cause
-        self.fields = dict(fields or {})
+        self.fields = fields_in_python(fields or {})
 
     def __getattr__(self, name: str) -> Any:
         fields = self.__dict__.get("fields", {})
@@ -86,15 +94,15 @@ class CaseError(JudderError, ValueError):
     """A case, or a key given as an argument, that is wrong; the traceback shows place and help besides."""
 
     file: str
-    """The file, ``--set`` for a changed key, ``argument`` for a key that was given as one, or ``tables`` for those that a program gives as a case."""
+    """The file, ``set`` for a changed key, ``argument`` for a key that was given as one, or ``tables`` for those that a program gives as a case."""
     line: int | None
-    """The line, from 1; ``None`` where the error has no place."""
+    """The line, from 1; ``None`` where the error has no place in a file."""
     column: int | None
     """The column, from 1."""
     text: str
     """The words of the case that are to blame."""
     key: str | None
-    """The dotted path of the key that is to blame, where there is one."""
+    """The dotted path of the key that is to blame, items of lists by their names or positions; ``None`` where there is none."""
     help: str | None
     """What would be right."""
     others: list[str]
@@ -102,10 +110,14 @@ class CaseError(JudderError, ValueError):
 
     def __init__(self, message: str, cause: str = "", fields: Mapping[str, Any] | None = None) -> None:
         super().__init__(message, cause, fields)
-        if self.fields.get("line") is not None and self.file != "argument":
+        if self.fields.get("file") == _OPTION:
+            self.fields["file"] = OF_CHANGES
+        if self.fields.get("file") in (OF_TABLES, OF_CHANGES, OF_ARGUMENTS):
+            self.fields |= {"line": None, "column": None}
+            if self.text:
+                self.add_note(f"at {self.text}" if self.text == self.key else f"at {self.key}: {self.text}" if self.key else f"at {self.text}")
+        elif self.fields.get("line") is not None:
             self.add_note(f"in {self.file}, line {self.line}, column {self.column}: {self.text}")
-        elif self.fields.get("file") == OF_TABLES and self.fields.get("text"):
-            self.add_note(f"at {self.key}: {self.text}" if self.key else f"at {self.text}")
         if self.fields.get("help"):
             self.add_note(f"help: {self.help}")
         for other in self.fields.get("others") or ():

@@ -1,8 +1,10 @@
 //! The case file as a tree whose every key and value knows its place; `--set` options are grafted onto it.
 
 mod parameters;
+mod path;
 
 pub use parameters::{PARAMETER, PARAMETERS, refuse_unknown_parameters};
+pub(crate) use path::path_at;
 
 use toml::Spanned;
 use toml::de::{DeInteger, DeTable, DeValue};

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use miette::{Diagnostic, LabeledSpan, SourceCode, SourceSpan};
 
 use crate::cause::Cause;
+use crate::document::path_at;
 use crate::excerpt::{QUOTED, QuotedSource};
 
 /// What is wrong with a case, and where: a [`Cause`] at a place of the case file or of a `--set` option.
@@ -33,6 +34,18 @@ impl CaseError {
     /// What is wrong, with the values that a caller can act on.
     pub fn cause(&self) -> &Cause {
         &self.cause
+    }
+
+    /// The dotted path of the key that is to blame, items of lists by their names or positions; where the error has no place in a text, as its cause has it.
+    pub fn key(&self) -> Option<String> {
+        let own = self.cause.key().map(str::to_owned);
+        let bytes = self.span.map(|span| span.offset()..span.offset() + span.len());
+        let Some(at) = bytes.and_then(|bytes| path_at(&self.source.text, &bytes)) else { return own };
+        match (&*self.cause, own) {
+            // whose place is that of its section
+            (Cause::MissingKey { .. }, Some(key)) => Some(format!("{at}.{key}")),
+            _ => Some(at),
+        }
     }
 
     /// What else is wrong with the same case, in the order of its text.

@@ -49,6 +49,25 @@ pub(crate) fn matrix(name: &str, object: &Bound<'_, PyAny>) -> PyResult<(Vec<f64
     }
 }
 
+/// Two arrays, broadcast against each other, with the shape that they have then.
+pub(crate) fn broadcast(
+    [(first, one), (second, other)]: [(&str, &Bound<'_, PyAny>); 2],
+) -> PyResult<([Vec<f64>; 2], Vec<usize>)> {
+    let (one, other) = (numbers(first, one)?, numbers(second, other)?);
+    let spread = one.py().import("numpy")?.call_method1("broadcast_arrays", (&*one, &*other));
+    let mismatch = |_| {
+        let message = format!(
+            "the shape {:?} does not go with {:?} of `{first}`; the same is needed, or what NumPy broadcasts",
+            other.shape(),
+            one.shape()
+        );
+        errors::input(second, message)
+    };
+    let (one, other) = spread.map_err(mismatch)?.extract::<(Bound<'_, PyAny>, Bound<'_, PyAny>)>()?;
+    let ((one, shape), (other, _)) = (any(first, &one)?, any(second, &other)?);
+    Ok(([one, other], shape))
+}
+
 /// An array of any shape, with that shape.
 pub(crate) fn any(name: &str, object: &Bound<'_, PyAny>) -> PyResult<(Vec<f64>, Vec<usize>)> {
     let array = numbers(name, object)?;

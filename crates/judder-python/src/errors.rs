@@ -126,7 +126,7 @@ pub(crate) fn case(error: &CaseError) -> PyErr {
         dict.set_item("line", place.map(|(line, _)| line))?;
         dict.set_item("column", place.map(|(_, column)| column))?;
         dict.set_item("text", error.place())?;
-        dict.set_item("key", error.cause().key())?;
+        dict.set_item("key", error.key())?;
         dict.set_item("help", error.help().map(|help| help.to_string()))?;
         dict.set_item("others", error.others().iter().map(ToString::to_string).collect::<Vec<String>>())
     })

@@ -1,6 +1,7 @@
 //! What the command does besides running cases: templates, the schema, examples, reports, papers, the page.
 
 use crate::cases::CaseSource;
+use crate::choice::meant;
 use crate::errors;
 use crate::watched::{Manner, is_ctrl_c, watched};
 use judder_examples::{Example, example, examples};
@@ -123,8 +124,8 @@ pub(crate) fn reproduced_paper(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<String> {
     let found = Paper::ALL.into_iter().find(|own| own.name() == paper).ok_or_else(|| {
-        let known = Paper::ALL.map(Paper::name).join(", ");
-        errors::input("paper", format!("there is no `{paper}`; known are {known}"))
+        let known = meant(paper, Paper::ALL.into_iter().map(Paper::name));
+        errors::input("paper", format!("there is no `{paper}`; {known}"))
     })?;
     let manner = Manner::on_threads_of_its_own(progress, threads)?;
     let folder = output.unwrap_or_else(|| found.usual_folder());

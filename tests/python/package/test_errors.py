@@ -3,11 +3,14 @@
 import inspect
 import itertools
 import pickle
+import re
 
 import numpy as np
 import pytest
 
 import judder
+from common import ROOT
+from judder import _said_in_python
 from names import callables
 
 
@@ -29,7 +32,109 @@ def test_a_case_error_knows_its_place():
     error = raised(lambda: judder.check("no/such/case.toml"), judder.CaseError)
     assert error.line is None and error.cause == "Missing"
     error = raised(lambda: judder.check({"model": "oscillator"}, set={"operation.velocity": -1}), judder.CaseError)
-    assert error.file == "--set" and error.key == "operation.velocity"
+    assert (error.file, error.line, error.key, error.__notes__) == ("set", None, "operation.velocity", ["at operation.velocity: -1"])
+    error = raised(lambda: judder.oscillator.point(velocity=-1.0), judder.CaseError)
+    assert (error.file, error.line, error.__notes__) == ("argument", None, ["at operation.velocity: -1"])
+
+
+@pytest.mark.parametrize(
+    ("analysis", "key", "text"),
+    [
+        ({"from": 1e-5, "to": 1e-3, "points": 0}, "analysis.line.sweep.points", "0"),
+        ({"from": -1, "to": 1e-3, "points": 3}, "analysis.line.sweep.from", "-1"),
+        ({"from": 1e-5, "to": 1e-5, "points": 3}, "analysis.line.sweep", None),
+        ({"from": 1e-5, "to": 1e-3, "pionts": 3}, "analysis.line.sweep.pionts", "pionts"),
+        ({"from": 1e-5, "to": 1e-3, "key": "operation.velocty"}, "analysis.line.sweep.key", "operation.velocty"),
+    ],
+)
+def test_a_place_in_tables_is_the_whole_path_of_its_key(analysis, key, text):
+    case = {"model": "oscillator", "analysis": [{"kind": "spectrum", "name": "line", "sweep": {"key": "operation.velocity", **analysis}}]}
+    error = raised(lambda: judder.check(case), judder.CaseError)
+    assert (error.file, error.line, error.key) == ("tables", None, key) and error.__notes__[0].startswith(f"at {key}")
+    assert text is None or error.text == text
+
+
+def test_changed_keys_and_arguments_are_called_as_they_were_given():
+    error = raised(lambda: judder.check({"model": "oscillator"}, set={"operation": {"velocty": 1}}), judder.CaseError)
+    assert (error.file, error.key) == ("set", "operation.velocty")
+    error = raised(lambda: judder.models.Oscillator(operation={"velocty": 1}).check(), judder.CaseError)
+    assert (error.file, error.key, error.__notes__[0]) == ("argument", "operation.velocty", "at operation.velocty: velocty")
+    error = raised(lambda: judder.models.Oscillator(operation={"velocity": 1}, set={"operation.velocity": -1}).check(), judder.CaseError)
+    assert error.file == "set"
+    error = raised(lambda: judder.check({"model": "oscillator"}, set={"operation..velocity": 1}), judder.CaseError)
+    assert "has no dotted key" in str(error) and "--set" not in "\n".join([str(error), *error.__notes__])
+    error = raised(lambda: judder.run("none.toml"), judder.CaseError)
+    assert error.help == "`judder.new()` gives the text of a case to start from"
+
+
+STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
+OF_COMMAND = re.compile(r"`judder [a-z]|(?<![\w-])--[a-z]|(?<!\S)-o\b")
+
+
+def test_messages_have_no_words_of_the_command_line():
+    """Of every text in the sources that speaks of the command, but those of the command itself and of another program."""
+    sources = [path for path in sorted(ROOT.glob("crates/*/src/**/*.rs")) if path.relative_to(ROOT).parts[1] != "judder-cli"]
+    lines = [line for path in sources for line in path.read_text("utf-8").split("#[cfg(test)]")[0].splitlines() if not line.strip().startswith("//")]
+    texts = [text.replace('\\"', '"') for line in lines for text in STRING.findall(line)]
+    told = [text for text in texts if OF_COMMAND.search(text) and text != "--set" and "`gmsh" not in text]
+    assert len(told) > 30
+    assert [text for text in told if OF_COMMAND.search(_said_in_python.in_python(text))] == []
+
+
+def test_words_of_python_are_those_of_functions_that_there_are():
+    error = judder.StudyError("`judder run --fresh` computes it anew", "Cause", {"reason": "name another folder with -o", "path": "a -o"})
+    assert str(error) == "`judder.run(…, fresh=True)` computes it anew" and error.fields == {"reason": "name another folder with `output`", "path": "a -o"}
+    for command in ("run", "verify", "report", "examples", "new", "explore"):
+        assert hasattr(judder, command), command
+    assert _said_in_python.in_python("give judder more with --memory \"3 GiB\" where") == "give judder more with `judder.limit_memory(\"3 GiB\")` where"
+
+
+def test_arrays_that_do_not_go_together_are_told_with_both_shapes():
+    error = raised(lambda: judder.contact.Law("hertz").evaluate([1.0, 2.0], [1.0, 2.0, 3.0]), judder.InputError)
+    assert error.argument == "indentation" and "[3]" in str(error) and "[2] of `velocity`" in str(error)
+    assert judder.contact.Law("hertz").evaluate([[1.0], [2.0]], [1.0, 2.0, 3.0]).force.shape == (2, 3)
+    own = lambda: judder.contact.Law.from_function(lambda v, y: (y, y[:2], 0.3), velocity=(0.1, 1.0), indentation=(0.1, 1.0))  # noqa: E731
+    error = raised(own, judder.InputError)
+    assert "its area has the shape (2,)" in str(error) and "broadcast" not in str(error)
+
+
+@pytest.mark.parametrize(("given", "words"), [(3, "an int"), ([], "a list"), (None, "None"), (object(), "an object")])
+def test_what_is_no_case_is_told_with_its_article(given, words):
+    assert f"`case` is {words}, and the path" in str(raised(lambda: judder.run(given), judder.InputError))
+
+
+NEAR = [
+    (lambda: judder.oscillator.point(velocty=1.0), "velocty: .*is `velocity` meant"),
+    (lambda: judder.oscillator.points(velocty=[1.0]), "velocty: .*is `velocity` meant"),
+    (lambda: judder.oscillator.points(velocity=[1.0], quantities=["growth_rte"]), "is `growth_rate` meant"),
+    (lambda: judder.oscillator.stability_map(("velocty", [1.0]), ("shear_strength", [0.1])), "is `velocity` meant"),
+    (lambda: judder.oscillator.stability_map(("velocity", [1.0]), ("shear_strength", [0.1]), radis=1.0), "is `radius` meant"),
+    (lambda: judder.oscillator.stability_map(("velocity", [1.0]), ("shear_strength", [0.1]), method="adaptiv"), "is `adaptive` meant"),
+    (lambda: judder.oscillator.point(law="hertzz"), "is `hertz` meant"),
+    (lambda: judder.oscillator.point(friction_load="normal-lod"), "is `normal-load` meant"),
+    (lambda: judder.contact.solve(0.1, indentation=1e-2, shape="cylindr"), "is `cylinder` meant"),
+    (lambda: judder.reproduce("oscillator-papr"), "is `oscillator-paper` meant"),
+]
+
+
+@pytest.mark.parametrize(("call", "words"), NEAR)
+def test_what_an_unknown_word_is_like_is_told(call, words):
+    assert re.search(words, str(raised(call, judder.InputError)))
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: judder.oscillator.point(velocity=None),
+        lambda: judder.oscillator.points(velocity=None),
+        lambda: judder.oscillator.points(velocity=None, shear_strength=[0.1]),
+        lambda: judder.oscillator.stability_map(("normal_load", [1e-6]), ("shear_strength", [0.1]), velocity=None),
+    ],
+)
+def test_no_key_of_an_oscillator_is_none(call):
+    with pytest.raises(judder.InputError) as caught:
+        call()
+    assert str(caught.value) == "velocity: is None; leave the key out where its default is meant"
 
 
 def test_an_oscillator_error_has_its_numbers():

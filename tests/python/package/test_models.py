@@ -176,10 +176,10 @@ def test_what_is_wrong_has_its_place(tmp_path):
     model = judder.models.Oscillator()
     with pytest.raises(judder.CaseError) as caught:
         model.spectrum(sweep={**SWEEP, "pionts": 3})
-    assert caught.value.key == "pionts" and caught.value.text == "pionts" and caught.value.line is None, "tables have no lines"
+    assert caught.value.key == "sweep.pionts" and caught.value.text == "pionts" and caught.value.line is None, "tables have no lines"
     with pytest.raises(judder.CaseError, match="velocity") as caught:
         judder.models.Oscillator(operation={"velocity": "30 N"}).spectrum(sweep=SWEEP)
-    assert caught.value.file == "--set" and caught.value.text == '"30 N"'
+    assert caught.value.file == "argument" and caught.value.text == '"30 N"'
     with pytest.raises(judder.CaseError, match="model `oscillator`"):
         judder.models.Belt(model.text).motion()
     with pytest.raises(TypeError, match="sweep"):
@@ -192,7 +192,7 @@ def test_what_is_wrong_has_its_place(tmp_path):
     with pytest.raises(judder.ArgumentError, match="'ouput'; is `output` meant") as caught:
         judder.run(model.text, ouput="x")
     assert caught.value.argument == "ouput"
-    with pytest.raises(judder.InputError, match="`case` is a int, and the path of a case file"):
+    with pytest.raises(judder.InputError, match="`case` is an int, and the path of a case file"):
         judder.run(3)
     # only the run sees it: the place is that of the analysis
     with pytest.raises(judder.CaseError) as caught:

@@ -250,6 +250,9 @@ impl PyLaw {
     ///     velocity: v τ/R, zero or more, of any shape.
     ///     indentation: y/R, zero or more, of a shape that goes with it (they are broadcast).
     ///     threads: threads to compute with; one a core where none is given. The result does not depend on it.
+    ///
+    /// Raises:
+    ///     InputError: arrays that cannot be broadcast, or with numbers that are negative or not finite.
     #[pyo3(signature = (velocity, indentation, *, threads=None))]
     fn evaluate<'py>(
         &self,
@@ -258,12 +261,8 @@ impl PyLaw {
         indentation: &Bound<'py, PyAny>,
         threads: Option<usize>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let broadcast = py.import("numpy")?.call_method1("broadcast_arrays", (velocity, indentation));
-        let (v, y) = broadcast
-            .map_err(|error| errors::input("indentation", error))?
-            .extract::<(Bound<'_, PyAny>, Bound<'_, PyAny>)>()?;
-        let ((velocities, shape), (indentations, _)) =
-            (arrays::any("velocity", &v)?, arrays::any("indentation", &y)?);
+        let ([velocities, indentations], shape) =
+            arrays::broadcast([("velocity", velocity), ("indentation", indentation)])?;
         for (name, list) in [("velocity", &velocities), ("indentation", &indentations)] {
             if let Some(value) = list.iter().find(|value| **value < 0.0) {
                 return Err(errors::input(name, format!("{value} is negative; zero or more is needed")));
@@ -411,8 +410,15 @@ fn called(function: &Bound<'_, PyAny>, velocities: &[f64], indentations: &[f64])
         .map_err(|_| errors::input("function", "it must return three arrays: force, area, friction"))?;
     let numpy = py.import("numpy")?;
     let list = |name: &str, object: &Bound<'_, PyAny>| -> PyResult<Vec<f64>> {
-        let spread = numpy.call_method1("broadcast_to", (object, (velocities.len(),)));
-        let spread = spread.map_err(|error| errors::input("function", format!("{name}: {error}")))?;
+        let count = velocities.len();
+        let spread = numpy.call_method1("broadcast_to", (object, (count,)));
+        let spread = spread.map_err(|error| {
+            let shape = numpy.call_method1("shape", (object,));
+            let shape = shape.map_or_else(|_| error.to_string(), |shape| shape.to_string());
+            let message =
+                format!("its {name} has the shape {shape}, and ({count},) is needed, a value a point");
+            errors::input("function", message)
+        })?;
         arrays::vector(&format!("{name} of the function"), &spread)
     };
     Ok(PerQuantity {

@@ -1,6 +1,7 @@
 //! The contact of steady sliding, computed.
 
 use crate::arrays;
+use crate::choice::named;
 use crate::errors;
 use crate::watched::{Manner, watched};
 use judder_contact::indenter::{HeightMap, IndenterShape};
@@ -96,17 +97,19 @@ fn bonded(
     }
 }
 
+/// Indenters of a radius, by their names.
+const SHAPES: [(&str, fn(f64) -> IndenterShape); 3] = [
+    ("paraboloid", |radius| IndenterShape::Paraboloid { radius }),
+    ("sphere", |radius| IndenterShape::Sphere { radius }),
+    ("cylinder", |radius| IndenterShape::Cylinder { radius }),
+];
+
 fn profile(shape: Indenter<'_>) -> PyResult<IndenterShape> {
     match shape {
-        Indenter::Name(name) => match name.as_str() {
-            "paraboloid" => Ok(IndenterShape::Paraboloid { radius: 1.0 }),
-            "sphere" => Ok(IndenterShape::Sphere { radius: 1.0 }),
-            "cylinder" => Ok(IndenterShape::Cylinder { radius: 1.0 }),
-            _ => Err(errors::input(
-                "shape",
-                format!("`{name}` is not known; known are paraboloid, sphere, cylinder"),
-            )),
-        },
+        Indenter::Name(name) => {
+            let of_radius = named("shape", &name, &SHAPES)?;
+            Ok(of_radius(1.0))
+        }
         Indenter::Heights(heights, spacing) => {
             let (heights, [rows, columns]) = arrays::matrix("shape", &heights)?;
             let map = HeightMap::new(heights, columns, rows, positive("spacing", spacing)?, false);

@@ -1,6 +1,6 @@
 //! Keyword arguments as the keys of an oscillator case: a plain number is a group, a text carries its unit.
 
-use crate::choice::named;
+use crate::choice::{meant, named};
 use crate::contact::PyLaw;
 use crate::errors;
 use crate::watched::{Manner, watched};
@@ -69,14 +69,19 @@ impl AskedOscillator {
         Ok(asked)
     }
 
-    /// Sets keys by their names, in the order of the case file, and checks what ties them together; one that is `None` is not given.
+    /// Sets keys by their names, in the order of the case file, and checks what ties them together.
     pub(crate) fn set<'py>(
         &mut self,
         keys: impl IntoIterator<Item = (Bound<'py, PyAny>, Bound<'py, PyAny>)>,
     ) -> PyResult<()> {
         let mut values = Vec::new();
-        for (name, given) in keys.into_iter().filter(|(_, given)| !given.is_none()) {
-            values.push((key(&name.extract::<String>()?)?, given));
+        for (name, given) in keys {
+            let name = name.extract::<String>()?;
+            let key = key(&name)?;
+            if given.is_none() {
+                return Err(errors::input(&name, "is None; leave the key out where its default is meant"));
+            }
+            values.push((key, given));
         }
         values.sort_by_key(|(key, _)| *key);
         let is_given = |key| values.iter().any(|(own, _)| *own == key);
@@ -130,7 +135,7 @@ impl AskedOscillator {
 pub(crate) fn key(name: &str) -> PyResult<OscillatorKey> {
     let entry = OscillatorKey::ALL.iter().find(|entry| entry.path == name || entry.name() == name);
     entry.map(|entry| entry.key).ok_or_else(|| {
-        let known: Vec<&str> = OscillatorKey::ALL.iter().map(Key::name).collect();
-        errors::input(name, format!("no key of an oscillator; known are {}", known.join(", ")))
+        let known = meant(name, OscillatorKey::ALL.iter().map(Key::name));
+        errors::input(name, format!("no key of an oscillator; {known}"))
     })
 }

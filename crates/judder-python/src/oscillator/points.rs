@@ -2,6 +2,7 @@
 
 use super::keys::AskedOscillator;
 use super::map::{MapSide, axis};
+use crate::choice::meant;
 use crate::errors;
 use crate::watched::{Manner, watched};
 use judder_keys::keys::Keys;
@@ -65,10 +66,10 @@ fn wanted(names: Option<Vec<String>>) -> PyResult<Vec<OperatingQuantity>> {
     let Some(names) = names else { return Ok(quantities(false)) };
     let all = quantities(true);
     let find = |name: &String| {
-        let known = || all.iter().map(|own| own.name).collect::<Vec<_>>().join(", ");
         let found = all.iter().find(|own| own.name == name).copied();
         found.ok_or_else(|| {
-            errors::input("quantities", format!("there is no `{name}`; known are {}", known()))
+            let known = meant(name, all.iter().map(|own| own.name));
+            errors::input("quantities", format!("there is no `{name}`; {known}"))
         })
     };
     names.iter().map(find).collect()

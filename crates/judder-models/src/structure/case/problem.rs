@@ -257,14 +257,14 @@ impl Problem for StructureProblem {
     }
 
     fn help(&self) -> Option<String> {
-        Some(self.advice())
+        self.advice()
     }
 }
 
 impl StructureProblem {
     /// What would be right.
-    fn advice(&self) -> String {
-        match self {
+    fn advice(&self) -> Option<String> {
+        Some(match self {
             Self::Memory { source } => source.remedy(),
             Self::NoStructure => {
                 "give [structure] with beam = { … }, block = { … }, disc = { … } or mesh = \"file.msh\", or [matrices] with mass = [{ file = \"…\" }]"
@@ -298,7 +298,8 @@ impl StructureProblem {
             Self::UnknownNode { .. } => "name nodes that the table has".to_owned(),
             Self::KeptFreedoms { .. } => "name free freedoms, each once".to_owned(),
             Self::File { .. } => "mend the file, or name another; it is read as its ending says".to_owned(),
-            Self::Unbuilt { .. } => "mend what the message names".to_owned(),
+            // its reason says it
+            Self::Unbuilt { .. } => return None,
             Self::Kept { problem: KeptProblem::NoSets, .. } => "as in nodes = [1, 17]".to_owned(),
             Self::Kept { problem: KeptProblem::NoNodes, .. } => "as in set = \"end\"".to_owned(),
             Self::Kept { problem: KeptProblem::NoNumbers, .. } => "as in set = \"mass\"".to_owned(),
@@ -306,6 +307,6 @@ impl StructureProblem {
                 "give freedoms = \"table.csv\" with the matrices".to_owned()
             }
             Self::NegativeDamping { .. } => "move the ratios closer to one another".to_owned(),
-        }
+        })
     }
 }

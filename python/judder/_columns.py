@@ -92,16 +92,16 @@ def text(key: str, value: Any, *, halved: bool = False) -> str:
     if columns is None:
         raise wrong(key, f"is {described(value)}, and columns of numbers are needed: a mapping such as {{\"time [s]\": times, …}}, or a frame of pandas")
     same_length(key, columns)
-    parts: dict[str, NDArray[np.float64]] = {}
+    parts: dict[str, tuple[str, NDArray[np.float64]]] = {}
     for name, column in columns.items():
         if any(letter in name for letter in ',;\t"\n'):
             raise wrong(f"{key}.{name}", "is the name of a column, and has a comma, a semicolon, a tab or a quote in it")
         array = np.asarray(column)
         if array.dtype.kind == "c" and halved:
-            parts |= dict(zip(_halved(name), (array.real, array.imag), strict=True))
+            parts |= {half: (name, own) for half, own in zip(_halved(name), (array.real, array.imag), strict=True)}
         else:
-            parts[name] = array
-    checked = [numbers(f"{key}.{name}", column, dimensions=1).tolist() for name, column in parts.items()]
+            parts[name] = name, array
+    checked = [numbers(f"{key}.{whole}", column, dimensions=1).tolist() for whole, column in parts.values()]
     lines = (",".join(map(repr, row)) for row in zip(*checked, strict=True))
     return "\n".join([",".join(parts), *lines, ""])
 

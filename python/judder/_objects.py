@@ -23,7 +23,7 @@ from judder._keys import FILES, ROWS
 from judder._numpy import np
 from judder._said_of_objects import HeldObject, said, said_fields
 from judder._sampled import FASTEST, SPEED_TOLERANCE, sampled, speeds_of_sliding
-from judder.errors import OF_ARGUMENTS, OF_CHANGES, OF_TABLES, CaseError, JudderError
+from judder.errors import OF_ARGUMENTS, OF_CHANGES, OF_TABLES, CaseError, InputError, JudderError, StudyError
 
 INPUTS = "inputs"
 """The folder of the files, beside the case and in a study."""
@@ -118,6 +118,9 @@ class CaseSource:
             # which speaks of the file that the path names
             fields["reason"] = self.said(f"{path}: {reason}").partition(": ")[2]
         message = self.said(str(error))
+        if isinstance(error, StudyError) and path is not None and fields["path"] != path:
+            # an object is an argument, whoever has read it
+            return InputError(message, "Input", {"argument": fields["path"], "key": fields["path"], "reason": fields.get("reason")})
         if file is not None:
             fields["file"] = file
             if (key := fields["text"]) != error.text and f"`{key}" not in message:

@@ -26,7 +26,7 @@ pub struct DmaTable {
 /// - Columns: frequency (`frequency`, `f`, or `angular frequency`, `omega`, `ω`), storage modulus (`E'`, `E′`, `E1`,
 ///   `storage modulus`), loss modulus (`E''`, `E″`, `E2`, `loss modulus`), temperature (`temperature`, `T`; may be absent),
 ///   in any order and case; others are not looked at.
-/// - Units in brackets after the name: Hz or rad/s; Pa, kPa, MPa, GPa; K or °C. There is no default.
+/// - Units in brackets after the name: Hz or rad/s; Pa, kPa, MPa, GPa, N/mm²; K or °C. There is no default.
 /// - Fields are separated by semicolons, tabs or commas, whichever the header has, in this order. Decimal points.
 /// - Empty lines and lines that begin with `#` are left out.
 ///
@@ -103,8 +103,14 @@ const ANGULAR_FREQUENCY: DmaQuantity = DmaQuantity {
     names: &["angular frequency", "omega", "ω"],
     units: &[("rad/s", 1.0, 0.0)],
 };
-const MODULUS_UNITS: &[(&str, f64, f64)] =
-    &[("Pa", 1.0, 0.0), ("kPa", 1e3, 0.0), ("MPa", 1e6, 0.0), ("GPa", 1e9, 0.0)];
+const MODULUS_UNITS: &[(&str, f64, f64)] = &[
+    ("Pa", 1.0, 0.0),
+    ("kPa", 1e3, 0.0),
+    ("MPa", 1e6, 0.0),
+    ("GPa", 1e9, 0.0),
+    ("N/mm²", 1e6, 0.0),
+    ("N/mm^2", 1e6, 0.0),
+];
 const STORAGE: DmaQuantity = DmaQuantity {
     called: "storage modulus (`E' [MPa]`)",
     names: &["e'", "e1", "storage modulus", "storage modulus e'"],
@@ -134,9 +140,13 @@ impl DmaColumn {
     fn read(&self, line: usize, fields: &[&str], name: &'static str) -> Result<f64, DmaTableError> {
         let found = fields[self.index];
         let wrong = || DmaTableError::Value { line, name, found: found.to_owned() };
-        let value: f64 = found.parse().map_err(|_| wrong())?;
-        let value = value * self.factor + self.offset;
-        if value.is_normal() && value > 0.0 { Ok(value) } else { Err(wrong()) }
+        let given: f64 = found.parse().ok().filter(|given: &f64| given.is_finite()).ok_or_else(wrong)?;
+        let value = given * self.factor + self.offset;
+        match value {
+            _ if !value.is_finite() => Err(wrong()),
+            _ if value.is_normal() && value > 0.0 => Ok(value),
+            _ => Err(DmaTableError::NotPositive { line, name, found: given }),
+        }
     }
 }
 
@@ -172,7 +182,7 @@ impl DmaHeader {
             line,
             angular_frequency: self.frequency.read(line, fields, "frequency")?,
             storage_modulus: self.storage.read(line, fields, "storage modulus")?,
-            loss_modulus: self.loss.read(line, fields, "loss modulus")?,
+            loss_modulus: self.loss.read(line, fields, error::LOSS)?,
             temperature: match &self.temperature {
                 Some(column) => Some(column.read(line, fields, "absolute temperature")?),
                 None => None,
@@ -233,6 +243,13 @@ mod tests {
     }
 
     #[test]
+    fn newtons_per_square_millimetre_are_megapascals() {
+        let of = |unit: &str| read_dma_table(&format!("f [Hz],E' [{unit}],E'' [{unit}]\n1,2,0.5\n")).unwrap();
+        assert_eq!(of("MPa").storage_modulus, [2e6]);
+        assert_eq!((of("N/mm²"), of("N/mm^2")), (of("MPa"), of("MPa")));
+    }
+
+    #[test]
     fn frequencies_begin_anew_at_every_temperature() {
         let text = "T [°C],omega [rad/s],E1 [Pa],E2 [Pa]\n20,1,5,1\n20,10,6,1\n30,1,4,1\n";
         let table = read_dma_table(text).unwrap();
@@ -263,7 +280,15 @@ mod tests {
     fn bad_lines_are_refused_with_their_number() {
         let rows = |rows: &str| refused(&format!("# head\nf [Hz],E' [Pa],E'' [Pa]\n{rows}"));
         assert!(rows("1,1,1\n2,NaN,1").contains("storage modulus in line 4 is `NaN`"));
-        assert!(rows("1,1,-1").contains("loss modulus in line 3 is `-1`"));
+        assert!(rows("1,1,one").contains("is `one`; it must be a finite number with a decimal point"));
+        let signs = rows("1,1,-1");
+        assert!(
+            signs.contains("loss modulus in line 3 is -1, and must be positive: E = E' + iE''"),
+            "{signs}"
+        );
+        assert!(signs.contains("e^(−iωt) take the complex conjugate") && !signs.contains("point"), "{signs}");
+        assert!(rows("1,-1,1").ends_with("the storage modulus in line 3 is -1, and must be positive"));
+        assert!(rows("1,1,0").ends_with("the loss modulus in line 3 is 0, and must be positive"));
         assert!(rows("1,1,1\n1,1,1").contains("frequency in line 4"));
         let order = rows("20,1,1\n0.1,1,1");
         assert!(

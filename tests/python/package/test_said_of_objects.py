@@ -40,13 +40,21 @@ def of_dma(columns, **law):
         ({"frequency [Hz]": FREQUENCY, "G' [Pa]": MODULUS.real, "G'' [Pa]": MODULUS.imag}, ["it has the columns `frequency [Hz]`, `G' [Pa]`"]),
         ({"f [Hz]": FREQUENCY, "omega [rad/s]": FREQUENCY, "E [Pa]": MODULUS}, ["two columns for the frequency"]),
         ({"frequency [Hz]": FREQUENCY[::-1], "E [Pa]": MODULUS}, ["the frequency in row 1 (from 0)", "sort the rows"]),
-        ({"frequency [Hz]": FREQUENCY, "E [Pa]": MODULUS.conj()}, ["the loss modulus in row 0 (from 0)"]),
+        ({"frequency [Hz]": FREQUENCY, "E [Pa]": MODULUS.conj()}, ["the loss modulus in row 0 (from 0)", "e^(−iωt)", "conjugate"]),
+        ({"frequency [Hz]": FREQUENCY, "E [Pa]": np.where(FREQUENCY > 1, np.nan, MODULUS)}, ["`substrate.dma.E [Pa]` has nan at"]),
         ({"frequency [Hz]": FREQUENCY, "E [Pa]": abs(MODULUS)}, ["`substrate.dma.E [Pa]`", "complex moduli E' + iE''"]),
         ({"frequency [Hz]": FREQUENCY, "G [Pa]": MODULUS}, ["`substrate.dma.G [Pa]`", "are called `E`"]),
     ],
 )
 def test_what_is_wrong_with_measured_moduli_is_said_of_columns_and_rows(columns, words, law):
-    said(of_dma(columns, **law), "`substrate.dma", *words)
+    error = said(of_dma(columns, **law), "`substrate.dma", *words)
+    assert isinstance(error, judder.InputError) and isinstance(error, ValueError) and error.argument.startswith("substrate.dma")
+    assert "decimal point" not in str(error) and ("E [Pa]" not in columns or "dma.E' [Pa]" not in str(error))
+
+
+@pytest.mark.parametrize("unit", ["N/mm^2", "N/mm²", "MPa"])
+def test_moduli_are_read_in_newtons_per_square_millimetre(unit):
+    assert judder.check({"model": "oscillator", "contact": {"law": "hertz"}, "substrate": {"dma": {"frequency [Hz]": FREQUENCY, f"E [{unit}]": MODULUS / 1e6}}})
 
 
 def test_a_law_of_one_time_is_refused_where_nothing_is_wrong_with_the_moduli():

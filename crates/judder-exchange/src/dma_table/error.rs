@@ -59,10 +59,8 @@ pub enum DmaTableError {
         /// Those of the header.
         expected: usize,
     },
-    /// A number that is not positive and finite, or no number.
-    #[error(
-        "the {name} in line {line} is `{found}`; it must be a positive, finite number with a decimal point"
-    )]
+    /// What is no finite number.
+    #[error("the {name} in line {line} is `{found}`; it must be a finite number with a decimal point")]
     Value {
         /// The line.
         line: usize,
@@ -70,6 +68,16 @@ pub enum DmaTableError {
         name: &'static str,
         /// What was found.
         found: String,
+    },
+    /// A number that is not positive.
+    #[error("the {name} in line {line} is {found}, and must be positive{}", convention(name, *found))]
+    NotPositive {
+        /// The line.
+        line: usize,
+        /// What it is.
+        name: &'static str,
+        /// What was found, in the unit of the column.
+        found: f64,
     },
     /// A frequency that does not rise.
     #[error(
@@ -87,6 +95,19 @@ pub enum DmaTableError {
         unit: &'static str,
     },
 }
+
+/// What a loss modulus of the other sign comes from.
+fn convention(name: &str, found: f64) -> &'static str {
+    match name {
+        LOSS if found < 0.0 => {
+            ": E = E' + iE'' with E'' > 0 belongs to motions as e^(+iωt); of moduli for e^(−iωt) take the complex conjugate"
+        }
+        _ => "",
+    }
+}
+
+/// How messages call E″.
+pub(super) const LOSS: &str = "loss modulus";
 
 /// Names in backquotes, with commas.
 fn quoted(names: &[String]) -> String {

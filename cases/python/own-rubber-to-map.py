@@ -24,6 +24,8 @@ found = foot.stability_map(
     x={"key": "operation.velocity", "from": "1 mm/s", "to": "100 m/s", "points": 100, "scale": "log"},
     y={"key": "contact.shear_strength", "from": "1 kPa", "to": "1 MPa", "points": 80, "scale": "log"},
 )
-sings = found.data.stability != found.data.stability.attrs["flag_meanings"].split().index("stable")
+verdicts = found.data.stability.attrs["flag_meanings"].split()
+# what is marginal, or has no answer, does not sing
+sings = ~found.data.stability.isin([verdicts.index(verdict) for verdict in ("stable", "marginal", "unresolved")])
 softest = found.data.shear_strength.where(sings.any("velocity")).min()
 print(f"{100 * found.numbers['unstable_fraction']:.0f} % of the map sings; below a shear strength of {float(softest) / 1e3:.1f} kPa none of it")

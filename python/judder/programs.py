@@ -17,7 +17,7 @@ from judder._objects import CaseSource
 from judder._shown import Shown
 from judder.errors import InputError
 from judder.progress import Progress
-from judder.study import CaseLike, Study, run
+from judder.study import CaseLike, Study, check, run
 
 if TYPE_CHECKING:
     from typing import Self
@@ -100,6 +100,8 @@ def demo(
 ) -> Reproduction | Study:
     """A first result: the oscillator paper, figure by figure, in less than a minute; or a case of :func:`examples`.
 
+    What the analyses of a case are expected to take is told to the logger ``judder`` before they run, as :func:`judder.check` estimates it.
+
     Args:
         name: a case; the paper where none is given.
         output: the study folder. Where none is given, a case runs in memory, and the paper goes into ``out/demo/oscillator-paper``.
@@ -121,7 +123,19 @@ def demo(
     from judder import _memory
 
     beside = _memory.TemporaryFolder()
-    return run(own.write(beside.folder), output=output, threads=threads, progress=progress)
+    case = own.write(beside.folder)
+    _log_expected(case)
+    return run(case, output=output, threads=threads, progress=progress)
+
+
+def _log_expected(case: Path) -> None:
+    """Tells the logger ``judder`` what the analyses of a case are expected to take, where anybody listens."""
+    import logging
+
+    logger = logging.getLogger("judder")
+    if logger.isEnabledFor(logging.INFO):
+        for own in check(case)["estimate"]:
+            logger.info("`%s`: %s", own["name"], f"takes about {own['seconds']:.1f} s on one core" if "seconds" in own else own.get("asked", ""))
 
 
 @dataclass(frozen=True)

@@ -80,7 +80,7 @@ def check(case: CaseLike, *, set: Mapping[str, Any] | None = None) -> dict[str, 
     source = CaseSource(case, set)
     with source.told():
         document: dict[str, Any] = json.loads(_judder.checked_case(source.given, source.overrides))
-    return document
+    return {**document, "warnings": [*map(source.said, document["warnings"])]} if "warnings" in document else document
 
 
 def run(

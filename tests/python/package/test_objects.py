@@ -75,6 +75,15 @@ RUBBER = {**STEEL, "youngs_modulus": "5 MPa"}
 HELD = {"supports": [{"set": "left", "fixed": ["x", "y"]}], "material": STEEL}
 
 
+def test_a_mesh_of_millimetres_without_a_unit_is_remarked_on():
+    points, squares, sets, _ = plate()
+    mesh = {"points": 300.0 * points, "cells": {"quad": squares}, "point_sets": sets}
+    warnings = judder.check({"model": "structure", "structure": {"mesh": mesh, **HELD}})["warnings"]
+    assert len(warnings) == 1 and "`structure.mesh`" in warnings[0] and "120 m long" in warnings[0] and 'unit = "mm"' in warnings[0], warnings
+    for unit in ("mm", "m"):
+        assert judder.check({"model": "structure", "structure": {"mesh": mesh, "unit": unit, **HELD}})["warnings"] == []
+
+
 def test_meshes_of_meshio_and_of_arrays_are_those_of_a_file(tmp_path):
     points, squares, sets, halves = plate()
     mesh = meshio.Mesh(points, [("quad", squares)], point_sets=sets, cell_sets=halves)

@@ -8,9 +8,11 @@ import subprocess
 import sys
 import urllib.error
 import urllib.request
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import xarray
 
 import fresh
 import judder
@@ -64,6 +66,8 @@ def test_the_command_has_examples_and_demos(command, tmp_path, monkeypatch):
     assert "it names rubber-dma.csv: `judder examples tutorials/own-rubber -o own-rubber` writes both" in told.stderr
     done = command("demo", "mode-coupling")
     assert done.returncode == 0 and (tmp_path / "out" / "mode-coupling" / "report.html").is_file()
+    expected = [own["name"] for own in judder.check(tmp_path / "out" / "demo" / "mode-coupling.toml")["estimate"]]
+    assert expected and all(re.search(rf"^{name}: (takes about [\d.]+ s on one core|\S+)", done.stderr, re.MULTILINE) for name in expected), done.stderr
     (tmp_path / "out" / "demo" / "mode-coupling.toml").write_text("mine")
     refused = command("demo", "mode-coupling")
     assert refused.returncode == 2 and "`judder run out/demo/mode-coupling.toml` runs it as it is" in refused.stderr
@@ -136,6 +140,25 @@ def test_a_first_hour_needs_nothing_but_the_wheel(path, tmp_path):
     done = fresh.python(fresh.environment(tmp_path / "packages", set()), script, home)
     assert done.returncode == 0, done.stderr
     assert done.stdout.strip() and not [*home.iterdir()]
+
+
+def test_a_demo_tells_the_logger_what_it_is_expected_to_take(caplog):
+    with caplog.at_level("INFO", logger="judder"):
+        judder.demo("minimal-mode-coupling")
+    told = [record.getMessage() for record in caplog.records]
+    assert [own.partition(":")[0] for own in told[:2]] == ["`spectrum`", "`critical`"] and all("takes about" in own for own in told[:2]), told
+
+
+def test_the_map_of_the_first_hour_sings_where_it_is_unstable_alone(capsys, monkeypatch):
+    verdicts = judder.oscillator.CLASSES
+    codes = np.array([[verdicts.index(own) for own in row] for row in (("stable", "marginal"), ("unresolved", "stable"), ("flutter", "stable"))])
+    about = {"flag_meanings": " ".join(verdicts)}
+    sides = {"shear_strength": [1e3, 2e3, 3e3], "velocity": [1.0, 2.0]}
+    data = xarray.Dataset({"stability": ((*sides,), codes, about)}, sides)
+    monkeypatch.setattr(judder.models.Oscillator, "stability_map", lambda *_, **__: SimpleNamespace(data=data, numbers={"unstable_fraction": 1 / 6}))
+    monkeypatch.setattr(judder.models.Contact, "modulus", lambda *_: SimpleNamespace(numbers={"terms": 1, "storage_deviation": 0.0}))
+    runpy.run_path(str(ROOT / "cases" / "python" / "own-rubber-to-map.py"))
+    assert "17 % of the map sings; below a shear strength of 3.0 kPa none of it" in capsys.readouterr().out
 
 
 def test_the_wiper_of_the_first_hour_is_one(capsys):

@@ -5,11 +5,14 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use judder_examples::{ExampleError, ExampleKind, example};
 use judder_papers::Paper;
+use judder_study::resolve::resolve;
+use serde_json::Value;
 
 use super::reproduce::reproduce;
 use super::run::run_case;
 use crate::console::Console;
 use crate::failure::{Exit, Failure};
+use crate::progress::Bars;
 use crate::threads::Threads;
 
 const HELP: &str = "\
@@ -72,6 +75,37 @@ impl DemoArguments {
         }
         let case = own.write(Path::new(FOLDER)).map_err(changed)?;
         console.note(format_args!("case: {}", case.display()));
+        let bars = Bars::of_what_is_not_kept(console);
+        let known = resolve(&judder_models::read(&case, &[])?, &bars)?;
+        drop(bars);
+        for expected in expectations(&known.json()["estimate"]) {
+            console.note(expected);
+        }
         run_case(&case, self.output.as_deref(), self.threads, console)
+    }
+}
+
+/// What each analysis takes, as `judder check` estimates it: about so long on one core, or what it is asked.
+fn expectations(estimates: &Value) -> Vec<String> {
+    let told = |own: &Value| {
+        let name = own["name"].as_str()?;
+        let seconds =
+            own["seconds"].as_f64().map(|seconds| format!("takes about {seconds:.1} s on one core"));
+        let asked = || own["asked"].as_str().map(str::to_owned);
+        Some(format!("{name}: {}", seconds.or_else(asked)?))
+    };
+    estimates.as_array().into_iter().flatten().filter_map(told).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn estimates_are_told_by_the_time_or_by_what_is_asked() {
+        let estimates = json!([{ "name": "map", "points": 4, "seconds": 2.04 }, { "name": "modes", "asked": "5 modes" }, {}]);
+        assert_eq!(expectations(&estimates), ["map: takes about 2.0 s on one core", "modes: 5 modes"]);
+        assert_eq!(expectations(&Value::Null), [""; 0]);
     }
 }

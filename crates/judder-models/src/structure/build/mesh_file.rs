@@ -10,7 +10,11 @@ use judder_exchange::mesh_file::{FileSection, MeshFile, Units, read_mesh};
 use judder_keys::file_reference::FileReference;
 use judder_structure::freedom::Supports;
 use judder_structure::material::{Elastic, ElementSection};
+use judder_study::text::short;
 use std::collections::BTreeMap;
+
+/// The longest side, in m, of a mesh without a unit of whose metres nothing is said.
+const LONGEST_UNREMARKED: f64 = 10.0;
 
 /// Reads a mesh and assembles it.
 pub(super) fn structure(
@@ -26,6 +30,7 @@ pub(super) fn structure(
         let length = unit.metres();
         read = read.in_si(Units { length, mass: 1.0 / length, time: 1.0 });
     }
+    let of_unit = body.unit.is_none().then(|| unit_warning(&read.mesh.nodes)).flatten();
     name_nodes(&mut read);
     refuse_strangers(body, &read)?;
     for block in &read.mesh.blocks {
@@ -38,9 +43,25 @@ pub(super) fn structure(
     if let Some(layout) = &mut structure.layout {
         layout.names = read.node_labels;
     }
+    let of_file = read.warnings.iter().map(ToString::to_string);
     let told = |warning| format!("{}: {warning}", file.given);
-    structure.warnings.extend(read.warnings.iter().map(told));
+    structure.warnings.extend(of_unit.into_iter().chain(of_file).map(told));
     Ok(structure)
+}
+
+/// That places without a unit are read as metres, where they are then farther apart than in most structures that vibrate by friction.
+fn unit_warning(nodes: &[[f64; 3]]) -> Option<String> {
+    let sides = (0..3).map(|axis| {
+        let along = || nodes.iter().filter_map(|node| node.get(axis));
+        along().copied().fold(f64::NEG_INFINITY, f64::max) - along().copied().fold(f64::INFINITY, f64::min)
+    });
+    let longest = sides.fold(0.0, f64::max);
+    (longest > LONGEST_UNREMARKED).then(|| {
+        format!(
+            "its lengths are read as metres, as no `unit` is given, and it is {} m long; `unit = \"mm\"` reads them as millimetres, `unit = \"m\"` says that it is so",
+            short(longest)
+        )
+    })
 }
 
 /// Lets sets of sides and elements be named where nodes are wanted.
@@ -114,5 +135,18 @@ fn section_of(body: &BodySettings, own: Option<&FileSection>, dimension: usize) 
     match own {
         Some(own) if body.section.is_none() && body.width.is_none() => own.section,
         _ => section(body, dimension),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mesh_of_millimetres_without_a_unit_is_remarked_on() {
+        let of = |length: f64| unit_warning(&[[-0.1 * length, 0.0, 0.0], [0.9 * length, 0.02 * length, 0.0]]);
+        let told = of(120.0).unwrap();
+        assert!(told.contains("read as metres") && told.contains("it is 120 m long"), "{told}");
+        assert_eq!((of(0.12), of(10.0), unit_warning(&[])), (None, None, None));
     }
 }

@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import warnings
 
 import numpy as np
 import pytest
@@ -113,6 +114,15 @@ def test_tables_and_functions_that_are_none():
         law("hertz").evaluate(-1.0, 1e-2)
     with pytest.raises(judder.InputError):
         law("hertz").evaluate([1.0, 2.0], [1.0, 2.0, 3.0])
+
+
+def test_points_outside_the_range_of_a_law_are_told(law):
+    with pytest.warns(judder.JudderWarning, match=r"outside the law's range at 2 of 3 points, for one: speed v τ/R") as told:
+        law.evaluate([1.0, 1e4, 1e5], 1e-3)
+    assert told[0].filename == __file__
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        law.evaluate(np.geomspace(*VELOCITY, 5)[:, None], np.geomspace(*INDENTATION, 5))
 
 
 def test_a_slow_contact_is_that_of_hertz():

@@ -206,6 +206,12 @@ def test_friction_laws_are_sampled_as_finely_as_they_ask():
         judder.check({"model": "belt", "operation": {"velocity": stribeck}})
 
 
+def test_a_friction_law_that_is_negative_is_one_error_with_its_speed():
+    with pytest.raises(judder.InputError, match=r"is -0\.\d+ at a speed of [\d.e-]+; a friction coefficient is zero or more at every speed") as told:
+        judder.models.Belt(oscillator={"damping": 0.05}, friction=lambda velocity: 0.3 - velocity, operation={"velocity": 0.1}).check()
+    assert str(told.value).count("friction coefficient") == 1
+
+
 def test_friction_laws_stand_wherever_a_friction_coefficient_does():
     def law(velocity):
         return 0.5 + 0.5 * np.exp(-velocity / 0.5)

@@ -91,11 +91,13 @@ pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Resu
             Status::Done => {
                 let draw = || figures(registry, store, summary, name).map_err(|error| error.to_string());
                 blocks.extend(figure_blocks(store, name, draw)?);
-                let asked = tables(registry, summary, name);
+                let asked = guarded(name, || {
+                    Ok(tables(registry, summary, name).into_iter().map(PageBlock::Table).collect())
+                })?;
                 let scalars = summary.results.get(name).and_then(scalar_table).map(PageBlock::Table);
                 // what was asked first, then every number under its key, where somebody wants it
                 let is_beside = !asked.is_empty();
-                blocks.extend(asked.into_iter().map(PageBlock::Table));
+                blocks.extend(asked);
                 blocks.extend(scalars.map(|table| if is_beside { folded(table) } else { table }));
             }
         }
@@ -135,12 +137,23 @@ pub fn figure_blocks(
     name: &str,
     draw: impl FnOnce() -> Result<Vec<Figure>, String>,
 ) -> Result<Vec<PageBlock>, StudyError> {
-    let undrawn = |reason| vec![PageBlock::Undrawn(UndrawnFigure { name: name.to_owned(), reason })];
-    let drawn = catch_unwind(AssertUnwindSafe(|| match draw() {
+    guarded(name, || match draw() {
         Ok(figures) => figures.into_iter().map(|figure| write_figure(store, figure)).collect(),
-        Err(reason) => Ok(undrawn(reason)),
-    }));
-    drawn.unwrap_or_else(|panic| Ok(undrawn(fault_told(&*panic))))
+        Err(reason) => Ok(vec![undrawn(name, reason)]),
+    })
+}
+
+fn undrawn(name: &str, reason: String) -> PageBlock {
+    PageBlock::Undrawn(UndrawnFigure { name: name.to_owned(), reason })
+}
+
+/// Blocks of the page; a fault of this program says so in their place, under this name.
+fn guarded(
+    name: &str,
+    blocks: impl FnOnce() -> Result<Vec<PageBlock>, StudyError>,
+) -> Result<Vec<PageBlock>, StudyError> {
+    let made = catch_unwind(AssertUnwindSafe(blocks));
+    made.unwrap_or_else(|panic| Ok(vec![undrawn(name, fault_told(&*panic))]))
 }
 
 /// The figures of an analysis or a sweep. Of a sweep only what is drawn is read: the whole may not fit into memory.

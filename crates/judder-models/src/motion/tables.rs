@@ -2,6 +2,7 @@
 
 use crate::swept_tables::{in_unit_of, numbers, table, told, word};
 use judder_report::page::PageTable;
+use judder_study::prefixed::PrefixedUnit;
 use judder_study::registry::ToldAnalysis;
 use serde_json::Value;
 
@@ -24,32 +25,42 @@ pub(crate) fn motion(analysis: ToldAnalysis<'_>, unit: &str) -> Vec<PageTable> {
 /// A part of the energy below this share of the largest is rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Works in mJ where the case is written in SI, and in groups; what is left is relative. What rounding alone leaves of a part is no number of its own.
+/// Works in SI where the case is written so, and in groups; what is left is relative. What rounding alone leaves of a part is no number of its own.
 fn energies(analysis: ToldAnalysis<'_>, unit: &str) -> Option<PageTable> {
     let energy = analysis.results.get("energy")?;
     let in_si = analysis.results.get("energy_j");
     let part = |key: &str| energy[key].as_f64();
     let works = WORKS.iter().filter(|(key, _)| *key != "residual").filter_map(|(key, _)| part(key));
     let largest = works.fold(0.0, |most: f64, work| most.max(work.abs()));
+    let joules = |in_si: &Value| {
+        let works =
+            WORKS.iter().filter(|(key, _)| *key != "residual").filter_map(|(key, _)| in_si[*key].as_f64());
+        PrefixedUnit::of("J", works.fold(0.0, |most: f64, work| most.max(work.abs())))
+    };
+    let in_si = in_si.map(|own| (own, joules(own)));
     let rows = WORKS.iter().map(|(key, words)| {
         let is_rounding =
             *key != "residual" && part(key).is_some_and(|own| own != 0.0 && own.abs() <= ROUNDING * largest);
         let cell = |own: f64| if is_rounding { "0 within rounding".to_owned() } else { told(own) };
-        let in_mj = in_si.map(|own| own[*key].as_f64().map_or_else(String::new, |own| cell(1e3 * own)));
-        [(*words).to_owned()].into_iter().chain(in_mj).chain([cell(part(key).unwrap_or(f64::NAN))]).collect()
+        let in_si = in_si
+            .as_ref()
+            .map(|(own, shown)| own[*key].as_f64().map_or_else(String::new, |own| cell(shown.factor * own)));
+        [(*words).to_owned()].into_iter().chain(in_si).chain([cell(part(key).unwrap_or(f64::NAN))]).collect()
     });
-    let head = ["what", "in SI (mJ)", unit].into_iter().filter(|own| in_si.is_some() || *own != "in SI (mJ)");
-    Some(table("Energy".to_owned(), &head.collect::<Vec<_>>(), rows.collect()))
+    let rows = rows.collect();
+    let of_si = in_si.as_ref().map(|(_, shown)| format!("in SI ({})", shown.name));
+    let head: Vec<&str> = ["what"].into_iter().chain(of_si.as_deref()).chain([unit]).collect();
+    Some(table("Energy".to_owned(), &head, rows))
 }
 
-/// What a motion is, its key in groups and in SI, what that is multiplied by, and its unit then.
-const QUANTITIES: [(&str, &str, &str, f64, &str); 6] = [
-    ("rms of x about its mean", "rms", "rms_m", 1e6, "µm"),
-    ("mean of x", "mean", "mean_m", 1e6, "µm"),
-    ("period", "period", "period_s", 1.0, "s"),
-    ("frequency", "", "frequency_hz", 1.0, "Hz"),
-    ("share of the time in stick (−)", "stick_fraction", "", 1.0, ""),
-    ("share of the time off the ground (−)", "lift_off_fraction", "", 1.0, ""),
+/// What a motion is, its key in groups and in SI, and its unit in SI.
+const QUANTITIES: [(&str, &str, &str, &str); 6] = [
+    ("rms of x about its mean", "rms", "rms_m", "m"),
+    ("mean of x", "mean", "mean_m", "m"),
+    ("period", "period", "period_s", "s"),
+    ("frequency", "", "frequency_hz", "Hz"),
+    ("share of the time in stick (−)", "stick_fraction", "", ""),
+    ("share of the time off the ground (−)", "lift_off_fraction", "", ""),
 ];
 
 /// A motion in SI where its case is written in SI, and in groups.
@@ -57,8 +68,12 @@ fn quantities(analysis: ToldAnalysis<'_>) -> PageTable {
     let number = |key: &str| analysis.results.get(key).and_then(Value::as_f64);
     let has_si = number("rms_m").is_some();
     let rows = QUANTITIES.iter().filter(|(_, group, ..)| has_si || !group.is_empty());
-    let rows = rows.map(|(what, group, si, factor, unit)| {
-        let in_si = number(si).map_or_else(String::new, |value| format!("{} {unit}", told(factor * value)));
+    let with_prefix = |value: f64, unit: &str| {
+        let shown = PrefixedUnit::of(unit, value);
+        format!("{} {}", told(shown.factor * value), shown.name)
+    };
+    let rows = rows.map(|(what, group, si, unit)| {
+        let in_si = number(si).map_or_else(String::new, |value| with_prefix(value, unit));
         let in_groups = number(group).map_or_else(String::new, told);
         [(*what).to_owned()].into_iter().chain(has_si.then_some(in_si)).chain([in_groups]).collect()
     });
@@ -101,21 +116,29 @@ pub(crate) fn diagram(analysis: ToldAnalysis<'_>, swept: &str) -> Vec<PageTable>
     });
     let branches = list("branches").map(|branches| {
         let has_si = branches.iter().all(|own| own.get("rms_m").is_some());
-        let rows = branches.iter().map(|own| branch(own, has_si)).collect();
+        let metres = branches.iter().flat_map(|own| numbers(own.get("rms_m")));
+        let metres = PrefixedUnit::of("m", largest(metres));
+        let rows = branches.iter().map(|own| branch(own, has_si.then_some(metres.factor))).collect();
+        let rms = format!("largest rms ({})", metres.name);
         let [from, to, folds] = ["from", "to", "folds at"].map(|head| in_unit_of(swept, head));
-        let head = ["branch", &from, &to].into_iter().chain(has_si.then_some("largest rms (µm)"));
+        let head = ["branch", &from, &to].into_iter().chain(has_si.then_some(rms.as_str()));
         let head: Vec<&str> = head.chain(["largest rms (−)", &folds, "ends because"]).collect();
         table(format!("Branches of cycles along: {swept}"), &head, rows)
     });
     settled.into_iter().chain(hopf).chain(branches).collect()
 }
 
-fn branch(own: &Value, has_si: bool) -> Vec<String> {
+/// The largest of the numbers that are finite; −∞ of none.
+fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().filter(|value| value.is_finite()).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// A row of a branch; `metre` is what a metre of the rms is multiplied by, where the case is written in SI.
+fn branch(own: &Value, metre: Option<f64>) -> Vec<String> {
     let [values, rms, folds] = ["value", "rms", "folds"].map(|key| numbers(own.get(key)));
     let end = |of: fn(f64, f64) -> f64| values.iter().copied().fold(f64::NAN, of);
     let folds: Vec<String> = folds.into_iter().map(told).collect();
-    let largest = |values: Vec<f64>| values.into_iter().fold(f64::NAN, f64::max);
-    let in_si = has_si.then(|| told(1e6 * largest(numbers(own.get("rms_m")))));
+    let in_si = metre.map(|factor| told(factor * largest(numbers(own.get("rms_m")))));
     let rest = [
         told(largest(rms)),
         if folds.is_empty() { "none".to_owned() } else { folds.join(", ") },
@@ -125,8 +148,8 @@ fn branch(own: &Value, has_si: bool) -> Vec<String> {
     first.into_iter().chain(in_si).chain(rest).collect()
 }
 
-/// What is told of motions in SI before the groups: its key, what it is multiplied by, and the head of its column then.
-const IN_SI: [(&str, f64, &str); 2] = [("rms_m", 1e6, "rms (µm)"), ("period_s", 1.0, "period (s)")];
+/// What is told of motions in SI before the groups: its key, its unit, and the head of its column.
+const IN_SI: [(&str, &str, &str); 2] = [("rms_m", "m", "rms"), ("period_s", "s", "period")];
 
 /// Neighbouring values of a direction at which motions become the same, with the ranges of rms and period.
 fn settled(analysis: ToldAnalysis<'_>, swept: &str) -> Option<PageTable> {
@@ -135,11 +158,13 @@ fn settled(analysis: ToldAnalysis<'_>, swept: &str) -> Option<PageTable> {
     };
     let (direction, becomes) = (words("direction"), words("becomes"));
     let [values, rms, period] = ["value", "rms", "period"].map(|key| numbers(analysis.results.get(key)));
-    let in_si: Vec<(&str, Vec<f64>)> = IN_SI
+    let in_si: Vec<(String, Vec<f64>)> = IN_SI
         .into_iter()
-        .map(|(key, factor, head)| {
+        .map(|(key, unit, head)| {
             let values = numbers(analysis.results.get(key));
-            (head, values.into_iter().map(|value| factor * value).collect::<Vec<_>>())
+            let shown = PrefixedUnit::of(unit, largest(values.iter().copied()));
+            let values = values.into_iter().map(|value| shown.factor * value).collect::<Vec<_>>();
+            (format!("{head} ({})", shown.name), values)
         })
         .filter(|(_, values)| values.len() == becomes.len())
         .collect();
@@ -165,7 +190,7 @@ fn settled(analysis: ToldAnalysis<'_>, swept: &str) -> Option<PageTable> {
     }
     let [from, to] = ["from", "to"].map(|head| in_unit_of(swept, head));
     let mut head = vec!["direction", &from, &to, "motions become"];
-    head.extend(in_si.iter().map(|(head, _)| *head).chain(["rms (−)", "period (−)"]));
+    head.extend(in_si.iter().map(|(head, _)| head.as_str()).chain(["rms (−)", "period (−)"]));
     (!rows.is_empty()).then(|| table(format!("What motions become along: {swept}"), &head, rows))
 }
 

@@ -4,6 +4,7 @@ use super::SiUnits;
 use crate::array_in_si::{ArrayInSi, FACTOR};
 use crate::error::ModelError;
 use judder_store::{Dataset, StoreError, Table, Variable, VariableValues};
+use judder_study::prefixed::PrefixedUnit;
 use serde_json::{Map, Value, json};
 use std::borrow::Cow;
 
@@ -20,16 +21,24 @@ enum MotionDimension {
 }
 
 impl MotionDimension {
-    /// Its unit in SI; the one in which it is drawn, and how many of them that is.
-    fn units(self) -> (&'static str, &'static str, f64) {
+    /// Its unit in SI.
+    fn unit(self) -> &'static str {
         match self {
-            Self::Time => ("s", "s", 1.0),
-            Self::Length => ("m", "µm", 1e6),
-            Self::Velocity => ("m/s", "mm/s", 1e3),
-            Self::Frequency => ("Hz", "Hz", 1.0),
-            Self::Rate => ("1/s", "1/s", 1.0),
-            Self::Area => ("m²", "mm²", 1e6),
-            Self::Force => ("N", "mN", 1e3),
+            Self::Time => "s",
+            Self::Length => "m",
+            Self::Velocity => "m/s",
+            Self::Frequency => "Hz",
+            Self::Rate => "1/s",
+            Self::Area => "m²",
+            Self::Force => "N",
+        }
+    }
+
+    /// That in which values up to a largest one are drawn.
+    fn drawn(self, largest: f64) -> PrefixedUnit {
+        match self {
+            Self::Rate => PrefixedUnit { factor: 1.0, name: self.unit().to_owned() },
+            _ => PrefixedUnit::of(self.unit(), largest),
         }
     }
 }
@@ -41,7 +50,7 @@ struct MotionQuantity {
     measured: MotionDimension,
     /// What it is in SI.
     words: &'static str,
-    /// What stands at its axis, where it is drawn.
+    /// What stands at its axis before its unit, where it is drawn.
     label: &'static str,
 }
 
@@ -56,22 +65,22 @@ const fn quantity(
 
 /// The coordinates of a state.
 const STATES: [MotionQuantity; 4] = [
-    quantity("x", MotionDimension::Length, "displacement x along sliding", "Displacement $x$ (µm)"),
-    quantity("y", MotionDimension::Length, "displacement y into the substrate", "Displacement $y$ (µm)"),
-    quantity("velocity_x", MotionDimension::Velocity, "velocity dx/dt", "Velocity d$x$/d$t$ (mm/s)"),
-    quantity("velocity_y", MotionDimension::Velocity, "velocity dy/dt", "Velocity d$y$/d$t$ (mm/s)"),
+    quantity("x", MotionDimension::Length, "displacement x along sliding", "Displacement $x$"),
+    quantity("y", MotionDimension::Length, "displacement y into the substrate", "Displacement $y$"),
+    quantity("velocity_x", MotionDimension::Velocity, "velocity dx/dt", "Velocity d$x$/d$t$"),
+    quantity("velocity_y", MotionDimension::Velocity, "velocity dy/dt", "Velocity d$y$/d$t$"),
 ];
 /// How the names of arrays of states begin that are not over the grid of time.
 const STATES_AT: [&str; 4] = ["event_", "path_", "section_", "start_"];
 
 /// All others.
 const OTHERS: [MotionQuantity; 21] = [
-    quantity("time", MotionDimension::Time, "time t", "Time $t$ (s)"),
+    quantity("time", MotionDimension::Time, "time t", "Time $t$"),
     quantity("event_time", MotionDimension::Time, "time of a change of the contact state", ""),
     quantity("path_time", MotionDimension::Time, "end of a step that does not end in stick", ""),
     quantity("oscillation_time", MotionDimension::Time, "end of an oscillation, where x is largest", ""),
     quantity("oscillation_period", MotionDimension::Time, "time of an oscillation", ""),
-    quantity("settling_time", MotionDimension::Time, "time after which that was clear", "Settling time (s)"),
+    quantity("settling_time", MotionDimension::Time, "time after which that was clear", "Settling time"),
     quantity("period", MotionDimension::Time, "period of a cycle, mean time of an oscillation otherwise", ""),
     quantity("branch_period", MotionDimension::Time, "period", ""),
     quantity("oscillation_amplitude", MotionDimension::Length, "half the range of x", ""),
@@ -79,17 +88,17 @@ const OTHERS: [MotionQuantity; 21] = [
         "amplitude",
         MotionDimension::Length,
         "amplitude of x about its mean, after the transient",
-        "Amplitude of $x$ (µm)",
+        "Amplitude of $x$",
     ),
-    quantity("rms", MotionDimension::Length, "rms of x about its mean", "rms of $x$ (µm)"),
+    quantity("rms", MotionDimension::Length, "rms of x about its mean", "rms of $x$"),
     quantity("branch_rms", MotionDimension::Length, "rms of x about its mean", ""),
     quantity("fold_rms", MotionDimension::Length, "rms of the cycle nearest to a fold", ""),
-    quantity("frequency", MotionDimension::Frequency, "frequency", "Frequency (Hz)"),
+    quantity("frequency", MotionDimension::Frequency, "frequency", "Frequency"),
     quantity(
         "relative_velocity",
         MotionDimension::Velocity,
         "velocity less that of the track",
-        "Relative velocity $v_{rel}$ (mm/s)",
+        "Relative velocity $v_{rel}$",
     ),
     quantity("growth_rate", MotionDimension::Rate, "growth rate", ""),
     quantity(
@@ -100,8 +109,8 @@ const OTHERS: [MotionQuantity; 21] = [
     ),
     quantity("eigenvalues", MotionDimension::Rate, "eigenvalues λ", ""),
     quantity("conservative_eigenvalues", MotionDimension::Rate, "eigenvalues λ without damping", ""),
-    quantity("contact_area", MotionDimension::Area, "contact area A", "Contact area $A$ (mm²)"),
-    quantity("normal_force", MotionDimension::Force, "contact force F_k", "Contact force $F_{k}$ (mN)"),
+    quantity("contact_area", MotionDimension::Area, "contact area A", "Contact area $A$"),
+    quantity("normal_force", MotionDimension::Force, "contact force F_k", "Contact force $F_{k}$"),
 ];
 
 impl MotionQuantity {
@@ -110,6 +119,16 @@ impl MotionQuantity {
         let state = STATES_AT.iter().find_map(|start| name.strip_prefix(start)).unwrap_or(name);
         let other = OTHERS.iter().find(|own| own.name == name);
         other.or_else(|| STATES.iter().find(|own| own.name == state)).copied()
+    }
+
+    /// After which quantity those are called that share an axis, and so a unit.
+    fn axis(self) -> &'static str {
+        match self.name {
+            "branch_rms" | "fold_rms" => "rms",
+            "branch_period" => "period",
+            "event_time" | "path_time" | "oscillation_time" => "time",
+            own => own,
+        }
     }
 }
 
@@ -131,7 +150,7 @@ impl SiUnits {
     pub(crate) fn told_in(self, dataset: Dataset) -> Result<Dataset, ModelError> {
         let told = dataset.described(|name| {
             MotionQuantity::of(name).map_or_else(Vec::new, |quantity| {
-                let (unit, factor) = (quantity.measured.units().0, self.factor(quantity.measured));
+                let (unit, factor) = (quantity.measured.unit(), self.factor(quantity.measured));
                 ArrayInSi { unit, factor, words: quantity.words }.attributes()
             })
         })?;
@@ -150,7 +169,7 @@ impl SiUnits {
         let Some(MotionQuantity { measured, .. }) = MotionQuantity::of(name) else { return Ok(table) };
         let factor = self.factor(measured);
         let in_si: Vec<f64> = values.iter().map(|value| factor * value).collect();
-        Ok(table.column(name, measured.units().0, in_si)?)
+        Ok(table.column(name, measured.unit(), in_si)?)
     }
 }
 
@@ -194,7 +213,7 @@ pub(crate) fn stored_beside(
         let values = numbers(&variable.name).iter().zip(factors.iter().cycle());
         let values: Vec<f64> = values.map(|(value, factor)| factor * value).collect();
         let own = Variable { name: beside(&variable.name), data: values.into(), ..variable.clone() };
-        in_si.push(own.units(quantity.measured.units().0).long_name(quantity.words));
+        in_si.push(own.units(quantity.measured.unit()).long_name(quantity.words));
     }
     for variable in in_si {
         dataset = dataset.with(variable)?;
@@ -202,12 +221,14 @@ pub(crate) fn stored_beside(
     Ok(dataset)
 }
 
-/// The arrays of a motion in the units in which they are drawn: SI where the case is written in SI.
+/// The arrays of a motion in the units in which they are drawn: SI where the case is written in SI, with the prefix of the largest value on
+/// an axis.
 pub(crate) fn shown(dataset: &Dataset) -> Cow<'_, Dataset> {
-    let drawn: Vec<Option<Variable>> = dataset.variables().iter().map(|own| drawn(dataset, own)).collect();
-    if drawn.iter().all(Option::is_none) {
+    let in_si: Vec<Option<InSi>> = dataset.variables().iter().map(|own| InSi::of(dataset, own)).collect();
+    if in_si.iter().all(Option::is_none) {
         return Cow::Borrowed(dataset);
     }
+    let drawn = in_si.iter().map(|own| own.as_ref().map(|own| own.drawn(&in_si))).collect();
     converted(dataset, drawn).map_or(Cow::Borrowed(dataset), Cow::Owned)
 }
 
@@ -217,24 +238,42 @@ fn converted(dataset: &Dataset, drawn: Vec<Option<Variable>>) -> Result<Dataset,
     dataset.attributes().iter().try_fold(all, |all, (name, value)| all.attribute(name, value.clone()))
 }
 
-/// An array as it is drawn in SI; none where it stays as it is.
-fn drawn(dataset: &Dataset, variable: &Variable) -> Option<Variable> {
-    let quantity = MotionQuantity::of(&variable.name)?;
-    let factor = ArrayInSi::of(variable).map(|own| own.factor);
-    let (data, factor) = match (factor, dataset.variable(&beside(&variable.name))) {
-        (Some(factor), _) => (&variable.data, factor),
-        (None, Some(in_si)) => (&in_si.data, 1.0),
-        (None, None) => return None,
-    };
-    let VariableValues::F64(values) = data else { return None };
-    let (_, unit, many) = quantity.measured.units();
-    let data = values.iter().map(|value| many * factor * value).collect::<Vec<f64>>().into();
-    let mut drawn = Variable { data, ..variable.clone() }.units(unit).long_name(quantity.words);
-    drawn.attributes.shift_remove(FACTOR);
-    if !quantity.label.is_empty() {
-        drawn = drawn.attribute("label", quantity.label);
+/// An array with its values in SI.
+struct InSi<'a> {
+    quantity: MotionQuantity,
+    variable: &'a Variable,
+    values: Vec<f64>,
+}
+
+impl<'a> InSi<'a> {
+    /// Those of an array; none where it stays as it is.
+    fn of(dataset: &Dataset, variable: &'a Variable) -> Option<Self> {
+        let quantity = MotionQuantity::of(&variable.name)?;
+        let factor = ArrayInSi::of(variable).map(|own| own.factor);
+        let (data, factor) = match (factor, dataset.variable(&beside(&variable.name))) {
+            (Some(factor), _) => (&variable.data, factor),
+            (None, Some(in_si)) => (&in_si.data, 1.0),
+            (None, None) => return None,
+        };
+        let VariableValues::F64(values) = data else { return None };
+        Some(Self { quantity, variable, values: values.iter().map(|value| factor * value).collect() })
     }
-    Some(drawn)
+
+    /// The array in the unit of the largest value of all that share its axis.
+    fn drawn(&self, all: &[Option<Self>]) -> Variable {
+        let Self { quantity, variable, values } = self;
+        let beside = all.iter().flatten().filter(|own| own.quantity.axis() == quantity.axis());
+        let sizes = beside.flat_map(|own| &own.values).map(|value| value.abs());
+        let largest = sizes.filter(|size| size.is_finite()).fold(0.0, f64::max);
+        let shown = quantity.measured.drawn(largest);
+        let data = values.iter().map(|value| shown.factor * value).collect::<Vec<f64>>().into();
+        let mut drawn = Variable { data, ..(*variable).clone() }.units(&shown.name).long_name(quantity.words);
+        drawn.attributes.shift_remove(FACTOR);
+        if !quantity.label.is_empty() {
+            drawn = drawn.attribute("label", format!("{} ({})", quantity.label, shown.name));
+        }
+        drawn
+    }
 }
 
 #[cfg(test)]
@@ -261,9 +300,14 @@ mod tests {
             VariableValues::F64(values) => values.clone(),
             _ => panic!("numbers"),
         };
-        assert_eq!((values("time"), values("x")), (vec![0.0, 0.05], vec![4e3, 1.2e4]));
+        assert_eq!((values("time"), values("x")), (vec![0.0, 50.0], vec![4.0, 12.0]));
         assert_eq!(values("contact_area"), [100.0, 300.0]);
-        assert_eq!(shown_in_si.variable("x").unwrap().units, "µm");
+        let told = |name: &str| {
+            let own = shown_in_si.variable(name).unwrap();
+            (own.units.clone(), own.attributes.get("label").and_then(Value::as_str).map(str::to_owned))
+        };
+        assert_eq!(told("x"), ("mm".to_owned(), Some("Displacement $x$ (mm)".to_owned())));
+        assert_eq!(told("time"), ("ms".to_owned(), Some("Time $t$ (ms)".to_owned())));
         assert_eq!(values("quasi_steady_condition"), [1.0, 3.0]);
         assert!(matches!(shown(&in_groups()), Cow::Borrowed(_)));
     }

@@ -148,7 +148,7 @@ mod tests {
         assert_eq!(row(3), "area | 60.9 mm² |  | 0.0036");
         assert_eq!(
             row(4),
-            "friction coefficient |  | 0 ± 5.1996e−17 | –",
+            "friction coefficient |  | 0 ± 5.2e−17 | –",
             "an error as large as the value leaves no digit of it"
         );
         assert_eq!(row(6), "peak pressure | 188.428 kPa | 0.125 | 6e−5");

@@ -14,7 +14,7 @@ use judder_oscillator::motion::ContactState;
 use judder_report::figure::ShadedRegion;
 use judder_report::palette::Style;
 use judder_report::{Axis, Layer, Legend, Panel, Role, Scale};
-use judder_study::pictures::{FRAME, StoredArrays, at, axis, codes, complexes, reals, text};
+use judder_study::pictures::{FRAME, StoredArrays, at, axis, codes, complexes, picked, reals, text};
 use std::f64::consts::TAU;
 
 /// Oscillations that are shown at the end of a motion.

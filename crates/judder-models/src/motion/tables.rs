@@ -274,7 +274,7 @@ mod tests {
         in_si["period_s"] = json!([null, 0.6, 0.6, 0.6]);
         let told = ToldAnalysis { asked: &asked, results: in_si.as_object().unwrap() };
         let table = &diagram(told, "key")[0];
-        assert_eq!(table.head[4..], ["rms (µm)", "period (s)", "rms (−)", "period (−)"]);
-        assert_eq!(table.rows[1][4..], ["500 … 700", "0.6", "0.5 … 0.7", "6"]);
+        assert_eq!(table.head[4..], ["rms (µm)", "period (ms)", "rms (−)", "period (−)"]);
+        assert_eq!(table.rows[1][4..], ["500 … 700", "600", "0.5 … 0.7", "6"]);
     }
 }

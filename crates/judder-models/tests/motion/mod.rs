@@ -74,7 +74,7 @@ fn a_belt_in_si_is_drawn_in_si_and_heard() {
         table.starts_with("time,x,velocity_x,") && table.lines().next().unwrap().contains("velocity_x [m/s]")
     );
     let page = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
-    for shown in ["Frequency (Hz)", "(mm/s)", "rms (µm)", "rms of "] {
+    for shown in ["Frequency (Hz)", "(mm/s)", "rms (mm)", "rms of "] {
         assert!(page.contains(shown), "{shown}");
     }
 }

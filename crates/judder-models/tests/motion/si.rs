@@ -110,7 +110,7 @@ fn energies_of_a_belt_in_si_are_in_joules() {
     assert!((energy("damping") / -lost - 1.0).abs() < 1e-5, "{} {lost}", energy("damping"));
     assert!((energy("friction") + energy("damping")).abs() < 1e-5 * lost, "{} {lost}", energy("friction"));
     let page = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
-    assert!(page.contains("in SI (mJ)") && page.contains("energy (−)"));
+    assert!(page.contains("in SI (µJ)") && page.contains("energy (−)"));
     let place = |what: &str| page.find(what).unwrap_or_else(|| panic!("{what}"));
     assert!(place("The motion") < place("Every number, by its key"), "what was asked stands first");
 }

@@ -1,12 +1,12 @@
 //! The pictures of what motions become: along a key, and over their starts.
 
-use super::{above_rounding, markers, of_direction};
+use super::{above_rounding, markers, of_direction, with_room};
 use crate::motion::becomes::{BECOMES, CYCLE, IRREGULAR, UNCONFIRMED};
 use crate::motion::bifurcation::branch_layers as branches;
 use crate::motion::si;
 use judder_numerics::order::sort_numbers;
-use judder_report::{Axis, Layer, Legend, Panel, Role, Scale};
-use judder_study::pictures::{StoredArrays, axis, codes, picked, reals, text, words};
+use judder_report::{Axis, Layer, Legend, Panel, Role};
+use judder_study::pictures::{StoredArrays, axis, codes, reals, text, words};
 
 /// Starts of a basin that are shown at most.
 const MOST_STARTS: usize = 4000;

@@ -121,12 +121,12 @@ impl MotionQuantity {
         other.or_else(|| STATES.iter().find(|own| own.name == state)).copied()
     }
 
-    /// After which quantity those are called that share an axis, and so a unit.
+    /// After which quantity those are called that are drawn or reckoned together, and so share a unit.
     fn axis(self) -> &'static str {
         match self.name {
             "branch_rms" | "fold_rms" => "rms",
             "branch_period" => "period",
-            "event_time" | "path_time" | "oscillation_time" => "time",
+            "event_time" | "path_time" | "oscillation_time" | "oscillation_period" => "time",
             own => own,
         }
     }
@@ -286,6 +286,7 @@ mod tests {
             .with(Variable::coordinate("time", vec![0.0, 2.0]).units("1"))
             .and_then(|own| own.with(over_time("x").long_name("displacement x/x0")))
             .and_then(|own| own.with(over_time("contact_area")))
+            .and_then(|own| own.with(over_time("oscillation_period")))
             .and_then(|own| own.with(over_time("quasi_steady_condition")))
             .unwrap()
     }
@@ -308,6 +309,7 @@ mod tests {
         };
         assert_eq!(told("x"), ("mm".to_owned(), Some("Displacement $x$ (mm)".to_owned())));
         assert_eq!(told("time"), ("ms".to_owned(), Some("Time $t$ (ms)".to_owned())));
+        assert_eq!(values("oscillation_period"), [25.0, 75.0], "as the time, of which periods are parts");
         assert_eq!(values("quasi_steady_condition"), [1.0, 3.0]);
         assert!(matches!(shown(&in_groups()), Cow::Borrowed(_)));
     }

@@ -97,8 +97,11 @@ fn bonded(
     }
 }
 
+/// The shape of a radius.
+type ShapeOfRadius = fn(f64) -> IndenterShape;
+
 /// Indenters of a radius, by their names.
-const SHAPES: [(&str, fn(f64) -> IndenterShape); 3] = [
+const SHAPES: [(&str, ShapeOfRadius); 3] = [
     ("paraboloid", |radius| IndenterShape::Paraboloid { radius }),
     ("sphere", |radius| IndenterShape::Sphere { radius }),
     ("cylinder", |radius| IndenterShape::Cylinder { radius }),

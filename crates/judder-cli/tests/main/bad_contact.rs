@@ -138,9 +138,9 @@ fn measured_moduli_that_are_none() {
     refused(b"", "there are no measurements", "a header line such as `frequency [Hz]");
     let message = "the frequency in line 4 is 10 Hz and does not rise above 20 Hz, the one before";
     rows("1,2,0.3\n20,3,0.4\n10,4,0.5\n", message, "sort the lines by temperature, then frequency");
-    let help = "it must be a positive, finite number with a decimal point";
+    let help = "it must be a finite number with a decimal point";
     rows("1,2,nan\n", "the loss modulus in line 2 is `nan`", help);
-    rows("1,-2,0.3\n", "the storage modulus in line 2 is `-2`", help);
+    rows("1,-2,0.3\n", "the storage modulus in line 2 is -2, and must be positive", "data.csv");
     rows("1,2\n", "line 2 has 2 fields, the header has 3", "every line needs as many");
     let message = "the column `f` of the header, line 1, is without a unit";
     refused(b"f,E' [MPa],E'' [MPa]\n1,2,3\n", message, "write it in brackets, one of `Hz`, `rad/s`");
@@ -158,7 +158,7 @@ fn data_of_an_oscillator_that_are_none() {
         "model = \"oscillator\"\ncontact = { law = \"hertz\" }\nsubstrate = { dma = { file = \"data.csv\" } }\n",
     );
     desk.write("data.csv", "frequency [Hz],E' [MPa],E'' [MPa]\n1,2,x\n");
-    desk.refused(&["run", "case.toml"], "data.csv: the loss modulus in line 2 is `x`", "positive, finite");
+    desk.refused(&["run", "case.toml"], "data.csv: the loss modulus in line 2 is `x`", "a finite number");
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! The pictures of what motions become: along a key, and over their starts.
 
+#![deny(clippy::indexing_slicing, reason = "stored arrays may be of any length")]
+
 use super::{above_rounding, markers, of_direction, with_room};
 use crate::motion::becomes::{BECOMES, CYCLE, IRREGULAR, UNCONFIRMED};
 use crate::motion::bifurcation::branch_layers as branches;

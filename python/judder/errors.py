@@ -113,9 +113,10 @@ class CaseError(JudderError, ValueError):
         if self.fields.get("file") == _OPTION:
             self.fields["file"] = OF_CHANGES
         if self.fields.get("file") in (OF_TABLES, OF_CHANGES, OF_ARGUMENTS):
-            self.fields |= {"line": None, "column": None}
-            if self.text:
-                self.add_note(f"at {self.text}" if self.text == self.key else f"at {self.key}: {self.text}" if self.key else f"at {self.text}")
+            self.fields.update(line=None, column=None)
+            words = [own for own in (self.key, self.text) if own and not own.startswith("[")]
+            if words:
+                self.add_note(f"at {': '.join(dict.fromkeys(words))}")
         elif self.fields.get("line") is not None:
             self.add_note(f"in {self.file}, line {self.line}, column {self.column}: {self.text}")
         if self.fields.get("help"):

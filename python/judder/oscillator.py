@@ -246,7 +246,7 @@ def points(
         threads: threads to compute with; one a core where none is given. The result does not depend on it.
         progress: ``progress(name, done, total)``.
         keys: :class:`Keys`, each a number, a text with a unit, an array of groups, an array with its unit, ``velocity=(np.linspace(1, 50), "mm/s")``, or a
-            DataArray, whose attribute ``units`` counts.
+            DataArray, whose attribute ``units`` counts. One that is ``None`` is as left out.
 
     Returns:
         A dataset: a variable for each quantity and the eigenvalues; NaN where there is no steady sliding. A dimension along which one key alone varies

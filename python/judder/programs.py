@@ -134,8 +134,12 @@ def _log_expected(case: Path) -> None:
 
     logger = logging.getLogger("judder")
     if logger.isEnabledFor(logging.INFO):
-        for own in check(case)["estimate"]:
-            logger.info("`%s`: %s", own["name"], f"takes about {own['seconds']:.1f} s on one core" if "seconds" in own else own.get("asked", ""))
+        known = check(case)
+        for own in known["estimate"]:
+            if "seconds" in own or "asked" in own:
+                logger.info("`%s`: %s", own["name"], f"takes about {own['seconds']:.1f} s on one core" if "seconds" in own else own["asked"])
+        for own in known.get("sweeps", []):
+            logger.info("`%s`: %d points", own["name"], own["points"])
 
 
 @dataclass(frozen=True)

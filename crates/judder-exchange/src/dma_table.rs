@@ -184,7 +184,7 @@ impl DmaHeader {
             storage_modulus: self.storage.read(line, fields, "storage modulus")?,
             loss_modulus: self.loss.read(line, fields, error::LOSS)?,
             temperature: match &self.temperature {
-                Some(column) => Some(column.read(line, fields, "absolute temperature")?),
+                Some(column) => Some(column.read(line, fields, "temperature above absolute zero")?),
                 None => None,
             },
         })

@@ -33,6 +33,14 @@ pub enum ModelError {
     /// The operating point has no answer.
     #[error("the operating point has no answer: {0}")]
     Oscillator(#[from] OscillatorError),
+    /// There is no result, beyond what the law is known for.
+    #[error("{cause}; {doubt}")]
+    Doubted {
+        /// Why there is none.
+        cause: Box<ModelError>,
+        /// What the law is not known for.
+        doubt: String,
+    },
     /// The command is for oscillator cases.
     #[error("`judder {command}` takes an oscillator case; this one is of model `{model}`")]
     WrongModel {
@@ -262,6 +270,7 @@ impl ModelFault for ModelError {
             | Self::NoMode { .. }
             | Self::Periodic(_) => true,
             Self::Study(error) => error.is_wrong_input(),
+            Self::Doubted { cause, .. } => cause.is_wrong_input(),
             // a square that was chosen, not given
             Self::Contact(error) => {
                 !matches!(error, SteadyError::DomainTooSmall { .. } | SteadyError::NoCells)

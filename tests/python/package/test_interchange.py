@@ -364,7 +364,7 @@ def test_a_chunk_that_is_gone_is_no_column_of_nan(small, writer, tmp_path):
     flipped = bytes([content[0] ^ 1, *content[1:]])
     for damaged in (content[:-20], content[20:], flipped, b""):
         chunks[3].write_bytes(damaged)
-        with pytest.raises(judder.StoreError, match=r"c\.1\.1\.0: this chunk is damaged: .*; `judder run` computes it again") as caught:
+        with pytest.raises(judder.StoreError, match=r"c\.1\.1\.0: this chunk is damaged: .*; `judder.run` computes it again") as caught:
             write(study, writer, tmp_path / "out", only="grid")
         assert caught.value.cause == "DamagedChunk" and not (tmp_path / "out").exists()
 
@@ -377,7 +377,7 @@ def test_a_chunk_that_is_gone_is_named_before_a_sweep_is_opened(small, tmp_path)
     # neither one in its place nor anything else that lies there hides that
     (chunks[-1].parent / "c.other").touch()
     for look in (lambda: study["grid"], lambda: study.failed_points("grid")):
-        with pytest.raises(judder.StoreError, match=rf"{chunks[-1].name}: this chunk is not there; `judder run` computes it") as caught:
+        with pytest.raises(judder.StoreError, match=rf"{chunks[-1].name}: this chunk is not there; `judder.run` computes it") as caught:
             look()
         assert caught.value.cause == "MissingChunk" and caught.value.path == chunks[-1]
     assert study["samples"].sizes and len(study.failed_points("samples")) >= 0

@@ -176,7 +176,7 @@ def test_what_is_wrong_has_its_place(tmp_path):
     model = judder.models.Oscillator()
     with pytest.raises(judder.CaseError) as caught:
         model.spectrum(sweep={**SWEEP, "pionts": 3})
-    assert caught.value.key == "sweep.pionts" and caught.value.text == "pionts" and caught.value.line is None, "tables have no lines"
+    assert caught.value.key == "analysis.spectrum.sweep.pionts" and caught.value.text == "pionts" and caught.value.line is None, "tables have no lines"
     with pytest.raises(judder.CaseError, match="velocity") as caught:
         judder.models.Oscillator(operation={"velocity": "30 N"}).spectrum(sweep=SWEEP)
     assert caught.value.file == "argument" and caught.value.text == '"30 N"'

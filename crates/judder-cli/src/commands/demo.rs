@@ -78,15 +78,15 @@ impl DemoArguments {
         let bars = Bars::of_what_is_not_kept(console);
         let known = resolve(&judder_models::read(&case, &[])?, &bars)?;
         drop(bars);
-        for expected in expectations(&known.json()["estimate"]) {
+        for expected in expectations(&known.json()) {
             console.note(expected);
         }
         run_case(&case, self.output.as_deref(), self.threads, console)
     }
 }
 
-/// What each analysis takes, as `judder check` estimates it: about so long on one core, or what it is asked.
-fn expectations(estimates: &Value) -> Vec<String> {
+/// What each analysis takes, as `judder check` tells it: about so long on one core, or what it is asked; and how many points each sweep has.
+fn expectations(known: &Value) -> Vec<String> {
     let told = |own: &Value| {
         let name = own["name"].as_str()?;
         let seconds =
@@ -94,7 +94,9 @@ fn expectations(estimates: &Value) -> Vec<String> {
         let asked = || own["asked"].as_str().map(str::to_owned);
         Some(format!("{name}: {}", seconds.or_else(asked)?))
     };
-    estimates.as_array().into_iter().flatten().filter_map(told).collect()
+    let points = |own: &Value| Some(format!("{}: {} points", own["name"].as_str()?, own["points"].as_u64()?));
+    let list = |key: &str| known[key].as_array().into_iter().flatten();
+    list("estimate").filter_map(told).chain(list("sweeps").filter_map(points)).collect()
 }
 
 #[cfg(test)]
@@ -104,8 +106,12 @@ mod tests {
 
     #[test]
     fn estimates_are_told_by_the_time_or_by_what_is_asked() {
-        let estimates = json!([{ "name": "map", "points": 4, "seconds": 2.04 }, { "name": "modes", "asked": "5 modes" }, {}]);
-        assert_eq!(expectations(&estimates), ["map: takes about 2.0 s on one core", "modes: 5 modes"]);
+        let known = json!({
+            "estimate": [{ "name": "map", "points": 4, "seconds": 2.04 }, { "name": "modes", "asked": "5 modes" }, {}],
+            "sweeps": [{ "name": "grid", "points": 512 }],
+        });
+        let told = ["map: takes about 2.0 s on one core", "modes: 5 modes", "grid: 512 points"];
+        assert_eq!(expectations(&known), told);
         assert_eq!(expectations(&Value::Null), [""; 0]);
     }
 }

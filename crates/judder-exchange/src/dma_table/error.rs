@@ -1,5 +1,6 @@
 //! Why a table of measured moduli is not read.
 
+use judder_numerics::words::plain;
 use thiserror::Error;
 
 /// Why a table of measured moduli cannot be used. Lines are those of the file, counted from 1.
@@ -70,7 +71,7 @@ pub enum DmaTableError {
         found: String,
     },
     /// A number that is not positive.
-    #[error("the {name} in line {line} is {found}, and must be positive{}", convention(name, *found))]
+    #[error("the {name} in line {line} is {}, and must be positive{}", plain(*found), convention(name, *found))]
     NotPositive {
         /// The line.
         line: usize,

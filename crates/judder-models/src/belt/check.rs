@@ -3,6 +3,7 @@
 use crate::belt::case::{BeltCase, BeltKey};
 use crate::error::ModelError;
 use crate::estimate::{estimate_json, estimate_text, title};
+use crate::motion::doubts;
 use crate::motion::model::{BeltModel, Moving};
 use judder_keys::keys::{Key, Keys};
 use judder_keys::numeric_key::{Form, Value};
@@ -14,7 +15,9 @@ use judder_study::text::{columns, number};
 use serde_json::{Value as Json, json};
 
 pub(super) fn resolve(file: &CaseText, case: &BeltCase, resolved: Json) -> Result<Resolved, ModelError> {
-    let system = BeltModel::new(case, "").operating(None)?.system;
+    let operating = BeltModel::new(case, "").operating(None)?;
+    let warnings: Vec<String> = doubts::beyond_law::<BeltModel<'_>, 2>(&operating, &[]).into_iter().collect();
+    let system = operating.system;
     let estimates = estimates(case, file, |name| BeltModel::new(case, name))?;
     let has_meaning = |key: &&Key<BeltKey>| case.curve.is_none() || key.section() != "friction";
     let written = |key: &Key<BeltKey>| {
@@ -44,7 +47,7 @@ pub(super) fn resolve(file: &CaseText, case: &BeltCase, resolved: Json) -> Resul
         "case": resolved,
         "point": { "verdict": verdict, "displacement": displacement, "equivalent_damping": damping },
         "estimate": estimate_json(&estimates),
-        "warnings": [],
+        "warnings": warnings,
     });
     Ok(Resolved { document, text })
 }

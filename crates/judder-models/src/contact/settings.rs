@@ -312,7 +312,8 @@ fn load(node: &Node, scope: &ContactScope) -> Result<Value, Fault> {
         return LOAD.read("load", node);
     }
     let length = scope.length;
-    LINE_LOAD.read("load", node).map_err(|fault| match LOAD.read("load", node) {
+    const FORCE: Scaled = Scaled { range: Range::Any, ..LOAD };
+    LINE_LOAD.read("load", node).map_err(|fault| match FORCE.read("load", node) {
         Ok(Value { number, form: Form::Si }) => {
             ContactProblem::WholeLoad { force: number, length }.at(node.place)
         }

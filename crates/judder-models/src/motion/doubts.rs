@@ -1,5 +1,6 @@
 //! What makes a motion doubtful: that it leaves what is known of friction and contact, or that its size is nobody's.
 
+use crate::error::ModelError;
 use crate::motion::model::{Moving, Operating};
 use judder_numerics::words::plain;
 use judder_oscillator::cycle::shooting::Cycle;
@@ -41,12 +42,24 @@ pub(crate) fn beyond_law_along<M: Moving<N>, const N: usize>(
     ))
 }
 
+/// An error of what begins with steady sliding; where that lies beyond what its law is known for, it says so.
+pub(crate) fn doubted<M: Moving<N>, const N: usize>(
+    operating: &Operating<M::System>,
+    error: ModelError,
+) -> ModelError {
+    match (error, beyond_law::<M, N>(operating, &[])) {
+        (ModelError::Interrupted, _) => ModelError::Interrupted,
+        (error, None) => error,
+        (error, Some(doubt)) => ModelError::Doubted { cause: Box::new(error), doubt },
+    }
+}
+
 /// That motions beside a cycle neither come to it nor leave it.
 pub(crate) fn neutral<const N: usize>(cycle: &Cycle<N>) -> Option<String> {
     let others = cycle.largest_multiplier();
     cycle.is_neutral().then(|| {
         format!(
-            "motions beside this cycle neither come to it nor leave it: its largest Floquet multiplier is {}, one but for what is known of it. Its size is \
+            "motions beside this cycle neither come to it nor leave it, as far as is known: beside the trivial one its largest Floquet multiplier is {}. Its size is \
              then that of the start, and whether it is stable is unknown",
             plain(others)
         )

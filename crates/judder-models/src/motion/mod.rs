@@ -11,7 +11,7 @@ pub mod basin;
 pub mod becomes;
 pub mod bifurcation;
 pub(crate) mod counted;
-mod doubts;
+pub(crate) mod doubts;
 pub mod history;
 pub mod limit_cycle;
 pub(crate) mod model;

@@ -163,8 +163,12 @@ impl ReducedPair {
         for (part, own) in parts.iter().zip(&case.structures[..]) {
             warnings.extend(part.warnings().map(|warning| format!("`{}`: {warning}", own.name)));
         }
-        warnings.extend(pair.friction().beyond(motion.velocity.abs()).map(|beyond| beyond.text("m/s")));
         Ok(Self { pair, motion, parts, moved: [start[0] - c[0], start[1] - c[1]], warnings })
+    }
+
+    /// That the case's speed lies beyond its table of friction.
+    pub(crate) fn beyond_friction(&self) -> Option<String> {
+        beyond_friction(&self.pair, &self.motion)
     }
 
     /// What a march prescribes.
@@ -259,6 +263,11 @@ fn on_track(pair: &Pair, motion: &Motion) -> Result<(), Uncoupled> {
         }
     }
     Ok(())
+}
+
+/// That a speed of sliding lies beyond the table of friction.
+pub(crate) fn beyond_friction(pair: &Pair, motion: &Motion) -> Option<String> {
+    pair.friction().beyond(motion.velocity.abs()).map(|beyond| beyond.text("m/s"))
 }
 
 /// What a case prescribes.

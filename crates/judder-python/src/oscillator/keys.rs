@@ -69,19 +69,18 @@ impl AskedOscillator {
         Ok(asked)
     }
 
-    /// Sets keys by their names, in the order of the case file, and checks what ties them together.
+    /// Sets keys by their names, in the order of the case file, and checks what ties them together; one that is `None` is not given.
     pub(crate) fn set<'py>(
         &mut self,
         keys: impl IntoIterator<Item = (Bound<'py, PyAny>, Bound<'py, PyAny>)>,
     ) -> PyResult<()> {
         let mut values = Vec::new();
         for (name, given) in keys {
-            let name = name.extract::<String>()?;
-            let key = key(&name)?;
-            if given.is_none() {
-                return Err(errors::input(&name, "is None; leave the key out where its default is meant"));
+            // a wrong name is one, whatever its value
+            let key = key(&name.extract::<String>()?)?;
+            if !given.is_none() {
+                values.push((key, given));
             }
-            values.push((key, given));
         }
         values.sort_by_key(|(key, _)| *key);
         let is_given = |key| values.iter().any(|(own, _)| *own == key);

@@ -82,8 +82,8 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
     let open = basin.count(UNCONFIRMED);
     let unconfirmed = (open > 0).then(|| {
         format!(
-            "what becomes of {open} of {} starts is not confirmed: within `duration` the motions have not settled, or finer tolerances tell \
-             something else each time",
+            "what becomes of {open} of {} starts is not confirmed: within `duration` the motions have not settled, finer tolerances tell something \
+             else each time, or all motions nearby are cycles",
             draw.samples
         )
     });

@@ -225,8 +225,8 @@ impl SweptDiagram<'_> {
             self.becomes().zip(values.iter().zip(directions)).filter(|(code, _)| *code == UNCONFIRMED);
         let (_, (value, direction)) = open.next()?;
         Some(format!(
-            "what {} of {} motions settle to is not confirmed, the first at {}, {direction}: within `duration` they have not settled, or finer \
-             tolerances tell something else each time; a longer `duration` or a smaller `tolerance` may settle it",
+            "what {} of {} motions settle to is not confirmed, the first at {}, {direction}: within `duration` they have not settled, finer \
+             tolerances tell something else each time, or all motions nearby are cycles; a longer `duration` or a smaller `tolerance` may settle all but the last",
             open.count() + 1,
             values.len(),
             plain(*value)

@@ -39,7 +39,8 @@ pub(crate) fn run<M: Moving<N>, const N: usize>(
         &shooting,
         &patience,
         &stop,
-    )?;
+    )
+    .map_err(|error| doubts::doubted::<M, N>(&operating, error.into()))?;
     let (returns, period) = (cycle.oscillations, cycle.period());
     let history = follow_cycle(&operating.system, cycle.start, settings, returns, period, POINTS)?;
     progress.advance();

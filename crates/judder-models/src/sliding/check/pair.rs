@@ -40,6 +40,7 @@ pub(super) fn known(case: &SlidingCase, system: &ReducedPair) -> KnownPair {
     }
     text.push_str(&columns(&rows));
     let mut warnings = system.warnings.clone();
+    warnings.extend(system.beyond_friction());
     let (pair, shown) = pair(case, system, &mut warnings);
     text.push_str(&shown);
     let (limits, shown) = limits(case, system);

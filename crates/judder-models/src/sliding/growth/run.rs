@@ -63,7 +63,8 @@ pub(super) fn run(
         .with(scalar("predicted", predicted).long_name("eigenvalue with the contact held"))?;
     let dataset = history.kept(dataset)?;
     let checks = checks(settings.word.name(), measured, predicted);
-    let warnings = far_off(predicted.im, settings.frequency).into_iter().collect();
+    let far_off = far_off(predicted.im, settings.frequency);
+    let warnings = far_off.into_iter().chain(system.beyond_friction()).collect();
     Ok(Outcome { scalars, dataset, checks, warnings, ..Outcome::default() })
 }
 

@@ -37,10 +37,13 @@ pub(super) fn run(
     })
 }
 
-/// How many swept speeds lie beyond the table of friction, and one of them; the speed of the case itself is told of every analysis.
+/// That the speed lies beyond the table of friction: that of the case, or how many of those that are swept.
 fn beyond_friction(system: &ReducedPair, along: &Along) -> Option<String> {
-    let Along::Key { sweep, .. } = along else { return None };
-    let swept = sweep.values.iter().filter(|_| sweep.path == "motion.velocity");
+    let Along::Key { sweep, .. } = along else { return system.beyond_friction() };
+    if sweep.path != "motion.velocity" {
+        return system.beyond_friction();
+    }
+    let swept = sweep.values.iter();
     let beyond: Vec<_> = swept.filter_map(|speed| system.pair.friction().beyond(speed.abs())).collect();
     let first = beyond.first()?.text("m/s");
     Some(format!("at {} of {} values {first}", beyond.len(), sweep.values.len()))

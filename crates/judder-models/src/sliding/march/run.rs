@@ -7,7 +7,7 @@ use super::{Marched, expected, sampling, signals, sound};
 use crate::error::ModelError;
 use crate::samples::{Finished, Samples};
 use crate::sliding::case::signals::SoundSignals;
-use crate::sliding::system::step;
+use crate::sliding::system::{beyond_friction, step};
 use judder_sliding::march::{March, MarchSettings};
 use judder_sliding::recorder::Recorder;
 use judder_store::Results;
@@ -55,7 +55,7 @@ pub(crate) fn run(
     };
     let mut outcome = Outcome {
         table: Some(told.table()?),
-        warnings: told.warnings(),
+        warnings: told.warnings().into_iter().chain(beyond_friction(of.pair, &of.motion)).collect(),
         missing: usize::from(way.ended.is_some()),
         ..Outcome::default()
     };

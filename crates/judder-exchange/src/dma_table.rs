@@ -283,12 +283,12 @@ mod tests {
         assert!(rows("1,1,one").contains("is `one`; it must be a finite number with a decimal point"));
         let signs = rows("1,1,-1");
         assert!(
-            signs.contains("loss modulus in line 3 is -1, and must be positive: E = E' + iE''"),
+            signs.contains("loss modulus in line 3 is -1; it must be positive: E = E' + iE''"),
             "{signs}"
         );
         assert!(signs.contains("e^(−iωt) take the complex conjugate") && !signs.contains("point"), "{signs}");
-        assert!(rows("1,-1,1").ends_with("the storage modulus in line 3 is -1, and must be positive"));
-        assert!(rows("1,1,0").ends_with("the loss modulus in line 3 is 0, and must be positive"));
+        assert!(rows("1,-1,1").ends_with("the storage modulus in line 3 is -1; it must be positive"));
+        assert!(rows("1,1,0").ends_with("the loss modulus in line 3 is 0; it must be positive"));
         assert!(rows("1,1,1\n1,1,1").contains("frequency in line 4"));
         let order = rows("20,1,1\n0.1,1,1");
         assert!(

@@ -140,7 +140,7 @@ fn measured_moduli_that_are_none() {
     rows("1,2,0.3\n20,3,0.4\n10,4,0.5\n", message, "sort the lines by temperature, then frequency");
     let help = "it must be a finite number with a decimal point";
     rows("1,2,nan\n", "the loss modulus in line 2 is `nan`", help);
-    rows("1,-2,0.3\n", "the storage modulus in line 2 is -2, and must be positive", "data.csv");
+    rows("1,-2,0.3\n", "the storage modulus in line 2 is -2", "it must be positive");
     rows("1,2\n", "line 2 has 2 fields, the header has 3", "every line needs as many");
     let message = "the column `f` of the header, line 1, is without a unit";
     refused(b"f,E' [MPa],E'' [MPa]\n1,2,3\n", message, "write it in brackets, one of `Hz`, `rad/s`");

@@ -71,7 +71,7 @@ pub enum DmaTableError {
         found: String,
     },
     /// A number that is not positive.
-    #[error("the {name} in line {line} is {}, and must be positive{}", plain(*found), convention(name, *found))]
+    #[error("the {name} in line {line} is {}; it must be positive{}", plain(*found), convention(name, *found))]
     NotPositive {
         /// The line.
         line: usize,

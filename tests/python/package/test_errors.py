@@ -123,7 +123,7 @@ def test_what_an_unknown_word_is_like_is_told(call, words):
 
 
 def test_a_key_of_an_oscillator_that_is_none_is_left_out():
-    assert judder.oscillator.point(velocity=None).eigenvalues == judder.oscillator.point().eigenvalues
+    assert list(judder.oscillator.point(velocity=None).eigenvalues) == list(judder.oscillator.point().eigenvalues)
     with pytest.raises(judder.InputError, match="is `velocity` meant"):
         judder.oscillator.point(velocty=None)
 

@@ -234,10 +234,10 @@ impl ContactProblem {
             Self::Endless { .. } => "give `load`, and leave this key out".to_owned(),
             Self::LineKey { .. } => "leave it out, or set indenter.shape = \"cylinder\"".to_owned(),
             Self::WholeLoad { force, length: Some(length) } => {
-                format!("over the length of this cylinder, {} m, it is load = \"{} N/m\"", plain(*length), plain(force / length))
+                format!("over the length of this cylinder, {} m, it is load = \"{} N/m\"", plain(*length), plain(force.abs() / length))
             }
             Self::WholeLoad { force, length: None } => {
-                format!("divide it by the length of the cylinder: over 100 mm it is load = \"{} N/m\"", plain(force / 0.1))
+                format!("divide it by the length of the cylinder: over 100 mm it is load = \"{} N/m\"", plain(force.abs() / 0.1))
             }
             Self::NoThickness { .. } => {
                 "give the thickness of the layer, which a rigid base holds; one `contact` may have a `load` instead".to_owned()

@@ -186,7 +186,7 @@ fn cycles_that_cannot_be() {
     let reduced = with_analysis(whole).replace("[[contact]]", "reduction = { count = 15 }\n\n[[contact]]");
     refused(
         &reduced,
-        "`structure.block.reduction.count` cannot be swept: what follows it needs every value between the ends, and with `structure.block.reduction.count` = 13.819660112501051: `structure.block.reduction.count` is a number, but must be an integer",
+        "`structure.block.reduction.count` cannot be swept: what follows it needs every value between the ends, and with `structure.block.reduction.count` = 13.8197: `structure.block.reduction.count` is a number, but must be an integer",
         "\"structure.block.reduction.count\"",
         "give a key that changes without steps, such as a friction coefficient",
     );

@@ -214,7 +214,8 @@ fn a_cylinder_under_a_whole_force() {
         "divide it by the length of the cylinder: over 100 mm it is load = \"90 N/m\"",
     );
     let told = "the load of a cylinder is a force per length, N/m, and no force of -9 N";
-    refused(&on_layer("", "load = \"-9 N\""), told, "\"-9 N\"", "divide it by the length of the cylinder");
+    let help = "divide it by the length of the cylinder: over 100 mm it is load = \"90 N/m\"";
+    refused(&on_layer("", "load = \"-9 N\""), told, "\"-9 N\"", help);
 }
 
 #[test]

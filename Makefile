@@ -44,7 +44,7 @@ define browser-tests
 		CHROMIUM="$$chromium" JUDDER="$(abspath $(TARGET))/debug/judder" npm run --silent test -- $1
 endef
 
-.PHONY: help demo test fuzz bench bench-cluster bench-explorer bench-rough validate expensive-tests sdist-tests setup format lint rust-tests doc-tests python-tests page page-tests docs deny advisories dist dist-tests site workflows
+.PHONY: help demo test fuzz bench bench-cluster bench-explorer bench-rough inspect validate expensive-tests sdist-tests setup format lint rust-tests doc-tests python-tests page page-tests docs deny advisories dist dist-tests site workflows
 
 help: ## print this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -58,7 +58,9 @@ test: format rust-tests doc-tests python-tests page-tests ## what must hold befo
 	@printf '\nEvery check passed.\n'
 
 # What takes long, and what looks at all sources for what a change seldom touches. CI runs it after `make test`.
-validate: lint expensive-tests fuzz docs deny workflows ## clippy, the expensive validation, a minute of fuzzing, the documentation, the licences, the workflows
+inspect: lint fuzz docs deny workflows ## clippy, a minute of fuzzing, the documentation, the licences, the workflows
+
+validate: inspect expensive-tests ## all that is inspected, and the expensive validation
 	@printf '\nAll is validated.\n'
 
 bench: .venv/installed ## time the stability decision, the sliding contact, a limit cycle, modes, assemblies, loci, marches and calls from Python, beside NumPy and SciPy peers

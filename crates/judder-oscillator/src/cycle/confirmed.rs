@@ -37,8 +37,8 @@ pub struct Confirmed<const N: usize> {
 ///
 /// Two cycles are the same with as many oscillations, and rms and period to 10⁻³; they are confirmed where Newton's method on the return
 /// map closes them, with the least number of oscillations and multipliers that say stable: where one is 1 but for rounding all motions
-/// nearby are cycles, and none is what motions settle to. Motions without a period are irregular where nearby ones part and they are not on their way from or to something. Steady sliding is confirmed by the eigenvalues of its
-/// linear motion, which must decay. After three rounds, or where no finer tolerance is left, what was found last is told as not
+/// nearby are cycles, and none is what motions settle to. Motions without a period are irregular where nearby ones part and they are not on
+/// their way from or to something. Steady sliding is confirmed by the eigenvalues of its linear motion, which must decay. After three rounds, or where no finer tolerance is left, what was found last is told as not
 /// confirmed, and so is what has not settled within its time. Below 10⁻¹¹ no tolerance is left that is much finer: the first round is
 /// then a coarser one.
 ///
@@ -147,7 +147,7 @@ fn closed<const N: usize>(
     let mean_time = |motion: &Attractor<N>, oscillations: usize| motion.period / oscillations as f64;
     let is_here = near(found.measures.rms(), settled.measures.rms())
         && near(mean_time(&found, cycle.oscillations), mean_time(settled, oscillations));
-    (is_here && cycle.largest_multiplier() < 1.0 && !cycle.is_neutral()).then_some(found)
+    (is_here && cycle.is_stable() && !cycle.is_neutral()).then_some(found)
 }
 
 fn is_same_cycle<const N: usize>(before: &Attractor<N>, after: &Attractor<N>) -> bool {

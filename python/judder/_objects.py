@@ -30,6 +30,7 @@ INPUTS = "inputs"
 CASE = "case.toml"
 """What tables and texts are called as a file."""
 _WITH_UNIT = re.compile(r"(?P<key>[^\[\]]*[^\[\]\s])\s*\[(?P<unit>[^\[\]]+)\]")
+_NAMES_ITS_MODEL = re.compile(r"\s*model\s*=")
 _MATRICES = ("mass", "damping", "stiffness")
 
 KeyPath: TypeAlias = tuple[str, ...]
@@ -60,7 +61,7 @@ class CaseSource:
         else:
             if not isinstance(case, str | os.PathLike):
                 raise wrong("case", f"is {described(case)}, and the path of a case file, its text or its tables as a mapping is needed")
-            self.given = (CASE, case) if isinstance(case, str) and "\n" in case else os.fspath(case)
+            self.given = (CASE, case) if isinstance(case, str) and _is_text(case) else os.fspath(case)
             changes = self.whole(set or {})
             if self._files.folder is not None:
                 changes = self._settled_beside(set or {}) or changes
@@ -107,9 +108,9 @@ class CaseSource:
         """A message that speaks of objects, not of the files that hold them."""
         return text if self._files.folder is None else self.plain(said(text, self._files.objects, self._files.folder))
 
-    def said_error(self, error: JudderError) -> JudderError:
-        """An error that speaks of objects and tables, not of what judder writes of them."""
-        file = self._file_said(error) if isinstance(error, CaseError) else None
+    def said_error(self, error: JudderError, asked: str | None = None) -> JudderError:
+        """An error that speaks of objects and tables, not of what judder writes of them; an analysis of the kind `asked` is made of arguments."""
+        file = self._file_said(error, asked) if isinstance(error, CaseError) else None
         if self._files.folder is None and file is None:
             return error
         fields = said_fields(error.fields, self.said)
@@ -127,24 +128,32 @@ class CaseSource:
                 message = f"`{key}`: {message}"
         return type(error)(message, error.cause, fields)
 
-    def _file_said(self, error: CaseError) -> str | None:
+    def _file_said(self, error: CaseError, asked: str | None) -> str | None:
         """What an error calls the text in which it has its place, where that is written here; nothing where it is a file of the caller's."""
+        key = error.key or ""
+        # of several of a kind the later ones have a number behind their names
+        if asked is not None and error.file != OF_CHANGES and re.match(rf"analysis\.{asked}(-\d+)?(\.|$)", key):
+            return OF_ARGUMENTS
         if self._is_written_here and os.path.basename(error.file) == CASE:
             return OF_TABLES
-        key = error.key or ""
         given = any(key == own or key.startswith(f"{own}.") for own in self.arguments)
         return OF_ARGUMENTS if given and error.file == OF_CHANGES else None
 
     @contextmanager
-    def told(self) -> Iterator[None]:
-        """Errors speak of objects by their keys."""
+    def told(self, asked: str | None = None) -> Iterator[None]:
+        """Errors speak of objects by their keys, and of an analysis of the kind `asked` as of arguments."""
         try:
             yield
         except JudderError as error:
-            own = self.said_error(error)
+            own = self.said_error(error, asked)
             if own is error:
                 raise
             raise own from None
+
+
+def _is_text(case: str) -> bool:
+    """Whether this is the text of a case, which may have one line alone, and no path."""
+    return "\n" in case or _NAMES_ITS_MODEL.match(case) is not None
 
 
 class _InputFiles:
@@ -268,6 +277,8 @@ class _Walk:
             return value.name
         if not isinstance(value, Mapping) or hasattr(value, "data_vars"):
             return {"file": self._file(value, key, {})}
+        if not value:
+            raise wrong(".".join(at), "is an empty table, and columns of numbers, or a path as `file`, are needed")
         if "file" in value:
             return self.of_table(value, at)
         own = self._declared.beside_file(key)

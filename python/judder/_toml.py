@@ -58,4 +58,7 @@ def _key(key: Any) -> str:
 
 def overrides(changes: Mapping[str, Any] | None) -> list[str]:
     """Changed keys as the options ``--set KEY=VALUE`` have them."""
-    return [f"{key}={value(key, given)}" for key, given in (changes or {}).items()]
+    changed = changes or {}
+    if any(not str(key).strip() for key in changed):
+        raise InputError('set: has an empty key; a dotted one is needed, as in {"operation.velocity": "30 mm/s"}', "Input", {"argument": "set"})
+    return [f"{key}={value(key, given)}" for key, given in changed.items()]

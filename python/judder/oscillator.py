@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal, TypeAlias, Unpack
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, Unpack
 
 from judder import _arguments, _judder
+from judder._columns import described, wrong
 from judder._judder import OscillatorPoint, point
 from judder._keys import FrictionLoad, Keys, LawName
 from judder._shown import Shown, told
@@ -168,6 +169,15 @@ Side: TypeAlias = "tuple[str, ArrayLike] | tuple[str, ArrayLike, str]"
 """A key, its values, and their unit where they are no groups."""
 
 
+def _side(argument: str, given: Any) -> tuple[str, Any, str | None]:
+    """A key, its values and their unit, as the compiled part takes them."""
+    if not isinstance(given, tuple | list) or len(given) not in (2, 3) or not isinstance(given[0], str):
+        example = '("velocity", np.linspace(1, 50), "mm/s")'
+        raise wrong(argument, f"is {described(given)}, and a key, its values and, where they have one, their unit are needed, such as {example}")
+    key, values, *unit = given
+    return key, values, unit[0] if unit else None
+
+
 def stability_map(
     x: Side,
     y: Side,
@@ -204,8 +214,8 @@ def stability_map(
     ((40, 50), 0)
     """
     told = _judder.oscillator_map(
-        (x[0], x[1], x[2] if len(x) == 3 else None),
-        (y[0], y[1], y[2] if len(y) == 3 else None),
+        _side("x", x),
+        _side("y", y),
         method=method,
         growth_rate=growth_rate and method == "every-point",
         law=law,
@@ -229,7 +239,7 @@ def stability_map(
 
 def points(
     *,
-    quantities: Sequence[str] | None = None,
+    quantities: str | Sequence[str] | None = None,
     law: LawName | Law | None = None,
     friction_load: FrictionLoad | None = None,
     threads: int | None = None,
@@ -239,7 +249,7 @@ def points(
     """Operating points over arrays of any keys, which are broadcast against each other: many times :func:`point`, in compiled code, on all cores.
 
     Args:
-        quantities: what to find, by the names that a ``[[sweep]]`` of an oscillator has; all that need no search where none are named. Thresholds, such as
+        quantities: what to find, one or several, by the names that a ``[[sweep]]`` of an oscillator has; all that need no search where none are named. Thresholds, such as
             ``"critical_shear_strength"``, are sought where they are named.
         law: a law's name or a :class:`judder.contact.Law`; the oscillator paper's where none is given.
         friction_load: which load carries the viscoelastic friction, ``"normal-load"`` where none is given.
@@ -266,7 +276,7 @@ def points(
     varied = _points.Varied(keys)
     told = _judder.oscillator_points(
         varied.sides(),
-        quantities=None if quantities is None else list(quantities),
+        quantities=[quantities] if isinstance(quantities, str) else None if quantities is None else list(quantities),
         law=law,
         friction_load=friction_load,
         threads=threads,

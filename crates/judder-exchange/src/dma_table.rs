@@ -26,7 +26,7 @@ pub struct DmaTable {
 /// - Columns: frequency (`frequency`, `f`, or `angular frequency`, `omega`, `ω`), storage modulus (`E'`, `E′`, `E1`,
 ///   `storage modulus`), loss modulus (`E''`, `E″`, `E2`, `loss modulus`), temperature (`temperature`, `T`; may be absent),
 ///   in any order and case; others are not looked at.
-/// - Units in brackets after the name: Hz or rad/s; Pa, kPa, MPa, GPa, N/mm²; K or °C. There is no default.
+/// - Units in brackets after the name: Hz or rad/s; Pa, kPa, MPa, GPa, N/mm² (or `N/mm^2`, `N/mm2`); K or °C. There is no default.
 /// - Fields are separated by semicolons, tabs or commas, whichever the header has, in this order. Decimal points.
 /// - Empty lines and lines that begin with `#` are left out.
 ///
@@ -110,6 +110,7 @@ const MODULUS_UNITS: &[(&str, f64, f64)] = &[
     ("GPa", 1e9, 0.0),
     ("N/mm²", 1e6, 0.0),
     ("N/mm^2", 1e6, 0.0),
+    ("N/mm2", 1e6, 0.0),
 ];
 const STORAGE: DmaQuantity = DmaQuantity {
     called: "storage modulus (`E' [MPa]`)",
@@ -142,9 +143,13 @@ impl DmaColumn {
         let wrong = || DmaTableError::Value { line, name, found: found.to_owned() };
         let given: f64 = found.parse().ok().filter(|given: &f64| given.is_finite()).ok_or_else(wrong)?;
         let value = given * self.factor + self.offset;
+        let unit = self.unit;
         match value {
-            _ if !value.is_finite() => Err(wrong()),
+            _ if !value.is_finite() => Err(DmaTableError::TooLarge { line, name, found: given, unit }),
             _ if value.is_normal() && value > 0.0 => Ok(value),
+            _ if self.offset != 0.0 => {
+                Err(DmaTableError::BelowAbsoluteZero { line, name, found: given, zero: -self.offset, unit })
+            }
             _ => Err(DmaTableError::NotPositive { line, name, found: given }),
         }
     }
@@ -184,7 +189,7 @@ impl DmaHeader {
             storage_modulus: self.storage.read(line, fields, "storage modulus")?,
             loss_modulus: self.loss.read(line, fields, error::LOSS)?,
             temperature: match &self.temperature {
-                Some(column) => Some(column.read(line, fields, "temperature above absolute zero")?),
+                Some(column) => Some(column.read(line, fields, "temperature")?),
                 None => None,
             },
         })
@@ -246,7 +251,9 @@ mod tests {
     fn newtons_per_square_millimetre_are_megapascals() {
         let of = |unit: &str| read_dma_table(&format!("f [Hz],E' [{unit}],E'' [{unit}]\n1,2,0.5\n")).unwrap();
         assert_eq!(of("MPa").storage_modulus, [2e6]);
-        assert_eq!((of("N/mm²"), of("N/mm^2")), (of("MPa"), of("MPa")));
+        for unit in ["N/mm²", "N/mm^2", "N/mm2"] {
+            assert_eq!(of(unit), of("MPa"), "{unit}");
+        }
     }
 
     #[test]
@@ -290,6 +297,15 @@ mod tests {
         assert!(rows("1,-1,1").ends_with("the storage modulus in line 3 is -1; it must be positive"));
         assert!(rows("1,1,0").ends_with("the loss modulus in line 3 is 0; it must be positive"));
         assert!(rows("1,1,1\n1,1,1").contains("frequency in line 4"));
+        let large = refused("f [Hz],E' [GPa],E'' [Pa]\n1,1e300,1\n");
+        assert!(large.ends_with("the storage modulus in line 2 is 1e300 GPa, which is too large"), "{large}");
+        let cold = refused("T [°C],f [Hz],E' [Pa],E'' [Pa]\n-300,1,2,1\n");
+        assert!(
+            cold.ends_with(
+                "the temperature in line 2 is -300 °C; it must be above absolute zero, -273.15 °C"
+            ),
+            "{cold}"
+        );
         let order = rows("20,1,1\n0.1,1,1");
         assert!(
             order.contains("in line 4 is 0.1 Hz and does not rise above 20 Hz, the one before"),

@@ -7,8 +7,7 @@ use thiserror::Error;
 use crate::dimension::Dimension;
 use crate::expression::ExpressionError;
 use crate::problem::words::Problem;
-use crate::quantity::QuantityError;
-use crate::quantity::WrittenNumber;
+use crate::quantity::{CELSIUS_ZERO, QuantityError, WrittenNumber};
 use crate::range::Range;
 
 /// What is wrong with a case. The fields are what a caller needs in order to act.
@@ -179,7 +178,7 @@ pub enum Cause {
         key: String,
     },
     /// A number outside the range of its key.
-    #[error("`{key}` must be {range}, but is {number}")]
+    #[error("`{key}` must be {}, but is {number}", allowed(*range, number))]
     OutOfRange {
         /// The key.
         key: String,
@@ -417,6 +416,14 @@ pub enum Cause {
         /// The templates there are.
         known: Vec<String>,
     },
+}
+
+/// What a number may be, in words that go with how it was written: the zero of degrees Celsius is not that of the range.
+fn allowed(range: Range, number: &WrittenNumber) -> String {
+    match range {
+        Range::Positive if number.is_celsius() => format!("above absolute zero, {} degC", -CELSIUS_ZERO),
+        _ => range.to_string(),
+    }
 }
 
 /// Bytes in the unit in which memory limits are told.

@@ -1,7 +1,7 @@
 //! Quantities as case files write them: `"3.5 kN/m"`, `"30 mm/s"`, `"1e-7 1/Pa"`.
 //!
-//! A number, then a unit: factors joined by a space, `*` or `·`, then `/` before each divisor, powers as `^2` or
-//! `²`. What follows a quotient must be a quotient again (`N/m/s`), so that no reading has to be guessed.
+//! A number, then a unit: factors joined by a space, `*` or `·`, then `/` before each divisor, powers as `^2`, `²` or a
+//! plain digit (`N/mm2`). What follows a quotient must be a quotient again (`N/m/s`), so that no reading has to be guessed.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -76,7 +76,7 @@ const ONE: Unit = Unit("1", 1.0, 0, Dimension::NUMBER, false);
 const CELSIUS: [&str; 2] = ["degC", "°C"];
 
 /// 0 °C in kelvin.
-const CELSIUS_ZERO: f64 = 273.15;
+pub const CELSIUS_ZERO: f64 = 273.15;
 
 /// Powers of ten, summed over a whole unit and applied once: 30 mm/s is then exactly 0.03 m/s.
 const PREFIXES: [(char, i32); 10] = [
@@ -189,6 +189,11 @@ impl WrittenNumber {
             _ => number.into(),
         }
     }
+
+    /// Whether it was written in degrees Celsius.
+    pub fn is_celsius(&self) -> bool {
+        Quantity::is_celsius(&self.0)
+    }
 }
 
 /// As a plain number.
@@ -290,19 +295,15 @@ fn split_factor(text: &str) -> PlacedResult<(&str, i8, usize)> {
         return Err((QuantityError::Misplaced, 0..length));
     }
     let rest = &text[word..];
-    let (sign, digits) = match rest.strip_prefix('^') {
-        Some(power) => {
-            let sign = usize::from(power.starts_with('-'));
-            let digits = power[sign..].bytes().take_while(u8::is_ascii_digit).count();
-            (1 + sign, digits)
-        }
-        None => {
-            return Ok(superscript(rest)
-                .map_or((&text[..word], 1, word), |(power, length)| (&text[..word], power, word + length)));
-        }
-    };
-    let end = sign + digits;
-    match rest[1..end].parse::<i8>() {
+    let caret = usize::from(rest.starts_with('^'));
+    let sign = usize::from(rest[caret..].starts_with('-'));
+    let digits = rest[caret + sign..].bytes().take_while(u8::is_ascii_digit).count();
+    if caret == 0 && (digits == 0 || text.starts_with('1')) {
+        let (power, length) = superscript(rest).unwrap_or((1, 0));
+        return Ok((&text[..word], power, word + length));
+    }
+    let end = caret + sign + digits;
+    match rest[caret..end].parse::<i8>() {
         Ok(power @ -9..=9) => Ok((&text[..word], power, word + end)),
         _ => Err((QuantityError::Power, word..word + end)),
     }
@@ -360,6 +361,8 @@ mod tests {
             ("2 kg·m/s²", 2.0, Dimension::FORCE),
             ("2 kg m s^-2", 2.0, Dimension::FORCE),
             ("5 N/mm^2", 5e6, Dimension::STRESS),
+            ("5 N/mm2", 5e6, Dimension::STRESS),
+            ("2 kg m s-2", 2.0, Dimension::FORCE),
             (" 3m ", 3.0, Dimension::LENGTH),
             ("4", 4.0, Dimension::NUMBER),
         ];
@@ -396,6 +399,8 @@ mod tests {
             ("3 N/m*s", QuantityError::FactorAfterQuotient, 5..6),
             ("3 m^x", QuantityError::Power, 3..4),
             ("3 m^99", QuantityError::Power, 3..6),
+            ("3 m99", QuantityError::Power, 3..5),
+            ("3 12", QuantityError::Misplaced, 3..4),
             ("3 *m", QuantityError::Misplaced, 2..3),
         ];
         for (text, cause, range) in cases {

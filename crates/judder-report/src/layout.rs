@@ -124,26 +124,30 @@ pub(crate) fn layout(figure: &Figure) -> Layout {
     let rows = panels.len().div_ceil(columns);
     let across: Vec<Around> = (0..columns).map(|column| widest(&|index| index % columns == column)).collect();
     let down: Vec<Around> = (0..rows).map(|row| widest(&|index| index / columns == row)).collect();
-    let lefts = starts(across.iter().map(|around| around.left + frame_width + around.right));
-    let tops = starts(down.iter().map(|around| around.top + frame_height + around.bottom));
-    for (index, panel) in panels.iter_mut().enumerate() {
-        let (column, row) = (index % columns, index / columns);
-        panel.frame.x = lefts[column] + across[column].left;
-        panel.frame.y = tops[row] + down[row].top;
+    let (lefts, right) = starts(across.iter().map(|around| around.left + frame_width + around.right));
+    let (tops, below) = starts(down.iter().map(|around| around.top + frame_height + around.bottom));
+    for (row, (top, above)) in panels.chunks_mut(columns).zip(tops.iter().zip(&down)) {
+        for (panel, (left, beside)) in row.iter_mut().zip(lefts.iter().zip(&across)) {
+            (panel.frame.x, panel.frame.y) = (left + beside.left, top + above.top);
+        }
     }
-    let (width, bottom) = (lefts[columns] - GUTTER + MARGIN, tops[rows] - GUTTER);
+    let (width, bottom) = (right - GUTTER + MARGIN, below - GUTTER);
     let entries = place_legends(figure, &mut panels);
-    let (legend, end) = legend_rows(entries, MARGIN + across[0].left, width - MARGIN, bottom + GUTTER);
+    let margin = MARGIN + across.first().map_or(0.0, |first| first.left);
+    let (legend, end) = legend_rows(entries, margin, width - MARGIN, bottom + GUTTER);
     Layout { width, height: end.max(0.0) + MARGIN, panels, legend }
 }
 
-/// Where cells of these sizes begin, and last where one more would.
-fn starts(sizes: impl Iterator<Item = f64>) -> Vec<f64> {
-    let next = sizes.scan(MARGIN, |start, size| {
-        *start += size + GUTTER;
-        Some(*start)
-    });
-    std::iter::once(MARGIN).chain(next).collect()
+/// Where cells of these sizes begin, and where one more would.
+fn starts(sizes: impl Iterator<Item = f64>) -> (Vec<f64>, f64) {
+    let mut next = MARGIN;
+    let begin = |size: f64| {
+        let start = next;
+        next += size + GUTTER;
+        start
+    };
+    let starts = sizes.map(begin).collect();
+    (starts, next)
 }
 
 /// Frames shrink as they share a page's width.

@@ -16,6 +16,10 @@
 //! - [`page`]: sections of text, figures, tables, scoreboards and checks as one HTML file.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+#![cfg_attr(
+    not(test),
+    deny(clippy::indexing_slicing, reason = "arrays of stored studies may be of any length")
+)]
 
 mod axis;
 mod corner;

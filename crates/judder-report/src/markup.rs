@@ -28,9 +28,7 @@ pub(crate) fn parse(label: &str) -> Vec<TextSpan> {
     let mut symbols = false;
     let (closed, last_dollar) = (closed(&characters), characters.iter().rposition(|sign| *sign == '$'));
     let mut index = 0;
-    while index < characters.len() {
-        let character = characters[index];
-        let opens = closed[index];
+    while let (Some(&character), Some(&opens)) = (characters.get(index), closed.get(index)) {
         let partner = symbols || last_dollar.is_some_and(|last| last > index);
         let turns = character == '$' && open.is_empty() && partner;
         let ends = character == '}' && !open.is_empty();
@@ -60,8 +58,8 @@ fn closed(characters: &[char]) -> Vec<bool> {
         match pair {
             ['_' | '^', '{'] => open.push(index),
             [_, '}'] => {
-                if let Some(start) = open.pop() {
-                    closed[start] = true;
+                if let Some(start) = open.pop().and_then(|start: usize| closed.get_mut(start)) {
+                    *start = true;
                 }
             }
             _ => {}

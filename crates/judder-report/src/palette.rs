@@ -360,7 +360,10 @@ impl ColourMap {
         let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
         let place = fraction * (stops.len() - 1) as f64;
         let below = (place as usize).min(stops.len() - 2);
-        mix(stops[below], stops[below + 1], place - below as f64)
+        match stops.get(below..) {
+            Some([from, to, ..]) => mix(*from, *to, place - below as f64),
+            _ => QUIET,
+        }
     }
 }
 

@@ -62,7 +62,7 @@ fn traced(png: &[u8]) -> Option<ImageKind> {
     for (y, row) in picture.pixels().chunks(width as usize).enumerate() {
         let mut x = 0;
         for run in row.chunk_by(PartialEq::eq) {
-            let (colour, cells) = (run[0], run.len());
+            let (Some(colour), cells) = (run.first(), run.len()) else { continue };
             if colour.is_opaque() {
                 let shape = shapes.entry([colour.red(), colour.green(), colour.blue()]).or_default();
                 write!(shape, "M{x} {y}h{cells}v1h-{cells}z").ok()?;

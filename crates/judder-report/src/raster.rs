@@ -49,12 +49,13 @@ pub(crate) fn blocks(map: &ClassMap, role: Role, x: &PlacedAxis, y: &PlacedAxis)
     // neighbouring columns that look alike are one block
     let runs = |column: usize| -> Vec<(usize, usize)> {
         let rows: Vec<bool> = up.cells.iter().map(|row| has_role(column, *row)).collect();
-        let ends = |k: &usize| rows[*k] != (*k > 0 && rows[*k - 1]);
-        let mut edges: Vec<usize> = (0..rows.len()).filter(ends).collect();
-        if edges.len() % 2 == 1 {
-            edges.push(rows.len());
-        }
-        edges.chunks(2).map(|pair| (pair[0], pair[1])).collect()
+        let mut start = 0;
+        let alike = rows.chunk_by(|one, next| one == next).map(|run| {
+            let from = start;
+            start += run.len();
+            (run.first() == Some(&true)).then_some((from, start))
+        });
+        alike.flatten().collect()
     };
     let columns: Vec<Vec<(usize, usize)>> = across.cells.iter().map(|column| runs(*column)).collect();
     let mut blocks = Vec::new();
@@ -63,8 +64,10 @@ pub(crate) fn blocks(map: &ClassMap, role: Role, x: &PlacedAxis, y: &PlacedAxis)
         let span = (edge(&across, first), edge(&across, first + alike.len()));
         first += alike.len();
         blocks.extend(
-            alike[0]
-                .iter()
+            alike
+                .first()
+                .into_iter()
+                .flatten()
                 .map(|(from, to)| ClassColumn { across: span, up: (edge(&up, *from), edge(&up, *to)) }),
         );
     }
@@ -99,18 +102,19 @@ struct Columns {
 /// `None` where there are no cells, or none in the frame.
 fn columns(centres: &[f64], axis: &PlacedAxis) -> Option<Columns> {
     let places: Vec<f64> = centres.iter().filter_map(|centre| axis.fraction(*centre)).collect();
-    let (first, last) = (*places.first()?, *places.last()?);
-    if places.len() == 1 {
-        return Some(Columns { cells: vec![0], from: first - 0.5, to: first + 0.5 });
-    }
+    let (&[first, second, ..], &[.., before, last]) = (places.as_slice(), places.as_slice()) else {
+        let only = *places.first()?;
+        return Some(Columns { cells: vec![0], from: only - 0.5, to: only + 0.5 });
+    };
     let count = places.len();
     let mean = (last - first) / (count - 1) as f64;
-    let even = places.windows(2).all(|pair| (pair[1] - pair[0] - mean).abs() <= 1e-3 * mean);
-    let (from, to) = (first - (places[1] - first) / 2.0, last + (last - places[count - 2]) / 2.0);
+    let pairs = || places.iter().zip(places.iter().skip(1));
+    let even = pairs().all(|(one, next)| (next - one - mean).abs() <= 1e-3 * mean);
+    let (from, to) = (first - (second - first) / 2.0, last + (last - before) / 2.0);
     if even && count <= RESAMPLED {
         return Some(Columns { cells: (0..count).collect(), from, to });
     }
-    let edges: Vec<f64> = places.windows(2).map(|pair| (pair[0] + pair[1]) / 2.0).collect();
+    let edges: Vec<f64> = pairs().map(|(one, next)| (one + next) / 2.0).collect();
     // only what the frame shows, so that far cells do not coarsen the picture
     let (from, to) = (from.max(0.0), to.min(1.0));
     if from >= to {

@@ -18,8 +18,8 @@ pub(crate) struct DrawnSecond {
 
 /// The ticks over the range of the axis below it, for so many labels that need this share of the width each.
 pub(crate) fn drawn(second: &SecondAxis, below: &PlacedAxis, room: usize, share: f64) -> DrawnSecond {
-    let ends = [below.from, below.to].map(|x| interpolated(&second.x, &second.value, x));
-    let [from, to] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+    let [one, other] = [below.from, below.to].map(|x| interpolated(&second.x, &second.value, x));
+    let (from, to) = (one.min(other), one.max(other));
     let none = DrawnSecond { label: second.label.clone(), major: Vec::new(), minor: Vec::new() };
     // what stands still has no scale
     if !from.is_finite() || to - from <= 1e-9 * from.abs().max(to.abs()) {
@@ -57,18 +57,24 @@ fn apart(ticks: impl Iterator<Item = Tick>, below: &PlacedAxis, share: f64) -> V
 fn interpolated(x: &[f64], values: &[f64], at: f64) -> f64 {
     let after = x.partition_point(|x| *x <= at);
     let (Some(first), Some(last)) = (values.first(), values.last()) else { return f64::NAN };
-    match after {
-        0 => *first,
-        after if after == x.len() => *last,
-        k => values[k - 1] + (values[k] - values[k - 1]) * (at - x[k - 1]) / (x[k] - x[k - 1]),
+    let before = after.checked_sub(1);
+    match before.and_then(|k| x.get(k..)).zip(before.and_then(|k| values.get(k..))) {
+        None => *first,
+        Some(([x0, x1, ..], [v0, v1, ..])) => v0 + (v1 - v0) * (at - x0) / (x1 - x0),
+        Some(_) => *last,
     }
 }
 
 /// The first abscissa with this value.
 fn inverse(second: &SecondAxis, value: f64) -> Option<f64> {
     let SecondAxis { x, value: values, .. } = second;
-    let k = values.windows(2).position(|v| (v[0] - value) * (v[1] - value) <= 0.0 && v[0] != v[1])?;
-    Some(x[k] + (x[k + 1] - x[k]) * (value - values[k]) / (values[k + 1] - values[k]))
+    let mut steps = x.windows(2).zip(values.windows(2));
+    steps.find_map(|step| match step {
+        ([x0, x1], [v0, v1]) if (v0 - value) * (v1 - value) <= 0.0 && v0 != v1 => {
+            Some(x0 + (x1 - x0) * (value - v0) / (v1 - v0))
+        }
+        _ => None,
+    })
 }
 
 #[cfg(test)]

@@ -86,8 +86,8 @@ fn check_sizes(layer: usize, line: &Line) -> Result<(), PanelError> {
     if sizes.len() != line.x.len() {
         return Err(PanelError::Lengths { layer, x: line.x.len(), y: sizes.len() });
     }
-    match sizes.iter().position(|size| !(size.is_finite() && *size >= 0.0)) {
-        Some(index) => Err(PanelError::Size { layer, index, value: sizes[index] }),
+    match sizes.iter().enumerate().find(|(_, size)| !(size.is_finite() && **size >= 0.0)) {
+        Some((index, value)) => Err(PanelError::Size { layer, index, value: *value }),
         None => Ok(()),
     }
 }

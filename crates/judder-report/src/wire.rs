@@ -111,7 +111,7 @@ fn encoded(items: &[Value]) -> (&'static str, Vec<u8>) {
 }
 
 fn by_significance<const SIZE: usize>(numbers: &[[u8; SIZE]]) -> Vec<u8> {
-    (0..SIZE).flat_map(|place| numbers.iter().map(move |number| number[place])).collect()
+    (0..SIZE).flat_map(|place| numbers.iter().filter_map(move |number| number.get(place).copied())).collect()
 }
 
 /// Whether single precision leaves every value its digits, and its place among the others.

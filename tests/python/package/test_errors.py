@@ -63,8 +63,23 @@ def test_changed_keys_and_arguments_are_called_as_they_were_given():
     assert error.file == "set"
     error = raised(lambda: judder.check({"model": "oscillator"}, set={"operation..velocity": 1}), judder.CaseError)
     assert "has no dotted key" in str(error) and "--set" not in "\n".join([str(error), *error.__notes__])
+    error = raised(lambda: judder.check({"model": "oscillator"}, set={"": 1}), judder.InputError)
+    assert str(error).startswith("set: has an empty key")
     error = raised(lambda: judder.run("none.toml"), judder.CaseError)
     assert error.help == "`judder.new()` gives the text of a case to start from"
+
+
+@pytest.mark.parametrize("begun", [None, 'model = "belt"', 'model = "belt"\n[[analysis]]\nkind = "limit-cycle"\n'])
+def test_analyses_of_functions_are_arguments_whatever_the_case_has(begun, tmp_path):
+    for case in [begun] if begun is None else [begun, tmp_path / "own.toml"]:
+        if case is not None and case is not begun:
+            case.write_text(begun, "utf-8")
+        error = raised(lambda case=case: judder.models.Belt(case).limit_cycle(start={"x": "a"}), judder.CaseError)
+        assert (error.file, error.line, error.text) == ("argument", None, '"a"') and error.key.endswith(".start.x")
+
+
+def test_the_text_of_a_case_may_have_one_line():
+    assert judder.check('model = "belt"') == judder.check({"model": "belt"})
 
 
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
@@ -105,6 +120,7 @@ def test_what_is_no_case_is_told_with_its_article(given, words):
 
 NEAR = [
     (lambda: judder.oscillator.point(velocty=1.0), "velocty: .*is `velocity` meant"),
+    (lambda: judder.oscillator.point(**{"operation.velocty": 1.0}), "is `operation.velocity` meant"),
     (lambda: judder.oscillator.points(velocty=[1.0]), "velocty: .*is `velocity` meant"),
     (lambda: judder.oscillator.points(velocity=[1.0], quantities=["growth_rte"]), "is `growth_rate` meant"),
     (lambda: judder.oscillator.stability_map(("velocty", [1.0]), ("shear_strength", [0.1])), "is `velocity` meant"),

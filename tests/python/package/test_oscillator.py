@@ -160,6 +160,9 @@ def test_sides_that_are_none():
         judder.oscillator.stability_map(("radius", [0.01]), good)
     with pytest.raises(judder.InputError, match="glassy"):
         judder.oscillator.stability_map(("glassy_modulus", [1e5, 1e7], "Pa"), good)
+    for side in (None, "velocity", ("velocity",), (1.0, [1.0]), ("velocity", [1.0], "mm/s", 1)):
+        with pytest.raises(judder.InputError, match="`y` is .*, and a key, its values"):
+            judder.oscillator.stability_map(good, side)
     # a key that is None is not given, as of a point
     without, of_none = (judder.oscillator.stability_map(("velocity", [1.0]), good, **keys) for keys in ({}, {"damping_x": None}))
     assert (without.growth_rate == of_none.growth_rate).all()

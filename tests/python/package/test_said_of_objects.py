@@ -44,6 +44,7 @@ def of_dma(columns, **law):
         ({"frequency [Hz]": FREQUENCY, "E [Pa]": np.where(FREQUENCY > 1, np.nan, MODULUS)}, ["`substrate.dma.E [Pa]` has nan at"]),
         ({"frequency [Hz]": FREQUENCY, "E [Pa]": abs(MODULUS)}, ["`substrate.dma.E [Pa]`", "complex moduli E' + iE''"]),
         ({"frequency [Hz]": FREQUENCY, "G [Pa]": MODULUS}, ["`substrate.dma.G [Pa]`", "are called `E`"]),
+        ({}, ["`substrate.dma` is an empty table", "columns of numbers"]),
     ],
 )
 def test_what_is_wrong_with_measured_moduli_is_said_of_columns_and_rows(columns, words, law):
@@ -52,7 +53,7 @@ def test_what_is_wrong_with_measured_moduli_is_said_of_columns_and_rows(columns,
     assert "decimal point" not in str(error) and ("E [Pa]" not in columns or "dma.E' [Pa]" not in str(error))
 
 
-@pytest.mark.parametrize("unit", ["N/mm^2", "N/mm²", "MPa"])
+@pytest.mark.parametrize("unit", ["N/mm^2", "N/mm²", "N/mm2", "MPa"])
 def test_moduli_are_read_in_newtons_per_square_millimetre(unit):
     assert judder.check({"model": "oscillator", "contact": {"law": "hertz"}, "substrate": {"dma": {"frequency [Hz]": FREQUENCY, f"E [{unit}]": MODULUS / 1e6}}})
 

@@ -80,6 +80,32 @@ pub enum DmaTableError {
         /// What was found, in the unit of the column.
         found: f64,
     },
+    /// A number that leaves the numbers in SI units.
+    #[error("the {name} in line {line} is {} {unit}, which is too large", plain(*found))]
+    TooLarge {
+        /// The line.
+        line: usize,
+        /// What it is.
+        name: &'static str,
+        /// What was found, in the unit of the column.
+        found: f64,
+        /// That unit.
+        unit: &'static str,
+    },
+    /// A temperature that there is not.
+    #[error("the {name} in line {line} is {} {unit}; it must be above absolute zero, {zero} {unit}", plain(*found))]
+    BelowAbsoluteZero {
+        /// The line.
+        line: usize,
+        /// What it is.
+        name: &'static str,
+        /// What was found, in the unit of the column.
+        found: f64,
+        /// Absolute zero in that unit.
+        zero: f64,
+        /// That unit.
+        unit: &'static str,
+    },
     /// A frequency that does not rise.
     #[error(
         "the frequency in line {line} is {after} {unit} and does not rise above {before} {unit}, the one before; sort the lines by \

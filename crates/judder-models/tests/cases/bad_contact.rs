@@ -97,7 +97,7 @@ fn a_temperature_without_a_shift() {
 fn a_temperature_below_absolute_zero() {
     refused(
         &contact("[substrate]\ntemperature = \"-300 degC\""),
-        "`substrate.temperature` must be positive, but is -300 degC",
+        "`substrate.temperature` must be above absolute zero, -273.15 degC, but is -300 degC",
         r#""-300 degC""#,
         "",
     );

@@ -134,7 +134,9 @@ impl AskedOscillator {
 pub(crate) fn key(name: &str) -> PyResult<OscillatorKey> {
     let entry = OscillatorKey::ALL.iter().find(|entry| entry.path == name || entry.name() == name);
     entry.map(|entry| entry.key).ok_or_else(|| {
-        let known = meant(name, OscillatorKey::ALL.iter().map(Key::name));
+        let is_path = name.contains('.');
+        let known =
+            meant(name, OscillatorKey::ALL.iter().map(|own| if is_path { own.path } else { own.name() }));
         errors::input(name, format!("no key of an oscillator; {known}"))
     })
 }

@@ -98,7 +98,8 @@ pub(super) fn draw_curve(document: &mut SvgDocument, layer: &Layer, panel: &Draw
     match layer {
         Layer::Line(line) => draw_line(document, line, panel),
         Layer::Points(points) => {
-            let sizes = (0..points.x.len()).map(|k| points.sizes.as_ref().map_or(1.0, |sizes| sizes[k]));
+            let own = points.sizes.iter().flatten().copied();
+            let sizes = own.chain(std::iter::repeat(1.0));
             let places = places(points, panel).zip(sizes).filter_map(|(place, size)| Some((place?, size)));
             let places = places.filter(|((x, y), _)| near(*x, *y, panel.frame));
             let is_rimmed = !points.style.crowded && (points.sizes.is_some() || !has_curves);

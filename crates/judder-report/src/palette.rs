@@ -159,7 +159,7 @@ impl Role {
             Self::WithinLaw => Colour(0xdf, 0xdf, 0xe6),
             Self::FullBoundary | Self::ConservativeBoundary => Colour(0, 0, 0),
             Self::DecoupledBoundary => Colour(0xc8, 0x10, 0x2e),
-            Self::Mode(index) | Self::Series(index) => QUALITATIVE[index % QUALITATIVE.len()],
+            Self::Mode(index) | Self::Series(index) => of_cycle(&QUALITATIVE, index),
             Self::Graded { index, count } => {
                 ColourMap::Sequential.at(GRADED_END * index as f64 / count.saturating_sub(1).max(1) as f64)
             }
@@ -171,7 +171,7 @@ impl Role {
     fn dash(self) -> Dash {
         match self {
             Self::ConservativeBoundary => Dash::Dashed,
-            Self::Series(index) | Self::Mode(index) => DASH_CYCLE[index % DASH_CYCLE.len()],
+            Self::Series(index) | Self::Mode(index) => of_cycle(&DASH_CYCLE, index),
             Self::Reference => Dash::Dotted,
             _ => Dash::Solid,
         }
@@ -181,7 +181,7 @@ impl Role {
     fn marker(self) -> Marker {
         match self {
             Self::Series(index) | Self::Mode(index) | Self::Graded { index, .. } => {
-                MARKER_CYCLE[index % MARKER_CYCLE.len()]
+                of_cycle(&MARKER_CYCLE, index)
             }
             _ => Marker::Circle,
         }
@@ -344,6 +344,13 @@ const BLUE_RED: [Colour; 9] = [
     Colour(0xd6, 0x60, 0x4d),
     Colour(0xb2, 0x18, 0x2b),
 ];
+
+/// The entry of a cycle that comes at this place.
+#[expect(clippy::indexing_slicing, reason = "a remainder is a place")]
+fn of_cycle<T: Copy, const COUNT: usize>(cycle: &[T; COUNT], index: usize) -> T {
+    const { assert!(COUNT > 0) };
+    cycle[index % COUNT]
+}
 
 impl ColourMap {
     /// Its nine equally spaced stops.

@@ -38,8 +38,10 @@ pub fn json(figure: &Figure) -> Result<String, ReportError> {
     let mut value = serde_json::to_value(settled(figure)).map_err(failed)?;
     let mut arrays = FigureArrays::default();
     arrays.take_from(&mut value);
-    value["arrays"] = json!(arrays.taken);
-    value["bytes"] = json!(STANDARD.encode(compress_to_vec(&arrays.bytes, LEVEL)));
+    if let Value::Object(fields) = &mut value {
+        let bytes = STANDARD.encode(compress_to_vec(&arrays.bytes, LEVEL));
+        fields.extend([("arrays".to_owned(), json!(arrays.taken)), ("bytes".to_owned(), json!(bytes))]);
+    }
     // another crate of the build may have switched serde_json to insertion order
     value.sort_all_objects();
     Ok(value.to_string())

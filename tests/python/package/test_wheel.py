@@ -56,7 +56,7 @@ def test_the_source_distribution_has_all_that_is_compiled():
         there = {member.name.partition("/")[2]: archive.extractfile(member).read() for member in archive if member.isfile()}
     needed = {*compiled()}
     # of every way in which files are taken in: a crate's own, beside the crates, a folder that is embedded
-    assert {"crates/judder-python/src/lib.rs", "crates/judder-papers/cases/fig-9a.toml", "crates/judder-explorer/page/index.html"} <= needed
+    assert {"crates/judder-wheel/src/lib.rs", "crates/judder-python/src/lib.rs", "crates/judder-papers/cases/fig-9a.toml", "crates/judder-explorer/page/index.html"} <= needed
     needed |= {"LICENSE-MIT", "LICENSE-APACHE", "NOTICE", "README.md", "Cargo.lock"}
     needed |= {path.relative_to(ROOT).as_posix() for path in (ROOT / "python" / "judder").rglob("*.py*") if "__pycache__" not in path.parts}
     assert sorted(needed - there.keys()) == []

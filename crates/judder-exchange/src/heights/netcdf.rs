@@ -4,7 +4,10 @@ use super::error::HeightsError;
 use super::table::{EQUAL, HeightTable};
 use crate::door::check_unpacked;
 use judder_memory::MemoryBudget;
-use netcdf_reader::{NcFile, NcVariable};
+use ndarray::Array1;
+use netcdf_reader::masked::MaskParams;
+use netcdf_reader::unpack::{SignParams, UnpackParams};
+use netcdf_reader::{NcFile, NcType, NcVariable};
 
 /// Reads the matrix named `variable`, or the only one that there is, of the file's root group.
 ///
@@ -20,8 +23,7 @@ pub(super) fn read_netcdf(bytes: Vec<u8>, variable: Option<&str>) -> Result<Heig
     let file = NcFile::from_vec(bytes).map_err(unreadable)?;
     let matrix = chosen(file.variables().map_err(unreadable)?, variable)?;
     check_room(matrix, packed, MemoryBudget::of_process())?;
-    let values = file.read_variable_unpacked_masked(matrix.name()).map_err(unreadable)?;
-    let mut table = oriented(values.iter().copied().collect(), matrix)?;
+    let mut table = oriented(numbers(&file, matrix)?, matrix)?;
     let transposed = is_transposed(matrix);
     let names = matrix.dimensions().iter().map(|dimension| dimension.name.as_str());
     let names: Vec<&str> = if transposed { names.rev().collect() } else { names.collect() };
@@ -49,6 +51,50 @@ fn check_room(matrix: &NcVariable, packed: u64, budget: MemoryBudget) -> Result<
     let said = count.saturating_mul(matrix.dtype().size().unwrap_or(1) as u64);
     check_unpacked(said, packed, budget, u128::from(count) * 24)
         .map_err(|cause| HeightsError::NetCdf { reason: cause.to_string() })
+}
+
+/// The numbers of a variable, unpacked, masked ones as NaN.
+fn numbers(file: &NcFile, variable: &NcVariable) -> Result<Vec<f64>, HeightsError> {
+    let mut stored = match file.as_classic() {
+        Some(classic) => classic.read_variable_as_f64(variable.name()).map_err(unreadable)?,
+        // the reader's own way to numbers is compiled once for every type
+        None => {
+            let bytes = file.read_variable_native_bytes(variable.name()).map_err(unreadable)?;
+            Array1::from_vec(promoted(&bytes, variable)?).into_dyn()
+        }
+    };
+    // the order of the CF conventions
+    if let Some(signs) = SignParams::from_variable(variable) {
+        signs.apply(&mut stored);
+    }
+    if let Some(mask) = MaskParams::from_variable(variable) {
+        mask.apply(&mut stored);
+    }
+    if let Some(unpacking) = UnpackParams::from_variable(variable) {
+        unpacking.apply(&mut stored);
+    }
+    Ok(stored.into_iter().collect())
+}
+
+/// Stored numbers of any type, in the byte order of this machine.
+fn promoted(bytes: &[u8], variable: &NcVariable) -> Result<Vec<f64>, HeightsError> {
+    Ok(match variable.dtype() {
+        NcType::Byte => each(bytes, |own| f64::from(i8::from_ne_bytes(own))),
+        NcType::UByte => each(bytes, |own| f64::from(u8::from_ne_bytes(own))),
+        NcType::Short => each(bytes, |own| f64::from(i16::from_ne_bytes(own))),
+        NcType::UShort => each(bytes, |own| f64::from(u16::from_ne_bytes(own))),
+        NcType::Int => each(bytes, |own| f64::from(i32::from_ne_bytes(own))),
+        NcType::UInt => each(bytes, |own| f64::from(u32::from_ne_bytes(own))),
+        NcType::Int64 => each(bytes, |own| i64::from_ne_bytes(own) as f64),
+        NcType::UInt64 => each(bytes, |own| u64::from_ne_bytes(own) as f64),
+        NcType::Float => each(bytes, |own| f64::from(f32::from_ne_bytes(own))),
+        NcType::Double => each(bytes, f64::from_ne_bytes),
+        _ => return Err(HeightsError::NetCdf { reason: format!("`{}` holds no numbers", variable.name()) }),
+    })
+}
+
+fn each<const SIZE: usize>(bytes: &[u8], number: impl Fn([u8; SIZE]) -> f64) -> Vec<f64> {
+    bytes.as_chunks().0.iter().map(|own| number(*own)).collect()
 }
 
 fn unreadable(error: netcdf_reader::Error) -> HeightsError {
@@ -116,8 +162,7 @@ fn step_of(file: &NcFile, matrix: &NcVariable, name: &str) -> Result<Option<f64>
         let coordinate = name.to_owned();
         return Err(HeightsError::UnitsDiffer { heights, coordinate, coordinates });
     }
-    let values = file.read_variable_unpacked_masked(coordinate.name()).map_err(unreadable)?;
-    let values: Vec<f64> = values.iter().copied().collect();
+    let values = numbers(file, coordinate)?;
     let steps: Vec<f64> = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let Some(first) = steps.first().copied() else {
         return Ok(None);

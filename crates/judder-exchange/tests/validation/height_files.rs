@@ -48,6 +48,28 @@ fn ambiguous_files_are_refused_by_name() {
 }
 
 #[test]
+fn numbers_of_every_type_and_byte_order_are_read() {
+    let largest = |kind: &str| match kind {
+        "i1" => f64::from(i8::MAX),
+        "u1" => f64::from(u8::MAX),
+        "i2" => f64::from(i16::MAX),
+        "u2" => f64::from(u16::MAX),
+        "i4" => f64::from(i32::MAX),
+        "u4" => f64::from(u32::MAX),
+        "i8" => i64::MAX as f64,
+        "u8" => u64::MAX as f64,
+        _ => 2.0_f64.powi(100),
+    };
+    for kind in ["i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8"] {
+        for order in ["little", "big"] {
+            let table = read("four_types.nc", Some(&format!("{kind}-{order}"))).unwrap();
+            assert_eq!((table.columns, table.rows), (3, 2));
+            assert_eq!(table.heights, [largest(kind), 3.0, 2.0, 1.0, 0.0, 7.0], "{kind}, {order}");
+        }
+    }
+}
+
+#[test]
 fn masked_heights_are_not_numbers() {
     let table = read("four_masked.nc", None).unwrap();
     let masked = |height: &f64| height.is_nan();

@@ -4,7 +4,7 @@ use crate::choice::{meant, named};
 use crate::contact::PyLaw;
 use crate::errors;
 use crate::watched::{Manner, watched};
-use judder_keys::keys::{Given, Key, Keys};
+use judder_keys::keys::{Given, Keys};
 use judder_models::bridge::{self, CaseContact};
 use judder_models::oscillator::case::OscillatorCase;
 use judder_models::oscillator::inputs::OscillatorInputs;

@@ -54,3 +54,12 @@ with netCDF4.Dataset(HERE / "four_masked.nc", "w") as file:
         file.createDimension(dimension, size)
     heights = file.createVariable("z", "f4", ("y", "x"), fill_value=1e30)
     heights[:] = np.ma.masked_where((X[None, :] == 1.5) & (Y[:, None] == 0.0), Z)
+# every type of numbers that the format has, the largest first, in both byte orders
+with netCDF4.Dataset(HERE / "four_types.nc", "w") as file:
+    for dimension, size in (("y", 2), ("x", 3)):
+        file.createDimension(dimension, size)
+    for kind in ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8"):
+        for order in ("little", "big"):
+            largest = 2.0**100 if kind[0] == "f" else 2 ** (8 * int(kind[1]) - (kind[0] == "i")) - 1
+            heights = file.createVariable(f"{kind}-{order}", kind, ("y", "x"), endian=order, fill_value=False)
+            heights[:] = np.array([[largest, 3, 2], [1, 0, 7]], dtype=kind)

@@ -102,7 +102,7 @@ class Model:
             KeyboardInterrupt: Ctrl-C.
             JudderError: there is no result.
         """
-        with self._source.told(kind):
+        with self._source.told():
             given = _toml.document(self._source.whole(keys, self._name, ("analysis", kind), without_none=True))
             name, held = _judder.held_analysis(self._case, kind, given, threads=threads, progress=progress)
             if held is not None:

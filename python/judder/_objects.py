@@ -49,6 +49,8 @@ class CaseSource:
 
     def __init__(self, case: str | os.PathLike[str] | Mapping[str, Any], set: Mapping[str, Any] | None = None) -> None:
         self._files = _InputFiles()
+        if set is not None and not isinstance(set, Mapping):
+            raise wrong("set", f"is {described(set)}, and a mapping is needed, such as {{\"operation.velocity\": \"30 mm/s\"}}")
         self._is_written_here = isinstance(case, Mapping)
         if isinstance(case, Mapping):
             if not case:
@@ -108,9 +110,9 @@ class CaseSource:
         """A message that speaks of objects, not of the files that hold them."""
         return text if self._files.folder is None else self.plain(said(text, self._files.objects, self._files.folder))
 
-    def said_error(self, error: JudderError, asked: str | None = None) -> JudderError:
-        """An error that speaks of objects and tables, not of what judder writes of them; an analysis of the kind `asked` is made of arguments."""
-        file = self._file_said(error, asked) if isinstance(error, CaseError) else None
+    def said_error(self, error: JudderError) -> JudderError:
+        """An error that speaks of objects and tables, not of what judder writes of them."""
+        file = self._file_said(error) if isinstance(error, CaseError) else None
         if self._files.folder is None and file is None:
             return error
         fields = said_fields(error.fields, self.said)
@@ -128,24 +130,21 @@ class CaseSource:
                 message = f"`{key}`: {message}"
         return type(error)(message, error.cause, fields)
 
-    def _file_said(self, error: CaseError, asked: str | None) -> str | None:
+    def _file_said(self, error: CaseError) -> str | None:
         """What an error calls the text in which it has its place, where that is written here; nothing where it is a file of the caller's."""
-        key = error.key or ""
-        # of several of a kind the later ones have a number behind their names
-        if asked is not None and error.file != OF_CHANGES and re.match(rf"analysis\.{asked}(-\d+)?(\.|$)", key):
-            return OF_ARGUMENTS
         if self._is_written_here and os.path.basename(error.file) == CASE:
             return OF_TABLES
+        key = error.key or ""
         given = any(key == own or key.startswith(f"{own}.") for own in self.arguments)
         return OF_ARGUMENTS if given and error.file == OF_CHANGES else None
 
     @contextmanager
-    def told(self, asked: str | None = None) -> Iterator[None]:
-        """Errors speak of objects by their keys, and of an analysis of the kind `asked` as of arguments."""
+    def told(self) -> Iterator[None]:
+        """Errors speak of objects by their keys."""
         try:
             yield
         except JudderError as error:
-            own = self.said_error(error, asked)
+            own = self.said_error(error)
             if own is error:
                 raise
             raise own from None
@@ -277,8 +276,8 @@ class _Walk:
             return value.name
         if not isinstance(value, Mapping) or hasattr(value, "data_vars"):
             return {"file": self._file(value, key, {})}
-        if not value:
-            raise wrong(".".join(at), "is an empty table, and columns of numbers, or a path as `file`, are needed")
+        if not value and at[-1] == "dma":
+            raise wrong(".".join(at), "is an empty table, and columns of measured moduli, or a path as `file`, are needed")
         if "file" in value:
             return self.of_table(value, at)
         own = self._declared.beside_file(key)

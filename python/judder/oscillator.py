@@ -171,11 +171,16 @@ Side: TypeAlias = "tuple[str, ArrayLike] | tuple[str, ArrayLike, str]"
 
 def _side(argument: str, given: Any) -> tuple[str, Any, str | None]:
     """A key, its values and their unit, as the compiled part takes them."""
-    if not isinstance(given, tuple | list) or len(given) not in (2, 3) or not isinstance(given[0], str):
-        example = '("velocity", np.linspace(1, 50), "mm/s")'
-        raise wrong(argument, f"is {described(given)}, and a key, its values and, where they have one, their unit are needed, such as {example}")
-    key, values, *unit = given
-    return key, values, unit[0] if unit else None
+    needed = 'a key, its values and, where they have one, their unit are needed, such as ("velocity", np.linspace(1, 50), "mm/s")'
+    if not isinstance(given, tuple | list):
+        raise wrong(argument, f"is {described(given)}, and {needed}")
+    if len(given) not in (2, 3):
+        raise wrong(argument, f"has {len(given)} items, and {needed}")
+    key, values, unit = (*given, None)[:3]
+    for own, name in ((key, "key"), (unit or "", "unit")):
+        if not isinstance(own, str) or (name == "key" and not own):
+            raise wrong(argument, f"has {own!r} as its {name}, and {needed}")
+    return key, values, unit
 
 
 def stability_map(
@@ -273,10 +278,13 @@ def points(
     """
     from judder import _points
 
+    names = [quantities] if isinstance(quantities, str) else quantities
+    if names is not None and (not isinstance(names, list | tuple) or not all(isinstance(name, str) for name in names)):
+        raise wrong("quantities", f"is {described(quantities)}, and a name or a list of names is needed, such as [\"growth_rate\"]")
     varied = _points.Varied(keys)
     told = _judder.oscillator_points(
         varied.sides(),
-        quantities=[quantities] if isinstance(quantities, str) else None if quantities is None else list(quantities),
+        quantities=None if names is None else list(names),
         law=law,
         friction_load=friction_load,
         threads=threads,

@@ -421,7 +421,7 @@ pub enum Cause {
 /// What a number may be, in words that go with how it was written: the zero of degrees Celsius is not that of the range.
 fn allowed(range: Range, number: &WrittenNumber) -> String {
     match range {
-        Range::Positive if number.is_celsius() => format!("above absolute zero, {} degC", -CELSIUS_ZERO),
+        Range::Positive if number.is_celsius() => format!("above absolute zero, {} °C", -CELSIUS_ZERO),
         _ => range.to_string(),
     }
 }

@@ -36,7 +36,7 @@ const NAMED: [NamedDimension; 18] = [
     NamedDimension(Dimension::STRESS, "a stress", "1 MPa", "Pa"),
     NamedDimension(Dimension::COMPLIANCE, "a compliance", "1e-7 1/Pa", "1/Pa"),
     NamedDimension(Dimension::COMPLIANCE_RATE, "a compliance per time", "1e-5 1/Pa/s", "1/Pa/s"),
-    NamedDimension(Dimension::STIFFNESS, "a stiffness or a force per length", "50 N/m", "N/m"),
+    NamedDimension(Dimension::STIFFNESS, "a stiffness", "50 N/m", "N/m"),
     NamedDimension(Dimension::DAMPING, "a damping", "10 N s/m", "N s/m"),
     NamedDimension(Dimension::ANGULAR_FREQUENCY, "an angular frequency", "40 rad/s\" or \"7 kHz", "rad/s"),
     NamedDimension(Dimension::RATE, "a rate", "5 1/s", "1/s"),

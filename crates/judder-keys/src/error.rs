@@ -65,6 +65,14 @@ impl CaseError {
         &self.source.name
     }
 
+    /// The same of a text that is called otherwise.
+    #[must_use]
+    pub fn called(mut self, name: &str) -> Self {
+        name.clone_into(&mut self.source.name);
+        self.others = self.others.into_iter().map(|other| other.called(name)).collect();
+        self
+    }
+
     /// Line and column at which that part begins, both from 1; `None` where the error has no place.
     pub fn line_and_column(&self) -> Option<(usize, usize)> {
         let before = self.source.text.get(..self.span?.offset())?;

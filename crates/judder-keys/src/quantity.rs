@@ -1,7 +1,7 @@
 //! Quantities as case files write them: `"3.5 kN/m"`, `"30 mm/s"`, `"1e-7 1/Pa"`.
 //!
-//! A number, then a unit: factors joined by a space, `*` or `·`, then `/` before each divisor, powers as `^2`, `²` or a
-//! plain digit (`N/mm2`). What follows a quotient must be a quotient again (`N/m/s`), so that no reading has to be guessed.
+//! A number, then a unit: factors joined by a space, `*` or `·`, then `/` before each divisor, powers as `^2`, `²` or
+//! `2` (`N/mm2`, `s-1`). What follows a quotient must be a quotient again (`N/m/s`), so that no reading has to be guessed.
 
 use std::f64::consts::PI;
 use std::fmt;

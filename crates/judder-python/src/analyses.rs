@@ -10,7 +10,7 @@ use judder_study::StudyError;
 use judder_study::case::anywhere::anywhere;
 use judder_study::case::compose::joined_by;
 use judder_study::case::file::CaseFile;
-use judder_study::run::{RunOptions, compute, hold};
+use judder_study::run::{HeldRun, RefusedAnalysis, RunOptions, compute, hold};
 use pyo3::prelude::*;
 use serde_json::Value as Json;
 use std::path::PathBuf;
@@ -36,6 +36,35 @@ fn read(given: &GivenCase) -> Result<CaseFile, StudyError> {
     Err(file.error("model", Cause::UnknownName { what: "model", name, known }).into())
 }
 
+/// What errors call the keys of an analysis that a function was given.
+const ARGUMENT: &str = "argument";
+
+/// One more analysis beside those of a case, which is in order, and the name of it.
+fn joined(given: &GivenCase, kind: &str, keys: &str) -> Result<(CaseFile, String), StudyError> {
+    joined_by(&read(given)?, kind, keys).map_err(|error| error.called(ARGUMENT).into())
+}
+
+/// An error of the analysis of this name as one of arguments; any other as it is.
+fn of_arguments(error: StudyError, name: &str) -> StudyError {
+    match error {
+        StudyError::Case(error) if error.key().is_some_and(|key| is_below(&key, name)) => {
+            error.called(ARGUMENT).into()
+        }
+        error => error,
+    }
+}
+
+/// The same of why an analysis has no result.
+fn refused_arguments(refused: RefusedAnalysis, name: &str) -> RefusedAnalysis {
+    RefusedAnalysis { error: of_arguments(refused.error, name), ..refused }
+}
+
+/// Whether a dotted key is of the analysis of this name.
+fn is_below(key: &str, name: &str) -> bool {
+    let own = key.strip_prefix("analysis.").and_then(|key| key.strip_prefix(name));
+    own.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+}
+
 /// The text of a case that runs wherever it lies.
 #[pyfunction]
 pub(crate) fn text_of_case(py: Python<'_>, case: GivenCase) -> PyResult<String> {
@@ -58,9 +87,15 @@ pub(crate) fn held_analysis(
     let manner = Manner::new(progress, threads)?;
     let mut own = String::new();
     let done = watched(py, &manner, |watch| {
-        let (file, name) = joined_by(&read(&case)?, kind, keys)?;
+        let (file, name) = joined(&case, kind, keys)?;
         own.clone_from(&name);
-        hold(&file, &RunOptions { only: vec![name], ..RunOptions::default() }, watch)
+        let held = hold(&file, &RunOptions { only: vec![name], ..RunOptions::default() }, watch);
+        held.map_err(|error| of_arguments(error, &own)).map(|held| {
+            held.map(|run| HeldRun {
+                refused: run.refused.into_iter().map(|refused| refused_arguments(refused, &own)).collect(),
+                ..run
+            })
+        })
     })?;
     Ok((own, held::told(py, done)?))
 }
@@ -81,14 +116,14 @@ pub(crate) fn computed_analysis(
 ) -> PyResult<(String, Vec<String>)> {
     let manner = Manner::on_threads_of_its_own(progress, threads)?;
     let done = watched(py, &manner, |watch| {
-        let (file, name) = joined_by(&read(&case)?, kind, keys)?;
+        let (file, name) = joined(&case, kind, keys)?;
         let only = file.case.takes_up(&name).into_iter().chain([name.as_str()]).map(str::to_owned).collect();
-        let computed = compute(&file, &folder, &RunOptions { only, ..RunOptions::default() }, watch)?;
-        Ok((name, computed))
+        let computed = compute(&file, &folder, &RunOptions { only, ..RunOptions::default() }, watch);
+        let computed = computed.map_err(|error| of_arguments(error, &name))?;
+        match computed.refused.into_iter().next() {
+            Some(refused) => Err(refused_arguments(refused, &name).error),
+            None => Ok((name, computed.messages)),
+        }
     })?;
-    let (name, computed) = done.settled(|error| errors::study(&error))?;
-    match computed.refused.first() {
-        Some(refused) => Err(errors::study(&refused.error)),
-        None => Ok((name, computed.messages)),
-    }
+    done.settled(|error| errors::study(&error))
 }

@@ -38,8 +38,9 @@ pub fn json(figure: &Figure) -> Result<String, ReportError> {
     let mut value = serde_json::to_value(settled(figure)).map_err(failed)?;
     let mut arrays = FigureArrays::default();
     arrays.take_from(&mut value);
-    if let Value::Object(fields) = &mut value {
-        let bytes = STANDARD.encode(compress_to_vec(&arrays.bytes, LEVEL));
+    let bytes = STANDARD.encode(compress_to_vec(&arrays.bytes, LEVEL));
+    // a figure is a table
+    if let Some(fields) = value.as_object_mut() {
         fields.extend([("arrays".to_owned(), json!(arrays.taken)), ("bytes".to_owned(), json!(bytes))]);
     }
     // another crate of the build may have switched serde_json to insertion order

@@ -65,6 +65,9 @@ def test_changed_keys_and_arguments_are_called_as_they_were_given():
     assert "has no dotted key" in str(error) and "--set" not in "\n".join([str(error), *error.__notes__])
     error = raised(lambda: judder.check({"model": "oscillator"}, set={"": 1}), judder.InputError)
     assert str(error).startswith("set: has an empty key")
+    for given, kind in (([("a", 1)], "a list"), ("operation.velocity=1", "a str")):
+        error = raised(lambda given=given: judder.check({"model": "oscillator"}, set=given), judder.InputError)
+        assert f"`set` is {kind}, and a mapping is needed" in str(error)
     error = raised(lambda: judder.run("none.toml"), judder.CaseError)
     assert error.help == "`judder.new()` gives the text of a case to start from"
 
@@ -76,6 +79,19 @@ def test_analyses_of_functions_are_arguments_whatever_the_case_has(begun, tmp_pa
             case.write_text(begun, "utf-8")
         error = raised(lambda case=case: judder.models.Belt(case).limit_cycle(start={"x": "a"}), judder.CaseError)
         assert (error.file, error.line, error.text) == ("argument", None, '"a"') and error.key.endswith(".start.x")
+
+
+def test_analyses_of_the_case_are_no_arguments(tmp_path):
+    path = tmp_path / "own.toml"
+    path.write_text('model = "belt"\n[[analysis]]\nkind = "limit-cycle"\nstart = { x = "a" }\n', "utf-8")
+    error = raised(lambda: judder.models.Belt(path).limit_cycle(), judder.CaseError)
+    assert (error.file, error.line) == (str(path), 4)
+    error = raised(lambda: judder.models.Belt({"model": "belt", "analysis": [{"kind": "motion", "duration": "a"}]}).motion(duration=10.0), judder.CaseError)
+    assert (error.file, error.key) == ("tables", "analysis.motion.duration")
+
+
+def test_an_empty_table_is_that_of_a_file():
+    assert judder.check({"model": "belt", "friction": {}}) == judder.check('model = "belt"\n[friction]\n')
 
 
 def test_the_text_of_a_case_may_have_one_line():

@@ -194,10 +194,10 @@ def test_what_is_wrong_has_its_place(tmp_path):
     assert caught.value.argument == "ouput"
     with pytest.raises(judder.InputError, match="`case` is an int, and the path of a case file"):
         judder.run(3)
-    # only the run sees it: the place is that of the analysis
+    # only the run sees it
     with pytest.raises(judder.CaseError) as caught:
         judder.models.Sliding(SMALL / "sliding.toml").march(method="ensubs", step="1 s")
-    assert caught.value.line and caught.value.cause
+    assert caught.value.file == "argument" and caught.value.key.startswith("analysis.march") and caught.value.cause
 
 
 SCRIPT = """

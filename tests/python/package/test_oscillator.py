@@ -160,8 +160,16 @@ def test_sides_that_are_none():
         judder.oscillator.stability_map(("radius", [0.01]), good)
     with pytest.raises(judder.InputError, match="glassy"):
         judder.oscillator.stability_map(("glassy_modulus", [1e5, 1e7], "Pa"), good)
-    for side in (None, "velocity", ("velocity",), (1.0, [1.0]), ("velocity", [1.0], "mm/s", 1)):
-        with pytest.raises(judder.InputError, match="`y` is .*, and a key, its values"):
+    for side, what in (
+        (None, "is None"),
+        ("velocity", "is a str"),
+        (("velocity",), "has 1 items"),
+        ((1.0, [1.0]), "has 1.0 as its key"),
+        (("", [1.0]), "has '' as its key"),
+        (("velocity", [1.0], 5), "has 5 as its unit"),
+        (("velocity", [1.0], "mm/s", 1), "has 4 items"),
+    ):
+        with pytest.raises(judder.InputError, match=f"`y` {what}, and a key, its values"):
             judder.oscillator.stability_map(good, side)
     # a key that is None is not given, as of a point
     without, of_none = (judder.oscillator.stability_map(("velocity", [1.0]), good, **keys) for keys in ({}, {"damping_x": None}))

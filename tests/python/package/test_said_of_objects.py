@@ -44,7 +44,7 @@ def of_dma(columns, **law):
         ({"frequency [Hz]": FREQUENCY, "E [Pa]": np.where(FREQUENCY > 1, np.nan, MODULUS)}, ["`substrate.dma.E [Pa]` has nan at"]),
         ({"frequency [Hz]": FREQUENCY, "E [Pa]": abs(MODULUS)}, ["`substrate.dma.E [Pa]`", "complex moduli E' + iE''"]),
         ({"frequency [Hz]": FREQUENCY, "G [Pa]": MODULUS}, ["`substrate.dma.G [Pa]`", "are called `E`"]),
-        ({}, ["`substrate.dma` is an empty table", "columns of numbers"]),
+        ({}, ["`substrate.dma` is an empty table", "columns of measured moduli"]),
     ],
 )
 def test_what_is_wrong_with_measured_moduli_is_said_of_columns_and_rows(columns, words, law):

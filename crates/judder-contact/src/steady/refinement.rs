@@ -6,10 +6,6 @@ use super::level::Level;
 const SECONDARY: f64 = 5.0;
 /// A friction below this is as good as none: its relative error is not asked about.
 const NO_FRICTION: f64 = 1e-12;
-/// The part of the slope at the edge of the contact below which a friction may be what a solver's residual leaves of zero.
-const NEAR_ZERO: f64 = 1e-6;
-/// The relative error from which on a friction near zero is not told from it.
-const LOST: f64 = 0.5;
 /// What a step of the friction must have shrunk to before it is believed: the part of the step before, as of two orders.
 const BELIEVED: f64 = 0.25;
 /// How much further off a grid may be whose cells are as long as a wake: there convergence has not begun.
@@ -86,8 +82,6 @@ pub struct Refinement {
     pub indentation: ErrorEstimate,
     /// Largest pressure over E0*; no accuracy is asked of it.
     pub peak_pressure: ErrorEstimate,
-    /// About the slope at the edge of the contact: its half width over R.
-    pub edge_slope: f64,
     /// The grids.
     pub levels: Vec<LevelSummary>,
 }
@@ -115,7 +109,6 @@ impl Refinement {
         };
         Self {
             force: estimate(|level| level.force),
-            edge_slope: (area.value / std::f64::consts::PI).sqrt(),
             area,
             friction,
             indentation: estimate(|level| level.indentation),
@@ -134,10 +127,8 @@ impl Refinement {
             let values: Vec<f64> = levels.iter().map(value).collect();
             ErrorEstimate::jumping(&values, |[earlier, later]| earlier.max(later))
         };
-        let width = jumping(|level| level.area);
         Self {
-            edge_slope: width.value / 2.0,
-            area: width,
+            area: jumping(|level| level.area),
             friction: jumping(|level| level.friction),
             ..Self::of(levels, false)
         }
@@ -152,19 +143,14 @@ impl Refinement {
         self
     }
 
-    /// Whether force (or depth), area and friction are known to the accuracy; a friction that finer grids only take nearer to zero is none.
+    /// Whether force (or depth), area and friction are known to the accuracy.
     #[must_use]
     pub fn meets(&self, accuracy: f64) -> bool {
+        let friction_known =
+            self.friction.value.abs() < NO_FRICTION || self.friction.error <= SECONDARY * accuracy;
         self.force.error.max(self.indentation.error) <= accuracy
             && self.area.error <= SECONDARY * accuracy
-            && (self.friction.error <= SECONDARY * accuracy || self.is_without_friction())
-    }
-
-    /// Whether the friction is not told from zero, far below any that matters; three grids at least have said so.
-    fn is_without_friction(&self) -> bool {
-        let size = self.friction.value.abs();
-        let is_lost = self.friction.error.is_finite() && self.friction.error >= LOST;
-        size < NO_FRICTION || is_lost && size < NEAR_ZERO * self.edge_slope
+            && friction_known
     }
 }
 
@@ -236,31 +222,6 @@ mod tests {
         assert_eq!((estimate.value, estimate.order), (1.05, None));
         assert!((estimate.error - 0.05 / 1.05).abs() < 1e-12);
         assert_eq!(ErrorEstimate::of(&[1.0]).error, f64::INFINITY);
-    }
-
-    #[test]
-    fn a_friction_that_is_lost_in_the_residual_is_none() {
-        let level = |friction| LevelSummary {
-            cells: 128,
-            cell: 1e-2,
-            force: 1e-2,
-            area: 0.2,
-            friction,
-            indentation: 1e-2,
-            peak_pressure: 0.1,
-            iterations: 1,
-            products: 1,
-            residual: 1e-9,
-            converged: true,
-        };
-        let meets = |frictions: &[f64]| {
-            let levels: Vec<_> = frictions.iter().map(|friction| level(*friction)).collect();
-            [Refinement::of(&levels, false), Refinement::of_line(&levels)].map(|own| own.meets(1e-2))
-        };
-        assert_eq!(meets(&[3e-9, -6e-9, 8e-9]), [true, true]);
-        assert_eq!(meets(&[3e-9, -6e-9]), [false, false]);
-        assert_eq!(meets(&[3e-4, -6e-4, 8e-4]), [false, false]);
-        assert_eq!(meets(&[1e-8, 1.2e-8, 1.4e-8]), [false, false]);
     }
 
     #[test]

@@ -76,9 +76,10 @@ fn numbers(file: &NcFile, variable: &NcVariable) -> Result<Vec<f64>, HeightsErro
     Ok(stored.into_iter().collect())
 }
 
-/// Stored numbers of any type, in the byte order of this machine.
+/// Stored numbers of any type of numbers, in the byte order of this machine.
 fn promoted(bytes: &[u8], variable: &NcVariable) -> Result<Vec<f64>, HeightsError> {
-    Ok(match variable.dtype() {
+    let wrong = |what: &str| HeightsError::NetCdf { reason: format!("`{}` {what}", variable.name()) };
+    let numbers = match variable.dtype() {
         NcType::Byte => each(bytes, |own| f64::from(i8::from_ne_bytes(own))),
         NcType::UByte => each(bytes, |own| f64::from(u8::from_ne_bytes(own))),
         NcType::Short => each(bytes, |own| f64::from(i16::from_ne_bytes(own))),
@@ -89,12 +90,15 @@ fn promoted(bytes: &[u8], variable: &NcVariable) -> Result<Vec<f64>, HeightsErro
         NcType::UInt64 => each(bytes, |own| u64::from_ne_bytes(own) as f64),
         NcType::Float => each(bytes, |own| f64::from(f32::from_ne_bytes(own))),
         NcType::Double => each(bytes, f64::from_ne_bytes),
-        _ => return Err(HeightsError::NetCdf { reason: format!("`{}` holds no numbers", variable.name()) }),
-    })
+        _ => return Err(wrong("holds no numbers")),
+    };
+    numbers.ok_or_else(|| wrong("ends within a number"))
 }
 
-fn each<const SIZE: usize>(bytes: &[u8], number: impl Fn([u8; SIZE]) -> f64) -> Vec<f64> {
-    bytes.as_chunks().0.iter().map(|own| number(*own)).collect()
+/// The numbers of so many bytes each; none where bytes are left.
+fn each<const SIZE: usize>(bytes: &[u8], number: impl Fn([u8; SIZE]) -> f64) -> Option<Vec<f64>> {
+    let (numbers, rest) = bytes.as_chunks();
+    rest.is_empty().then(|| numbers.iter().map(|own| number(*own)).collect())
 }
 
 fn unreadable(error: netcdf_reader::Error) -> HeightsError {

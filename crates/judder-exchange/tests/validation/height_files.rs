@@ -49,24 +49,33 @@ fn ambiguous_files_are_refused_by_name() {
 
 #[test]
 fn numbers_of_every_type_and_byte_order_are_read() {
-    let largest = |kind: &str| match kind {
-        "i1" => f64::from(i8::MAX),
-        "u1" => f64::from(u8::MAX),
-        "i2" => f64::from(i16::MAX),
-        "u2" => f64::from(u16::MAX),
-        "i4" => f64::from(i32::MAX),
-        "u4" => f64::from(u32::MAX),
-        "i8" => i64::MAX as f64,
-        "u8" => u64::MAX as f64,
-        _ => 2.0_f64.powi(100),
+    let ends = |kind: &str| match kind {
+        "i1" => [i8::MAX.into(), i8::MIN.into()],
+        "u1" => [u8::MAX.into(), 0.0],
+        "i2" => [i16::MAX.into(), i16::MIN.into()],
+        "u2" => [u16::MAX.into(), 0.0],
+        "i4" => [i32::MAX.into(), i32::MIN.into()],
+        "u4" => [u32::MAX.into(), 0.0],
+        "i8" => [i64::MAX as f64, i64::MIN as f64],
+        "u8" => [u64::MAX as f64, 0.0],
+        _ => [2.0_f64.powi(100), -2.0_f64.powi(100)],
     };
     for kind in ["i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8"] {
         for order in ["little", "big"] {
             let table = read("four_types.nc", Some(&format!("{kind}-{order}"))).unwrap();
             assert_eq!((table.columns, table.rows), (3, 2));
-            assert_eq!(table.heights, [largest(kind), 3.0, 2.0, 1.0, 0.0, 7.0], "{kind}, {order}");
+            let [largest, smallest] = ends(kind);
+            assert_eq!(table.heights, [largest, smallest, 2.0, 1.0, 0.0, 7.0], "{kind}, {order}");
         }
     }
+}
+
+/// First the sign, then the mask, then the factor.
+#[test]
+fn bytes_that_are_unsigned_by_an_attribute_are_masked_as_that() {
+    let heights = read("four_unsigned.nc", None).unwrap().heights;
+    assert!(heights[0].is_nan());
+    assert_eq!(heights[1..], [127.0, 1.0, 63.5]);
 }
 
 #[test]

@@ -69,6 +69,12 @@ pub enum ContactProblem {
         /// The length of the cylinder, m, where it is given.
         length: Option<f64>,
     },
+    /// A quantity of another kind where the load of a cylinder is a force per length.
+    #[error("the load of a cylinder is a force per length, and `{text}` is none")]
+    NotPerLength {
+        /// The quantity as written.
+        text: String,
+    },
     /// A depth of a cylinder on a half-space, which has none.
     #[error(
         "{what} of a cylinder needs `substrate.thickness`: on a half-space its depth depends on how far away it is measured"
@@ -197,7 +203,7 @@ impl Problem for ContactProblem {
             Self::Shape { .. } | Self::Collapse { .. } | Self::Endless { .. } | Self::LineKey { .. } => {
                 "another shape"
             }
-            Self::WholeLoad { .. } => "not per length",
+            Self::WholeLoad { .. } | Self::NotPerLength { .. } => "not per length",
             Self::NoThickness { .. } => "of a half-space",
             Self::ThroughLayer { .. } => "too deep",
             Self::WiderThanLayer { .. } => "too wide",
@@ -239,6 +245,7 @@ impl ContactProblem {
             Self::WholeLoad { force, length: None } => {
                 format!("divide it by the length of the cylinder: over 100 mm it is load = \"{} N/m\"", plain(force.abs() / 0.1))
             }
+            Self::NotPerLength { .. } => "write a quantity such as \"50 N/m\", or a plain number, F/(E0* R)".to_owned(),
             Self::NoThickness { .. } => {
                 "give the thickness of the layer, which a rigid base holds; one `contact` may have a `load` instead".to_owned()
             }

@@ -9,11 +9,12 @@ use judder_keys::declared::{
     Allowed, Declaration, Ladder, Number, Scaled, Setting, Settings, Whole, all, both,
 };
 use judder_keys::dimension::Dimension;
-use judder_keys::document::Node;
+use judder_keys::document::{Data, Node};
 use judder_keys::error::Fault;
 use judder_keys::memory::Memory;
 use judder_keys::numeric_key::{Form, Range, Value};
 use judder_keys::problem::Placed;
+use judder_keys::quantity::Quantity;
 use judder_keys::section::{Section, whole};
 use judder_keys::span::Span;
 use judder_keys::{Choice, Settings};
@@ -317,8 +318,18 @@ fn load(node: &Node, scope: &ContactScope) -> Result<Value, Fault> {
         Ok(Value { number, form: Form::Si }) => {
             ContactProblem::WholeLoad { force: number, length }.at(node.place)
         }
-        _ => fault,
+        _ => match &node.data {
+            Data::Text(text) if is_of_another_kind(text) => {
+                ContactProblem::NotPerLength { text: text.clone() }.at(node.place)
+            }
+            _ => fault,
+        },
     })
+}
+
+/// Whether a text is a quantity, and no force per length.
+fn is_of_another_kind(text: &str) -> bool {
+    Quantity::parse(text).is_ok_and(|own| own.dimension != LINE_LOAD.dimension)
 }
 
 /// A load, read as soon as the shape has decided whether it is one per length.

@@ -97,7 +97,7 @@ fn a_temperature_without_a_shift() {
 fn a_temperature_below_absolute_zero() {
     refused(
         &contact("[substrate]\ntemperature = \"-300 degC\""),
-        "`substrate.temperature` must be above absolute zero, -273.15 degC, but is -300 degC",
+        "`substrate.temperature` must be above absolute zero, -273.15 °C, but is -300 degC",
         r#""-300 degC""#,
         "",
     );
@@ -216,6 +216,9 @@ fn a_cylinder_under_a_whole_force() {
     let told = "the load of a cylinder is a force per length, N/m, and no force of -9 N";
     let help = "divide it by the length of the cylinder: over 100 mm it is load = \"90 N/m\"";
     refused(&on_layer("", "load = \"-9 N\""), told, "\"-9 N\"", help);
+    let told = "the load of a cylinder is a force per length, and `9 mm` is none";
+    let help = "write a quantity such as \"50 N/m\", or a plain number, F/(E0* R)";
+    refused(&on_layer("", "load = \"9 mm\""), told, "\"9 mm\"", help);
 }
 
 #[test]

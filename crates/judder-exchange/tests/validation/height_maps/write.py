@@ -54,12 +54,24 @@ with netCDF4.Dataset(HERE / "four_masked.nc", "w") as file:
         file.createDimension(dimension, size)
     heights = file.createVariable("z", "f4", ("y", "x"), fill_value=1e30)
     heights[:] = np.ma.masked_where((X[None, :] == 1.5) & (Y[:, None] == 0.0), Z)
-# every type of numbers that the format has, the largest first, in both byte orders
+# every type of numbers that the format has, the largest and the smallest first, in both byte orders
 with netCDF4.Dataset(HERE / "four_types.nc", "w") as file:
     for dimension, size in (("y", 2), ("x", 3)):
         file.createDimension(dimension, size)
     for kind in ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8"):
         for order in ("little", "big"):
             largest = 2.0**100 if kind[0] == "f" else 2 ** (8 * int(kind[1]) - (kind[0] == "i")) - 1
-            heights = file.createVariable(f"{kind}-{order}", kind, ("y", "x"), endian=order, fill_value=False)
-            heights[:] = np.array([[largest, 3, 2], [1, 0, 7]], dtype=kind)
+            smallest = {"f": -largest, "i": -largest - 1, "u": 0}[kind[0]]
+            ordered = ("<" if order == "little" else ">") + kind
+            heights = file.createVariable(f"{kind}-{order}", ordered, ("y", "x"), endian=order, fill_value=False)
+            heights[:] = np.array([[largest, smallest, 2], [1, 0, 7]], dtype=kind)
+# bytes that are unsigned by an attribute, whose largest one is no height
+with netCDF4.Dataset(HERE / "four_unsigned.nc", "w") as file:
+    for dimension, size in (("y", 2), ("x", 2)):
+        file.createDimension(dimension, size)
+    heights = file.createVariable("z", "i1", ("y", "x"), fill_value=False)
+    heights.set_auto_maskandscale(False)
+    heights.setncattr("_Unsigned", "true")
+    heights.setncattr("missing_value", np.int8(-1))
+    heights.scale_factor = 0.5
+    heights[:] = np.array([[-1, -2], [2, 127]], dtype="i1")

@@ -109,12 +109,15 @@ class CaseError(JudderError, ValueError):
     """What else is wrong with the same case, in the order of its text."""
 
     def __init__(self, message: str, cause: str = "", fields: Mapping[str, Any] | None = None) -> None:
-        super().__init__(message, cause, fields)
-        if self.fields.get("file") == _OPTION:
-            self.fields["file"] = OF_CHANGES
-        if self.fields.get("file") in (OF_TABLES, OF_CHANGES, OF_ARGUMENTS):
-            self.fields.update(line=None, column=None)
-            words = [own for own in (self.key, self.text) if own and not own.startswith("[")]
+        own = dict(fields or {})
+        if own.get("file") == _OPTION:
+            own["file"] = OF_CHANGES
+        is_no_file = own.get("file") in (OF_TABLES, OF_CHANGES, OF_ARGUMENTS)
+        if is_no_file:
+            own.update(line=None, column=None)
+        super().__init__(message, cause, own)
+        if is_no_file:
+            words = [word for word in (self.key, self.text) if word and not word.startswith("[")]
             if words:
                 self.add_note(f"at {': '.join(dict.fromkeys(words))}")
         elif self.fields.get("line") is not None:

@@ -5,7 +5,7 @@ Everything is dimensionless as in the oscillator paper: speeds v τ/R, loads F/(
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, Unpack
 
@@ -278,13 +278,14 @@ def points(
     """
     from judder import _points
 
-    names = [quantities] if isinstance(quantities, str) else quantities
-    if names is not None and (not isinstance(names, list | tuple) or not all(isinstance(name, str) for name in names)):
+    given = [quantities] if isinstance(quantities, str) else quantities
+    names = None if given is None else list(given) if isinstance(given, Iterable) else [given]
+    if not all(isinstance(name, str) for name in names or ()):
         raise wrong("quantities", f"is {described(quantities)}, and a name or a list of names is needed, such as [\"growth_rate\"]")
     varied = _points.Varied(keys)
     told = _judder.oscillator_points(
         varied.sides(),
-        quantities=None if names is None else list(names),
+        quantities=names,
         law=law,
         friction_load=friction_load,
         threads=threads,

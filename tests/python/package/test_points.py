@@ -71,6 +71,8 @@ def test_thresholds_are_sought_where_they_are_asked_for():
     found = judder.oscillator.points(velocity=[1e-4, 1e-3], quantities=["critical_shear_strength", "growth_rate"])
     one = judder.oscillator.points(velocity=[1e-4, 1e-3], quantities="growth_rate")
     assert [*one.data_vars] == ["growth_rate", "eigenvalues"] and (one.growth_rate == found.growth_rate).all()
+    for several in (np.array(["growth_rate"]), {"growth_rate": 1}.keys()):
+        assert [*judder.oscillator.points(velocity=[1e-4], quantities=several).data_vars] == ["growth_rate", "eigenvalues"]
     for wrong in (5, b"growth_rate", [1]):
         with pytest.raises(judder.InputError, match="`quantities` is .*, and a name or a list of names"):
             judder.oscillator.points(velocity=[1e-4], quantities=wrong)

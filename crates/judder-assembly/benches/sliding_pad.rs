@@ -184,7 +184,8 @@ fn modes(folder: &Path) -> Result<Value, Box<dyn Error>> {
         least(REPEATS, || Ok(complex_modes(&anew()?, &region, &ComplexModeSettings::default())?))?;
     let shifts: Vec<f64> = found.shifts.iter().map(|shift| shift.im).collect();
     // of each frequency one factorisation and two solutions
-    let (floor, _) = least(REPEATS, || Ok(receptances(&anew()?, 0, 0, &shifts)?))?;
+    let (floor, _) =
+        least(REPEATS, || Ok(receptances(&anew()?, 0, 0, &shifts, &ComplexModeSettings::default().memory)?))?;
     let values: Vec<[f64; 2]> =
         found.modes.iter().map(|mode| [mode.eigenvalue.value.re, mode.eigenvalue.value.im]).collect();
     Ok(json!({

@@ -102,7 +102,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let speeds = (0..POINTS).map(|k| TAU * (1.0 + 3.0 * k as f64 / (POINTS - 1) as f64));
     let points: Vec<Factors> = speeds.map(factors).collect();
     // the shown errors here are those of the methods alone
-    let exact = ComplexModeSettings { data_precision: 0.0 };
+    let exact = ComplexModeSettings { data_precision: 0.0, ..ComplexModeSettings::default() };
     let fast = SweepMethod::Projected { tolerance: TOLERANCE };
     let (sweep_seconds, sweep) = least(1, || eigen_sweep(&family, &points, &REGION, &exact, fast));
     let sweep = sweep?;

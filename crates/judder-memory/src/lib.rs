@@ -1,13 +1,16 @@
 //! How much of the machine's memory this process may take: one budget, asked before anything large is allocated.
 //!
 //! - [`MemoryBudget`]: what may be taken, and the refusal [`BeyondMemory`]; [`Crowded`] where fewer at once would have it.
+//! - [`HeldMemory`]: what several pieces of work hold of one budget.
 //! - `free`: what the system says is free.
 
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod free;
+mod held;
 
 use free::SystemMemory;
+pub use held::{HeldMemory, TakenMemory};
 
 use std::cell::Cell;
 use std::fmt;
@@ -132,6 +135,12 @@ impl MemoryBudget {
         };
         let shared_by = SHARED_BY.get();
         Self { bytes: bytes.map(|bytes| bytes / shared_by), origin, shared_by }
+    }
+
+    /// No limit.
+    #[must_use]
+    pub const fn unlimited() -> Self {
+        Self { bytes: None, origin: BudgetOrigin::Told, shared_by: 1 }
     }
 
     /// So many bytes.

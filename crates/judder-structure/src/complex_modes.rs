@@ -25,6 +25,7 @@ pub use crate::quadratic::Region;
 pub use cover::Gap;
 pub use everywhere::all_complex_modes;
 pub use judder_numerics::verdict::Verdict;
+pub use shift::likely_bytes_of_shift;
 
 use disc::SAME;
 pub(crate) use disc::Triple;
@@ -38,22 +39,25 @@ use accuracy::Accuracy;
 pub(crate) use accuracy::left_by_residuals;
 use cover::{Cover, cover};
 use faer::c64;
+use judder_memory::{HeldMemory, MemoryBudget};
 use judder_numerics::order::sort_by_numbers;
 use judder_numerics::parallel;
 use refine::Neighbourhood;
 use whole::whole;
 
-/// What the matrices are worth.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// What the matrices are worth, and what a search may take.
+#[derive(Debug, Clone)]
 pub struct ComplexModeSettings {
     /// ε: how well the entries of the matrices are known, relative to their norms. 10⁻¹² by default: assembled matrices carry more
     /// rounding than their number format.
     pub data_precision: f64,
+    /// What all searches with these settings may hold together: their factors, and the vectors they are made with. No limit by default.
+    pub memory: HeldMemory,
 }
 
 impl Default for ComplexModeSettings {
     fn default() -> Self {
-        Self { data_precision: 1e-12 }
+        Self { data_precision: 1e-12, memory: HeldMemory::of(MemoryBudget::unlimited()) }
     }
 }
 
@@ -135,13 +139,13 @@ impl Eigenvalue {
 ///
 /// # Errors
 /// [`StructureError::EmptyRegion`], [`StructureError::SingularEverywhere`] where λ²M + λC + K has no inverse at all,
-/// [`StructureError::OutOfMemory`]. Modes that may be missing are no error but a [`Gap`].
+/// [`StructureError::BeyondMemory`], [`StructureError::OutOfMemory`]. Modes that may be missing are no error but a [`Gap`].
 pub fn complex_modes(
     problem: &Quadratic,
     region: &Region,
     settings: &ComplexModeSettings,
 ) -> Result<ComplexModes, StructureError> {
-    let searched = searched(problem, region)?;
+    let searched = searched(problem, region, &settings.memory)?;
     let left_open: Vec<f64> =
         searched.refined.iter().map(|refined| left_by_residuals(problem, refined)).collect();
     let modes = finished(problem, &searched.refined, &left_open, region, settings);
@@ -158,12 +162,30 @@ pub(crate) struct SearchedRegion {
 }
 
 /// Every eigenvalue of a region, refined, with the factors at the shifts.
-pub(crate) fn searched(problem: &Quadratic, region: &Region) -> Result<SearchedRegion, StructureError> {
+pub(crate) fn searched(
+    problem: &Quadratic,
+    region: &Region,
+    memory: &HeldMemory,
+) -> Result<SearchedRegion, StructureError> {
     region.check()?;
     if problem.size() <= whole::LARGEST {
-        return whole(problem, region);
+        return whole(problem, region, memory);
     }
-    let cover = cover(problem, region)?;
+    let found = by_discs(problem, region, memory);
+    match found {
+        // another thread may have been refused
+        Err(StructureError::BeyondMemory(beyond)) => Ok(memory.refused_here(beyond)?),
+        found => found,
+    }
+}
+
+/// Every eigenvalue of a region of a large problem.
+fn by_discs(
+    problem: &Quadratic,
+    region: &Region,
+    memory: &HeldMemory,
+) -> Result<SearchedRegion, StructureError> {
+    let cover = cover(problem, region, memory)?;
     let refined = refined(problem, &cover, &region.widened(REFINED))?;
     let mut gaps = cover.gaps;
     for ((disc, place), refined) in cover.members.iter().zip(&refined) {

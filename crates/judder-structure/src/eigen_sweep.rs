@@ -151,7 +151,7 @@ pub fn eigen_sweeps(
     for factors in &points {
         family.check(factors)?;
     }
-    let prepared = PreparedSweep::new(family, points, region, *settings, method)?;
+    let prepared = PreparedSweep::new(family, points, region, settings.clone(), method)?;
     let mut first = 0;
     let each = curves.iter().map(|curve| {
         first += curve.len();
@@ -184,9 +184,10 @@ impl<'a, F: ProblemFamily> PreparedSweep<'a, F> {
     ) -> Result<Self, F::Error> {
         region.check()?;
         let samples = match method {
-            SweepMethod::Projected { tolerance } if !points.is_empty() => {
-                Some((FullSamples::trained(family, points.clone(), region, tolerance)?, tolerance))
-            }
+            SweepMethod::Projected { tolerance } if !points.is_empty() => Some((
+                FullSamples::trained(family, points.clone(), region, tolerance, &settings.memory)?,
+                tolerance,
+            )),
             _ => None,
         };
         let samples = samples.filter(|(samples, _)| samples.projection().is_some());

@@ -1,5 +1,6 @@
 use crate::direction::Direction;
 use crate::element::ElementKind;
+use judder_memory::BeyondMemory;
 use judder_numerics::words::{plain, plain_complex};
 use thiserror::Error;
 
@@ -146,6 +147,9 @@ pub enum StructureError {
         /// Of the matrix.
         rows: usize,
     },
+    /// Factors and vectors would take more memory than there is for them.
+    #[error("{0}; {}", .0.remedy_or("mesh coarser, or ask for a narrower region"))]
+    BeyondMemory(#[from] BeyondMemory),
     /// Two matrices are not of one structure.
     #[error("a matrix of {} × {} and one of {} × {} do not belong to one structure: both must be square and of one size", first[0], first[1], second[0], second[1])]
     DifferentSizes {

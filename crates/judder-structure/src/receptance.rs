@@ -4,6 +4,7 @@ use crate::StructureError;
 use crate::complex_modes::ShiftedFactor;
 use crate::quadratic::{MatrixSide, Quadratic};
 use faer::{Mat, c64};
+use judder_memory::HeldMemory;
 use judder_numerics::parallel;
 
 /// The receptance at one frequency, found twice.
@@ -25,25 +26,26 @@ pub struct Receptance {
 /// of each is by Q(iω)ᵀ, as eᵀ A⁻¹ e' = e'ᵀ A⁻ᵀ e.
 ///
 /// # Errors
-/// [`StructureError::OutOfMemory`].
+/// [`StructureError::BeyondMemory`], [`StructureError::OutOfMemory`].
 pub fn receptances(
     problem: &Quadratic,
     excited: usize,
     observed: usize,
     frequencies: &[f64],
+    memory: &HeldMemory,
 ) -> Result<Vec<Receptance>, StructureError> {
-    parallel::try_each(frequencies, |frequency| at(problem, excited, observed, *frequency))
+    parallel::try_each(frequencies, |frequency| at(problem, [excited, observed], *frequency, memory))
 }
 
 fn at(
     problem: &Quadratic,
-    excited: usize,
-    observed: usize,
+    [excited, observed]: [usize; 2],
     frequency: f64,
+    memory: &HeldMemory,
 ) -> Result<Receptance, StructureError> {
     let shift = c64::new(0.0, frequency);
     let has_both = excited.max(observed) < problem.size();
-    let factor = if has_both { ShiftedFactor::at(problem, shift)? } else { None };
+    let factor = if has_both { ShiftedFactor::at(problem, shift, memory)? } else { None };
     let Some(factor) = factor else {
         let none = c64::new(f64::NAN, f64::NAN);
         return Ok(Receptance { value: none, transposed: none, largest: f64::NAN, residual: f64::INFINITY });
@@ -64,6 +66,11 @@ mod tests {
     use super::*;
     use crate::assembly::Sparse;
     use faer::sparse::Triplet;
+    use judder_memory::MemoryBudget;
+
+    fn unlimited() -> HeldMemory {
+        HeldMemory::of(MemoryBudget::unlimited())
+    }
 
     fn matrix(rows: [[f64; 2]; 2]) -> Sparse {
         let places = (0..2).flat_map(|row| (0..2).map(move |column| (row, column)));
@@ -85,7 +92,7 @@ mod tests {
                 [(0, 0, entry(1, 1)), (1, 1, entry(0, 0)), (1, 0, -entry(0, 1)), (0, 1, -entry(1, 0))]
             {
                 let expected = expected / determinant;
-                let found = receptances(&problem, excited, observed, &[frequency]).unwrap()[0];
+                let found = receptances(&problem, excited, observed, &[frequency], &unlimited()).unwrap()[0];
                 assert!((found.value - expected).norm() < 1e-14 * expected.norm(), "{frequency} {found:?}");
                 assert!((found.transposed - expected).norm() < 1e-14 * expected.norm(), "{frequency}");
                 assert!(found.residual < 1e-15, "{found:?}");
@@ -99,13 +106,13 @@ mod tests {
         let none = matrix([[0.0; 2]; 2]);
         let problem =
             Quadratic::new(matrix([[1.0, 0.0], [0.0, 1.0]]), none, matrix([[4.0, 0.0], [0.0, 9.0]])).unwrap();
-        let found = receptances(&problem, 0, 0, &[1.0, 2.0, 3.0]).unwrap();
+        let found = receptances(&problem, 0, 0, &[1.0, 2.0, 3.0], &unlimited()).unwrap();
         assert!((found[0].value.re - 1.0 / 3.0).abs() < 1e-15);
         // freedoms that nothing joins: no displacement, measured by that of the freedom which moves, 1/3 or 1/8
-        let apart = receptances(&problem, 0, 1, &[1.0]).unwrap()[0];
+        let apart = receptances(&problem, 0, 1, &[1.0], &unlimited()).unwrap()[0];
         assert_eq!((apart.value.norm(), apart.transposed.norm()), (0.0, 0.0));
         assert!((apart.largest - 1.0 / 3.0).abs() < 1e-15, "{apart:?}");
         assert!(found[1].value.re.is_nan() && found[2].value.re.is_nan());
-        assert!(receptances(&problem, 0, 2, &[1.0]).unwrap()[0].value.re.is_nan());
+        assert!(receptances(&problem, 0, 2, &[1.0], &unlimited()).unwrap()[0].value.re.is_nan());
     }
 }

@@ -5,11 +5,12 @@ use super::build::BuiltAssembly;
 use super::case::AssemblyCase;
 use crate::error::ModelError;
 use crate::structure::eigen::run::asked_of;
+use crate::structure::solved_size::complex_mode_settings;
 use judder_assembly::linearised::{Linearised, LinearisedTerms};
 use judder_assembly::steady::SteadySliding;
 use judder_numerics::complex::ElementaryComplex;
 use judder_structure::asked_region::AskedRegion;
-use judder_structure::complex_modes::{ComplexModeSettings, complex_modes};
+use judder_structure::complex_modes::complex_modes;
 use num_complex::Complex64;
 
 /// An assembly with each freedom of its contacts kept, in steady sliding.
@@ -48,7 +49,7 @@ impl WithInterfaceFreedoms {
         asked: &AskedRegion,
     ) -> Result<Result<f64, String>, ModelError> {
         let about = Linearised::new(&self.built.assembly, &self.steady, terms)?;
-        let found = complex_modes(&about.problem, &asked.rectangle(), &ComplexModeSettings::default())?;
+        let found = complex_modes(&about.problem, &asked.rectangle(), &complex_mode_settings())?;
         let found = asked_of(found, asked);
         let mut finer: Vec<Complex64> = found.modes.iter().map(|mode| mode.eigenvalue.value).collect();
         let (own, all) = (eigenvalues.len(), finer.len());

@@ -6,6 +6,7 @@ use super::case::contact::ContactForceSettings;
 use super::eigen::{BAND, band};
 use crate::error::ModelError;
 use crate::key_sweep::{KeySweep, KeySweepProblem, SweptSections};
+use crate::structure::solved_size::complex_mode_settings;
 use faer::{Mat, MatRef};
 use judder_assembly::assembly::Assembly;
 use judder_assembly::compliance::Compliance;
@@ -16,7 +17,7 @@ use judder_keys::Settings;
 use judder_nonsmooth::course::{Course, TimeFactor};
 use judder_numerics::complex::ElementaryComplex;
 use judder_structure::asked_region::AskedRegion;
-use judder_structure::complex_modes::{ComplexMode, ComplexModeSettings, Eigenvalue, Region, complex_modes};
+use judder_structure::complex_modes::{ComplexMode, Eigenvalue, Region, complex_modes};
 use judder_structure::eigen_sweep::{ProblemFamily, ProjectedProblem, SolvedPoint};
 use judder_structure::quadratic::Quadratic;
 use judder_study::Silent;
@@ -215,7 +216,7 @@ impl<'a> SweptAssembly<'a> {
         state: &SlidingState,
         region: &Region,
     ) -> Result<SolvedPoint, ModelError> {
-        let found = complex_modes(&self.about(state)?.problem, region, &ComplexModeSettings::default())?;
+        let found = complex_modes(&self.about(state)?.problem, region, &complex_mode_settings())?;
         Ok(SolvedPoint { modes: found.modes, gaps: found.gaps, full: true })
     }
 

@@ -1,7 +1,10 @@
 //! What solving one structure needs of memory.
 
 use super::build::Structure;
+use judder_memory::{HeldMemory, MemoryBudget};
+use judder_numerics::parallel;
 use judder_structure::assembly::Sparse;
+use judder_structure::complex_modes::{ComplexModeSettings, likely_bytes_of_shift};
 use judder_structure::factor::likely_entries;
 use judder_study::model::{MemoryBound, NeededMemory};
 
@@ -17,24 +20,58 @@ const FACTOR_BYTES: f64 = 22.0;
 /// Measured of twelve modes of plates of linear and quadratic quadrilaterals, long and short, and of a bar, a slab and cubes of both kinds of bricks, of 23 000 to 45 000
 /// freedoms, whose factors hold 2 to 11 numbers an entry of the stiffness, with Rayleigh damping, and of a plate without.
 pub(crate) fn undamped(structure: &Structure, what: &str) -> NeededMemory {
-    let freedoms = structure.family.size();
+    let of_factors = fullest(structure).map_or(0.0, |matrix| FACTOR_BYTES * likely_entries(matrix));
+    NeededMemory { beside: (bytes_of_matrices(structure) + of_factors) as u128, ..needed(structure, what) }
+}
+
+/// Of stiffness and mass, and of damping where there is any.
+fn bytes_of_matrices(structure: &Structure) -> f64 {
     let terms = structure.family.damping().len();
     let of_damping = if terms == 0 { 0.0 } else { TERM_BYTES * (terms + 1) as f64 };
-    let of_entry = ENTRY_BYTES + of_damping;
-    let bytes = fullest(structure)
-        .map_or(0.0, |matrix| of_entry * matrix.val().len() as f64 + FACTOR_BYTES * likely_entries(matrix));
+    fullest(structure).map_or(0.0, |matrix| (ENTRY_BYTES + of_damping) * matrix.val().len() as f64)
+}
+
+/// Nothing yet, of some work on a structure.
+fn needed(structure: &Structure, what: &str) -> NeededMemory {
     NeededMemory {
-        beside: bytes as u128,
+        beside: 0,
         bound: MemoryBound::AtLeast,
-        what: format!("{what} of {freedoms} freedoms").into(),
+        what: format!("{what} of {} freedoms", structure.family.size()).into(),
         keys: &["count"],
         advice: "mesh coarser",
     }
 }
 
-/// The same of complex modes and of receptances: measured of modes of bars of bricks with 1800 and 19 900 freedoms 620 and 480 bytes an entry of the stiffness.
-pub(super) fn damped(structure: &Structure, what: &str) -> NeededMemory {
-    NeededMemory { keys: &[], ..scaled(undamped(structure, what), 2.1) }
+/// Discs that a search of complex modes begins with; it asks again before it factors more.
+const DISCS: f64 = 2.0;
+/// Vectors of a disc at least, from either side, with their velocities.
+const VECTORS: f64 = 64.0;
+
+/// Of complex modes.
+pub(super) fn complex_modes(structure: &Structure) -> NeededMemory {
+    let vectors = 2.0 * VECTORS * 16.0 * structure.family.size() as f64;
+    damped(structure, "complex modes", DISCS, vectors)
+}
+
+/// Of receptances at so many frequencies: each thread holds the factors of one.
+pub(super) fn receptances(structure: &Structure, points: usize) -> NeededMemory {
+    damped(structure, "receptances", parallel::threads().min(points) as f64, 0.0)
+}
+
+/// Of so many factors of λ²M + λC + K at a time, each with vectors of so many bytes.
+fn damped(structure: &Structure, what: &str, factors: f64, vectors: f64) -> NeededMemory {
+    let of_matrices = bytes_of_matrices(structure);
+    let of_factor = fullest(structure).map_or(0.0, likely_bytes_of_shift);
+    let bytes = of_matrices + factors * (of_factor + vectors);
+    NeededMemory { beside: bytes as u128, keys: &[], ..needed(structure, what) }
+}
+
+/// What searches of complex modes may take: what the process may, all of an analysis together.
+pub(crate) fn complex_mode_settings() -> ComplexModeSettings {
+    ComplexModeSettings {
+        memory: HeldMemory::of(MemoryBudget::of_process()),
+        ..ComplexModeSettings::default()
+    }
 }
 
 /// The same of a reduction: measured of these bars 230 and 305.

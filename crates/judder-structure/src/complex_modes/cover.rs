@@ -5,6 +5,7 @@ use super::matching::one_to_one;
 use crate::StructureError;
 use crate::quadratic::{Quadratic, Region};
 use faer::c64;
+use judder_memory::HeldMemory;
 use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::parallel;
 use judder_numerics::words::{plain, plain_complex};
@@ -106,11 +107,16 @@ const SEARCHES: usize = 1000;
 const WELL_INSIDE: f64 = 0.97;
 
 /// Covers a region by discs: by two, and where a search does not reach far enough by as many as it takes.
-pub(super) fn cover(problem: &Quadratic, region: &Region) -> Result<Cover, StructureError> {
+pub(super) fn cover(
+    problem: &Quadratic,
+    region: &Region,
+    memory: &HeldMemory,
+) -> Result<Cover, StructureError> {
     let (mut discs, mut gaps, mut searches) = (Vec::new(), Vec::new(), 0);
     let mut parts = region.halves().to_vec();
     for halving in 0..=HALVINGS {
-        let search = |part: &Region| SearchedDisc::search(problem, part.centre(), MARGIN * part.radius());
+        let search =
+            |part: &Region| SearchedDisc::search(problem, part.centre(), MARGIN * part.radius(), memory);
         let searched: Vec<SearchedDisc> = parallel::try_each(&parts, search)?;
         searches += parts.len();
         let mut smaller = Vec::new();

@@ -9,6 +9,7 @@ use crate::StructureError;
 use crate::quadratic::{MatrixSide, Quadratic};
 use faer::{Mat, c64};
 use judder_dense::general::solve_complex;
+use judder_memory::HeldMemory;
 use judder_numerics::complex::ElementaryComplex;
 
 /// An eigenvalue with its vectors, each of length one.
@@ -46,9 +47,14 @@ const CLUSTER: f64 = 1e-7;
 
 impl SearchedDisc {
     /// Searches around a centre, out to the asked radius or as far as one search reaches.
-    pub(super) fn search(problem: &Quadratic, centre: c64, asked: f64) -> Result<Self, StructureError> {
+    pub(super) fn search(
+        problem: &Quadratic,
+        centre: c64,
+        asked: f64,
+        memory: &HeldMemory,
+    ) -> Result<Self, StructureError> {
         const SEEDS: (u64, u64) = (101, 202);
-        let factor = ShiftedFactor::near(problem, centre, asked)?;
+        let mut factor = ShiftedFactor::near(problem, centre, asked, memory)?;
         let of = |side| LinearisedOperator { problem, factor: &factor, side, reach: asked };
         let (right, left) = rayon::join(
             || search(&of(MatrixSide::Right), SEEDS.0),
@@ -58,6 +64,8 @@ impl SearchedDisc {
         let radius = right.radius.min(left.radius);
         let reach = asked.min(radius);
         let (mut triples, lonely) = pair(factor.shift(), &right, &left, reach);
+        // as they are found, and once more as they will be refined
+        factor.take(triples.len() * 4 * problem.size() * size_of::<c64>())?;
         biorthogonalise(problem, &mut triples, CLUSTER * reach);
         let crowded = right.crowded || left.crowded;
         Ok(Self { factor, radius, reach, triples, crowded, lonely })

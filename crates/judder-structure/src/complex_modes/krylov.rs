@@ -8,6 +8,7 @@ use crate::StructureError;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatRef, Par, c64};
 use judder_dense::general::complex_eigen;
+use judder_memory::TakenMemory;
 use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::counter::uniform;
 use judder_numerics::order::sort_by_number;
@@ -93,6 +94,8 @@ struct Basis<'a> {
     /// Columns (x, u), 2n long; those beyond `filled` are room.
     vectors: Mat<c64>,
     filled: usize,
+    /// Of the memory that these vectors take.
+    taken: TakenMemory,
     /// The newest block: columns from here on have not been through the operator.
     fresh: usize,
     /// The operator between the vectors: a column for each that has been through.
@@ -120,6 +123,7 @@ impl<'a> Basis<'a> {
             starts: 0,
             vectors: Mat::zeros(operator.rows(), LARGEST + WIDTH),
             filled: 0,
+            taken: operator.factor.memory().take(0)?,
             fresh: 0,
             projected: Mat::zeros(LARGEST + WIDTH, LARGEST + WIDTH),
             whole: false,
@@ -138,7 +142,7 @@ impl<'a> Basis<'a> {
         // once through the operator: nothing is left that has no mass
         let block = self.operator.through(Mat::from_fn(rows, count, random).as_ref())?;
         self.starts += count;
-        self.take_in(block);
+        self.take_in(block)?;
         Ok(())
     }
 
@@ -160,7 +164,7 @@ impl<'a> Basis<'a> {
         }
         let image = self.operator.through(self.vectors.subcols(from, width))?;
         self.fresh = self.filled;
-        let shares = self.take_in(image);
+        let shares = self.take_in(image)?;
         for (k, shares) in shares.iter().enumerate() {
             for (row, share) in shares.iter().enumerate() {
                 self.projected[(row, from + k)] = *share;
@@ -170,9 +174,10 @@ impl<'a> Basis<'a> {
     }
 
     /// Makes a block orthonormal and a part of the basis; gives the coordinates of each of its vectors.
-    fn take_in(&mut self, mut block: Mat<c64>) -> Vec<Vec<c64>> {
+    fn take_in(&mut self, mut block: Mat<c64>) -> Result<Vec<Vec<c64>>, StructureError> {
         let lengths: Vec<f64> = (0..block.ncols()).map(|k| block.col(k).norm_l2()).collect();
         let (before, rows) = (self.filled, block.nrows());
+        self.taken.take((block.ncols() * rows * size_of::<c64>()) as u64)?;
         let room = (before + block.ncols()).max(self.projected.nrows());
         self.vectors.resize_with(rows, room, |_, _| c64::new(0.0, 0.0));
         self.projected.resize_with(room, room, |_, _| c64::new(0.0, 0.0));
@@ -200,7 +205,7 @@ impl<'a> Basis<'a> {
             }
             coordinates.push(column);
         }
-        coordinates
+        Ok(coordinates)
     }
 
     fn ritz(&self) -> Result<RitzPair, StructureError> {

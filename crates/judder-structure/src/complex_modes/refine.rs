@@ -77,7 +77,9 @@ impl<'a> Neighbourhood<'a> {
         if best.worse() <= SUFFICIENT {
             return Ok(best);
         }
-        let Some(factor) = ShiftedFactor::at(self.problem, best.triple.value)? else { return Ok(best) };
+        let Some(factor) = ShiftedFactor::at(self.problem, best.triple.value, self.factor.memory())? else {
+            return Ok(best);
+        };
         for _ in 0..STEPS {
             // the nearly singular Q(λ)⁻¹ takes each vector to the other side's
             let turned = |side, from: &[c64]| -> Result<Vec<c64>, StructureError> {

@@ -1,7 +1,9 @@
 //! Q(σ) factored once for many solutions, with it and with its transpose.
 
 use crate::StructureError;
+use crate::assembly::Sparse;
 use crate::factor::general::GeneralFactor;
+use crate::factor::likely_entries;
 use crate::quadratic::{MatrixSide, Quadratic};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::PartialPivLuParams;
@@ -9,6 +11,7 @@ use faer::sparse::SparseColMat;
 use faer::sparse::linalg::LuError;
 use faer::sparse::linalg::lu::{LuRef, LuSymbolicParams, NumericLu, SymbolicLu, factorize_symbolic_lu};
 use faer::{Conj, Mat, Par, Spec, c64};
+use judder_memory::{HeldMemory, TakenMemory};
 use judder_numerics::complex::ElementaryComplex;
 
 /// Q(σ) = L U up to the orders of rows and columns.
@@ -16,6 +19,7 @@ use judder_numerics::complex::ElementaryComplex;
 pub(crate) struct ShiftedFactor {
     shift: c64,
     factors: ShiftedFactors,
+    taken: TakenMemory,
 }
 
 #[derive(Debug)]
@@ -30,20 +34,35 @@ enum ShiftedFactors {
 const LARGE: usize = 500;
 /// Pivots among the rows of a block have sufficed where they leave no more of a right side, over all that it is made of.
 const SUFFICIENT: f64 = 1e-12;
+/// Bytes that an entry of a symmetric factor on the same pattern takes here: in L and in U, both complex.
+const HELD_BYTES: f64 = 32.0;
+/// The same while they are made, with what waits to be added to blocks.
+const MAKING_BYTES: f64 = 44.0;
+
+/// Bytes that the factors at one shift are likely to take at most, from the fullest of the matrices: before an order of elimination is sought.
+#[must_use]
+pub fn likely_bytes_of_shift(fullest: &Sparse) -> f64 {
+    MAKING_BYTES * likely_entries(fullest)
+}
 
 impl ShiftedFactor {
     /// The factors at a shift, or beside it where Q(σ) is singular: no further off than the reach times a few thousandths.
     ///
     /// # Errors
-    /// [`StructureError::SingularEverywhere`], [`StructureError::OutOfMemory`].
-    pub(crate) fn near(problem: &Quadratic, shift: c64, reach: f64) -> Result<Self, StructureError> {
+    /// [`StructureError::SingularEverywhere`], [`StructureError::BeyondMemory`], [`StructureError::OutOfMemory`].
+    pub(crate) fn near(
+        problem: &Quadratic,
+        shift: c64,
+        reach: f64,
+        memory: &HeldMemory,
+    ) -> Result<Self, StructureError> {
         // steps aside by numbers that no eigenvalue is likely to stand at
         const ASIDE: [(f64, f64); 4] =
             [(0.0, 0.0), (1.37e-3, 0.91e-3), (-2.23e-3, 1.71e-3), (0.77e-3, -3.19e-3)];
         let mut tried = shift;
         for (re, im) in ASIDE {
             tried = shift + c64::new(re, im) * reach;
-            if let Some(factor) = Self::at(problem, tried)? {
+            if let Some(factor) = Self::at(problem, tried, memory)? {
                 return Ok(factor);
             }
         }
@@ -51,18 +70,30 @@ impl ShiftedFactor {
     }
 
     /// The factors at a shift; `None` where Q(σ) is singular to rounding.
-    pub(crate) fn at(problem: &Quadratic, shift: c64) -> Result<Option<Self>, StructureError> {
+    ///
+    /// # Errors
+    /// [`StructureError::BeyondMemory`], [`StructureError::OutOfMemory`].
+    pub(crate) fn at(
+        problem: &Quadratic,
+        shift: c64,
+        memory: &HeldMemory,
+    ) -> Result<Option<Self>, StructureError> {
         let matrix = problem.at(shift)?;
-        if problem.size() >= LARGE
-            && let Some(factor) = GeneralFactor::new(&problem.pattern()?, &matrix)?
-        {
-            let factor = Self { shift, factors: ShiftedFactors::OfBlocks(factor) };
-            if factor.left_of_ones(&matrix)? <= SUFFICIENT {
-                return Ok(Some(factor));
+        let mut taken = memory.take(0)?;
+        if problem.size() >= LARGE {
+            let pattern = problem.pattern()?;
+            taken.take((MAKING_BYTES * pattern.entries() as f64) as u64)?;
+            if let Some(factor) = GeneralFactor::new(&pattern, &matrix)? {
+                taken.keep((HELD_BYTES * pattern.entries() as f64) as u64);
+                let factor = Self { shift, factors: ShiftedFactors::OfBlocks(factor), taken };
+                if factor.left_of_ones(&matrix)? <= SUFFICIENT {
+                    return Ok(Some(factor));
+                }
+                taken = factor.taken;
             }
         }
         let Some(factors) = ShiftedFactors::of_rows(&matrix)? else { return Ok(None) };
-        let factor = Self { shift, factors };
+        let factor = Self { shift, factors, taken };
         // a zero pivot shows as what is not finite
         Ok(factor.left_of_ones(&matrix)?.is_finite().then_some(factor))
     }
@@ -84,6 +115,19 @@ impl ShiftedFactor {
         let norm =
             |values: &mut dyn Iterator<Item = f64>| values.map(|value| value * value).sum::<f64>().sqrt();
         Ok(norm(&mut left.iter().map(|value| value.modulus())) / norm(&mut sizes.iter().copied()))
+    }
+
+    /// What its memory is held of.
+    pub(crate) fn memory(&self) -> &HeldMemory {
+        self.taken.of()
+    }
+
+    /// Takes more of it, for what belongs to this shift.
+    ///
+    /// # Errors
+    /// [`StructureError::BeyondMemory`].
+    pub(crate) fn take(&mut self, bytes: usize) -> Result<(), StructureError> {
+        Ok(self.taken.take(bytes as u64)?)
     }
 
     /// σ.

@@ -17,6 +17,7 @@ use crate::StructureError;
 use crate::quadratic::{MatrixSide, Quadratic, Region};
 use faer::{Mat, c64};
 use judder_dense::general::complex_eigen;
+use judder_memory::HeldMemory;
 use judder_numerics::complex::ElementaryComplex;
 use judder_numerics::parallel;
 
@@ -28,9 +29,13 @@ const SURROUNDINGS: f64 = 1.5;
 const CLUSTER: f64 = 1e-7;
 
 /// Every eigenvalue of a region, refined, and whether the determinants prove that there are no others.
-pub(super) fn whole(problem: &Quadratic, region: &Region) -> Result<SearchedRegion, StructureError> {
+pub(super) fn whole(
+    problem: &Quadratic,
+    region: &Region,
+    memory: &HeldMemory,
+) -> Result<SearchedRegion, StructureError> {
     let reach = region.radius();
-    let factor = ShiftedFactor::near(problem, region.centre(), reach)?;
+    let factor = ShiftedFactor::near(problem, region.centre(), reach, memory)?;
     let of = |side| LinearisedOperator { problem, factor: &factor, side, reach };
     let (right, left) = rayon::join(
         || WholeSpectrum::of(&of(MatrixSide::Right)),

@@ -8,6 +8,7 @@ use crate::complex_modes::{
     ComplexMode, ComplexModeSettings, Gap, Region, SearchedRegion, finished, left_by_residuals, searched,
 };
 use crate::quadratic::Quadratic;
+use judder_memory::HeldMemory;
 use judder_numerics::parallel;
 
 /// Points solved in full, each with the region's surroundings.
@@ -20,6 +21,8 @@ pub(super) struct FullSamples<'a, F: ProblemFamily> {
     scales: Vec<f64>,
     /// The share of |λ| that the basis may leave open.
     tolerance: f64,
+    /// What the samples hold together.
+    memory: HeldMemory,
     /// By the order in which they were taken.
     taken: Vec<(usize, SearchedRegion)>,
     projection: Option<Projection<'a, F>>,
@@ -39,12 +42,15 @@ impl<'a, F: ProblemFamily> FullSamples<'a, F> {
         points: Vec<&'a F::Point>,
         region: &'a Region,
         tolerance: f64,
+        memory: &HeldMemory,
     ) -> Result<Self, F::Error> {
         let coordinates: Vec<Vec<f64>> = points.iter().map(|point| family.coordinates(point)).collect();
         let order = farthest_first(&coordinates, LARGEST + 1);
         let scales = scales(&coordinates);
         let (taken, projection) = (Vec::new(), None);
-        let mut samples = Self { family, points, region, coordinates, scales, tolerance, taken, projection };
+        let memory = memory.clone();
+        let mut samples =
+            Self { family, points, region, coordinates, scales, tolerance, memory, taken, projection };
         let first = FIRST.min(order.len());
         samples.take(&order[..first])?;
         for next in &order[first..] {
@@ -63,8 +69,9 @@ impl<'a, F: ProblemFamily> FullSamples<'a, F> {
     /// Solves points in full and makes the basis anew.
     fn take(&mut self, numbers: &[usize]) -> Result<(), F::Error> {
         let wide = self.region.widened(SURROUNDINGS);
-        let search =
-            |number: &usize| Ok::<_, F::Error>(searched(&self.family.at(self.points[*number])?, &wide)?);
+        let search = |number: &usize| {
+            Ok::<_, F::Error>(searched(&self.family.at(self.points[*number])?, &wide, &self.memory)?)
+        };
         let solved: Vec<SearchedRegion> = parallel::try_each(numbers, search)?;
         let before = self.projection.take().map(Projection::into_basis);
         let mut basis = Some(before.unwrap_or_else(|| SnapshotBasis::empty(self.tolerance)));

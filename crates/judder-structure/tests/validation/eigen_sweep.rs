@@ -114,7 +114,7 @@ const FAST: SweepMethod = SweepMethod::Projected { tolerance: 1e-7 };
 #[test]
 fn the_fast_way_is_within_its_shown_error_of_the_full_one() {
     let (family, points) = (chain(), along_the_chain(15));
-    let settings = ComplexModeSettings { data_precision: 0.0 };
+    let settings = ComplexModeSettings { data_precision: 0.0, ..ComplexModeSettings::default() };
     let solved = |method| eigen_sweep(&family, &points, &OF_THE_CHAIN, &settings, method).unwrap();
     let (fast, full) = (solved(FAST), solved(SweepMethod::Full));
     let projected = fast.points.iter().filter(|point| !point.full).count();
@@ -208,7 +208,7 @@ fn one_basis_serves_two_parameters() {
     let curve = |friction: f64| (0..6).map(|k| at(1.0 + 0.2 * f64::from(k), friction)).collect::<Vec<_>>();
     let curves: Vec<Vec<Factors>> = (0..4).map(|k| curve(0.5 + 0.5 * f64::from(k))).collect();
     let curves: Vec<&[Factors]> = curves.iter().map(Vec::as_slice).collect();
-    let settings = ComplexModeSettings { data_precision: 0.0 };
+    let settings = ComplexModeSettings { data_precision: 0.0, ..ComplexModeSettings::default() };
     let solved = |method| eigen_sweeps(&family, &curves, &OF_THE_CHAIN, &settings, method).unwrap();
     let (fast, full) = (solved(FAST), solved(SweepMethod::Full));
     assert!(fast.iter().all(|sweep| sweep.points.iter().any(|point| !point.full)));

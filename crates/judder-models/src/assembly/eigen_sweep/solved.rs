@@ -4,8 +4,9 @@ use crate::assembly::swept::{SlidingState, SweptAssembly};
 use crate::error::ModelError;
 use crate::structure::eigen_sweep::kept_points::KeptPoints;
 use crate::structure::eigen_sweep::onsets::LocatedOnsets;
+use crate::structure::solved_size::complex_mode_settings;
 use judder_numerics::parallel;
-use judder_structure::complex_modes::{ComplexModeSettings, Region};
+use judder_structure::complex_modes::Region;
 use judder_structure::eigen_sweep::{PreparedSweep, SolvedPoint, SweepMethod, SweptEigenvalues, followed};
 use judder_structure::onset::StabilityAt;
 use judder_study::{Progress, StudyError};
@@ -34,13 +35,7 @@ impl SolvedSweep {
         let prepared = groups
             .iter()
             .map(|group| {
-                PreparedSweep::new(
-                    family,
-                    group.points(&states),
-                    region,
-                    ComplexModeSettings::default(),
-                    method,
-                )
+                PreparedSweep::new(family, group.points(&states), region, complex_mode_settings(), method)
             })
             .collect::<Result<Vec<_>, _>>()?;
         // who runs analyses takes the last step of each

@@ -1,10 +1,9 @@
 //! What is known of small motions about steady sliding, and what becomes of a motion by it and by how its energy falls.
 
 use crate::error::ModelError;
+use crate::structure::solved_size::complex_mode_settings;
 use judder_nonsmooth::energy::EnergyWindows;
-use judder_structure::complex_modes::{
-    ComplexModeSettings, ComplexModes, Eigenvalue, Verdict, all_complex_modes,
-};
+use judder_structure::complex_modes::{ComplexModes, Eigenvalue, Verdict, all_complex_modes};
 use judder_structure::quadratic::Quadratic;
 use judder_study::text::short;
 use std::f64::consts::TAU;
@@ -65,7 +64,7 @@ impl KnownSmallMotions {
         (band, in_band): ([f64; 2], &ComplexModes),
         bends: bool,
     ) -> Result<Self, ModelError> {
-        let all = all_complex_modes(problem, &ComplexModeSettings::default())?;
+        let all = all_complex_modes(problem, &complex_mode_settings())?;
         let of_band = values(in_band);
         Ok(match all.as_ref().map(|all| (values(all), all.complete())) {
             Some((of_all, true)) => Self::new(&of_all, None, true, bends),

@@ -4,12 +4,13 @@ use super::super::undamped::Undamped;
 use crate::error::ModelError;
 use crate::structure::build::{Structure, factors};
 use crate::structure::case::StructureCase;
+use crate::structure::solved_size::complex_mode_settings;
 use judder_numerics::order::sort_by_number;
 use judder_store::Results;
 use judder_structure::StructureError;
 use judder_structure::affine::Factors;
 use judder_structure::assembly::Sparse;
-use judder_structure::complex_modes::{ComplexMode, ComplexModeSettings, Region, Verdict, complex_modes};
+use judder_structure::complex_modes::{ComplexMode, Region, Verdict, complex_modes};
 use judder_structure::diagnosis::{Diagnosis, EnergySign, Influence, MatrixSum, diagnosis, participations};
 use judder_structure::modes::{Mode, WantedModes, modes};
 use judder_structure::quadratic::Quadratic;
@@ -247,7 +248,7 @@ fn components(undamped: &Undamped, highest: f64) -> Result<Vec<Mode>, ModelError
         Sparse::try_new_from_triplets(rows, rows, &[]).map_err(|_| StructureError::OutOfMemory { rows })?;
     let problem = Quadratic::new(mass.clone(), none, stiffness.clone())?;
     let strip = Region { re: [-STRIP * highest, STRIP * highest], im: [0.0, highest] };
-    let found = complex_modes(&problem, &strip, &ComplexModeSettings::default())?;
+    let found = complex_modes(&problem, &strip, &complex_mode_settings())?;
     Ok(found.modes.iter().map(|mode| real(mass, mode)).collect())
 }
 

@@ -7,12 +7,13 @@ use super::diagnosis::{self, Diagnosed};
 use crate::error::ModelError;
 use crate::structure::build::{Structure, StructureLayout};
 use crate::structure::case::StructureCase;
+use crate::structure::solved_size::complex_mode_settings;
 use judder_numerics::complex::ElementaryComplex;
 use judder_store::{Results, Variable};
 use judder_structure::asked_region::AskedRegion;
 use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{
-    ComplexMode, ComplexModeSettings, ComplexModes, Eigenvalue, Gap, Region, Verdict, complex_modes,
+    ComplexMode, ComplexModes, Eigenvalue, Gap, Region, Verdict, complex_modes,
 };
 use judder_structure::mesh::Mesh;
 use judder_structure::quadratic::Quadratic;
@@ -71,7 +72,7 @@ pub(crate) fn run(
 
 /// The complex modes of a region, by imaginary, then by real part.
 pub(crate) fn found(problem: &Quadratic, sought: &Region) -> Result<ComplexModes, ModelError> {
-    let mut found = complex_modes(problem, sought, &ComplexModeSettings::default())?;
+    let mut found = complex_modes(problem, sought, &complex_mode_settings())?;
     found.modes.sort_by(|a, b| in_order(&a.eigenvalue, &b.eigenvalue));
     Ok(found)
 }

@@ -55,7 +55,7 @@ impl Analysis<StructureCase> for EigenSweep {
     }
 
     fn memory(&self, of: &StructureSubject<'_>) -> Result<NeededMemory, ModelError> {
-        Ok(solved_size::damped(of.structure, "complex modes"))
+        Ok(solved_size::complex_modes(of.structure))
     }
 
     fn estimate(&self, _: &StructureSubject<'_>) -> Result<String, ModelError> {

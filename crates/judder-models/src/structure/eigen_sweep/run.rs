@@ -9,10 +9,11 @@ use crate::error::ModelError;
 use crate::labels::parameter;
 use crate::structure::build::{Structure, factors};
 use crate::structure::case::StructureCase;
+use crate::structure::solved_size::complex_mode_settings;
 use judder_numerics::complex::ElementaryComplex;
 use judder_store::Results;
 use judder_structure::affine::Factors;
-use judder_structure::complex_modes::{ComplexModeSettings, Eigenvalue, Region, complex_modes};
+use judder_structure::complex_modes::{Eigenvalue, Region, complex_modes};
 use judder_structure::eigen_sweep::{PointEigenvalues, PreparedSweep, SweptEigenvalues, followed};
 use judder_structure::onset::StabilityAt;
 use judder_study::Progress;
@@ -41,7 +42,7 @@ pub(super) fn run(
         &structure.family,
         points.iter().flatten().collect(),
         &region,
-        ComplexModeSettings::default(),
+        complex_mode_settings(),
         settings.method,
     )?;
     let values = &settings.sweep.values;
@@ -130,7 +131,7 @@ fn against_full(
     let mut found = Disagreement::default();
     for point in &chosen {
         let problem = structure.family.at(factors[*point])?;
-        let full = complex_modes(&problem, region, &ComplexModeSettings::default())?;
+        let full = complex_modes(&problem, region, &complex_mode_settings())?;
         let projected = points[*point].eigenvalues.iter().map(|tracked| tracked.eigenvalue).collect();
         let full = full.modes.iter().map(|mode| mode.eigenvalue).collect();
         compare(projected, full, &mut found);

@@ -62,7 +62,7 @@ impl Analysis<StructureCase> for ReceptanceAnalysis {
     }
 
     fn memory(&self, of: &StructureSubject<'_>) -> Result<NeededMemory, ModelError> {
-        Ok(solved_size::damped(of.structure, "receptances"))
+        Ok(solved_size::receptances(of.structure, self.points))
     }
 
     fn estimate(&self, _: &StructureSubject<'_>) -> Result<String, ModelError> {

@@ -13,6 +13,7 @@ use judder_exchange::universal::{
     write_units,
 };
 use judder_keys::cause::Cause;
+use judder_memory::{HeldMemory, MemoryBudget};
 use judder_numerics::complex::ElementaryComplex;
 use judder_store::Results;
 use judder_structure::freedom::Direction;
@@ -69,6 +70,7 @@ pub(super) fn run(
     let observed = freedom("observed", &asked.observed, structure)?;
     let problem = structure.at(case, &case.values())?;
     let frequencies = asked.frequencies();
+    let memory = HeldMemory::of(MemoryBudget::of_process());
     let mut found = Vec::with_capacity(frequencies.len());
     for some in frequencies.chunks(TOGETHER) {
         if progress.interrupted() {
@@ -78,7 +80,7 @@ pub(super) fn run(
         if !found.is_empty() {
             progress.advance();
         }
-        found.extend(receptances(&problem, excited.freedom, observed.freedom, some)?);
+        found.extend(receptances(&problem, excited.freedom, observed.freedom, some, &memory)?);
     }
     let hertz: Vec<f64> = frequencies.iter().map(|frequency| frequency / TAU).collect();
     let values: Vec<Complex64> = found.iter().map(|own| own.value).collect();

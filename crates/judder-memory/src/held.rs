@@ -1,5 +1,6 @@
 //! What several pieces of work hold together of one budget.
 
+use super::free::system_memory;
 use super::{BeyondMemory, MemoryBudget};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -23,6 +24,14 @@ impl HeldMemory {
     #[must_use]
     pub fn of(budget: MemoryBudget) -> Self {
         Self { budget, held: Arc::default() }
+    }
+
+    /// Of what the process may hold at its peak; what it holds now counts.
+    #[must_use]
+    pub fn of_process() -> Self {
+        let budget = MemoryBudget::of_whole_process();
+        let resident = system_memory().resident.unwrap_or(0) / budget.shared_by();
+        Self { budget, held: Arc::new(AtomicU64::new(resident)) }
     }
 
     /// Takes so many bytes.

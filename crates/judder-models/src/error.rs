@@ -300,7 +300,7 @@ impl ModelFault for ModelError {
                 error,
                 StructureError::MissingModes { .. }
                     | StructureError::OutOfMemory { .. }
-                    | StructureError::BeyondMemory(_)
+                    | StructureError::BeyondMemory { .. }
                     | StructureError::NoModalForm
                     | StructureError::SingularEverywhere { .. }
                     | StructureError::NoDenseEigenvalues { .. }

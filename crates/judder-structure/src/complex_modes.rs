@@ -174,7 +174,7 @@ pub(crate) fn searched(
     let found = by_discs(problem, region, memory);
     match found {
         // another thread may have been refused
-        Err(StructureError::BeyondMemory(beyond)) => Ok(memory.refused_here(beyond)?),
+        Err(StructureError::BeyondMemory { beyond }) => Ok(memory.refused_here(beyond)?),
         found => found,
     }
 }

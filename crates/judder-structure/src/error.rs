@@ -148,8 +148,12 @@ pub enum StructureError {
         rows: usize,
     },
     /// Factors and vectors would take more memory than there is for them.
-    #[error("{0}; {}", .0.remedy_or("mesh coarser, or ask for a narrower region"))]
-    BeyondMemory(#[from] BeyondMemory),
+    #[error("{beyond}; {}", beyond.remedy_or("mesh coarser, or ask for a narrower region"))]
+    BeyondMemory {
+        /// How much, and how much there is.
+        #[from]
+        beyond: BeyondMemory,
+    },
     /// Two matrices are not of one structure.
     #[error("a matrix of {} × {} and one of {} × {} do not belong to one structure: both must be square and of one size", first[0], first[1], second[0], second[1])]
     DifferentSizes {

@@ -1,7 +1,7 @@
 //! What solving one structure needs of memory.
 
 use super::build::Structure;
-use judder_memory::{HeldMemory, MemoryBudget};
+use judder_memory::HeldMemory;
 use judder_numerics::parallel;
 use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{ComplexModeSettings, likely_bytes_of_shift};
@@ -68,10 +68,7 @@ fn damped(structure: &Structure, what: &str, factors: f64, vectors: f64) -> Need
 
 /// What searches of complex modes may take: what the process may, all of an analysis together.
 pub(crate) fn complex_mode_settings() -> ComplexModeSettings {
-    ComplexModeSettings {
-        memory: HeldMemory::of(MemoryBudget::of_process()),
-        ..ComplexModeSettings::default()
-    }
+    ComplexModeSettings { memory: HeldMemory::of_process(), ..ComplexModeSettings::default() }
 }
 
 /// The same of a reduction: measured of these bars 230 and 305.

@@ -117,11 +117,15 @@ struct RitzPair {
 
 impl<'a> Basis<'a> {
     fn start(operator: &'a LinearisedOperator<'a>, seed: u64) -> Result<Self, StructureError> {
+        let rows = operator.rows();
+        // only room: a column is written when the basis comes to it
+        let mut vectors = Mat::new();
+        vectors.try_reserve(rows, LARGEST + WIDTH).map_err(|_| StructureError::OutOfMemory { rows })?;
         let mut basis = Self {
             operator,
             seed,
             starts: 0,
-            vectors: Mat::zeros(operator.rows(), LARGEST + WIDTH),
+            vectors,
             filled: 0,
             taken: operator.factor.memory().take(0)?,
             fresh: 0,
@@ -178,8 +182,9 @@ impl<'a> Basis<'a> {
         let lengths: Vec<f64> = (0..block.ncols()).map(|k| block.col(k).norm_l2()).collect();
         let (before, rows) = (self.filled, block.nrows());
         self.taken.take((block.ncols() * rows * size_of::<c64>()) as u64)?;
-        let room = (before + block.ncols()).max(self.projected.nrows());
-        self.vectors.resize_with(rows, room, |_, _| c64::new(0.0, 0.0));
+        let columns = before + block.ncols();
+        self.vectors.resize_with(rows, columns, |_, _| c64::new(0.0, 0.0));
+        let room = columns.max(self.projected.nrows());
         self.projected.resize_with(room, room, |_, _| c64::new(0.0, 0.0));
         let mut shares = Mat::zeros(before, block.ncols());
         // twice is enough (W. Kahan, B. N. Parlett)

@@ -2,6 +2,8 @@
 
 use super::complex_modes::{diagonal, disguised, root, sparse};
 use faer::c64;
+use judder_memory::{HeldMemory, MemoryBudget};
+use judder_structure::StructureError;
 use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{ComplexModeSettings, ComplexModes, Region, complex_modes};
 use judder_structure::quadratic::Quadratic;
@@ -139,4 +141,27 @@ fn what_is_small_beside_the_rest_of_a_matrix_keeps_its_place() {
     for (value, frequency) in found.iter().zip(&frequencies) {
         assert!((value - root(*frequency, 0.05)).norm() < 1e-12 * frequency, "{value}");
     }
+}
+
+/// Enough pads for a factor on a pattern; a search of a part of them.
+#[test]
+fn a_search_that_would_hold_too_much_is_refused_and_holds_nothing_afterwards() {
+    let problem = pads(&factors(300, 1, 0.1));
+    let region = Region { re: [-0.2, 0.2], im: [3.0, 3.2] };
+    let within = |bytes| {
+        let memory = HeldMemory::of(MemoryBudget::of_bytes(bytes));
+        let settings = ComplexModeSettings { memory: memory.clone(), ..ComplexModeSettings::default() };
+        let found = complex_modes(&problem, &region, &settings);
+        (found, memory.take(bytes).is_ok())
+    };
+    let (found, given_back) = within(1 << 30);
+    assert_eq!(found.unwrap(), modes(&problem, &region));
+    assert!(given_back);
+    // the vectors of a basis alone take as much
+    let (refused, given_back) = within(100_000);
+    assert!(
+        matches!(refused, Err(StructureError::BeyondMemory { beyond }) if beyond.budget == 100_000),
+        "{refused:?}"
+    );
+    assert!(given_back);
 }

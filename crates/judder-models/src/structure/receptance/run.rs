@@ -13,7 +13,7 @@ use judder_exchange::universal::{
     write_units,
 };
 use judder_keys::cause::Cause;
-use judder_memory::{HeldMemory, MemoryBudget};
+use judder_memory::HeldMemory;
 use judder_numerics::complex::ElementaryComplex;
 use judder_store::Results;
 use judder_structure::freedom::Direction;
@@ -70,7 +70,7 @@ pub(super) fn run(
     let observed = freedom("observed", &asked.observed, structure)?;
     let problem = structure.at(case, &case.values())?;
     let frequencies = asked.frequencies();
-    let memory = HeldMemory::of(MemoryBudget::of_process());
+    let memory = HeldMemory::of_process();
     let mut found = Vec::with_capacity(frequencies.len());
     for some in frequencies.chunks(TOGETHER) {
         if progress.interrupted() {

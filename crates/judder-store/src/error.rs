@@ -66,6 +66,12 @@ pub enum StoreError {
         /// What the system said.
         source: io::Error,
     },
+    /// A folder has the name of a file of the study, and is not empty.
+    #[error("{}: a folder stands in the place of a file of the study; move it away, or remove it", path.display())]
+    FolderInPlace {
+        /// The folder.
+        path: PathBuf,
+    },
     /// Any other failure of the file system.
     #[error("{}: could not {action}: {source}", path.display())]
     FileSystem {
@@ -401,8 +407,15 @@ impl StoreError {
                 Self::DiskFull { path, bytes, source }
             }
             ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => Self::NotWritable { path, source },
+            ErrorKind::IsADirectory => Self::FolderInPlace { path },
             _ => Self::FileSystem { action: "write", path, source },
         }
+    }
+
+    /// Whether something else stands where one file should be written; others can be.
+    #[must_use]
+    pub fn is_of_one_file(&self) -> bool {
+        matches!(self, Self::FolderInPlace { .. } | Self::OutsideFolder { .. })
     }
 
     /// A failed read.

@@ -238,8 +238,9 @@ impl StudyFolder {
         let summary = self.read_summary()?;
         let record = summary.as_ref().and_then(|summary| summary.analyses.get(analysis));
         let recorded = record.is_some_and(|record| record.hash == hash && record.status == Status::Done);
-        let is_listed = self.manifest().manifest().results.contains_key(analysis);
-        Ok(recorded && is_listed && zarr::stored_hash(&group).is_some_and(|stored| stored == hash))
+        Ok(recorded
+            && self.is_listed(analysis)
+            && zarr::stored_hash(&group).is_some_and(|stored| stored == hash))
     }
 
     /// Writes `summary.json`. What it tells of the result `renewed` is new; what it tells of others must be what it was, or they count as damaged.

@@ -5,8 +5,8 @@ use std::io::{self, ErrorKind};
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::StoreError;
 use crate::lock_sign::sign;
+use crate::{StoreError, plain};
 
 /// The name of the file in a study that is locked.
 pub(crate) const FILE: &str = ".judder.lock";
@@ -66,7 +66,14 @@ pub(crate) fn try_lock(path: &Path, mode: LockMode) -> Result<Option<Lock>, Stor
 
 /// Readable and writable, since a network file system may ask for the one or the other by the kind of lock.
 fn open(path: &Path) -> Result<File, StoreError> {
-    judder_disk::open_lasting(path).map_err(|source| StoreError::write(path, 0, source))
+    let open = || {
+        // what it leads to is somebody's
+        if plain::is_link(path) {
+            judder_disk::remove_file(path)?;
+        }
+        judder_disk::open_lasting(path)
+    };
+    open().map_err(|source| StoreError::write(path, 0, source))
 }
 
 fn unlocked(path: &Path, file: File, mode: LockMode, source: io::Error) -> Result<Lock, StoreError> {
@@ -116,6 +123,18 @@ mod tests {
         drop(lock);
         assert_eq!(LockSign::of(path.clone()).holder, None);
         assert!(std::fs::read(path).unwrap().is_empty());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_in_its_place_gives_way_and_what_it_leads_to_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let [path, other] = ["lock", "other"].map(|name| folder.path().join(name));
+        std::fs::write(&other, "mine").unwrap();
+        std::os::unix::fs::symlink(&other, &path).unwrap();
+        assert!(try_lock(&path, LockMode::Alone).unwrap().is_some());
+        assert_eq!(std::fs::read_to_string(&other).unwrap(), "mine");
+        assert!(path.symlink_metadata().unwrap().is_file());
     }
 
     #[test]

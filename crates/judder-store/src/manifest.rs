@@ -87,7 +87,7 @@ impl Manifest {
     /// [`StoreError::ManifestDamaged`], a failure of the file system.
     pub(crate) fn read(study: &Path) -> Result<Option<Self>, StoreError> {
         let path = study.join(FILE);
-        if plain::is_link(&path) {
+        if plain::other_than_file(&path).is_some() {
             return Err(StoreError::ManifestDamaged { path });
         }
         let content = match plain::read_json(&path) {

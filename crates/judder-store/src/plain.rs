@@ -101,6 +101,12 @@ pub(crate) fn is_link(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_symlink())
 }
 
+/// What stands in the place of a file, in words; none where it is one, or nothing is there.
+pub(crate) fn other_than_file(path: &Path) -> Option<&'static str> {
+    let kind = fs::symlink_metadata(path).ok()?.file_type();
+    (!kind.is_file()).then(|| words(kind))
+}
+
 /// What something is that is no file, in words.
 pub(crate) fn words(kind: fs::FileType) -> &'static str {
     #[cfg(unix)]

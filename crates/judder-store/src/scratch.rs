@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
 use crate::name::check_name;
-use crate::{StoreError, StudyFolder, WriteUnderWay, content_hash, plain};
+use crate::{StoreError, StudyFolder, WriteUnderWay, content_hash, plain, staging};
 
 /// How the names of their files begin.
 pub(crate) const PREFIX: &str = ".scratch-";
@@ -90,6 +90,21 @@ impl Scratch {
 }
 
 impl StudyFolder {
+    /// Removes what an analysis that is done has kept while it ran, where a run was killed before it could.
+    ///
+    /// # Errors
+    /// A failure of the file system.
+    pub fn discard_work(&self, analysis: &str) -> Result<(), StoreError> {
+        check_name("an analysis", analysis)?;
+        for prefix in [OF_ANALYSIS, staging::STREAM_PREFIX] {
+            let left = self.path().join(format!("{prefix}{analysis}"));
+            if left.symlink_metadata().is_ok() {
+                judder_disk::remove(&left).map_err(|source| StoreError::write(&left, 0, source))?;
+            }
+        }
+        Ok(())
+    }
+
     /// What an analysis has kept under this hash before it was interrupted, and where it keeps more.
     ///
     /// # Errors

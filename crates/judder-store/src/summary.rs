@@ -7,7 +7,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::{Map, Value};
 
-use crate::{LARGEST_DOCUMENT, StoreError, plain};
+use crate::{FileDamage, LARGEST_DOCUMENT, StoreError, plain};
 
 /// The name of the summary in a study folder.
 pub(crate) const FILE: &str = "summary.json";
@@ -87,6 +87,9 @@ fn finite<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> 
 /// Reads the summary of a study; `None` where there is none yet.
 pub(crate) fn read(study: &Path) -> Result<Option<Summary>, StoreError> {
     let path = study.join(FILE);
+    if let Some(other) = plain::other_than_file(&path) {
+        return Err(StoreError::Damaged { path, damage: FileDamage::Other(other) });
+    }
     match plain::read_json(&path) {
         Ok(content) => serde_json::from_slice(&content)
             .map(Some)

@@ -140,13 +140,20 @@ pub fn verify(
     mut read: impl FnMut(&str, u64) -> bool,
 ) -> Result<Verification, StoreError> {
     let study = study.as_ref();
-    let manifest = Manifest::of_study(study)?;
+    let manifest = match Manifest::of_study(study) {
+        // a run has only just begun it
+        Err(StoreError::NoStudy { .. }) if study.join(lock::FILE).is_file() => Manifest::default(),
+        manifest => manifest?,
+    };
     let mut found = Verification { is_complete: manifest.complete, ..Verification::default() };
     compare(&mut found, study, &manifest, &mut read);
     for (path, record) in manifest.files.iter().filter(|(_, record)| manifest.is_earlier(record)) {
         if study.join(path).symlink_metadata().is_ok() {
             found.findings.push(Finding::Extra { path: path.clone(), of: record.of.clone() });
         }
+    }
+    if let Some(other) = plain::other_than_file(&study.join(lock::FILE)) {
+        found.findings.push(damaged(lock::FILE, FileDamage::Other(other)));
     }
     let root = format!("{}/{}", results::FOLDER, metadata::FILE);
     match root_is_derived(study) {
@@ -157,9 +164,13 @@ pub fn verify(
     }
     for path in there(study)? {
         let is_known = manifest.files.contains_key(&path) || path == root || path == manifest::FILE;
-        if !is_known && path != lock::FILE {
-            found.findings.push(unlisted(path, &manifest));
+        if is_known || path == lock::FILE {
+            continue;
         }
+        // a link is none of judder's
+        let is_link = plain::is_link(&study.join(&path));
+        let finding = if is_link { Finding::Extra { path, of: None } } else { unlisted(path, &manifest) };
+        found.findings.push(finding);
     }
     found.findings.sort_by(|one, other| one.path().cmp(other.path()));
     Ok(found)

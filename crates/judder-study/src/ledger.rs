@@ -135,9 +135,11 @@ impl<'a> Study<'a> {
         let current: BTreeMap<&String, &String> = analyses.collect();
         let (mut summary, mut damages) = match store.read_summary() {
             // where nothing says that the folder is a study of judder's, the file is somebody's
-            Err(error @ (StoreError::SummaryUnreadable { .. } | StoreError::Oversized { .. }))
-                if store.has_manifest() =>
-            {
+            Err(
+                error @ (StoreError::SummaryUnreadable { .. }
+                | StoreError::Oversized { .. }
+                | StoreError::Damaged { .. }),
+            ) if store.has_manifest() => {
                 store.write_summary(&Summary::default(), None)?;
                 (Summary::default(), vec![error.to_string()])
             }
@@ -149,6 +151,8 @@ impl<'a> Study<'a> {
             damages.extend(damage_told(name, found));
             summary.analyses.remove(name);
         }
+        // what a run was at work on when it ended may be anything
+        summary.analyses.retain(|name, _| store.is_listed(name));
         let mut kept = Keepsakes::of(&summary);
         let computed_by = mem::replace(&mut summary.version, version().to_owned());
         summary.warnings.clear();

@@ -333,11 +333,17 @@ pub fn write_figure(store: &StudyFolder, figure: Figure) -> Result<PageBlock, St
     let (svg, png) = match drawn {
         Ok(drawn) => drawn,
         Err(reason) => {
-            return Ok(PageBlock::Undrawn(UndrawnFigure { name: figure.name, reason: reason.to_string() }));
+            return Ok(undrawn(&figure.name, reason.to_string()));
         }
     };
-    store.write_file(format!("{FIGURES}{}.svg", figure.name), svg.as_bytes())?;
-    store.write_file(format!("{FIGURES}{}.png", figure.name), &png)?;
+    for (form, content) in [("svg", svg.as_bytes()), ("png", &png)] {
+        match store.write_file(format!("{FIGURES}{}.{form}", figure.name), content) {
+            Err(error) if error.is_of_one_file() => {
+                return Ok(undrawn(&figure.name, error.to_string()));
+            }
+            written => drop(written?),
+        }
+    }
     Ok(PageBlock::figure(figure))
 }
 

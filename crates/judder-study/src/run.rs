@@ -331,6 +331,7 @@ fn compute_in(
     let mut missing = Vec::new();
     for (index, (name, hash)) in wanted {
         if store.is_done(name, hash)? {
+            store.discard_work(name)?;
             skipped.push(name.clone());
         } else {
             missing.push((index, name, hash));

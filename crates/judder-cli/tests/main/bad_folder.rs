@@ -194,3 +194,19 @@ fn a_figure_that_fails_leaves_the_others() {
     assert!(page.contains("id=\"figure-loci\"") && !page.contains("id=\"figure-damping\""));
     assert!(page.contains("no figure</span> damping: "));
 }
+
+/// Somebody's folder has the name of a figure: it stays, and the page is drawn without that figure.
+#[test]
+fn a_figure_that_cannot_be_written_leaves_the_others() {
+    let desk = Desk::with_case(CASE);
+    desk.succeed(&["run", "case.toml", "--only", "loci", "--only", "damping"]);
+    fs::remove_file(desk.path("out/case/figures/damping.svg")).unwrap();
+    fs::create_dir(desk.path("out/case/figures/damping.svg")).unwrap();
+    desk.write("out/case/figures/damping.svg/precious.txt", "mine");
+    let said = desk.judder(&["report", "out/case", "-q"]);
+    assert_eq!(said.code, 1, "{}", said.stderr);
+    said.says("a folder stands in the place of a file of the study; move it away");
+    let page = fs::read_to_string(desk.path("out/case/report.html")).unwrap();
+    assert!(page.contains("id=\"figure-loci\"") && !page.contains("id=\"figure-damping\""));
+    assert!(desk.path("out/case/figures/damping.svg/precious.txt").is_file());
+}

@@ -108,40 +108,83 @@ fn damaged(files: &BTreeMap<PathBuf, Vec<u8>>, path: &Path, how: usize) -> Optio
 
 /// Damages one file after another, as many as are left of every so many, each in so many ways.
 fn tried(every: usize, ways: usize) {
-    let origin = tempfile::tempdir().unwrap();
-    assert!(run_in(origin.path()).complete);
-    let files = contents(origin.path());
-    let sound = verify(origin.path(), all).unwrap();
-    assert!(sound.is_sound(), "{sound:?}");
-    let is_result = |path: &Path| {
-        path.starts_with("results.zarr") || path.extension().is_some_and(|end| end == "csv" || end == "wav")
-    };
-    for (index, path) in files.keys().enumerate().filter(|(index, _)| index % every == 0) {
-        for way in index..index + ways {
-            let what = format!("{}, {way}", path.display());
-            let folder = tempfile::tempdir().unwrap();
-            written(folder.path(), &files);
+    let study = FinishedStudy::new();
+    for (index, path) in study.files.keys().enumerate().filter(|(index, _)| index % every == 0) {
+        (index..index + ways).for_each(|way| study.try_damages(&[(path, way)]));
+    }
+}
+
+/// Damages files two at a time, so many pairs that each file is in one: what is done for one damage must not hide another.
+fn tried_in_pairs(rounds: usize) {
+    let study = FinishedStudy::new();
+    let paths: Vec<&PathBuf> = study.files.keys().collect();
+    for round in 0..rounds {
+        for (index, path) in paths.iter().enumerate().filter(|(index, _)| index % 2 == round % 2) {
+            let other = paths[(index + 1 + 5 * round) % paths.len()];
+            // without both nothing says that the folder is a study
+            if [*path, other]
+                .iter()
+                .all(|own| own.ends_with("manifest.json") || own.ends_with("summary.json"))
+            {
+                continue;
+            }
+            study.try_damages(&[(path, index + round), (other, index + 3 * round)]);
+        }
+    }
+}
+
+/// A study that was run to its end, by the contents of its files.
+struct FinishedStudy {
+    files: BTreeMap<PathBuf, Vec<u8>>,
+}
+
+impl FinishedStudy {
+    fn new() -> Self {
+        let origin = tempfile::tempdir().unwrap();
+        assert!(run_in(origin.path()).complete);
+        let sound = verify(origin.path(), all).unwrap();
+        assert!(sound.is_sound(), "{sound:?}");
+        Self { files: contents(origin.path()) }
+    }
+
+    /// Damages files in a copy, each in a way: `verify` has to find them, and a run to compute what they are of again.
+    fn try_damages(&self, damages: &[(&PathBuf, usize)]) {
+        let what = format!("{damages:?}");
+        let folder = tempfile::tempdir().unwrap();
+        written(folder.path(), &self.files);
+        for (path, way) in damages {
             let place = folder.path().join(path);
-            match damaged(&files, path, way) {
+            match damaged(&self.files, path, *way) {
                 Some(content) => fs::write(&place, content).unwrap(),
                 None => fs::remove_file(&place).unwrap(),
             }
-            let found = verify(folder.path(), all);
-            let is_found = match &found {
-                Ok(found) => found.findings.iter().any(|finding| Path::new(finding.path()) == path),
-                Err(StoreError::NoManifest { .. } | StoreError::ManifestDamaged { .. }) => true,
-                Err(_) => false,
-            };
-            assert!(is_found, "{what}: {found:?}");
-            let again = run_in(folder.path());
-            assert!(again.complete, "{what}: {:?}", again.messages);
-            let now = contents(folder.path());
-            for (own, expected) in files.iter().filter(|(own, _)| is_result(own)) {
-                assert!(now.get(own) == Some(expected), "{what}: {} is another", own.display());
-            }
-            let found = verify(folder.path(), all).unwrap();
-            assert!(found.is_sound(), "{what}: {found:?}");
         }
+        let found = verify(folder.path(), all);
+        let is_found = |path: &Path| match &found {
+            Ok(found) => found.findings.iter().any(|finding| Path::new(finding.path()) == path),
+            Err(StoreError::NoManifest { .. } | StoreError::ManifestDamaged { .. }) => true,
+            Err(_) => false,
+        };
+        assert!(damages.iter().all(|(path, _)| is_found(path)), "{what}: {found:?}");
+        self.assert_mended(folder.path(), &what);
+    }
+
+    /// A run leaves the results as they were, and a sound study.
+    fn assert_mended(&self, folder: &Path, what: &str) {
+        let again = run_in(folder);
+        assert!(again.complete, "{what}: {:?}", again.messages);
+        let is_result = |path: &Path| {
+            path.starts_with("results.zarr")
+                || path.extension().is_some_and(|end| end == "csv" || end == "wav")
+        };
+        let now = contents(folder);
+        for (own, expected) in self.files.iter().filter(|(own, _)| is_result(own)) {
+            assert!(now.get(own) == Some(expected), "{what}: {} is another", own.display());
+        }
+        let found = verify(folder, all).unwrap();
+        assert!(found.is_sound() && found.findings.is_empty(), "{what}: {found:?}");
+        // as many as there were: nothing has fallen off the list
+        assert_eq!(found.sound, now.len() - 1, "{what}");
     }
 }
 
@@ -151,9 +194,46 @@ fn what_is_damaged_is_found_and_computed_again_to_the_byte() {
 }
 
 #[test]
+fn one_damage_hides_no_other() {
+    tried_in_pairs(1);
+}
+
+#[test]
 #[ignore = "minutes: every file in every way"]
 fn every_file_in_every_way() {
     tried(1, 5);
+    tried_in_pairs(20);
+}
+
+/// A chunk from a study of another case, and all of them under metadata of that case: damage of this study, whose list says what was written.
+#[test]
+fn chunks_of_another_case_are_computed_again() {
+    let (study, other) = (FinishedStudy::new(), tempfile::tempdir().unwrap());
+    let changed = CASE.replace("40 kPa", "41 kPa");
+    let file = judder_models::parse("case.toml", &changed, &[]).unwrap();
+    let options = RunOptions { without_report: true, ..RunOptions::default() };
+    run(&file, other.path(), &options, &Silent).unwrap();
+    let others = contents(other.path());
+    let of_sweep = |path: &&PathBuf| path.starts_with("results.zarr/speeds");
+    let chunks: Vec<&PathBuf> = study.files.keys().filter(|path| path.ends_with("values/c.1.0")).collect();
+    assert_eq!(chunks.len(), 1);
+    for taken in [chunks, study.files.keys().filter(of_sweep).collect()] {
+        let folder = tempfile::tempdir().unwrap();
+        written(folder.path(), &study.files);
+        taken.iter().for_each(|path| fs::write(folder.path().join(path), &others[*path]).unwrap());
+        study.assert_mended(folder.path(), "chunks of another case");
+    }
+}
+
+/// A run was killed between storing an analysis and removing what that had kept.
+#[test]
+fn what_a_done_analysis_kept_while_it_ran_is_removed() {
+    let study = FinishedStudy::new();
+    let folder = tempfile::tempdir().unwrap();
+    written(folder.path(), &study.files);
+    fs::write(folder.path().join(".scratch-of-motion"), "kept").unwrap();
+    fs::create_dir(folder.path().join(".stream-motion")).unwrap();
+    study.assert_mended(folder.path(), "what was kept");
 }
 
 /// The arrays of one analysis are damaged: the other results stay, and the user is told.

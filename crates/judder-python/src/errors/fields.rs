@@ -97,6 +97,7 @@ fields!(StoreError {
     Locked { path },
     DiskFull { path, bytes },
     NotWritable { path },
+    FolderInPlace { path },
     FileSystem { action, path },
     SummaryUnreadable { path },
     Oversized { path, size, largest },

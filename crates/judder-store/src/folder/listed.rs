@@ -110,7 +110,9 @@ impl StudyFolder {
                 continue;
             }
             // a list that names what lies elsewhere is none of this crate's
-            if let Ok(place) = self.inner_place(Path::new(left)) {
+            if let Ok(place) = self.inner_place(Path::new(left))
+                && !place.is_dir()
+            {
                 judder_disk::remove(&place).map_err(|source| StoreError::write(&place, 0, source))?;
             }
         }
@@ -127,13 +129,19 @@ impl StudyFolder {
     }
 
     /// What of the results that the summary calls done is not as it was written, by the names of the results: their files, all of which are read, and
-    /// what the summary tells of them. A result that is not on the list of what the study holds was being written when a run ended.
+    /// what the summary tells of them.
     #[must_use]
     pub fn damages(&self, summary: &Summary) -> BTreeMap<String, Vec<(String, FileDamage)>> {
         let mut keeper = self.manifest();
         let done = summary.analyses.iter().filter(|(_, record)| record.status == Status::Done);
         let found = done.map(|(name, _)| (name.clone(), keeper.damages(name, summary)));
         found.filter(|(_, damages)| !damages.is_empty()).collect()
+    }
+
+    /// Whether a result is on the list of what the study holds: no run is at work on it, or was when it ended.
+    #[must_use]
+    pub fn is_listed(&self, name: &str) -> bool {
+        self.manifest().manifest().results.contains_key(name)
     }
 
     /// The files that were read since the study was taken, and are as they were written.
@@ -250,6 +258,9 @@ fn work_of_results(study: &Path) -> io::Result<Vec<(String, PathBuf)>> {
     for (folder, prefixes) in folders.iter().filter(|(folder, _)| folder.is_dir()) {
         for entry in fs::read_dir(folder)? {
             let path = entry?.path();
+            if plain::is_link(&path) {
+                continue;
+            }
             let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
             let own = prefixes.iter().find_map(|prefix| name.strip_prefix(prefix));
             if let Some(own) = own.filter(|own| check_name("an analysis", own).is_ok()) {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use super::{FileRecord, Manifest, SoundFiles, hash_of, told};
-use crate::{FileDamage, StoreError, Summary, results, summary};
+use crate::{FileDamage, StoreError, Summary, results, summary, sweep};
 
 /// How long the list of a new study is not forced to the disk: what a disk without power loses of it takes no longer to be computed again.
 const YOUNG: Duration = Duration::from_secs(1);
@@ -72,13 +72,16 @@ impl ManifestKeeper {
         self.sound = sound;
     }
 
-    /// Takes off the list what these results are and have, before they are computed anew.
+    /// Takes off the list what these results are and have, before they are computed anew. Chunks of sweeps stay on it: computed again they are the same,
+    /// and one that is not is known by that.
     ///
     /// # Errors
     /// A failure of the file system.
     pub(crate) fn begin(&mut self, names: &[&str]) -> Result<(), StoreError> {
         self.now.results.retain(|name, _| !names.contains(&name.as_str()));
-        self.take_off(|_, record| record.of.as_deref().is_some_and(|of| names.contains(&of)))
+        self.take_off(|path, record| {
+            record.of.as_deref().is_some_and(|of| names.contains(&of)) && !sweep::is_chunk(Path::new(path))
+        })
     }
 
     /// Takes files off the list before they change.

@@ -8,6 +8,7 @@ use super::damage::ChunkDamage;
 use super::layout::SweepLayout;
 use super::record::{self, ChunkEnd, PointFailure, Record, TRAILER_BYTES};
 use super::{group, shard};
+use crate::manifest::{self, Manifest};
 use crate::{StoreError, content_hash, plain};
 
 /// The chunks of one sweep in a study, to be looked at: no lock is taken, so that chunks may be added meanwhile.
@@ -128,7 +129,8 @@ impl SweepChunks {
             Err(source) => return Err(StoreError::read(&path, source)),
         };
         let points = self.layout.points(chunk)?.count();
-        Ok(match record::verified(&self.layout, chunk, points, &content).0 {
+        let found = record::verified(&self.layout, chunk, points, &content).0;
+        Ok(match self.beside_list(&path, found)? {
             ChunkEnd::Whole(record) => ChunkState::Done { failures: record.failures.len() },
             ChunkEnd::Damaged(damage) => ChunkState::Damaged(damage),
             ChunkEnd::Foreign(hash) => ChunkState::Foreign { hash },
@@ -206,10 +208,25 @@ impl SweepChunks {
         StoreError::ForeignChunk { path, expected: self.layout.hash().to_owned(), found }
     }
 
+    /// What was found of a chunk: one of another case is damage where the list of the study says that something else was written here.
+    fn beside_list(&self, path: &Path, found: ChunkEnd) -> Result<ChunkEnd, StoreError> {
+        if !matches!(found, ChunkEnd::Foreign(_)) {
+            return Ok(found);
+        }
+        let study = self.folder.ancestors().nth(group::DEPTH).unwrap_or(&self.folder);
+        // a list that cannot be read says nothing
+        let list = Manifest::read(study).ok().flatten().unwrap_or_default();
+        let listed = manifest::relative(study, path).and_then(|path| list.files.get(&path).cloned());
+        Ok(match listed.map(|record| manifest::check(path, &record, true)) {
+            Some(Err(damage)) if damage.is_damage() => ChunkEnd::Damaged(ChunkDamage::OtherCase),
+            _ => found,
+        })
+    }
+
     /// The record of a chunk, where it is found.
     fn sound(&self, chunk: usize, found: ChunkEnd) -> Result<Record, StoreError> {
         let path = self.path(chunk)?;
-        match found {
+        match self.beside_list(&path, found)? {
             ChunkEnd::Whole(record) => Ok(record),
             ChunkEnd::Damaged(damage) => Err(StoreError::DamagedChunk { path, damage }),
             ChunkEnd::Foreign(hash) => Err(self.foreign(path, hash)),

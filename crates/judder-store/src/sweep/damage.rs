@@ -16,6 +16,9 @@ pub enum ChunkDamage {
         /// The chunk that it holds.
         found: usize,
     },
+    /// A chunk of another case, where the list of the study has one of this.
+    #[error("it holds a chunk of another case")]
+    OtherCase,
     /// Points or quantities that the layout of the sweep has not.
     #[error("it holds {points} points with {quantities} quantities")]
     OtherShape {

@@ -13,6 +13,9 @@ use crate::staging::{self, Stage};
 use crate::zarr::{self, WriteFailure};
 use crate::{StoreError, Variable, results};
 
+/// How many folders the chunks of a sweep lie below their study.
+pub(super) const DEPTH: usize = 3;
+
 /// Begins the group of a sweep where there is none, else compares; returns the folder of its chunks.
 pub(super) fn join(study: &Path, layout: &SweepLayout) -> Result<PathBuf, StoreError> {
     let group = place(study, layout);

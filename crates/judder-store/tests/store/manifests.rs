@@ -257,7 +257,7 @@ fn links_pipes_and_devices_are_refused_as_what_they_are() {
         "{found:?}"
     );
     let refused = StudyFolder::open(folder.path()).unwrap().read_summary().unwrap_err().to_string();
-    assert!(refused.contains("this is a device, where a file should be"), "{refused}");
+    assert!(refused.contains("a link stands in its place"), "{refused}");
 }
 
 #[test]

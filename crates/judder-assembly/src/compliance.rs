@@ -232,6 +232,11 @@ fn check_held(stiffness: &Sparse, assembly: &Assembly) -> Result<(), AssemblyErr
     if motions == 0 {
         return Ok(());
     }
+    let limit = rigid_limit(stiffness.nrows(), largest_ratio(stiffness, mass));
+    let pushed = if assembly.gyroscopic.is_empty() { below(&assembly.stiffness, mass, -limit)? } else { 0 };
+    if pushed > 0 {
+        return Err(AssemblyError::PushedOn { motions: pushed });
+    }
     let found = modes(stiffness, mass, WantedModes::Lowest(1))?;
     Err(largest(found.modes.into_iter().next().map(|mode| mode.shape).unwrap_or_default(), motions))
 }

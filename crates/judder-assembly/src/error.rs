@@ -163,6 +163,15 @@ pub enum AssemblyError {
         /// Its shape on all freedoms.
         shape: Vec<f64>,
     },
+    /// The stiffness pushes on what it should resist, and no part of a body turns, whose gyroscopic forces might hold it.
+    #[error(
+        "the stiffness of the bodies is not positive: it pushes on {motions} motion{} that it should resist; is a sign wrong?",
+        if *.motions == 1 { "" } else { "s" }
+    )]
+    PushedOn {
+        /// How many motions.
+        motions: usize,
+    },
     /// All contacts are open.
     #[error(
         "no contact point is closed in steady sliding, with friction or without: at the nearest, of `{interface}` at {} m with a gap of {} m \

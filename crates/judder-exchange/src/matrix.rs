@@ -86,18 +86,22 @@ pub fn read_stored_matrix(path: &Path) -> Result<Matrix, ExchangeError> {
             return Err(ExchangeError::from(cause).in_file(path));
         }
     };
-    let budget = MemoryBudget::of_process();
+    let budget = MemoryBudget::left_of_process();
     let bytes = bytes_of(path, 1, budget)?;
     read(&bytes, budget).map_err(|error| error.in_file(path))
 }
 
 fn read_mtx(bytes: &[u8], budget: MemoryBudget) -> Result<Matrix, ExchangeError> {
+    let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
     if bytes.get(..2).is_some_and(|start| start == b"%%") {
         matrix_market::read_matrix_market(bytes, budget)
     } else {
         coordinate_text::read_coordinates(bytes, budget)
     }
 }
+
+/// What some editors put before text in UTF-8.
+const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
 
 impl Matrix {
     /// The whole matrix of the entries of a file, which are finite and within its size.

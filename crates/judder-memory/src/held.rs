@@ -1,6 +1,5 @@
 //! What several pieces of work hold together of one budget.
 
-use super::free::system_memory;
 use super::{BeyondMemory, MemoryBudget};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -26,12 +25,10 @@ impl HeldMemory {
         Self { budget, held: Arc::default() }
     }
 
-    /// Of what the process may hold at its peak; what it holds now counts.
+    /// Nothing yet, of what the process may take beside what it holds now.
     #[must_use]
     pub fn of_process() -> Self {
-        let budget = MemoryBudget::of_whole_process();
-        let resident = system_memory().resident.unwrap_or(0) / budget.shared_by();
-        Self { budget, held: Arc::new(AtomicU64::new(resident)) }
+        Self::of(MemoryBudget::left_of_process())
     }
 
     /// Takes so many bytes.

@@ -125,6 +125,16 @@ impl MemoryBudget {
         Self::beside(|memory| memory.resident.unwrap_or(0))
     }
 
+    /// What is left of it beside what the process holds; a mebibyte at least, which any file may take.
+    #[must_use]
+    pub fn left_of_process() -> Self {
+        const LEAST: u64 = 1 << 20;
+        let whole = Self::of_whole_process();
+        let held = free::system_memory().resident.unwrap_or(0) / whole.shared_by;
+        let left = |bytes: u64| bytes.saturating_sub(held).max(LEAST.min(bytes));
+        Self { bytes: whole.bytes.map(left), ..whole }
+    }
+
     /// With so many bytes free beside those that the system says are.
     fn beside(held: fn(&SystemMemory) -> u64) -> Self {
         let share =

@@ -46,6 +46,10 @@ pub(crate) mod point_bytes {
     pub(crate) const SEARCHED: u128 = 16;
     /// Of a motion that is kept: of 64 to 4 194 304 points.
     pub(crate) const MOTION: u128 = 352;
+    /// The same of one that has seconds: of 400 000 and 1 000 000 points.
+    pub(crate) const MOTION_IN_SI: u128 = 556;
+    /// Of a sample of the sound of a motion.
+    pub(crate) const HEARD: u128 = 37;
     /// Of a change of the contact state in a motion, with its part of an oscillation: 150 of 58 000, 220 of 289 000 on a belt.
     pub(crate) const CHANGE: u128 = 200;
     /// Of a map whose regions are decided by their borders: of 4 000 000 points.

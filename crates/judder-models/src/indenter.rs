@@ -8,6 +8,8 @@ use judder_contact::indenter::{HeightMap, IndenterShape as Surface, RoughSurface
 use judder_contact::law::{LawIndenter, LawLayer};
 use judder_contact::steady::profile::Profile;
 use judder_exchange::heights::{HeightsError, read_heights};
+use judder_memory::MemoryBudget;
+use judder_study::StudyError;
 use judder_study::input_file::{bytes, unusable};
 
 /// The surface of an indenter, in units of the radius (in m).
@@ -30,7 +32,10 @@ pub(crate) fn profile(shape: &ShapeSettings, radius: f64) -> Result<Box<dyn Prof
 pub(crate) fn height_map(shape: &ShapeSettings, radius: f64) -> Result<HeightMap, ModelError> {
     match shape {
         ShapeSettings::Heights(heights) => from_file(heights, radius),
-        ShapeSettings::Rough(rough) => Ok(generated(rough, radius).generate()?),
+        ShapeSettings::Rough(rough) => {
+            admit(rough)?;
+            Ok(generated(rough, radius).generate()?)
+        }
         other => Err(ModelError::Unsupported(format!("the shape `{}` has no height map", other.name()))),
     }
 }
@@ -45,6 +50,17 @@ fn from_file(heights: &HeightFile, radius: f64) -> Result<HeightMap, ModelError>
         .map_err(|error| unusable(path, &error))?;
     let map = map.in_units_of(radius);
     Ok(if heights.turned_over { map.turned_over() } else { map })
+}
+
+/// Refuses a rough surface that there is no memory for.
+fn admit(rough: &GeneratedSurface) -> Result<(), ModelError> {
+    /// Bytes a cell while it is made, transforms among them: measured of 1024², 2048² and 4096² cells 38.
+    const CELL_BYTES: u128 = 38;
+    let cells = rough.cells as u128;
+    MemoryBudget::left_of_process().ask(cells * cells * CELL_BYTES).map_err(|source| {
+        let what = format!("a rough surface of {cells} × {cells} cells");
+        StudyError::Memory { what, source }.into()
+    })
 }
 
 fn generated(rough: &GeneratedSurface, radius: f64) -> RoughSurface {

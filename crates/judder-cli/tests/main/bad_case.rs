@@ -228,3 +228,55 @@ fn memory_beyond_what_was_told() {
         "--memory \"2 GiB\"",
     );
 }
+
+/// Each takes what it says, but for nothing that was asked before.
+#[test]
+fn what_is_read_made_and_found_is_held_against_the_budget() {
+    let check = ["check", "case.toml", "--memory", "100 MiB"];
+    let refused = |text: &str, message: &str| Desk::with_case(text).refused(&check, message, "--memory");
+    let swept = r#"model = "oscillator"
+[[sweep]]
+name = "all"
+method = "sobol"
+points = 524288
+sensitivity = true
+over = [
+  { key = "operation.velocity", from = 1e-6, to = 1.0, scale = "log" },
+  { key = "contact.shear_strength", from = 1e-3, to = 1.0, scale = "log" },
+]
+quantities = ["growth_rate", "frequency"]
+"#;
+    refused(
+        swept,
+        "the sensitivities of 2 quantities at 2097152 points of the sweep `all`: 125.8 MB of memory",
+    );
+    let contact = "model = \"contact\"\n[substrate]\nrubbery_modulus = \"1 MPa\"\nglassy_modulus = \"10 MPa\"\n\
+                   retardation_time = \"10 ms\"\npoisson_ratio = 0.5\n[indenter]\n";
+    let law = "radius = \"10 mm\"\n[[analysis]]\nkind = \"contact-law\"\naccuracy = 0.2\n\
+               velocity = { from = 1e-2, to = 1, points = 2000 }\nindentation = { from = 1e-3, to = 1e-2, points = 2000 }\n";
+    refused(&format!("{contact}{law}"), "a law at 2000 × 2000 points: ");
+    let rough = "shape = { rough = { period = \"1 mm\", cells = 4096, hurst = 0.8, rms_height = \"1 um\", seed = 1 } }\n\
+                 [[analysis]]\nkind = \"contact\"\nload = \"1 mN\"\nvelocity = \"1 mm/s\"\n";
+    refused(
+        &format!("{contact}{rough}"),
+        "a rough surface of 4096 × 4096 cells: 637.5 MB of memory are needed",
+    );
+}
+
+/// Files that fit one by one are held together.
+#[test]
+fn matrices_share_one_budget() {
+    let desk = Desk::new();
+    let count = 300_000;
+    let rows: String = (1..=count).map(|k| format!("{k} {k} 1\n")).collect();
+    desk.write(
+        "k.mtx",
+        format!("%%MatrixMarket matrix coordinate real general\n{count} {count} {count}\n{rows}"),
+    );
+    let many = ["{ file = \"k.mtx\" }"; 12].join(", ");
+    desk.write(
+        "case.toml",
+        format!("model = \"structure\"\n[matrices]\nmass = [{many}]\nstiffness = [{many}]\n[[analysis]]\nkind = \"modes\"\ncount = 1\n"),
+    );
+    desk.refused(&["check", "case.toml", "--memory", "200 MiB"], "of memory are needed", "--memory");
+}

@@ -144,3 +144,28 @@ fn contact_that_is_never_made_is_told() {
     let told = warnings(&desk).join("\n");
     assert!(told.contains("contact is never made: "), "{told}");
 }
+
+/// What every analysis would be refused for: a support was forgotten, or a sign is wrong.
+#[test]
+fn bodies_that_nothing_holds_are_refused_by_check_and_run() {
+    let desk = Desk::new();
+    let block = desk.succeed(&["examples", "assembly/block-on-plane"]).stdout;
+    let support = block.lines().find(|line| line.starts_with("supports = ")).unwrap();
+    desk.write(
+        "case.toml",
+        block.replace(support, "").replace("displacement = \"-20 um\"", "force = \"-1 kN\""),
+    );
+    refused_by_both(&desk, "rigid motion");
+    let stop = desk.succeed(&["examples", "assembly/stop"]).stdout;
+    let stiffness = stop.lines().find(|line| line.starts_with("stiffness = ")).unwrap();
+    desk.write("case.toml", stop.replace(stiffness, "stiffness = [[1, -1], [-1, 0.5]]"));
+    refused_by_both(&desk, "the stiffness of the bodies is not positive: it pushes on 1 motion");
+}
+
+/// Refused before anything is computed, and where each analysis begins.
+fn refused_by_both(desk: &Desk, message: &str) {
+    desk.refused(&["check", "case.toml"], message, "");
+    let said = desk.judder(&["run", "case.toml"]);
+    assert_eq!(said.code, 2, "{}", said.stderr);
+    said.says(message);
+}

@@ -36,8 +36,14 @@ struct HdfRoom {
 /// Reads the one real matrix, sparse or full, of a file; what is no matrix of numbers is passed over.
 pub(super) fn read_mat_hdf5(bytes: &[u8], budget: MemoryBudget) -> Result<Matrix, ExchangeError> {
     let room = HdfRoom { file: bytes.len() as u64, budget };
-    // nothing is read twice
-    let options = OpenOptions { chunk_cache_bytes: 0, ..OpenOptions::default() };
+    let chunk = OpenOptions::default().max_chunk_bytes as u64;
+    let options = OpenOptions {
+        // nothing is read twice
+        chunk_cache_bytes: 0,
+        // a chunk, and what is taken out of it
+        max_chunk_bytes: budget.most().div_euclid(2).min(chunk) as usize,
+        ..OpenOptions::default()
+    };
     let file = Hdf5File::from_bytes_with_options(bytes, options).map_err(damaged)?;
     let (groups, datasets) = file.root_group().and_then(|root| root.members()).map_err(damaged)?;
     if groups.len() + datasets.len() > MOST_VARIABLES {

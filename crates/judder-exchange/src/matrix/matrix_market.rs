@@ -107,7 +107,11 @@ fn header(line: &str) -> Result<MarketHeader, FileCause> {
         other => return Err(unsupported("the format of the matrix", other, "`coordinate` or `array`")),
     };
     if !["real", "integer", "double"].contains(field) {
-        let read = "`real` or `integer`; write real and imaginary parts as two matrices";
+        let read = match *field {
+            "pattern" => "`real` or `integer`; a pattern has no numbers",
+            "complex" => "`real` or `integer`; write real and imaginary parts as two matrices",
+            _ => "`real` or `integer`",
+        };
         return Err(unsupported("the field of the matrix", field, read));
     }
     let symmetry = match *symmetry {

@@ -1,7 +1,7 @@
 //! What `judder check` shows of an assembly case.
 
 use super::AssemblySubject;
-use super::build::{BuiltAssembly, BuiltBody, extent};
+use super::build::{BuiltAssembly, BuiltBody, Unassembled, extent};
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::joint::{SpringSettings, Tie};
 use crate::error::ModelError;
@@ -50,7 +50,8 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
     let names = case.analysis_names();
     let estimates = estimates(case, file, |name| AssemblySubject { case, built: &built, name })?;
     text.push_str(&words_text(&names, &estimates));
-    let warnings: Vec<String> = built.warnings.iter().cloned().chain(never_touching(&built)).collect();
+    let untouched = never_touching(&built).map_err(|unassembled| unassembled.placed(file))?;
+    let warnings: Vec<String> = built.warnings.iter().cloned().chain(untouched).collect();
     for warning in &warnings {
         text.push_str(&format!("\nwarning: {warning}\n"));
     }
@@ -70,8 +71,8 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
     Ok(Resolved { document, text })
 }
 
-/// That the loads of a case bring no contact point together, where that is quickly known.
-fn never_touching(built: &BuiltAssembly) -> Option<String> {
+/// That the loads of a case bring no contact point together, where that is quickly known; what any analysis is refused for, bodies that nothing holds.
+fn never_touching(built: &BuiltAssembly) -> Result<Option<String>, Unassembled> {
     /// Freedoms and contact points up to which steady sliding takes less than a second.
     const MOST_FREEDOMS: usize = 20_000;
     const MOST_POINTS: usize = 200;
@@ -79,11 +80,16 @@ fn never_touching(built: &BuiltAssembly) -> Option<String> {
     let points: usize = assembly.interfaces.iter().map(|interface| interface.points.len()).sum();
     let has_laws = built.spheres.iter().all(Option::is_none);
     if points == 0 || points > MOST_POINTS || assembly.size() > MOST_FREEDOMS || !has_laws {
-        return None;
+        return Ok(None);
     }
     match Compliance::new(assembly).and_then(|compliance| steady_sliding(assembly, &compliance)) {
-        Err(error @ AssemblyError::NothingCloses { .. }) => Some(format!("contact is never made: {error}")),
-        _ => None,
+        Err(error @ AssemblyError::NothingCloses { .. }) => {
+            Ok(Some(format!("contact is never made: {error}")))
+        }
+        Err(error @ (AssemblyError::RigidMotion { .. } | AssemblyError::PushedOn { .. })) => {
+            Err(Unassembled::because("structure", &built.told(error)))
+        }
+        _ => Ok(None),
     }
 }
 
@@ -126,8 +132,8 @@ impl KnownBody {
         let found = match has_modes {
             true => match modes(&stiffness, &body.matrices.mass, WantedModes::Lowest(7)) {
                 Ok(found) => Some(found),
-                // a body that turns has been softened below zero
-                Err(StructureError::MissingModes { .. }) => None,
+                // a body that turns has been softened below zero, or the stiffness pushes
+                Err(StructureError::MissingModes { .. } | StructureError::InvalidNumber { .. }) => None,
                 Err(error) => return Err(error.into()),
             },
             false => None,

@@ -49,6 +49,10 @@ impl MotionCase for BeltCase {
         known.name()
     }
 
+    fn second(known: &BeltModel<'_>) -> Option<f64> {
+        known.second()
+    }
+
     fn counted<A: MotionOf<BeltKeys>>(asked: &A, known: &BeltModel<'_>) -> Option<CountedMotions> {
         asked.probed().counted(known)
     }

@@ -22,6 +22,7 @@ pub(crate) mod tables;
 
 use crate::error::ModelError;
 use crate::estimate::{Estimate, cost, memory_of_points, point_bytes};
+use crate::sliding::march::sound::AUDIO_RATE;
 use crate::sweep::Sweep;
 use crate::swept_keys::SweptKeys;
 use counted::{CountedMotions, ProbedMotions};
@@ -59,6 +60,11 @@ pub(crate) trait MotionOf<S: SweptKeys>: Clone + fmt::Debug + Send + Sync + 'sta
     /// Puts its settings into a canonical form.
     fn write(&self, json: &mut Map<String, Json>);
 
+    /// Whether it becomes a sound.
+    fn is_heard(&self) -> bool {
+        false
+    }
+
     /// The key that it varies.
     fn swept(&self) -> Option<&Sweep<S::Key>> {
         None
@@ -75,6 +81,9 @@ pub(crate) trait MotionCase: Analysed<Estimate = Estimate, Error = ModelError> {
 
     /// The name of an analysis.
     fn name<'a>(known: &'a Self::Known<'_>) -> &'a str;
+
+    /// The seconds of a unit of the time of its motions, where they have any.
+    fn second(known: &Self::Known<'_>) -> Option<f64>;
 
     /// What the motions of an analysis take; `None` where none can be followed yet.
     fn counted<A: MotionOf<Self::Keys>>(asked: &A, known: &Self::Known<'_>) -> Option<CountedMotions>;
@@ -107,8 +116,15 @@ impl<C: MotionCase, A: MotionOf<C::Keys>> Analysis<C> for MotionAnalysis<A> {
     fn memory(&self, known: &C::Known<'_>) -> Result<NeededMemory, ModelError> {
         let size = self.0.size();
         let keys = &["points", "samples", "sweep.points"];
-        let of_points = memory_of_points(size.points as u128, point_bytes::MOTION, keys);
         let following = self.0.probed().following;
+        let second = C::second(known);
+        let each = if second.is_some() { point_bytes::MOTION_IN_SI } else { point_bytes::MOTION };
+        let mut of_points = memory_of_points(size.points as u128, each, keys);
+        if let Some(second) = second.filter(|_| self.0.is_heard()) {
+            let unit = if following.duration.form == Form::Si { 1.0 } else { second };
+            let heard = following.duration.number * unit * f64::from(AUDIO_RATE);
+            of_points.beside = of_points.beside.saturating_add(heard as u128 * point_bytes::HEARD);
+        }
         // what a look at their beginnings would take is more than changes of shorter ones do
         let long = if following.duration.form == Form::Group { 5e4 } else { 10.0 };
         if size.ends != MotionEnd::Duration || following.duration.number < long {

@@ -254,6 +254,11 @@ pub struct BeltModel<'a> {
 }
 
 impl<'a> BeltModel<'a> {
+    /// The seconds of a unit of its time, where the case is in SI.
+    pub(crate) fn second(&self) -> Option<f64> {
+        self.inputs.si_units().map(|units| units.second)
+    }
+
     /// That of a case, for the analysis of this name.
     pub fn new(case: &'a BeltCase, name: &'a str) -> Self {
         Self { name, inputs: &case.inputs, curve: case.curve.as_ref() }

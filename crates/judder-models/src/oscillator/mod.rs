@@ -327,6 +327,10 @@ impl MotionCase for OscillatorCase {
         known.name
     }
 
+    fn second(known: &KnownOscillator<'_>) -> Option<f64> {
+        known.case.inputs.si_units().map(|units| units.second)
+    }
+
     fn counted<A: MotionOf<OscillatorKeys>>(
         asked: &A,
         known: &KnownOscillator<'_>,

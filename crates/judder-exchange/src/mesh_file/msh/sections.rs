@@ -98,8 +98,8 @@ impl Sections {
             let mut labels = Vec::with_capacity(own);
             for _ in 0..own {
                 let label = source.size("a number of a node")?;
-                if self.places.insert(label, self.parts.nodes.len() + labels.len()).is_some() {
-                    let first = String::from("earlier");
+                if let Some(place) = self.places.insert(label, self.parts.nodes.len() + labels.len()) {
+                    let first = format!("as number {} of the list", place + 1);
                     return Err(source.error(FileCause::Twice {
                         what: "node",
                         label: label.to_string(),
@@ -137,7 +137,7 @@ impl Sections {
             let block = self.read_block(source)?;
             found += block.labels.len();
             if let Some(label) = block.labels.iter().find(|label| !seen.insert(**label)) {
-                let (label, first) = (label.to_string(), String::from("earlier"));
+                let (label, first) = (label.to_string(), String::from("before in the list"));
                 return Err(source.error(FileCause::Twice { what: "element", label, first }));
             }
             self.blocks.push(block);

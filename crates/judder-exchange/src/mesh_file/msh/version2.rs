@@ -57,8 +57,8 @@ impl Sections {
             let label = source.whole("a number of a node")?;
             let what = "a place of a node";
             let place = [source.double(what)?, source.double(what)?, source.double(what)?];
-            if self.places.insert(label, self.parts.nodes.len()).is_some() {
-                let (label, first) = (label.to_string(), String::from("earlier"));
+            if let Some(place) = self.places.insert(label, self.parts.nodes.len()) {
+                let (label, first) = (label.to_string(), format!("as number {} of the list", place + 1));
                 return Err(source.error(FileCause::Twice { what: "node", label, first }));
             }
             self.parts.nodes.push((label, place));
@@ -90,7 +90,7 @@ impl Sections {
                     None => source.whole("a number of an element")?,
                 };
                 if !labels.insert(number) {
-                    let (label, first) = (number.to_string(), String::from("earlier"));
+                    let (label, first) = (number.to_string(), String::from("before in the list"));
                     return Err(source.error(FileCause::Twice { what: "element", label, first }));
                 }
                 self.read_element(source, &header, number, &mut all)?;

@@ -15,6 +15,7 @@ use judder_study::axis::SweptAxis;
 use judder_study::kept::KeptLines;
 use judder_study::outcome::Outcome;
 use judder_study::{Progress, StudyError, Untold};
+use std::collections::BTreeMap;
 
 /// What is told of a sweep beside its eigenvalues.
 #[derive(Results)]
@@ -76,8 +77,13 @@ pub(super) fn run(
         false => None,
     };
     let told = ToldSweep::new(settings, &axis, &solved, all_closed.as_ref(), of_reduction);
-    let failed =
-        told.failures.iter().map(|own| format!("{} = {}: {}", sweep.path, sweep.text(own.value), own.reason));
+    let mut values_by_reason: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+    for failure in &told.failures {
+        values_by_reason.entry(&failure.reason).or_default().push(sweep.text(failure.value));
+    }
+    let failed = values_by_reason
+        .iter()
+        .map(|(reason, values)| format!("{} = {}: {reason}", sweep.path, values.join(", ")));
     let mut warnings: Vec<String> = failed.chain(family.doubts(solved.states.iter().flatten())).collect();
     let held_in_doubt = all_closed.as_ref().and_then(|own| own.warning(&|value| sweep.text(value)));
     warnings.extend(held_in_doubt.map(|doubt| format!("with every contact point held closed, {doubt}")));

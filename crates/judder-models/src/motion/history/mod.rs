@@ -94,6 +94,10 @@ impl<S: MotionModel> MotionOf<S> for HistoryAnalysis {
         run::run(model, self, task.progress, task.watch)
     }
 
+    fn is_heard(&self) -> bool {
+        self.sound == Some(true)
+    }
+
     fn size(&self) -> MotionSize {
         MotionSize { points: self.points, motions: 1, ends: MotionEnd::Duration, branches: false }
     }

@@ -52,7 +52,8 @@ fn contacts_of_a_law_share_what_the_process_may_take() {
     let (all, of_three) = (MemoryBudget::of_whole_process().most(), told(1));
     // what is free changes between two looks: no part is near an edge
     let two = told(all / (PROGRAM_BYTES as u64 + (of_three / 3.0 * 2.5) as u64));
-    assert!((two / of_three - 2.0 / 3.0).abs() < 1e-6, "{two} of {of_three}");
+    // beside a few kilobytes of the table
+    assert!((two / of_three - 2.0 / 3.0).abs() < 1e-4, "{two} of {of_three}");
 }
 
 /// One retardation time: tan δ is (E∞/E0 − 1)/(2 √(E∞/E0)) at the most, at ω τ = √(E∞/E0).

@@ -105,9 +105,7 @@ impl NeededMemory {
     /// # Errors
     /// The refusal, of the keys that decide how much it is.
     pub fn held_against(self, budget: MemoryBudget) -> Result<Self, Refusal> {
-        // who shares the process shares the program
-        let program = PROGRAM_BYTES / u128::from(budget.shared_by());
-        match budget.ask(program.saturating_add(self.beside)) {
+        match budget.ask(self.bytes()) {
             Ok(()) => Ok(self),
             Err(source) => {
                 let Self { what, keys, advice, .. } = self;

@@ -233,8 +233,8 @@ fn check_held(stiffness: &Sparse, assembly: &Assembly) -> Result<(), AssemblyErr
         return Ok(());
     }
     let limit = rigid_limit(stiffness.nrows(), largest_ratio(stiffness, mass));
-    let pushed = if assembly.gyroscopic.is_empty() { below(&assembly.stiffness, mass, -limit)? } else { 0 };
-    if pushed > 0 {
+    let pushed = if assembly.gyroscopic.is_empty() { below(stiffness, mass, -limit)? } else { 0 };
+    if pushed > 0 && pushed == motions {
         return Err(AssemblyError::PushedOn { motions: pushed });
     }
     let found = modes(stiffness, mass, WantedModes::Lowest(1))?;

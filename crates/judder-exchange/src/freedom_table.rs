@@ -24,7 +24,7 @@ const COLUMNS: [&str; 5] = ["node", "direction", "x", "y", "z"];
 /// What is wrong, with its line: a missing column, a row that is too short, what is no number or direction, a freedom that is
 /// there twice ([`FileCause::Twice`]), a node in two places.
 pub fn read_freedoms(path: &Path) -> Result<Vec<Freedom>, ExchangeError> {
-    let bytes = bytes_of(path, MEMORY_A_BYTE, MemoryBudget::left_of_process())?;
+    let bytes = bytes_of(path, MEMORY_A_BYTE, MemoryBudget::of_process())?;
     read(&bytes).map_err(|error| error.in_file(path))
 }
 

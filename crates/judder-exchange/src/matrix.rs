@@ -86,7 +86,7 @@ pub fn read_stored_matrix(path: &Path) -> Result<Matrix, ExchangeError> {
             return Err(ExchangeError::from(cause).in_file(path));
         }
     };
-    let budget = MemoryBudget::left_of_process();
+    let budget = MemoryBudget::of_process();
     let bytes = bytes_of(path, 1, budget)?;
     read(&bytes, budget).map_err(|error| error.in_file(path))
 }

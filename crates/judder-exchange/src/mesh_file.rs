@@ -108,7 +108,7 @@ pub fn read_mesh(path: &Path) -> Result<MeshFile, ExchangeError> {
             );
         }
     };
-    let bytes = bytes_of(path, MEMORY_A_BYTE, MemoryBudget::left_of_process())?;
+    let bytes = bytes_of(path, MEMORY_A_BYTE, MemoryBudget::of_process())?;
     read(&bytes).map_err(|error| error.in_file(path))
 }
 

@@ -1,8 +1,9 @@
 //! How much a page may ask for, and be sent.
 
 use crate::refusal::{InTerminal, RequestRefusal};
-use judder_memory::MemoryBudget;
+use judder_memory::{MemoryBudget, in_words};
 use judder_store::Variable;
+use judder_study::model::PROGRAM_BYTES;
 use serde_json::{Map, Value};
 
 /// Requests of a pace that work at once.
@@ -37,6 +38,20 @@ pub(crate) fn with_memory_of_stream<T>(work: impl FnOnce() -> T) -> T {
 /// The same of an answer in one piece.
 pub(crate) fn with_memory_of_answer<T>(work: impl FnOnce() -> T) -> T {
     MemoryBudget::shared(SHORT_PARTS, work)
+}
+
+/// That no analysis has room in its part of the memory, where that is so: each counts the program, as it does alone.
+pub(crate) fn too_little_memory() -> Option<String> {
+    let part = with_memory_of_stream(MemoryBudget::of_whole_process).most();
+    let program = PROGRAM_BYTES as u64;
+    (part < program).then(|| {
+        let [part, program, all] =
+            [part, program, program * (STREAM_PARTS + 1)].map(|bytes| in_words(u128::from(bytes)));
+        format!(
+            "each of {STREAM_PARTS} analyses that may work at once has {part} of memory, and the least takes {program}: the page will refuse \
+             them; --memory \"{all}\" lets them in"
+        )
+    })
 }
 
 /// Whether a page may set a key of an analysis: not how much of this machine it takes.

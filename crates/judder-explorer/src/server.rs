@@ -4,7 +4,7 @@ use crate::admission::Admission;
 use crate::error::ExplorerError;
 use crate::guest::Strangers;
 use crate::limiter::Limiter;
-use crate::limits::{LAWS, SHORT};
+use crate::limits::{LAWS, SHORT, too_little_memory};
 use crate::routes::router;
 use crate::scheduler::Scheduler;
 use crate::site::Site;
@@ -68,6 +68,12 @@ impl Explorer {
     #[must_use]
     pub fn address(&self) -> String {
         self.site.admission.address()
+    }
+
+    /// What whoever opens it should know: that no analysis will have the memory that it takes.
+    #[must_use]
+    pub fn doubt(&self) -> Option<String> {
+        too_little_memory()
     }
 
     /// Serves the page until `stopped` says so; whatever works then is cancelled.

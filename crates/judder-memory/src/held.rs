@@ -25,12 +25,6 @@ impl HeldMemory {
         Self { budget, held: Arc::default() }
     }
 
-    /// Nothing yet, of what the process may take beside what it holds now.
-    #[must_use]
-    pub fn of_process() -> Self {
-        Self::of(MemoryBudget::left_of_process())
-    }
-
     /// Takes so many bytes.
     ///
     /// # Errors
@@ -41,13 +35,11 @@ impl HeldMemory {
         Ok(taken)
     }
 
-    /// Of what would not fit: asks again on this thread, which may be the one that can [put work off](MemoryBudget::shared_or_crowded).
-    ///
-    /// # Errors
-    /// What was refused, as the result has it.
-    pub fn refused_here<T>(&self, beyond: BeyondMemory) -> Result<T, BeyondMemory> {
-        self.budget.ask(beyond.needed)?;
-        Err(beyond)
+    /// How many times so many bytes fit beside what is held; once at least.
+    #[must_use]
+    pub fn fit(&self, bytes: u64) -> usize {
+        let left = self.budget.most().saturating_sub(self.held.load(Ordering::Relaxed));
+        usize::try_from(left / bytes.max(1)).unwrap_or(usize::MAX).max(1)
     }
 }
 
@@ -59,7 +51,12 @@ impl TakenMemory {
     pub fn take(&mut self, bytes: u64) -> Result<(), BeyondMemory> {
         self.bytes += bytes;
         let before = self.of.held.fetch_add(bytes, Ordering::Relaxed);
-        self.of.budget.ask(u128::from(before) + u128::from(bytes))
+        let asked = self.of.budget.ask(u128::from(before) + u128::from(bytes));
+        if asked.is_err() {
+            // others may have what is refused here
+            self.keep(self.bytes - bytes);
+        }
+        asked
     }
 
     /// Gives all but so many bytes back.

@@ -38,6 +38,8 @@ pub struct MemoryBudget {
     origin: BudgetOrigin,
     /// Among how many that of the process is divided.
     shared_by: u64,
+    /// What is held of it already.
+    held: u128,
 }
 
 /// Where a budget comes from.
@@ -125,14 +127,12 @@ impl MemoryBudget {
         Self::beside(|memory| memory.resident.unwrap_or(0))
     }
 
-    /// What is left of it beside what the process holds; a mebibyte at least, which any file may take.
+    /// The same for work beside so many bytes that belong to it and are held already. What was told holds for both together; what is free is free beside them.
     #[must_use]
-    pub fn left_of_process() -> Self {
-        const LEAST: u64 = 1 << 20;
-        let whole = Self::of_whole_process();
-        let held = free::system_memory().resident.unwrap_or(0) / whole.shared_by;
-        let left = |bytes: u64| bytes.saturating_sub(held).max(LEAST.min(bytes));
-        Self { bytes: whole.bytes.map(left), ..whole }
+    pub fn of_process_beside(held: u128) -> Self {
+        let own = Self::of_process();
+        let counted = if own.origin == BudgetOrigin::Told { held } else { 0 };
+        Self { held: counted, ..own }
     }
 
     /// With so many bytes free beside those that the system says are.
@@ -144,25 +144,26 @@ impl MemoryBudget {
             told => (Some(told), BudgetOrigin::Told),
         };
         let shared_by = SHARED_BY.get();
-        Self { bytes: bytes.map(|bytes| bytes / shared_by), origin, shared_by }
+        Self { bytes: bytes.map(|bytes| bytes / shared_by), origin, shared_by, held: 0 }
     }
 
     /// No limit.
     #[must_use]
     pub const fn unlimited() -> Self {
-        Self { bytes: None, origin: BudgetOrigin::Told, shared_by: 1 }
+        Self { bytes: None, origin: BudgetOrigin::Told, shared_by: 1, held: 0 }
     }
 
     /// So many bytes.
     #[must_use]
     pub const fn of_bytes(bytes: u64) -> Self {
-        Self { bytes: Some(bytes), origin: BudgetOrigin::Told, shared_by: 1 }
+        Self { bytes: Some(bytes), origin: BudgetOrigin::Told, shared_by: 1, held: 0 }
     }
 
     /// The most that fits, in bytes.
     #[must_use]
     pub fn most(&self) -> u64 {
-        self.bytes.unwrap_or(u64::MAX)
+        let held = u64::try_from(self.held).unwrap_or(u64::MAX);
+        self.bytes.map_or(u64::MAX, |bytes| bytes.saturating_sub(held))
     }
 
     /// Among how many that of the process is divided.
@@ -182,11 +183,11 @@ impl MemoryBudget {
     /// # Errors
     /// They do not.
     pub fn ask(&self, needed: u128) -> Result<(), BeyondMemory> {
+        let needed = needed.saturating_add(self.held);
         match self.bytes {
             Some(budget) if needed > u128::from(budget) => {
                 let refused = BeyondMemory { needed, budget, origin: self.origin, shared_by: self.shared_by };
-                let worst = REFUSED.get().filter(|earlier| earlier.needed > needed);
-                REFUSED.set(Some(worst.unwrap_or(refused)));
+                refused.note();
                 Err(refused)
             }
             _ => Ok(()),
@@ -195,6 +196,12 @@ impl MemoryBudget {
 }
 
 impl BeyondMemory {
+    /// Counts as refused to this thread, as of work that [may be put off](MemoryBudget::shared_or_crowded): another thread that worked for it was refused.
+    pub fn note(self) {
+        let worst = REFUSED.get().filter(|earlier| earlier.needed > self.needed);
+        REFUSED.set(Some(worst.unwrap_or(self)));
+    }
+
     /// How to go on.
     #[must_use]
     pub fn remedy(&self) -> String {

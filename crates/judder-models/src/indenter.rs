@@ -11,6 +11,7 @@ use judder_exchange::heights::{HeightsError, read_heights};
 use judder_memory::MemoryBudget;
 use judder_study::StudyError;
 use judder_study::input_file::{bytes, unusable};
+use judder_study::model::PROGRAM_BYTES;
 
 /// The surface of an indenter, in units of the radius (in m).
 ///
@@ -57,7 +58,7 @@ fn admit(rough: &GeneratedSurface) -> Result<(), ModelError> {
     /// Bytes a cell while it is made, transforms among them: measured of 1024², 2048² and 4096² cells 38.
     const CELL_BYTES: u128 = 38;
     let cells = rough.cells as u128;
-    MemoryBudget::left_of_process().ask(cells * cells * CELL_BYTES).map_err(|source| {
+    MemoryBudget::of_process_beside(PROGRAM_BYTES).ask(cells * cells * CELL_BYTES).map_err(|source| {
         let what = format!("a rough surface of {cells} × {cells} cells");
         StudyError::Memory { what, source }.into()
     })

@@ -107,13 +107,16 @@ impl StudyFolder {
         for single in &singles {
             // a list that names what lies elsewhere is none of this crate's
             if let Ok(path) = self.inner_place(Path::new(single)) {
-                judder_disk::remove(&path).map_err(|source| StoreError::write(&path, 0, source))?;
+                remove_file(&path)?;
             }
         }
         self.manifest().take_off(|path, _| singles.iter().any(|single| single == path))?;
         for name in [summary::FILE, results::FOLDER] {
             let path = self.path.join(name);
             let forget = || {
+                if name == summary::FILE {
+                    staging::clear_place(&path)?;
+                }
                 // Moved away in one step first, so that a kill leaves no half of it.
                 let stage = Stage::new(&self.path)?;
                 if path.symlink_metadata().is_ok() {
@@ -327,6 +330,17 @@ impl StudyFolder {
     fn group(&self, analysis: &str) -> Result<PathBuf, StoreError> {
         check_name("an analysis", analysis)?;
         Ok(self.path.join(results::FOLDER).join(analysis))
+    }
+}
+
+/// Removes a file of the study; a folder in its place that holds something is somebody's, and stays.
+fn remove_file(path: &Path) -> Result<(), StoreError> {
+    let is_kept =
+        path.symlink_metadata().is_ok_and(|there| there.is_dir()) && staging::clear_place(path).is_err();
+    if is_kept {
+        Ok(())
+    } else {
+        judder_disk::remove(path).map_err(|source| StoreError::write(path, 0, source))
     }
 }
 

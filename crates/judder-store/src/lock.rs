@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::lock_sign::sign;
-use crate::{StoreError, plain};
+use crate::{StoreError, staging};
 
 /// The name of the file in a study that is locked.
 pub(crate) const FILE: &str = ".judder.lock";
@@ -48,10 +48,17 @@ impl Drop for Lock {
 
 /// Locks a file, which is made where there is none; `None` while another holds it.
 pub(crate) fn try_lock(path: &Path, mode: LockMode) -> Result<Option<Lock>, StoreError> {
-    let file = open(path)?;
-    let locked = match mode {
-        LockMode::Alone => file.try_lock(),
-        LockMode::Shared => file.try_lock_shared(),
+    let mut file = open(path)?;
+    let locked = loop {
+        let locked = match mode {
+            LockMode::Alone => file.try_lock(),
+            LockMode::Shared => file.try_lock_shared(),
+        };
+        // who cleared the place meanwhile has locked another file
+        if locked.is_err() || is_at(path, &file) {
+            break locked;
+        }
+        file = open(path)?;
     };
     match locked {
         Ok(()) => {
@@ -64,13 +71,27 @@ pub(crate) fn try_lock(path: &Path, mode: LockMode) -> Result<Option<Lock>, Stor
     }
 }
 
+/// Whether a file is still the one that has this path.
+#[cfg(unix)]
+fn is_at(path: &Path, file: &File) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let place = |metadata: std::fs::Metadata| (metadata.dev(), metadata.ino());
+    match (file.metadata(), path.symlink_metadata()) {
+        (Ok(own), Ok(there)) => place(own) == place(there),
+        _ => true,
+    }
+}
+
+#[cfg(not(unix))]
+fn is_at(_path: &Path, _file: &File) -> bool {
+    true
+}
+
 /// Readable and writable, since a network file system may ask for the one or the other by the kind of lock.
 fn open(path: &Path) -> Result<File, StoreError> {
     let open = || {
-        // what it leads to is somebody's
-        if plain::is_link(path) {
-            judder_disk::remove_file(path)?;
-        }
+        // what a link leads to is somebody's
+        staging::clear_place(path)?;
         judder_disk::open_lasting(path)
     };
     open().map_err(|source| StoreError::write(path, 0, source))
@@ -135,6 +156,10 @@ mod tests {
         assert!(try_lock(&path, LockMode::Alone).unwrap().is_some());
         assert_eq!(std::fs::read_to_string(&other).unwrap(), "mine");
         assert!(path.symlink_metadata().unwrap().is_file());
+        std::fs::remove_file(&path).unwrap();
+        std::fs::create_dir(&path).unwrap();
+        assert!(try_lock(&path, LockMode::Alone).unwrap().is_some());
+        assert!(path.is_file(), "as does a folder with nothing in it");
     }
 
     #[test]

@@ -42,7 +42,7 @@ pub(crate) fn write_file(study: &Path, target: &Path, content: &[u8]) -> Result<
     let write = || {
         let stage = Stage::new(study)?;
         let staged = stage.file("content", content)?;
-        remove_empty_folder(target)?;
+        clear_place(target)?;
         rename(&staged, target)
     };
     write().map_err(|source| StoreError::write(target, content.len() as u64, source))
@@ -54,16 +54,24 @@ pub(crate) fn write_unforced(study: &Path, target: &Path, content: &[u8]) -> Res
         let stage = Stage::new(study)?;
         let staged = stage.place("content");
         judder_disk::write(&judder_disk::create_new_file(&staged)?, content)?;
-        remove_empty_folder(target)?;
+        clear_place(target)?;
         judder_disk::rename(&staged, target)
     };
     write().map_err(|source| StoreError::write(target, content.len() as u64, source))
 }
 
-/// Removes a folder that has the name of a file and nothing in it; one that holds something is somebody's.
-fn remove_empty_folder(target: &Path) -> io::Result<()> {
-    let is_folder = fs::symlink_metadata(target).is_ok_and(|there| there.is_dir());
-    if is_folder && fs::read_dir(target)?.next().is_none() { judder_disk::remove(target) } else { Ok(()) }
+/// Removes what has the name of a file and is none: a link, a pipe, a folder without anything in it.
+///
+/// # Errors
+/// [`io::ErrorKind::IsADirectory`] for a folder that holds something, which is somebody's; a failure of the file system.
+pub(crate) fn clear_place(target: &Path) -> io::Result<()> {
+    match fs::symlink_metadata(target) {
+        Ok(there) if there.is_dir() && fs::read_dir(target)?.next().is_some() => {
+            Err(io::ErrorKind::IsADirectory.into())
+        }
+        Ok(there) if !there.is_file() => judder_disk::remove(target),
+        _ => Ok(()),
+    }
 }
 
 /// Puts a staged file or folder in the place of whatever stands there, a folder among it.

@@ -157,7 +157,7 @@ pub fn verify(
     }
     let root = format!("{}/{}", results::FOLDER, metadata::FILE);
     match root_is_derived(study) {
-        Ok(true) => found.sound += 1,
+        Ok(true) => found.sound += usize::from(study.join(&root).exists()),
         Ok(false) if !manifest.complete => found.findings.push(Finding::Unfinished { path: root.clone() }),
         Ok(false) => found.findings.push(damaged(&root, FileDamage::Content)),
         Err(damage) => found.findings.push(damaged(&root, damage)),

@@ -31,7 +31,7 @@ use disc::SAME;
 pub(crate) use disc::Triple;
 use judder_numerics::complex::ElementaryComplex;
 pub(crate) use refine::RefinedEigenvalue;
-pub(crate) use shift::ShiftedFactor;
+pub(crate) use shift::{ShiftedFactor, shifts_at_once};
 
 use crate::StructureError;
 use crate::quadratic::Quadratic;
@@ -171,20 +171,6 @@ pub(crate) fn searched(
     if problem.size() <= whole::LARGEST {
         return whole(problem, region, memory);
     }
-    let found = by_discs(problem, region, memory);
-    match found {
-        // another thread may have been refused
-        Err(StructureError::BeyondMemory { beyond }) => Ok(memory.refused_here(beyond)?),
-        found => found,
-    }
-}
-
-/// Every eigenvalue of a region of a large problem.
-fn by_discs(
-    problem: &Quadratic,
-    region: &Region,
-    memory: &HeldMemory,
-) -> Result<SearchedRegion, StructureError> {
     let cover = cover(problem, region, memory)?;
     let refined = refined(problem, &cover, &region.widened(REFINED))?;
     let mut gaps = cover.gaps;

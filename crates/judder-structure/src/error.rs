@@ -17,6 +17,14 @@ pub enum StructureError {
         /// What it must be.
         requirement: &'static str,
     },
+    /// A sum of a matrix that frequencies are sought between is not positive.
+    #[error("{name} is {value}: it must be positive", value = plain(*.value))]
+    NotPositive {
+        /// Which.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// An element is folded or flat.
     #[error(
         "element {element} ({kind}) is folded or flat: its Jacobian determinant is {determinant} at {place:?}; are its nodes in order?",

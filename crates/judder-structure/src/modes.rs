@@ -223,7 +223,7 @@ fn shift_scale(stiffness: &Sparse, mass: &Sparse) -> Result<f64, StructureError>
     let (of_stiffness, of_mass) = (trace(stiffness), trace(mass));
     for (name, value) in [("the trace of the stiffness", of_stiffness), ("the trace of the mass", of_mass)] {
         if !(value.is_finite() && value > 0.0) {
-            return Err(StructureError::InvalidNumber { name, value, requirement: "positive" });
+            return Err(StructureError::NotPositive { name, value });
         }
     }
     Ok(SHARE * of_stiffness / of_mass)

@@ -1,7 +1,7 @@
 //! Receptances: the displacement of one degree of freedom under a harmonic force on another.
 
 use crate::StructureError;
-use crate::complex_modes::ShiftedFactor;
+use crate::complex_modes::{ShiftedFactor, shifts_at_once};
 use crate::quadratic::{MatrixSide, Quadratic};
 use faer::{Mat, c64};
 use judder_memory::HeldMemory;
@@ -22,7 +22,7 @@ pub struct Receptance {
 
 /// α(ω) = eᵀ_observed (K + iω C − ω² M)⁻¹ e_excited at angular frequencies, rad/s, in their order.
 ///
-/// The matrices need be neither symmetric nor damped: each frequency is one factorisation of Q(iω), whatever the modes. The second value
+/// The matrices need be neither symmetric nor damped: each frequency is one factorisation of Q(iω), whatever the modes; each thread holds the factors of one, or fewer where the memory has no room. The second value
 /// of each is by Q(iω)ᵀ, as eᵀ A⁻¹ e' = e'ᵀ A⁻ᵀ e.
 ///
 /// # Errors
@@ -34,7 +34,13 @@ pub fn receptances(
     frequencies: &[f64],
     memory: &HeldMemory,
 ) -> Result<Vec<Receptance>, StructureError> {
-    parallel::try_each(frequencies, |frequency| at(problem, [excited, observed], *frequency, memory))
+    let mut found = Vec::with_capacity(frequencies.len());
+    for some in frequencies.chunks(shifts_at_once(problem, memory)?.min(parallel::threads())) {
+        found.extend(parallel::try_each(some, |frequency| {
+            at(problem, [excited, observed], *frequency, memory)
+        })?);
+    }
+    Ok(found)
 }
 
 fn at(

@@ -242,6 +242,21 @@ impl StudyError {
     }
 }
 
+impl StudyError {
+    /// What memory was refused for it, whichever error says so in the end.
+    #[must_use]
+    pub fn beyond_memory(&self) -> Option<BeyondMemory> {
+        let mut error: Option<&(dyn Error + 'static)> = Some(self);
+        while let Some(own) = error {
+            if let Some(beyond) = own.downcast_ref::<BeyondMemory>() {
+                return Some(*beyond);
+            }
+            error = own.source();
+        }
+        None
+    }
+}
+
 /// Whether the folder that was named is to blame.
 fn is_wrong_folder(error: &StoreError) -> bool {
     matches!(

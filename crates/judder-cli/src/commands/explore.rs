@@ -54,6 +54,9 @@ impl ExploreArguments {
             || format!("{address}\n\nThe address lets a browser of this machine in. Ctrl-C ends the page.\n"),
             || json!({ "address": address }),
         )?;
+        if let Some(doubt) = explorer.doubt() {
+            console.warn(&doubt);
+        }
         let door = if self.no_browser { None } else { door(&address) };
         if let Some(door) = &door
             && let Err(error) = open::that_detached(door.path())

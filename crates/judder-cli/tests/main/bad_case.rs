@@ -259,7 +259,7 @@ quantities = ["growth_rate", "frequency"]
                  [[analysis]]\nkind = \"contact\"\nload = \"1 mN\"\nvelocity = \"1 mm/s\"\n";
     refused(
         &format!("{contact}{rough}"),
-        "a rough surface of 4096 × 4096 cells: 637.5 MB of memory are needed",
+        "a rough surface of 4096 × 4096 cells: 681.5 MB of memory are needed",
     );
 }
 

@@ -209,4 +209,15 @@ fn a_figure_that_cannot_be_written_leaves_the_others() {
     let page = fs::read_to_string(desk.path("out/case/report.html")).unwrap();
     assert!(page.contains("id=\"figure-loci\"") && !page.contains("id=\"figure-damping\""));
     assert!(desk.path("out/case/figures/damping.svg/precious.txt").is_file());
+    // nor does a run from nothing take it
+    assert_eq!(desk.judder(&["run", "case.toml", "--only", "damping", "--fresh", "-q"]).code, 1);
+    assert!(desk.path("out/case/figures/damping.svg/precious.txt").is_file());
+    let table = desk.path("out/case/damping.csv");
+    fs::remove_file(&table).unwrap();
+    fs::create_dir(&table).unwrap();
+    desk.write("out/case/damping.csv/precious.txt", "mine");
+    let said = desk.judder(&["run", "case.toml", "--only", "damping", "--fresh", "-q"]);
+    assert_eq!(said.code, 1, "{}", said.stderr);
+    said.says("damping.csv: a folder stands in the place of a file of the study");
+    assert!(table.join("precious.txt").is_file());
 }

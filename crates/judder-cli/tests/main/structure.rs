@@ -158,7 +158,7 @@ fn bodies_that_nothing_holds_are_refused_by_check_and_run() {
     refused_by_both(&desk, "rigid motion");
     let stop = desk.succeed(&["examples", "assembly/stop"]).stdout;
     let stiffness = stop.lines().find(|line| line.starts_with("stiffness = ")).unwrap();
-    desk.write("case.toml", stop.replace(stiffness, "stiffness = [[1, -1], [-1, 0.5]]"));
+    desk.write("case.toml", stop.replace(stiffness, "stiffness = [[1, -1], [-1, -0.5]]"));
     refused_by_both(&desk, "the stiffness of the bodies is not positive: it pushes on 1 motion");
 }
 

@@ -143,6 +143,39 @@ fn points_share_the_memory_of_the_process() {
     assert_eq!(of_one["failed"], 0, "{of_one}");
 }
 
+/// What the memory was not enough for is no result: the search of these modes takes more than it begins with, and no chunk tells of that.
+#[test]
+fn a_point_without_memory_leaves_no_chunk() {
+    let desk = Desk::with_case(
+        r#"model = "structure"
+[structure]
+block = { element = "hexahedron20", size = ["200 mm", "20 mm", "10 mm"], cells = [10, 2, 1] }
+material = { youngs_modulus = "210 GPa", poisson_ratio = 0.3, density = "7850 kg/m^3" }
+supports = [{ set = "x-min", fixed = ["x", "y", "z"] }]
+[damping]
+rayleigh = { alpha = "40 1/s", beta = "4e-8 s" }
+[[analysis]]
+name = "modes"
+kind = "eigen"
+region = { re = [-2000, 2000], im = [10, 2e6] }
+[[sweep]]
+name = "stiff"
+over = [{ key = "structure.material.youngs_modulus", from = "200 GPa", to = "220 GPa", points = 2 }]
+quantities = ["modes.eigenvalues.0.frequency_hz"]
+"#,
+    );
+    desk.succeed(&["check", "case.toml", "--memory", "64 MiB"]);
+    let said = desk.judder(&["run", "case.toml", "--only", "stiff", "--memory", "64 MiB"]);
+    assert_eq!(said.code, 1, "{}", said.stderr);
+    said.says("of memory are needed, and 67.1 MB are to be had, as was said");
+    let values = desk.path("out/case/results.zarr/stiff/values");
+    let chunks = std::fs::read_dir(values).unwrap().filter(|entry| {
+        let name = entry.as_ref().unwrap().file_name();
+        name.to_string_lossy().starts_with("c.")
+    });
+    assert_eq!(chunks.count(), 0);
+}
+
 #[test]
 fn parts_and_merge_say_what_is_wrong() {
     let desk = Desk::with_case(SWEEPS);

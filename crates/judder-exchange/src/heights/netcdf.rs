@@ -22,7 +22,7 @@ pub(super) fn read_netcdf(bytes: Vec<u8>, variable: Option<&str>) -> Result<Heig
     let packed = bytes.len() as u64;
     let file = NcFile::from_vec(bytes).map_err(unreadable)?;
     let matrix = chosen(file.variables().map_err(unreadable)?, variable)?;
-    check_room(matrix, packed, MemoryBudget::left_of_process())?;
+    check_room(matrix, packed, MemoryBudget::of_process())?;
     let mut table = oriented(numbers(&file, matrix)?, matrix)?;
     let transposed = is_transposed(matrix);
     let names = matrix.dimensions().iter().map(|dimension| dimension.name.as_str());

@@ -8,7 +8,7 @@ use super::Matrix;
 use super::mat_matrix::{SparseColumns, ask_for_numbers, complex, full_entries, only_matrix, whole_matrix};
 use crate::bytes::StoredNumber;
 use crate::cause::FileCause;
-use crate::door::check_unpacked;
+use crate::door::{ask, check_unpacked};
 use crate::error::ExchangeError;
 use hdf5_reader::group::Group;
 use hdf5_reader::{Attribute, ByteOrder, Dataset, Datatype, Hdf5File, OpenOptions};
@@ -36,14 +36,8 @@ struct HdfRoom {
 /// Reads the one real matrix, sparse or full, of a file; what is no matrix of numbers is passed over.
 pub(super) fn read_mat_hdf5(bytes: &[u8], budget: MemoryBudget) -> Result<Matrix, ExchangeError> {
     let room = HdfRoom { file: bytes.len() as u64, budget };
-    let chunk = OpenOptions::default().max_chunk_bytes as u64;
-    let options = OpenOptions {
-        // nothing is read twice
-        chunk_cache_bytes: 0,
-        // a chunk, and what is taken out of it
-        max_chunk_bytes: budget.most().div_euclid(2).min(chunk) as usize,
-        ..OpenOptions::default()
-    };
+    // nothing is read twice
+    let options = OpenOptions { chunk_cache_bytes: 0, ..OpenOptions::default() };
     let file = Hdf5File::from_bytes_with_options(bytes, options).map_err(damaged)?;
     let (groups, datasets) = file.root_group().and_then(|root| root.members()).map_err(damaged)?;
     if groups.len() + datasets.len() > MOST_VARIABLES {
@@ -141,6 +135,11 @@ impl HdfNumbers {
         };
         let count = dataset.num_elements().map_err(damaged)?;
         let size = stored.size() as u64;
+        if let Some(chunk) = dataset.chunks() {
+            // a chunk is unpacked as a whole, however little of it is in the array
+            let numbers = chunk.iter().fold(1_u128, |count, side| count.saturating_mul(u128::from(*side)));
+            ask(room.budget, "a chunk of an array", numbers.saturating_mul(u128::from(2 * size)))?;
+        }
         // the bytes, and the numbers that are made of them
         let needed = u128::from(count) * u128::from(size + 16);
         check_unpacked(count.saturating_mul(size), room.file, room.budget, needed)?;

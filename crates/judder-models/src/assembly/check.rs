@@ -1,7 +1,7 @@
 //! What `judder check` shows of an assembly case.
 
-use super::AssemblySubject;
 use super::build::{BuiltAssembly, BuiltBody, Unassembled, extent};
+use super::{AssemblySubject, eigen, frequency_response, limit_cycle, steady_sliding as steady};
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::joint::{SpringSettings, Tie};
 use crate::error::ModelError;
@@ -50,8 +50,15 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
     let names = case.analysis_names();
     let estimates = estimates(case, file, |name| AssemblySubject { case, built: &built, name })?;
     text.push_str(&words_text(&names, &estimates));
-    let untouched = never_touching(&built).map_err(|unassembled| unassembled.placed(file))?;
-    let warnings: Vec<String> = built.warnings.iter().cloned().chain(untouched).collect();
+    let doubt = match quickly_found(&built) {
+        QuicklyFound::Refused(reason) if slides_as_it_is(case) => {
+            return Err(Unassembled::because("structure", &reason).placed(file));
+        }
+        // along keys that change the bodies, and of marches on tracks at rest, it may be otherwise
+        QuicklyFound::Refused(reason) | QuicklyFound::Doubt(reason) => Some(reason),
+        QuicklyFound::Nothing => None,
+    };
+    let warnings: Vec<String> = built.warnings.iter().cloned().chain(doubt).collect();
     for warning in &warnings {
         text.push_str(&format!("\nwarning: {warning}\n"));
     }
@@ -71,8 +78,24 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
     Ok(Resolved { document, text })
 }
 
-/// That the loads of a case bring no contact point together, where that is quickly known; what any analysis is refused for, bodies that nothing holds.
-fn never_touching(built: &BuiltAssembly) -> Result<Option<String>, Unassembled> {
+/// Whether an analysis begins in steady sliding of the case as it is.
+fn slides_as_it_is(case: &AssemblyCase) -> bool {
+    let kinds = [steady::KIND, eigen::KIND, limit_cycle::KIND, frequency_response::KIND];
+    case.analyses.iter().any(|own| kinds.iter().any(|kind| kind.name == own.kind_name))
+}
+
+/// What is quickly found out about steady sliding.
+enum QuicklyFound {
+    /// Nothing that has to be told, or it takes longer.
+    Nothing,
+    /// The loads bring no contact point together.
+    Doubt(String),
+    /// There is none: something can move that nothing holds.
+    Refused(String),
+}
+
+/// Looks for steady sliding where that takes less than a second.
+fn quickly_found(built: &BuiltAssembly) -> QuicklyFound {
     /// Freedoms and contact points up to which steady sliding takes less than a second.
     const MOST_FREEDOMS: usize = 20_000;
     const MOST_POINTS: usize = 200;
@@ -80,16 +103,16 @@ fn never_touching(built: &BuiltAssembly) -> Result<Option<String>, Unassembled> 
     let points: usize = assembly.interfaces.iter().map(|interface| interface.points.len()).sum();
     let has_laws = built.spheres.iter().all(Option::is_none);
     if points == 0 || points > MOST_POINTS || assembly.size() > MOST_FREEDOMS || !has_laws {
-        return Ok(None);
+        return QuicklyFound::Nothing;
     }
     match Compliance::new(assembly).and_then(|compliance| steady_sliding(assembly, &compliance)) {
         Err(error @ AssemblyError::NothingCloses { .. }) => {
-            Ok(Some(format!("contact is never made: {error}")))
+            QuicklyFound::Doubt(format!("contact is never made: {error}"))
         }
         Err(error @ (AssemblyError::RigidMotion { .. } | AssemblyError::PushedOn { .. })) => {
-            Err(Unassembled::because("structure", &built.told(error)))
+            QuicklyFound::Refused(built.told(error).to_string())
         }
-        _ => Ok(None),
+        _ => QuicklyFound::Nothing,
     }
 }
 
@@ -133,7 +156,7 @@ impl KnownBody {
             true => match modes(&stiffness, &body.matrices.mass, WantedModes::Lowest(7)) {
                 Ok(found) => Some(found),
                 // a body that turns has been softened below zero, or the stiffness pushes
-                Err(StructureError::MissingModes { .. } | StructureError::InvalidNumber { .. }) => None,
+                Err(StructureError::MissingModes { .. } | StructureError::NotPositive { .. }) => None,
                 Err(error) => return Err(error.into()),
             },
             false => None,

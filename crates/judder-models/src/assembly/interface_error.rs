@@ -49,7 +49,11 @@ impl WithInterfaceFreedoms {
         asked: &AskedRegion,
     ) -> Result<Result<f64, String>, ModelError> {
         let about = Linearised::new(&self.built.assembly, &self.steady, terms)?;
-        let found = complex_modes(&about.problem, &asked.rectangle(), &complex_mode_settings())?;
+        let found = complex_modes(
+            &about.problem,
+            &asked.rectangle(),
+            &complex_mode_settings(about.problem.stiffness().val().len()),
+        )?;
         let found = asked_of(found, asked);
         let mut finer: Vec<Complex64> = found.modes.iter().map(|mode| mode.eigenvalue.value).collect();
         let (own, all) = (eigenvalues.len(), finer.len());

@@ -17,7 +17,7 @@ use judder_keys::Settings;
 use judder_nonsmooth::course::{Course, TimeFactor};
 use judder_numerics::complex::ElementaryComplex;
 use judder_structure::asked_region::AskedRegion;
-use judder_structure::complex_modes::{ComplexMode, Eigenvalue, Region, complex_modes};
+use judder_structure::complex_modes::{ComplexMode, ComplexModeSettings, Eigenvalue, Region, complex_modes};
 use judder_structure::eigen_sweep::{ProblemFamily, ProjectedProblem, SolvedPoint};
 use judder_structure::quadratic::Quadratic;
 use judder_study::Silent;
@@ -70,6 +70,8 @@ pub(super) struct SweptAssembly<'a> {
     terms: LinearisedTerms,
     /// That of the case as it is; `None` where it has none.
     compliance: Option<Arc<Compliance>>,
+    /// What all its searches of complex modes may take together.
+    pub(super) searching: ComplexModeSettings,
     /// Whether every point is held closed whatever its force.
     is_held: bool,
     /// The case with whole bodies, where these are meant.
@@ -118,6 +120,7 @@ impl<'a> SweptAssembly<'a> {
             keys,
             terms: LinearisedTerms { damping, friction_damping: damping },
             compliance: of.compliance().ok().map(Arc::new),
+            searching: complex_mode_settings(of.built.assembly.stiffness.val().len()),
             is_held: false,
             whole: None,
         }
@@ -216,7 +219,7 @@ impl<'a> SweptAssembly<'a> {
         state: &SlidingState,
         region: &Region,
     ) -> Result<SolvedPoint, ModelError> {
-        let found = complex_modes(&self.about(state)?.problem, region, &complex_mode_settings())?;
+        let found = complex_modes(&self.about(state)?.problem, region, &self.searching)?;
         Ok(SolvedPoint { modes: found.modes, gaps: found.gaps, full: true })
     }
 

@@ -119,11 +119,22 @@ impl<C: MotionCase, A: MotionOf<C::Keys>> Analysis<C> for MotionAnalysis<A> {
         let following = self.0.probed().following;
         let second = C::second(known);
         let each = if second.is_some() { point_bytes::MOTION_IN_SI } else { point_bytes::MOTION };
-        let mut of_points = memory_of_points(size.points as u128, each, keys);
+        let of_points = memory_of_points(size.points as u128, each, keys);
         if let Some(second) = second.filter(|_| self.0.is_heard()) {
             let unit = if following.duration.form == Form::Si { 1.0 } else { second };
-            let heard = following.duration.number * unit * f64::from(AUDIO_RATE);
-            of_points.beside = of_points.beside.saturating_add(heard as u128 * point_bytes::HEARD);
+            let heard = (following.duration.number * unit * f64::from(AUDIO_RATE)) as u128;
+            let of_sound = heard.saturating_mul(point_bytes::HEARD);
+            let beside = of_points.beside.saturating_add(of_sound);
+            return Ok(match of_sound < of_points.beside {
+                true => NeededMemory { beside, ..of_points },
+                false => NeededMemory {
+                    beside,
+                    what: format!("a sound of {heard} samples").into(),
+                    keys: &["sound"],
+                    advice: "hear the motion over a shorter `duration`, or leave out `sound`",
+                    ..of_points
+                },
+            });
         }
         // what a look at their beginnings would take is more than changes of shorter ones do
         let long = if following.duration.form == Form::Group { 5e4 } else { 10.0 };

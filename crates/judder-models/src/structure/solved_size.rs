@@ -1,12 +1,11 @@
 //! What solving one structure needs of memory.
 
 use super::build::Structure;
-use judder_memory::HeldMemory;
-use judder_numerics::parallel;
+use judder_memory::{HeldMemory, MemoryBudget};
 use judder_structure::assembly::Sparse;
 use judder_structure::complex_modes::{ComplexModeSettings, likely_bytes_of_shift};
 use judder_structure::factor::likely_entries;
-use judder_study::model::{MemoryBound, NeededMemory};
+use judder_study::model::{MemoryBound, NeededMemory, PROGRAM_BYTES};
 
 /// Bytes an entry of the stiffness: stiffness and mass, those of the shift, and what is left of making them.
 const ENTRY_BYTES: f64 = 135.0;
@@ -53,9 +52,9 @@ pub(super) fn complex_modes(structure: &Structure) -> NeededMemory {
     damped(structure, "complex modes", DISCS, vectors)
 }
 
-/// Of receptances at so many frequencies: each thread holds the factors of one.
-pub(super) fn receptances(structure: &Structure, points: usize) -> NeededMemory {
-    damped(structure, "receptances", parallel::threads().min(points) as f64, 0.0)
+/// Of receptances: each thread holds the factors of a frequency, one at least.
+pub(super) fn receptances(structure: &Structure) -> NeededMemory {
+    damped(structure, "receptances", 1.0, 0.0)
 }
 
 /// Of so many factors of λ²M + λC + K at a time, each with vectors of so many bytes.
@@ -66,9 +65,19 @@ fn damped(structure: &Structure, what: &str, factors: f64, vectors: f64) -> Need
     NeededMemory { beside: bytes as u128, keys: &[], ..needed(structure, what) }
 }
 
-/// What searches of complex modes may take: what the process may, all of an analysis together.
-pub(crate) fn complex_mode_settings() -> ComplexModeSettings {
-    ComplexModeSettings { memory: HeldMemory::of_process(), ..ComplexModeSettings::default() }
+/// What searches of complex modes may take together, beside the program and matrices with so many entries in the stiffness.
+pub(crate) fn complex_mode_settings(entries: usize) -> ComplexModeSettings {
+    ComplexModeSettings { memory: beside_matrices(entries), ..ComplexModeSettings::default() }
+}
+
+/// What may be held beside the program and such matrices.
+pub(super) fn beside_matrices(entries: usize) -> HeldMemory {
+    HeldMemory::of(MemoryBudget::of_process_beside(PROGRAM_BYTES + (ENTRY_BYTES * entries as f64) as u128))
+}
+
+/// Entries of the stiffness or the mass of a structure, whichever has more.
+pub(super) fn entries(structure: &Structure) -> usize {
+    fullest(structure).map_or(0, |matrix| matrix.val().len())
 }
 
 /// The same of a reduction: measured of these bars 230 and 305.

@@ -7,7 +7,7 @@ use std::{fs, io};
 
 use crate::manifest::{self, FileRecord, SoundFiles};
 use crate::name::check_name;
-use crate::sweep::{self, ChunkFile, SweepLayout};
+use crate::sweep::{self, ChunkFile, SweepChunks, SweepLayout};
 use crate::{
     FileDamage, LARGEST_DOCUMENT, Status, StoreError, StudyFolder, Summary, plain, results, scratch, staging,
     summary,
@@ -17,8 +17,8 @@ use crate::{
 const KEPT_WHILE_RUNNING: &[&str] = &[scratch::OF_ANALYSIS, staging::STREAM_PREFIX];
 
 impl StudyFolder {
-    /// Writes anew what frames the chunks of a sweep, coordinates and metadata, where that is known to be damaged, or a run was killed that wrote it
-    /// anew; whether it was. The sweep then has to be finished again.
+    /// Writes anew what frames the chunks of a sweep, coordinates and metadata, where that is known to be damaged, a run was killed that wrote it
+    /// anew, or nothing lists it; whether it is known. The sweep then has to be finished again.
     ///
     /// # Errors
     /// Failures of the file system.
@@ -26,16 +26,22 @@ impl StudyFolder {
         let below = format!("{}/{}/", results::FOLDER, layout.name());
         let chunks = format!("{below}{}", sweep::CHUNKS);
         let is_frame = |path: &str| path.starts_with(&below) && !path.starts_with(&chunks);
-        match self.refuse_damaged(&below, is_frame) {
-            Err(StoreError::Damaged { damage, .. }) if damage.is_damage() => {}
-            Ok(()) if sweep::has_frame(&self.path, layout)? => return Ok(false),
-            Ok(()) => {}
+        let is_listed = self.manifest().manifest().files.keys().any(|path| is_frame(path));
+        let is_whole = match self.refuse_damaged(&below, is_frame) {
+            Err(StoreError::Damaged { damage, .. }) if damage.is_damage() => false,
+            Ok(()) => sweep::has_frame(&self.path, layout)?,
             Err(error) => return Err(error),
+        };
+        if is_whole {
+            // where no list tells, nothing but the group says what it is; the rest may be anything
+            if is_listed || !matches!(SweepChunks::look(&self.path, layout), Ok(Some(_))) {
+                return Ok(false);
+            }
         }
         self.manifest().begin(&[layout.name()])?;
         sweep::mend(&self.path, layout)?;
         self.consolidate()?;
-        Ok(true)
+        Ok(!is_whole)
     }
 
     /// Lists all files of a sweep whose chunks are all there. Those of `chunks` are listed as they were read; all others are read.
@@ -110,17 +116,15 @@ impl StudyFolder {
                 continue;
             }
             // a list that names what lies elsewhere is none of this crate's
-            if let Ok(place) = self.inner_place(Path::new(left))
-                && !place.is_dir()
-            {
-                judder_disk::remove(&place).map_err(|source| StoreError::write(&place, 0, source))?;
+            if let Ok(place) = self.inner_place(Path::new(left)) {
+                super::remove_file(&place)?;
             }
         }
         Ok(())
     }
 
     /// Takes these results off the list of what the study holds, before they are computed anew: a run that is killed then leaves no list that names
-    /// what it was about to replace.
+    /// what it was about to replace, but for chunks of sweeps, which are the same when they are computed again.
     ///
     /// # Errors
     /// Failures of the file system.

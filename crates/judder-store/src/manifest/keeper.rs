@@ -15,7 +15,7 @@ const YOUNG: Duration = Duration::from_secs(1);
 /// The manifest of a study that is held alone.
 ///
 /// What is about to change is taken off the list on the disk first, and comes back with its new content. So a run that is killed, at any instant,
-/// leaves a list of which every entry is true: what it was about is not on it, and is computed again.
+/// leaves a list of which every entry is true: what it was about is not on it, and is computed again. Of chunks of sweeps it says what they are when they are whole.
 #[derive(Debug)]
 pub(crate) struct ManifestKeeper {
     study: PathBuf,
@@ -72,8 +72,8 @@ impl ManifestKeeper {
         self.sound = sound;
     }
 
-    /// Takes off the list what these results are and have, before they are computed anew. Chunks of sweeps stay on it: computed again they are the same,
-    /// and one that is not is known by that.
+    /// Takes off the list what these results are and have, before they are computed anew. Chunks of sweeps stay on it: computed again they are the same, and
+    /// one of another case in the place of a listed one is known by that.
     ///
     /// # Errors
     /// A failure of the file system.

@@ -3,6 +3,7 @@
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
 
 use super::damage::ChunkDamage;
 use super::layout::SweepLayout;
@@ -17,6 +18,8 @@ pub struct SweepChunks {
     layout: SweepLayout,
     /// The folder of the array `values`.
     pub(super) folder: PathBuf,
+    /// What the study lists, read where a chunk of another case is found.
+    list: Arc<OnceLock<Manifest>>,
 }
 
 /// What is known of a chunk.
@@ -69,7 +72,7 @@ pub struct SweepFailure {
 
 impl SweepChunks {
     pub(super) fn new(layout: &SweepLayout, folder: PathBuf) -> Self {
-        Self { layout: layout.clone(), folder }
+        Self { layout: layout.clone(), folder, list: Arc::default() }
     }
 
     /// Looks at a sweep in a study folder, which may be read-only; `None` where it is not begun.
@@ -215,7 +218,7 @@ impl SweepChunks {
         }
         let study = self.folder.ancestors().nth(group::DEPTH).unwrap_or(&self.folder);
         // a list that cannot be read says nothing
-        let list = Manifest::read(study).ok().flatten().unwrap_or_default();
+        let list = self.list.get_or_init(|| Manifest::read(study).ok().flatten().unwrap_or_default());
         let listed = manifest::relative(study, path).and_then(|path| list.files.get(&path).cloned());
         Ok(match listed.map(|record| manifest::check(path, &record, true)) {
             Some(Err(damage)) if damage.is_damage() => ChunkEnd::Damaged(ChunkDamage::OtherCase),
@@ -248,6 +251,9 @@ impl SweepChunks {
     fn record(&self, chunk: usize, points: usize) -> Result<Record, StoreError> {
         let path = self.path(chunk)?;
         let read = || -> io::Result<ChunkEnd> {
+            if plain::is_link(&path) {
+                return Ok(ChunkEnd::Damaged(ChunkDamage::NoRecord));
+            }
             let mut file = plain::open(&path)?;
             let size = file.metadata()?.len();
             let before = size.saturating_sub(TRAILER_BYTES as u64);

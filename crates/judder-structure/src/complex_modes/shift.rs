@@ -3,7 +3,7 @@
 use crate::StructureError;
 use crate::assembly::Sparse;
 use crate::factor::general::GeneralFactor;
-use crate::factor::likely_entries;
+use crate::factor::{FactorPattern, likely_entries};
 use crate::quadratic::{MatrixSide, Quadratic};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::PartialPivLuParams;
@@ -38,6 +38,19 @@ const SUFFICIENT: f64 = 1e-12;
 const HELD_BYTES: f64 = 32.0;
 /// The same while they are made, with what waits to be added to blocks.
 const MAKING_BYTES: f64 = 44.0;
+
+/// Bytes that the factors at one shift take while they are made.
+fn making_bytes(pattern: &FactorPattern) -> u64 {
+    (MAKING_BYTES * pattern.entries() as f64) as u64
+}
+
+/// How many of these factors fit into what is left at once; one at least.
+///
+/// # Errors
+/// [`StructureError::OutOfMemory`].
+pub(crate) fn shifts_at_once(problem: &Quadratic, memory: &HeldMemory) -> Result<usize, StructureError> {
+    if problem.size() < LARGE { Ok(usize::MAX) } else { Ok(memory.fit(making_bytes(&problem.pattern()?))) }
+}
 
 /// Bytes that the factors at one shift are likely to take at most, from the fullest of the matrices: before an order of elimination is sought.
 #[must_use]
@@ -82,7 +95,7 @@ impl ShiftedFactor {
         let mut taken = memory.take(0)?;
         if problem.size() >= LARGE {
             let pattern = problem.pattern()?;
-            taken.take((MAKING_BYTES * pattern.entries() as f64) as u64)?;
+            taken.take(making_bytes(&pattern))?;
             if let Some(factor) = GeneralFactor::new(&pattern, &matrix)? {
                 taken.keep((HELD_BYTES * pattern.entries() as f64) as u64);
                 let factor = Self { shift, factors: ShiftedFactors::OfBlocks(factor), taken };

@@ -312,8 +312,13 @@ fn way(plan: &SweepPlan, progress: &dyn Progress) -> Result<EvaluationWay, Study
     Ok(EvaluationWay::Anew(model.preflight(&plan.file, &|name| names.contains(&name))?))
 }
 
-/// Whether an error is not of the point: another time it may be computed.
+/// Whether an error is not of the point: another time, or with more memory, it may be computed.
 fn is_passing(error: &StudyError) -> bool {
+    if let Some(beyond) = error.beyond_memory() {
+        // whichever thread was refused, this one can put the chunk off
+        beyond.note();
+        return true;
+    }
     matches!(
         error,
         StudyError::Interrupted

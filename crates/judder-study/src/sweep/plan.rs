@@ -34,8 +34,8 @@ const FEWEST_SEARCHES: u64 = 1 << 8;
 /// Bytes that a value of a key of a grid takes: as it is computed, as a coordinate, and as that is written.
 const VALUE_BYTES: u128 = 24;
 
-/// Bytes that a value takes of which sensitivities are found, as it is kept, sorted into rows and scaled: measured of 2 097 152 points of two quantities 19 with one
-/// more of them, whose copies are made one quantity at a time.
+/// Bytes that a value takes of which sensitivities are found: as it is kept, and the copies of one quantity at a time, which count as one quantity more. Measured of two
+/// quantities at 2 097 152 points 19.
 const SENSITIVITY_BYTES: u128 = 20;
 
 /// What one column of the stored values is.

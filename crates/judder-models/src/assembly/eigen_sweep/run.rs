@@ -15,7 +15,6 @@ use judder_study::axis::SweptAxis;
 use judder_study::kept::KeptLines;
 use judder_study::outcome::Outcome;
 use judder_study::{Progress, StudyError, Untold};
-use std::collections::BTreeMap;
 
 /// What is told of a sweep beside its eigenvalues.
 #[derive(Results)]
@@ -77,9 +76,13 @@ pub(super) fn run(
         false => None,
     };
     let told = ToldSweep::new(settings, &axis, &solved, all_closed.as_ref(), of_reduction);
-    let mut values_by_reason: BTreeMap<&str, Vec<String>> = BTreeMap::new();
-    for failure in &told.failures {
-        values_by_reason.entry(&failure.reason).or_default().push(sweep.text(failure.value));
+    let mut values_by_reason: Vec<(&str, Vec<String>)> = Vec::new();
+    for ToldFailure { value, reason } in &told.failures {
+        let value = sweep.text(*value);
+        match values_by_reason.iter_mut().find(|(known, _)| known == reason) {
+            Some((_, values)) => values.push(value),
+            None => values_by_reason.push((reason, vec![value])),
+        }
     }
     let failed = values_by_reason
         .iter()

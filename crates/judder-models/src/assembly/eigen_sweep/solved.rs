@@ -4,7 +4,6 @@ use crate::assembly::swept::{SlidingState, SweptAssembly};
 use crate::error::ModelError;
 use crate::structure::eigen_sweep::kept_points::KeptPoints;
 use crate::structure::eigen_sweep::onsets::LocatedOnsets;
-use crate::structure::solved_size::complex_mode_settings;
 use judder_numerics::parallel;
 use judder_structure::complex_modes::Region;
 use judder_structure::eigen_sweep::{PreparedSweep, SolvedPoint, SweepMethod, SweptEigenvalues, followed};
@@ -35,7 +34,7 @@ impl SolvedSweep {
         let prepared = groups
             .iter()
             .map(|group| {
-                PreparedSweep::new(family, group.points(&states), region, complex_mode_settings(), method)
+                PreparedSweep::new(family, group.points(&states), region, family.searching.clone(), method)
             })
             .collect::<Result<Vec<_>, _>>()?;
         // who runs analyses takes the last step of each

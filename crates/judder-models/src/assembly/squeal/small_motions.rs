@@ -64,7 +64,7 @@ impl KnownSmallMotions {
         (band, in_band): ([f64; 2], &ComplexModes),
         bends: bool,
     ) -> Result<Self, ModelError> {
-        let all = all_complex_modes(problem, &complex_mode_settings())?;
+        let all = all_complex_modes(problem, &complex_mode_settings(problem.stiffness().val().len()))?;
         let of_band = values(in_band);
         Ok(match all.as_ref().map(|all| (values(all), all.complete())) {
             Some((of_all, true)) => Self::new(&of_all, None, true, bends),

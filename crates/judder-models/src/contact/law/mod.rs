@@ -23,7 +23,7 @@ use run::ToldLaw;
 use serde_json::{Map, Value as Json};
 use std::sync::Arc;
 
-/// Bytes of a point of speed and indentation: what the law holds of it, and its arrays, tables and figures. Measured of 500², 1000² and 2000² points: 170 to 210.
+/// Bytes of a point of speed and indentation: what the law holds of it, and its arrays, tables and figures. Measured of 1000² and 2000² points: 180 and 170.
 const KNOT_BYTES: u128 = 175;
 
 /// The kind.

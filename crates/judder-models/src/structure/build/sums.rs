@@ -7,14 +7,19 @@ use judder_exchange::freedom_table::read_freedoms;
 use judder_exchange::matrix::{Matrix, Triangle, read_matrix, read_stored_matrix};
 use judder_exchange::system::{NamedMatrix, SystemParts};
 use judder_keys::cause::Cause;
+use judder_memory::{HeldMemory, MemoryBudget, TakenMemory};
 use judder_numerics::parallel;
 use judder_structure::affine::{AffineFamily, Factors, Term};
 use judder_structure::freedom::Freedom;
+use judder_study::model::PROGRAM_BYTES;
 
 /// Reads the files of all terms and makes sums of them.
 pub(super) fn structure(sums: &MatrixSums) -> Result<Structure, Unbuilt> {
-    let [mass, damping, stiffness] = sums.sums().map(|(name, terms)| read(name, terms));
-    let read = [mass?, damping?, stiffness?];
+    let memory = HeldMemory::of(MemoryBudget::of_process_beside(PROGRAM_BYTES));
+    let [mass, damping, stiffness] = sums.sums().map(|(name, terms)| read(name, terms, &memory));
+    let ((mass, _of_mass), (damping, _of_damping), (stiffness, _of_stiffness)) =
+        (mass?, damping?, stiffness?);
+    let read = [mass, damping, stiffness];
     let table = match &sums.freedoms {
         None => None,
         Some(file) => Some(read_freedoms(&file.path).map_err(|error| {
@@ -40,8 +45,16 @@ pub(super) fn factors(sums: &MatrixSums, values: &[f64]) -> Result<Factors, Caus
     Ok(Factors { mass: of(&sums.mass)?, damping: of(&sums.damping)?, stiffness: of(&sums.stiffness)? })
 }
 
-fn read(name: &str, terms: &[MatrixTerm]) -> Result<Vec<Matrix>, Unbuilt> {
-    parallel::try_each_place(terms.len(), |index| {
+/// The matrices of the files of a sum, and what of the memory they and the terms that are made of them hold.
+fn read(
+    name: &str,
+    terms: &[MatrixTerm],
+    memory: &HeldMemory,
+) -> Result<(Vec<Matrix>, Vec<TakenMemory>), Unbuilt> {
+    /// Bytes an entry: as it was read, as a term, and in what the terms make. Measured of two and of 18 diagonals of 2 000 000 entries 80 and 60.
+    const ENTRY_BYTES: u64 = 70;
+    let read = parallel::try_each_place(terms.len(), |index| {
+        let path_of_term = || format!("matrices.{name}.{index}.file");
         let term = &terms[index];
         let path = &term.file.path;
         let mirrored = |triangle| read_stored_matrix(path).and_then(|matrix| matrix.mirrored(triangle));
@@ -51,11 +64,16 @@ fn read(name: &str, terms: &[MatrixTerm]) -> Result<Vec<Matrix>, Unbuilt> {
             StoredPart::Upper => mirrored(Triangle::Upper),
             StoredPart::AsStored => read_stored_matrix(path),
         };
-        matrix.map_err(|error| {
+        let matrix = matrix.map_err(|error| {
             let reason = error.to_string();
-            Unbuilt::new(format!("matrices.{name}.{index}.file"), StructureProblem::File { reason })
-        })
-    })
+            Unbuilt::new(path_of_term(), StructureProblem::File { reason })
+        })?;
+        let held = memory.take(ENTRY_BYTES * matrix.entries.len() as u64);
+        let held =
+            held.map_err(|source| Unbuilt::new(path_of_term(), StructureProblem::Memory { source }))?;
+        Ok((matrix, held))
+    });
+    Ok(read?.into_iter().unzip())
 }
 
 /// Whether the matrices make one structure.

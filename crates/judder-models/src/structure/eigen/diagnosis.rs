@@ -248,7 +248,7 @@ fn components(undamped: &Undamped, highest: f64) -> Result<Vec<Mode>, ModelError
         Sparse::try_new_from_triplets(rows, rows, &[]).map_err(|_| StructureError::OutOfMemory { rows })?;
     let problem = Quadratic::new(mass.clone(), none, stiffness.clone())?;
     let strip = Region { re: [-STRIP * highest, STRIP * highest], im: [0.0, highest] };
-    let found = complex_modes(&problem, &strip, &complex_mode_settings())?;
+    let found = complex_modes(&problem, &strip, &complex_mode_settings(stiffness.val().len()))?;
     Ok(found.modes.iter().map(|mode| real(mass, mode)).collect())
 }
 

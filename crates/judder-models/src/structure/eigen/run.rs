@@ -72,7 +72,7 @@ pub(crate) fn run(
 
 /// The complex modes of a region, by imaginary, then by real part.
 pub(crate) fn found(problem: &Quadratic, sought: &Region) -> Result<ComplexModes, ModelError> {
-    let mut found = complex_modes(problem, sought, &complex_mode_settings())?;
+    let mut found = complex_modes(problem, sought, &complex_mode_settings(problem.stiffness().val().len()))?;
     found.modes.sort_by(|a, b| in_order(&a.eigenvalue, &b.eigenvalue));
     Ok(found)
 }

@@ -9,7 +9,7 @@ use crate::error::ModelError;
 use crate::labels::parameter;
 use crate::structure::build::{Structure, factors};
 use crate::structure::case::StructureCase;
-use crate::structure::solved_size::complex_mode_settings;
+use crate::structure::solved_size::{complex_mode_settings, entries};
 use judder_numerics::complex::ElementaryComplex;
 use judder_store::Results;
 use judder_structure::affine::Factors;
@@ -42,7 +42,7 @@ pub(super) fn run(
         &structure.family,
         points.iter().flatten().collect(),
         &region,
-        complex_mode_settings(),
+        complex_mode_settings(entries(structure)),
         settings.method,
     )?;
     let values = &settings.sweep.values;
@@ -131,7 +131,7 @@ fn against_full(
     let mut found = Disagreement::default();
     for point in &chosen {
         let problem = structure.family.at(factors[*point])?;
-        let full = complex_modes(&problem, region, &complex_mode_settings())?;
+        let full = complex_modes(&problem, region, &complex_mode_settings(entries(structure)))?;
         let projected = points[*point].eigenvalues.iter().map(|tracked| tracked.eigenvalue).collect();
         let full = full.modes.iter().map(|mode| mode.eigenvalue).collect();
         compare(projected, full, &mut found);

@@ -62,7 +62,7 @@ impl Analysis<StructureCase> for ReceptanceAnalysis {
     }
 
     fn memory(&self, of: &StructureSubject<'_>) -> Result<NeededMemory, ModelError> {
-        Ok(solved_size::receptances(of.structure, self.points))
+        Ok(solved_size::receptances(of.structure))
     }
 
     fn estimate(&self, _: &StructureSubject<'_>) -> Result<String, ModelError> {

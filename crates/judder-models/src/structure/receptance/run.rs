@@ -5,6 +5,7 @@ use super::settings::{FreedomPlace, NotOneFreedom, ReceptanceAnalysis};
 use crate::error::ModelError;
 use crate::structure::build::{Structure, StructureLayout, points_of};
 use crate::structure::case::StructureCase;
+use crate::structure::solved_size::beside_matrices;
 use crate::written::written;
 use judder_exchange::ExchangeError;
 use judder_exchange::geometry::Geometry;
@@ -13,7 +14,6 @@ use judder_exchange::universal::{
     write_units,
 };
 use judder_keys::cause::Cause;
-use judder_memory::HeldMemory;
 use judder_numerics::complex::ElementaryComplex;
 use judder_store::Results;
 use judder_structure::freedom::Direction;
@@ -70,7 +70,7 @@ pub(super) fn run(
     let observed = freedom("observed", &asked.observed, structure)?;
     let problem = structure.at(case, &case.values())?;
     let frequencies = asked.frequencies();
-    let memory = HeldMemory::of_process();
+    let memory = beside_matrices(problem.stiffness().val().len());
     let mut found = Vec::with_capacity(frequencies.len());
     for some in frequencies.chunks(TOGETHER) {
         if progress.interrupted() {

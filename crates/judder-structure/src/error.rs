@@ -158,9 +158,9 @@ pub enum StructureError {
     /// Factors and vectors would take more memory than there is for them.
     #[error("{beyond}; {}", beyond.remedy_or("mesh coarser, or ask for a narrower region"))]
     BeyondMemory {
-        /// How much, and how much there is.
-        #[from]
-        beyond: BeyondMemory,
+        /// How much, and how much there is; errors that hold this one would be large with it.
+        #[source]
+        beyond: Box<BeyondMemory>,
     },
     /// Two matrices are not of one structure.
     #[error("a matrix of {} × {} and one of {} × {} do not belong to one structure: both must be square and of one size", first[0], first[1], second[0], second[1])]
@@ -341,4 +341,10 @@ pub enum StructureError {
         /// How many matrices.
         terms: usize,
     },
+}
+
+impl From<BeyondMemory> for StructureError {
+    fn from(beyond: BeyondMemory) -> Self {
+        Self::BeyondMemory { beyond: Box::new(beyond) }
+    }
 }

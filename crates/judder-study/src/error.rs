@@ -248,8 +248,9 @@ impl StudyError {
     pub fn beyond_memory(&self) -> Option<BeyondMemory> {
         let mut error: Option<&(dyn Error + 'static)> = Some(self);
         while let Some(own) = error {
-            if let Some(beyond) = own.downcast_ref::<BeyondMemory>() {
-                return Some(*beyond);
+            let boxed = || own.downcast_ref::<Box<BeyondMemory>>().map(|boxed| **boxed);
+            if let Some(beyond) = own.downcast_ref::<BeyondMemory>().copied().or_else(boxed) {
+                return Some(beyond);
             }
             error = own.source();
         }

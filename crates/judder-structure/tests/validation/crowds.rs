@@ -160,7 +160,7 @@ fn a_search_that_would_hold_too_much_is_refused_and_holds_nothing_afterwards() {
     // the vectors of a basis alone take as much
     let (refused, given_back) = within(100_000);
     assert!(
-        matches!(refused, Err(StructureError::BeyondMemory { beyond }) if beyond.budget == 100_000),
+        matches!(&refused, Err(StructureError::BeyondMemory { beyond }) if beyond.budget == 100_000),
         "{refused:?}"
     );
     assert!(given_back);

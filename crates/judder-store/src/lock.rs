@@ -48,18 +48,22 @@ impl Drop for Lock {
 
 /// Locks a file, which is made where there is none; `None` while another holds it.
 pub(crate) fn try_lock(path: &Path, mode: LockMode) -> Result<Option<Lock>, StoreError> {
-    let mut file = open(path)?;
-    let locked = loop {
-        let locked = match mode {
-            LockMode::Alone => file.try_lock(),
-            LockMode::Shared => file.try_lock_shared(),
-        };
-        // who cleared the place meanwhile has locked another file
-        if locked.is_err() || is_at(path, &file) {
-            break locked;
-        }
-        file = open(path)?;
+    /// A file system that numbers a file anew at each look is believed after so many.
+    const LOOKS: usize = 3;
+    let lock = |file: &File| match mode {
+        LockMode::Alone => file.try_lock(),
+        LockMode::Shared => file.try_lock_shared(),
     };
+    let mut file = open(path)?;
+    let mut locked = lock(&file);
+    for _ in 1..LOOKS {
+        if locked.is_err() || is_at(path, &file) {
+            break;
+        }
+        // who cleared the place meanwhile has locked another file
+        file = open(path)?;
+        locked = lock(&file);
+    }
     match locked {
         Ok(()) => {
             let file = Arc::new(file);

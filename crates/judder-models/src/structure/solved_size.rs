@@ -46,7 +46,7 @@ const DISCS: f64 = 2.0;
 /// Vectors of a disc at least, from either side, with their velocities.
 const VECTORS: f64 = 64.0;
 
-/// Of complex modes.
+/// Of complex modes: of plates of 10 000 and 40 000 freedoms and a cube of 12 000, whose regions two discs cover, 0.9 to 1 of what one thread takes is told.
 pub(super) fn complex_modes(structure: &Structure) -> NeededMemory {
     let vectors = 2.0 * VECTORS * 16.0 * structure.family.size() as f64;
     damped(structure, "complex modes", DISCS, vectors)
@@ -80,7 +80,7 @@ pub(super) fn entries(structure: &Structure) -> usize {
     fullest(structure).map_or(0, |matrix| matrix.val().len())
 }
 
-/// The same of a reduction: measured of these bars 230 and 305.
+/// The same of a reduction: measured of bars of bricks with 1800 and 19 900 freedoms 230 and 305 bytes an entry of the stiffness.
 pub(super) fn reduced(structure: &Structure) -> NeededMemory {
     scaled(undamped(structure, "a reduction"), 1.4)
 }

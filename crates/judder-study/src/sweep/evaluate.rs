@@ -8,7 +8,7 @@ use crate::fault::fault_told;
 use crate::model::{OperatingPoints, OperatingQuantity, Prepared, placed};
 use crate::outcome::{CheckRecord, Outcome};
 use crate::progress::{Progress, Untold};
-use judder_memory::{Crowded, MemoryBudget};
+use judder_memory::{BeyondMemory, Crowded, MemoryBudget};
 use judder_store::{PointFailure, StoredChunk};
 use std::borrow::Cow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -103,8 +103,11 @@ impl<'a> Evaluator<'a> {
         chunk: usize,
         progress: &dyn Progress,
     ) -> Result<StoredChunk, ChunkStop> {
+        // whichever thread was refused memory, this one puts the chunk off
+        let note = |error: &StudyError| error.beyond_memory().into_iter().for_each(BeyondMemory::note);
         self.chunk_of(chunk, progress, |point| {
-            Ok(MemoryBudget::shared_or_crowded(at_once, point).map_err(ChunkStop::Crowded)??)
+            let noted = || point().inspect_err(note);
+            Ok(MemoryBudget::shared_or_crowded(at_once, noted).map_err(ChunkStop::Crowded)??)
         })
     }
 
@@ -314,18 +317,14 @@ fn way(plan: &SweepPlan, progress: &dyn Progress) -> Result<EvaluationWay, Study
 
 /// Whether an error is not of the point: another time, or with more memory, it may be computed.
 fn is_passing(error: &StudyError) -> bool {
-    if let Some(beyond) = error.beyond_memory() {
-        // whichever thread was refused, this one can put the chunk off
-        beyond.note();
-        return true;
-    }
-    matches!(
+    let is_of_machine = matches!(
         error,
         StudyError::Interrupted
             | StudyError::Store(_)
             | StudyError::Unreadable { .. }
             | StudyError::FileChanged { .. }
-    )
+    );
+    is_of_machine || error.beyond_memory().is_some()
 }
 
 /// The reason of a point without values; what was computed of it goes too.

@@ -75,16 +75,25 @@ def test_what_belongs_to_another_case_is_refused(run, case, tmp_path):
     assert "results.zarr/map" in said.stderr and "--fresh" in said.stderr
     assert {name: before[name] for name in before if "values/c." in name}.items() <= tree(tmp_path / "study").items()
 
-    # a chunk of another case among ours
+    # a chunk of another case in the place of one that the study lists is damage
     ours, theirs = chunks(tmp_path / "study")[5], chunks(tmp_path / "other")[5]
     ours.unlink()
     shutil.copy(theirs, ours)
-    said = run("run", "case.toml", "-o", "study", code=2)
-    assert ours.name in said.stderr and "another case" in said.stderr
-    assert ours.read_bytes() == theirs.read_bytes(), "what is not ours is not overwritten"
-    ours.unlink()
-    run("run", "case.toml", "-o", "study")
+    said = run("run", "case.toml", "-o", "study")
+    assert f"/{ours.name}: " in said.stderr and "1 damaged chunk was computed anew" in said.stderr
     assert tree(tmp_path / "study") == before
+
+    # where no list tells what belongs here, it is not ours to overwrite
+    run("run", "case.toml", "-o", "part", "--shard", "1/2")
+    done = {path.name for path in chunks(tmp_path / "part")}
+    theirs = next(path for path in chunks(tmp_path / "other") if path.name not in done)
+    foreign = shutil.copy(theirs, chunks(tmp_path / "part")[0].with_name(theirs.name))
+    said = run("run", "case.toml", "-o", "part", code=2)
+    assert theirs.name in said.stderr and "another case" in said.stderr
+    assert foreign.read_bytes() == theirs.read_bytes(), "what is not ours is not overwritten"
+    foreign.unlink()
+    run("run", "case.toml", "-o", "part")
+    assert tree(tmp_path / "part") == before
 
     run("run", "case.toml", "-o", "study", "--fresh", "--set", "operation.normal_load=2e-5")
     assert_same(tmp_path / "other", tmp_path / "study")

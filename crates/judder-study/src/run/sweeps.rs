@@ -278,7 +278,9 @@ fn mended(
 }
 
 fn anew(name: &str, count: usize) -> String {
-    format!("{name}: {count} damaged chunks were computed anew")
+    let chunks =
+        if count == 1 { "1 damaged chunk was".to_owned() } else { format!("{count} damaged chunks were") };
+    format!("{name}: {chunks} computed anew")
 }
 
 fn of_chunks(count: usize) -> String {

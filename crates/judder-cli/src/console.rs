@@ -2,11 +2,12 @@
 
 use std::ffi::OsString;
 use std::fmt::Display;
-use std::io::{self, ErrorKind, IsTerminal, Write};
+use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
 use std::sync::{Mutex, PoisonError};
 
 use clap::ValueEnum;
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme};
+use serde::Serialize;
 use serde_json::{Value, json};
 use terminal_size::{Width, terminal_size_of};
 
@@ -103,19 +104,23 @@ impl Console {
     ///
     /// # Errors
     /// Standard output cannot be written; a reader that has gone is none.
-    pub(crate) fn result(
+    pub(crate) fn result<D: Serialize>(
         self,
         text: impl FnOnce() -> String,
-        json: impl FnOnce() -> Value,
+        json: impl FnOnce() -> D,
     ) -> Result<(), Failure> {
-        if self.json { write_document(&json()) } else { write_output(&text()) }
+        if self.json {
+            write_document(&json())
+        } else {
+            write_output(|output| output.write_all(text().as_bytes()))
+        }
     }
 
     /// Prints the result of a command that has one only for `--json`.
     ///
     /// # Errors
     /// As [`Console::result`].
-    pub(crate) fn document(self, json: impl FnOnce() -> Value) -> Result<(), Failure> {
+    pub(crate) fn document<D: Serialize>(self, json: impl FnOnce() -> D) -> Result<(), Failure> {
         self.result(String::new, json)
     }
 
@@ -206,19 +211,22 @@ fn write_message(text: &str) {
     let _ = anstream::stderr().write_all(text.as_bytes());
 }
 
-/// Writes the document, where none stands there yet.
-fn write_document(document: &Value) -> Result<(), Failure> {
+/// Writes the document as it is made, where none stands there yet: that of a large study does not lie in memory once more.
+fn write_document(document: &impl Serialize) -> Result<(), Failure> {
     let mut has_document = HAS_DOCUMENT.lock().unwrap_or_else(PoisonError::into_inner);
     if *has_document {
         return Ok(());
     }
     *has_document = true;
-    write_output(&format!("{document:#}\n"))
+    write_output(|output| {
+        serde_json::to_writer_pretty(&mut *output, document)?;
+        output.write_all(b"\n")
+    })
 }
 
-fn write_output(text: &str) -> Result<(), Failure> {
-    let mut output = io::stdout().lock();
-    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
+fn write_output(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    let mut output = BufWriter::new(io::stdout().lock());
+    match write(&mut output).and_then(|()| output.flush()) {
         // `judder schema | head -1`: the reader has what it wants.
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         written => written.map_err(Failure::output),

@@ -33,7 +33,8 @@ impl ExamplesArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let Some(name) = &self.name else {
             let all = examples();
-            let document = || all.iter().map(|own| json!({ "name": own.name, "title": own.title })).collect();
+            let document =
+                || all.iter().map(|own| json!({ "name": own.name, "title": own.title })).collect::<Vec<_>>();
             console.result(|| listed(&all), document)?;
             return Ok(Exit::Done);
         };

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use clap::Args;
 use judder_study::home;
 use judder_study::run::{RunOptions, SweepWork, run};
-use serde_json::json;
 
 use super::CaseArguments;
 use super::run::tell;
@@ -50,7 +49,7 @@ impl MergeArguments {
         let options = RunOptions { only, sweeps: SweepWork::Merge, ..RunOptions::default() };
         let bars = Bars::new(console);
         let report = run(&file, &folder, &options, &bars)?;
-        console.document(|| json!(report.summary))?;
+        console.document(|| &report.summary)?;
         Ok(tell(report, &self.case.case, console))
     }
 }

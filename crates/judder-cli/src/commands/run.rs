@@ -84,7 +84,7 @@ impl RunArguments {
             return Ok(Exit::Done);
         }
         let report = self.threads.install(|| run(&file, &folder, &options, &bars))??;
-        console.document(|| json!(report.summary))?;
+        console.document(|| &report.summary)?;
         Ok(tell(report, &self.case.case, console))
     }
 }
@@ -100,7 +100,7 @@ pub(super) fn run_case(
     let folder = output.map_or_else(|| home::of_file(&file, false), |folder| Ok(folder.to_owned()))?;
     let bars = Bars::new(console);
     let report = threads.install(|| run(&file, &folder, &RunOptions::default(), &bars))??;
-    console.document(|| json!(report.summary))?;
+    console.document(|| &report.summary)?;
     Ok(tell(report, case, console))
 }
 

@@ -38,6 +38,7 @@ pub(crate) use watched::WatchedRow;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::problem::AssemblyProblem;
 use crate::assembly::case::structure::BodyReduction;
+use crate::assembly::quickly_found::QuicklyFound;
 use crate::error::ModelError;
 use crate::structure::build::{Structure, Unbuilt};
 use interface::Touching;
@@ -53,7 +54,7 @@ use judder_structure::assembly::Sparse;
 use judder_study::Progress;
 use judder_study::case::text::CaseText;
 use num_complex::Complex64;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Bodies that touch, their files read, their elements assembled, their contact points found.
 pub(crate) struct BuiltAssembly {
@@ -76,6 +77,7 @@ pub(crate) struct BuiltAssembly {
     pub(crate) warnings: Vec<String>,
     /// How the freedoms of the bodies follow from those that ties leave.
     bond: Option<Bond>,
+    quickly_found: OnceLock<QuicklyFound>,
 }
 
 /// Why an assembly cannot be, and at which dotted path of the case.
@@ -222,7 +224,13 @@ impl BuiltAssembly {
             left_out,
             warnings,
             bond,
+            quickly_found: OnceLock::new(),
         })
+    }
+
+    /// What is quickly found out about steady sliding, looked for once.
+    pub(super) fn quickly_found(&self) -> &QuicklyFound {
+        self.quickly_found.get_or_init(|| QuicklyFound::of(self))
     }
 
     /// Finds the laws of all spheres, where they are not known yet.

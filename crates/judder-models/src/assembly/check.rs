@@ -1,15 +1,13 @@
 //! What `judder check` shows of an assembly case.
 
-use super::build::{BuiltAssembly, BuiltBody, Unassembled, extent};
-use super::{AssemblySubject, eigen, frequency_response, limit_cycle, steady_sliding as steady};
+use super::AssemblySubject;
+use super::build::{BuiltAssembly, BuiltBody, extent};
+use super::quickly_found::QuicklyFound;
 use crate::assembly::case::AssemblyCase;
 use crate::assembly::case::joint::{SpringSettings, Tie};
 use crate::error::ModelError;
 use crate::estimate::{title, words_json, words_text};
 use crate::structure::build::symmetric_part;
-use judder_assembly::AssemblyError;
-use judder_assembly::compliance::Compliance;
-use judder_assembly::steady::steady_sliding;
 use judder_structure::StructureError;
 use judder_structure::modes::{WantedModes, modes};
 use judder_study::case::text::CaseText;
@@ -50,15 +48,12 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
     let names = case.analysis_names();
     let estimates = estimates(case, file, |name| AssemblySubject { case, built: &built, name })?;
     text.push_str(&words_text(&names, &estimates));
-    let doubt = match quickly_found(&built) {
-        QuicklyFound::Refused(reason) if slides_as_it_is(case) => {
-            return Err(Unassembled::because("structure", &reason).placed(file));
-        }
+    let doubt = match built.quickly_found() {
         // along keys that change the bodies, and of marches on tracks at rest, it may be otherwise
         QuicklyFound::Refused(reason) | QuicklyFound::Doubt(reason) => Some(reason),
         QuicklyFound::Nothing => None,
     };
-    let warnings: Vec<String> = built.warnings.iter().cloned().chain(doubt).collect();
+    let warnings: Vec<String> = built.warnings.iter().chain(doubt).cloned().collect();
     for warning in &warnings {
         text.push_str(&format!("\nwarning: {warning}\n"));
     }
@@ -76,44 +71,6 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
         "warnings": warnings,
     });
     Ok(Resolved { document, text })
-}
-
-/// Whether an analysis begins in steady sliding of the case as it is.
-fn slides_as_it_is(case: &AssemblyCase) -> bool {
-    let kinds = [steady::KIND, eigen::KIND, limit_cycle::KIND, frequency_response::KIND];
-    case.analyses.iter().any(|own| kinds.iter().any(|kind| kind.name == own.kind_name))
-}
-
-/// What is quickly found out about steady sliding.
-enum QuicklyFound {
-    /// Nothing that has to be told, or it takes longer.
-    Nothing,
-    /// The loads bring no contact point together.
-    Doubt(String),
-    /// There is none: something can move that nothing holds.
-    Refused(String),
-}
-
-/// Looks for steady sliding where that takes less than a second.
-fn quickly_found(built: &BuiltAssembly) -> QuicklyFound {
-    /// Freedoms and contact points up to which steady sliding takes less than a second.
-    const MOST_FREEDOMS: usize = 20_000;
-    const MOST_POINTS: usize = 200;
-    let assembly = &built.assembly;
-    let points: usize = assembly.interfaces.iter().map(|interface| interface.points.len()).sum();
-    let has_laws = built.spheres.iter().all(Option::is_none);
-    if points == 0 || points > MOST_POINTS || assembly.size() > MOST_FREEDOMS || !has_laws {
-        return QuicklyFound::Nothing;
-    }
-    match Compliance::new(assembly).and_then(|compliance| steady_sliding(assembly, &compliance)) {
-        Err(error @ AssemblyError::NothingCloses { .. }) => {
-            QuicklyFound::Doubt(format!("contact is never made: {error}"))
-        }
-        Err(error @ (AssemblyError::RigidMotion { .. } | AssemblyError::PushedOn { .. })) => {
-            QuicklyFound::Refused(built.told(error).to_string())
-        }
-        _ => QuicklyFound::Nothing,
-    }
 }
 
 /// What joins the bodies beside contacts.

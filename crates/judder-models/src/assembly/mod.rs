@@ -1,7 +1,7 @@
 //! Bodies that touch at many points.
 //!
 //! - `build`: from the keys of a case to bodies with their contact points.
-//! - `check`: what `judder check` shows.
+//! - `check`: what `judder check` shows. `quickly_found`: what it finds out about steady sliding.
 //! - `interface_error`: what interface modes cost.
 //! - `swept`: steady sliding and small motions about it at any values of keys.
 //! - `meant_mode`: which mode about steady sliding an analysis means.
@@ -28,6 +28,7 @@ mod linear_size;
 pub mod march;
 mod meant_mode;
 mod periodic;
+mod quickly_found;
 pub mod spectrogram;
 pub mod squeal;
 pub mod stability_map;

@@ -157,9 +157,9 @@ pub fn estimates<'a, C: Analysed>(
 ) -> Result<Vec<(C::Estimate, NeededMemory)>, StudyError> {
     let of_one = |(AnalysisPlace { index, name, .. }, asked): (AnalysisPlace<'a>, &C::Asked)| {
         let known = known(name);
-        asked.admit(&known).map_err(|error| placed(error.into(), case, file, index))?;
         let admitted = admitted::<C>(asked, &known).map_err(Into::into)?;
         let memory = admitted.map_err(|refusal| refusal.placed(AnalysisPlace { file, index, name }))?;
+        asked.admit(&known).map_err(|error| placed(error.into(), case, file, index))?;
         Ok((asked.estimate(&known).map_err(Into::into)?, memory))
     };
     wanted(case, file, &|_| true).map(of_one).collect()

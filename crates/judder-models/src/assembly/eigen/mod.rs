@@ -85,6 +85,10 @@ impl Analysis<AssemblyCase> for AssemblyEigen {
         Ok(of_modes(of, count))
     }
 
+    fn admit(&self, of: &AssemblySubject<'_>) -> Result<(), ModelError> {
+        of.admit_steady()
+    }
+
     fn run(&self, of: &AssemblySubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of, self)
     }

@@ -61,6 +61,10 @@ impl Analysis<AssemblyCase> for FrequencyResponse {
         size.memory(of)
     }
 
+    fn admit(&self, of: &AssemblySubject<'_>) -> Result<(), ModelError> {
+        of.admit_steady()
+    }
+
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of, self, task.progress)
     }

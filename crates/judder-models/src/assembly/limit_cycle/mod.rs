@@ -67,6 +67,10 @@ impl Analysis<AssemblyCase> for ModeCycle {
         self.start.iter().flat_map(CycleStart::files).collect()
     }
 
+    fn admit(&self, of: &AssemblySubject<'_>) -> Result<(), ModelError> {
+        of.admit_steady()
+    }
+
     fn run(&self, of: &AssemblySubject<'_>, task: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of, self, task.progress)
     }

@@ -47,6 +47,10 @@ impl Analysis<AssemblyCase> for SteadySlidingAnalysis {
         Ok(of_steady_sliding(of))
     }
 
+    fn admit(&self, of: &AssemblySubject<'_>) -> Result<(), ModelError> {
+        of.admit_steady()
+    }
+
     fn run(&self, of: &AssemblySubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of)
     }

@@ -128,6 +128,14 @@ pub enum StoreError {
         /// What is wrong with it.
         damage: FileDamage,
     },
+    /// A file of a study cannot be read, which says nothing of what it holds.
+    #[error("{}: cannot be read ({reason}), which does not say that it is damaged; make it readable, or remove it: `judder run` then computes its result again", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        reason: String,
+    },
     /// A study tells of results of which nothing says that they are whole.
     #[error("{}: `{name}` was being written when a run ended, or the study is damaged: `manifest.json` does not list it; `judder run` computes it", path.display())]
     NotListed {
@@ -390,6 +398,12 @@ pub enum StoreError {
         /// Rows of this column.
         found: usize,
     },
+    /// A folder of the study is a link, through which nothing is written.
+    #[error("{}: a link stands in the place of a folder of the study, and nothing is written through it; remove it, or name another folder with -o", path.display())]
+    LinkInPlace {
+        /// The link.
+        path: PathBuf,
+    },
     /// A file that is not a plain place inside the study folder.
     #[error("{}: give a relative path that stays inside the study folder and is none of the store's own files", path.display())]
     OutsideFolder {
@@ -415,7 +429,15 @@ impl StoreError {
     /// Whether something else stands where one file should be written; others can be.
     #[must_use]
     pub fn is_of_one_file(&self) -> bool {
-        matches!(self, Self::FolderInPlace { .. } | Self::OutsideFolder { .. })
+        matches!(self, Self::FolderInPlace { .. } | Self::LinkInPlace { .. } | Self::OutsideFolder { .. })
+    }
+
+    /// What is wrong with a file of a study.
+    pub(crate) fn of_damage(path: PathBuf, damage: FileDamage) -> Self {
+        match damage {
+            FileDamage::Unreadable(reason) => Self::Unreadable { path, reason },
+            damage => Self::Damaged { path, damage },
+        }
     }
 
     /// A failed read.

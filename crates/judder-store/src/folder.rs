@@ -18,7 +18,7 @@ use crate::name::check_name;
 use crate::staging::{self, Stage};
 use crate::sweep::{self, SweepLayout, SweepStore};
 use crate::zarr::Elsewhere;
-use crate::{Dataset, Status, StoreError, Summary, Table, results, scratch, summary, zarr};
+use crate::{Dataset, Status, StoreError, Summary, Table, plain, results, scratch, summary, zarr};
 
 /// The folder of one study, held by this process alone until dropped.
 ///
@@ -180,7 +180,8 @@ impl StudyFolder {
         let below = format!("{}/{analysis}/", results::FOLDER);
         self.manifest().take_off(|path, _| path.starts_with(&below))?;
         let written = results::write(&self.path, &self.publishing, analysis, hash, dataset, elsewhere)?;
-        self.manifest().list_folder(Some(analysis), &self.path.join(below), written)
+        self.manifest().list_written(Some(analysis), written);
+        Ok(())
     }
 
     /// Reads the arrays of an analysis back.
@@ -282,8 +283,8 @@ impl StudyFolder {
     /// Writes another file of the study, such as `figures/map.svg`, with the folders that it needs, and returns its path.
     ///
     /// # Errors
-    /// [`StoreError::OutsideFolder`] for a path that is absolute, leaves the folder (also through a link), or is one of
-    /// the store's own; failures of the file system.
+    /// [`StoreError::OutsideFolder`] for a path that is absolute, leaves the folder, or is one of the store's own,
+    /// [`StoreError::LinkInPlace`] where it leaves through a link; failures of the file system.
     pub fn write_file(&self, relative: impl AsRef<Path>, content: &[u8]) -> Result<PathBuf, StoreError> {
         self.write_file_of(None, relative.as_ref(), content)
     }
@@ -319,7 +320,14 @@ impl StudyFolder {
         // Asked before any folder is made: a link may lead elsewhere.
         let existing = folder.ancestors().find(|ancestor| ancestor.exists()).unwrap_or(folder);
         let real = existing.canonicalize().map_err(failed)?;
-        if real.starts_with(root.canonicalize().map_err(failed)?) { Ok(path) } else { Err(outside()) }
+        if real.starts_with(root.canonicalize().map_err(failed)?) {
+            return Ok(path);
+        }
+        let inner = existing.ancestors().take_while(|ancestor| *ancestor != root);
+        match inner.into_iter().find(|ancestor| plain::is_link(ancestor)) {
+            Some(link) => Err(StoreError::LinkInPlace { path: link.to_owned() }),
+            None => Err(outside()),
+        }
     }
 
     fn manifest(&self) -> MutexGuard<'_, ManifestKeeper> {
@@ -345,14 +353,18 @@ fn remove_file(path: &Path) -> Result<(), StoreError> {
 }
 
 /// Refuses what is no study.
-fn look(path: &Path) -> Result<(), StoreError> {
-    if path.is_file() {
+pub(crate) fn look(path: &Path) -> Result<(), StoreError> {
+    if path.exists() && !path.is_dir() {
         return Err(StoreError::NotAFolder { path: path.to_owned() });
     }
-    if !path.join(summary::FILE).exists() && !path.join(results::FOLDER).exists() {
-        return Err(StoreError::NoStudy { path: path.to_owned() });
+    let is_there = |name: &str| {
+        let path = path.join(name);
+        path.try_exists().map_err(|source| StoreError::read(&path, source))
+    };
+    if is_there(summary::FILE)? || is_there(results::FOLDER)? {
+        return Ok(());
     }
-    Ok(())
+    Err(StoreError::NoStudy { path: path.to_owned() })
 }
 
 /// Makes the folder of a study where there is none, and returns the place of its lock.

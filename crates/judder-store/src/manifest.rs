@@ -21,11 +21,11 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::{
-    ChunkDamage, LARGEST_DOCUMENT, StoreError, Summary, content_hash, plain, results, staging, summary, sweep,
+    ChunkDamage, LARGEST_DOCUMENT, StoreError, Summary, content_hash, folder, plain, staging, summary, sweep,
 };
 
 pub use checked::CheckedFile;
-pub(crate) use keeper::{ManifestKeeper, files_below, relative};
+pub(crate) use keeper::{ManifestKeeper, entries, files_below, relative};
 pub use look::{FileDamage, SoundFiles};
 pub(crate) use look::{check, hash_of};
 pub(crate) use reader::ManifestReader;
@@ -106,16 +106,21 @@ impl Manifest {
         }
     }
 
-    /// That of a folder that should be a study.
+    /// That of a folder that should be a study. One of parts that nobody has merged yet has no summary, and lists nothing.
     ///
     /// # Errors
-    /// [`StoreError::NoStudy`], [`StoreError::NoManifest`]; else as of [`Manifest::read`].
+    /// [`StoreError::NotAFolder`], [`StoreError::NoStudy`], [`StoreError::NoManifest`]; else as of [`Manifest::read`].
     pub(crate) fn of_study(study: &Path) -> Result<Self, StoreError> {
-        let is_study = [FILE, summary::FILE, results::FOLDER].iter().any(|name| study.join(name).exists());
+        if study.exists() && !study.is_dir() {
+            return Err(StoreError::NotAFolder { path: study.to_owned() });
+        }
         match Self::read(study)? {
-            Some(manifest) => Ok(manifest),
-            None if is_study => Err(StoreError::NoManifest { path: study.to_owned() }),
-            None => Err(StoreError::NoStudy { path: study.to_owned() }),
+            Some(manifest) => return Ok(manifest),
+            None => folder::look(study)?,
+        }
+        match study.join(summary::FILE).exists() {
+            true => Err(StoreError::NoManifest { path: study.to_owned() }),
+            false => Ok(Self::default()),
         }
     }
 

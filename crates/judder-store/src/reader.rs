@@ -14,7 +14,7 @@ use crate::manifest::ManifestReader;
 use crate::metadata::{self, HASH_ATTRIBUTE};
 use crate::name::check_name;
 use crate::zarr;
-use crate::{CheckedFile, StoreError, Summary, Variable, results, summary};
+use crate::{CheckedFile, StoreError, Summary, Variable, folder, results, summary};
 
 /// Folders below that of the study in which [`StudyReader::files`] looks: figures and fields lie one deep.
 const DEPTH: usize = 3;
@@ -47,12 +47,7 @@ impl StudyReader {
     /// [`StoreError::NotAFolder`], [`StoreError::NoStudy`].
     pub fn open(path: impl AsRef<Path>) -> Result<Self, StoreError> {
         let path = path.as_ref();
-        if path.is_file() {
-            return Err(StoreError::NotAFolder { path: path.to_owned() });
-        }
-        if !path.join(summary::FILE).exists() && !path.join(results::FOLDER).exists() {
-            return Err(StoreError::NoStudy { path: path.to_owned() });
-        }
+        folder::look(path)?;
         let root = path.canonicalize().map_err(|source| StoreError::read(path, source))?;
         Ok(Self { manifest: ManifestReader::new(&root), root })
     }

@@ -113,7 +113,7 @@ pub(crate) fn add(stage: &Stage, staged: &Path, study: &Path, name: &str) -> io:
     }
 }
 
-/// The sound groups of the store, by name.
+/// The sound groups of the store, by name; [`StoreError::Unreadable`] where whether one is sound is not known.
 fn groups(results: &Path) -> Result<BTreeMap<String, PathBuf>, StoreError> {
     let entries = match fs::read_dir(results) {
         Ok(entries) => entries,
@@ -124,9 +124,20 @@ fn groups(results: &Path) -> Result<BTreeMap<String, PathBuf>, StoreError> {
     for entry in entries {
         let entry = entry.map_err(|source| StoreError::read(results, source))?;
         let folder = entry.path();
-        if let (Ok(name), Some(_)) = (entry.file_name().into_string(), zarr::stored_hash(&folder)) {
+        let Ok(name) = entry.file_name().into_string() else { continue };
+        if zarr::stored_hash(&folder).is_some() {
             groups.insert(name, folder);
+        } else if let Some(reason) = unreadable(&folder.join(metadata::FILE)) {
+            return Err(StoreError::Unreadable { path: folder.join(metadata::FILE), reason });
         }
     }
     Ok(groups)
+}
+
+/// Why a file cannot be read, where it may be there.
+fn unreadable(path: &Path) -> Option<String> {
+    use io::ErrorKind::{InvalidInput, NotADirectory, NotFound};
+    let failure = plain::open(path).err()?;
+    // it is not, or something else is
+    (!matches!(failure.kind(), NotFound | NotADirectory | InvalidInput)).then(|| failure.to_string())
 }

@@ -30,7 +30,7 @@ pub use chunks::{ChunkFile, ChunkState, StoredChunk, SweepChunks, SweepFailure};
 pub(crate) use claim::PREFIX;
 pub use claim::{ChunkClaim, ClaimAnswer};
 pub use damage::ChunkDamage;
-pub(crate) use group::{has_frame, mend};
+pub(crate) use group::{frame, has_frame, mend};
 pub(crate) use layout::{CHUNKS, is_chunk};
 pub use layout::{SweepDimension, SweepLayout, SweepQuantity};
 pub use points::ChunkPoints;

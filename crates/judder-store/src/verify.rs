@@ -2,13 +2,15 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use crate::manifest::{self, FileDamage, FileRecord, Manifest};
-use crate::{LARGEST_DOCUMENT, StoreError, lock, metadata, plain, results, scratch, staging, summary, sweep};
+use crate::{
+    LARGEST_DOCUMENT, StoreError, lock, metadata, plain, results, scratch, staging, summary, sweep, zarr,
+};
 
 /// How the names of what a run leaves in a study begin while it is at work.
 const AT_WORK: [&str; 4] = [staging::PREFIX, staging::STREAM_PREFIX, scratch::PREFIX, sweep::PREFIX];
@@ -162,14 +164,17 @@ pub fn verify(
         Ok(false) => found.findings.push(damaged(&root, FileDamage::Content)),
         Err(damage) => found.findings.push(damaged(&root, damage)),
     }
-    for path in there(study)? {
+    let (there, closed) = there(study)?;
+    found.findings.extend(closed);
+    for path in there {
         let is_known = manifest.files.contains_key(&path) || path == root || path == manifest::FILE;
         if is_known || path == lock::FILE {
             continue;
         }
         // a link is none of judder's
         let is_link = plain::is_link(&study.join(&path));
-        let finding = if is_link { Finding::Extra { path, of: None } } else { unlisted(path, &manifest) };
+        let finding =
+            if is_link { Finding::Extra { path, of: None } } else { unlisted(study, path, &manifest) };
         found.findings.push(finding);
     }
     found.findings.sort_by(|one, other| one.path().cmp(other.path()));
@@ -228,11 +233,14 @@ fn damaged(path: &str, damage: FileDamage) -> Finding {
 }
 
 /// What a file is that the manifest does not list.
-fn unlisted(path: String, manifest: &Manifest) -> Finding {
+fn unlisted(study: &Path, path: String, manifest: &Manifest) -> Finding {
     let is_work = AT_WORK.iter().any(|prefix| path.starts_with(prefix));
     let group = path.strip_prefix(results::FOLDER).and_then(|below| below.strip_prefix('/'));
     let group = group.and_then(|below| below.split('/').next());
-    let is_open = group.is_some_and(|name| !manifest.results.contains_key(name));
+    // what lies among the arrays and is none is somebody's
+    let is_group = |name: &str| zarr::stored_hash(&study.join(results::FOLDER).join(name)).is_some();
+    let is_open = group
+        .is_some_and(|name| !manifest.results.contains_key(name) && (!manifest.complete || is_group(name)));
     let is_summary = path == summary::FILE && !manifest.complete;
     if is_work || is_open || is_summary {
         Finding::Unfinished { path }
@@ -254,16 +262,34 @@ fn root_is_derived(study: &Path) -> Result<bool, FileDamage> {
     }
     let unreadable = |source: std::io::Error| FileDamage::Unreadable(source.to_string());
     let stands = plain::read_small_file(&path, LARGEST_DOCUMENT).map_err(unreadable)?;
-    let derived = results::derived(&results).map_err(|_| FileDamage::Content)?;
-    Ok(stands == derived)
+    match results::derived(&results) {
+        Ok(derived) => Ok(stands == derived),
+        Err(StoreError::Unreadable { path, reason }) => {
+            let from = path.strip_prefix(study).unwrap_or(&path).display();
+            Err(FileDamage::Unreadable(format!("it follows from {from}, and that cannot be read: {reason}")))
+        }
+        Err(_) => Err(FileDamage::Content),
+    }
 }
 
-/// The paths of all files of a study, links and other things among them.
-fn there(study: &Path) -> Result<BTreeSet<String>, StoreError> {
-    let files = manifest::files_below(study).map_err(|source| StoreError::read(study, source))?;
-    let name = |path: PathBuf| {
-        let below = path.strip_prefix(study).unwrap_or(&path);
-        manifest::relative(study, &path).unwrap_or_else(|| below.to_string_lossy().into_owned())
+/// The paths of all files of a study, links and other things among them; its folders that cannot be looked into.
+fn there(study: &Path) -> Result<(BTreeSet<String>, Vec<Finding>), StoreError> {
+    let name = |path: &Path| {
+        let below = path.strip_prefix(study).unwrap_or(path);
+        manifest::relative(study, path).unwrap_or_else(|| below.to_string_lossy().into_owned())
     };
-    Ok(files.into_iter().map(name).collect())
+    let (mut found, mut closed, mut folders) = (BTreeSet::new(), Vec::new(), vec![study.to_owned()]);
+    while let Some(folder) = folders.pop() {
+        match manifest::entries(&folder) {
+            Ok((files, below)) => {
+                found.extend(files.iter().map(|path| name(path)));
+                folders.extend(below);
+            }
+            Err(source) if folder == study => return Err(StoreError::read(study, source)),
+            Err(source) => {
+                closed.push(damaged(&name(&folder), FileDamage::Unreadable(source.to_string())));
+            }
+        }
+    }
+    Ok((found, closed))
 }

@@ -19,7 +19,7 @@ use zarrs::storage::StorageError;
 use crate::array::{self, ReadFailure};
 use crate::group_store::{GroupStore, WrittenFiles};
 use crate::metadata::{self, HASH_ATTRIBUTE};
-use crate::{Dataset, StoreError, Variable, VariableValues, content_hash, plain};
+use crate::{Dataset, StoreError, Variable, VariableValues, plain};
 
 /// A chunk is one file: large enough that a map of 1000 × 1000 is one, small enough to be read alone from a large one.
 const CHUNK_BYTES: u64 = 8 << 20;
@@ -92,15 +92,30 @@ pub(crate) fn write_group_by(
     write: impl Fn(&Arc<GroupStore>, &Variable) -> Result<Value, WriteFailure>,
 ) -> Result<WrittenFiles, WriteFailure> {
     judder_disk::create_folder(folder)?;
-    let store = group_store(folder)?;
-    let group = describe_group_by(&store, hash, dataset, write)?;
-    let (path, content) = (folder.join(metadata::FILE), metadata::content(&group));
-    let file = judder_disk::create_new_file(&path)?;
-    judder_disk::write(&file, &content)?;
-    judder_disk::sync(&file)?;
-    let mut written = store.written();
-    written.insert(path, (content.len() as u64, content_hash(&content)));
-    Ok(written)
+    put_group_by(&group_store(folder)?, folder, hash, dataset, write)
+}
+
+/// The files that [`write_group_by`] writes; nothing is written.
+pub(crate) fn files_of_group_by(
+    folder: &Path,
+    hash: &str,
+    dataset: &Dataset,
+    write: impl Fn(&Arc<GroupStore>, &Variable) -> Result<Value, WriteFailure>,
+) -> Result<WrittenFiles, WriteFailure> {
+    let store = GroupStore::told(folder).map_err(|refusal| WriteFailure::Refused(refusal.into()))?;
+    put_group_by(&Arc::new(store), folder, hash, dataset, write)
+}
+
+fn put_group_by(
+    store: &Arc<GroupStore>,
+    folder: &Path,
+    hash: &str,
+    dataset: &Dataset,
+    write: impl Fn(&Arc<GroupStore>, &Variable) -> Result<Value, WriteFailure>,
+) -> Result<WrittenFiles, WriteFailure> {
+    let group = describe_group_by(store, hash, dataset, write)?;
+    store.put(folder.join(metadata::FILE), &metadata::content(&group))?;
+    Ok(store.written())
 }
 
 /// The store in a folder, to write a group or to describe it.

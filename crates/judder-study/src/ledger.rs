@@ -145,12 +145,13 @@ impl<'a> Study<'a> {
             }
             read => (read?.unwrap_or_default(), Vec::new()),
         };
-        let damaged = store.damages(&summary);
+        let damaged = store.damages(&summary)?;
         store.begin_results(&damaged.keys().map(String::as_str).collect::<Vec<_>>())?;
         for (name, found) in &damaged {
             damages.extend(damage_told(name, found));
             summary.analyses.remove(name);
         }
+        damages.extend(unlisted_told(store, &summary));
         // what a run was at work on when it ended may be anything
         summary.analyses.retain(|name, _| store.is_listed(name));
         let mut kept = Keepsakes::of(&summary);
@@ -223,6 +224,19 @@ fn missing_told(count: usize, warnings: &[String]) -> String {
         if count == 1 { "1 of its results is".to_owned() } else { format!("{count} of its results are") };
     let why = if warnings.is_empty() { String::new() } else { format!(": {}", warnings.join("; ")) };
     format!("{counted} missing{why}")
+}
+
+/// What is told of results of which nothing says that they are as they were written.
+fn unlisted_told(store: &StudyFolder, summary: &Summary) -> Option<String> {
+    let names: Vec<&str> = summary.analyses.keys().map(String::as_str).collect();
+    let reason = match store.without_manifest().filter(|_| !names.is_empty())? {
+        StoreError::ManifestDamaged { .. } => "`manifest.json` is damaged",
+        _ => "there is no `manifest.json`",
+    };
+    Some(format!(
+        "{reason}, so that nothing says whether these are as they were written, and they do not count: {}",
+        names.join(", ")
+    ))
 }
 
 /// What is told of a damaged result.

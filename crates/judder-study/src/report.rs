@@ -62,6 +62,8 @@ pub struct WrittenPage {
     pub path: PathBuf,
     /// The figures that it lacks.
     pub undrawn: Vec<UndrawnFigure>,
+    /// Analyses and sweeps of the case that nobody has computed.
+    pub not_computed: Vec<String>,
 }
 
 impl WrittenPage {
@@ -109,7 +111,7 @@ pub fn write(registry: Registry, store: &StudyFolder, summary: &Summary) -> Resu
     let title =
         summary.case.get("title").and_then(Value::as_str).filter(|t| !t.is_empty()).unwrap_or("A study");
     let page = Page { title: title.to_owned(), lead: lead(summary, &kept), facts: facts(summary), sections };
-    let page = write_page(store, &page)?;
+    let page = WrittenPage { not_computed: not_computed(summary), ..write_page(store, &page)? };
     // what an earlier case had
     store.end_files(&drawn_before)?;
     Ok(page)
@@ -198,15 +200,23 @@ pub(crate) fn tables(registry: Registry, summary: &Summary, name: &str) -> Vec<P
 
 /// The analyses in the order of the case, then its sweeps.
 pub(crate) fn in_order(summary: &Summary) -> Vec<(&String, &judder_store::AnalysisRecord)> {
-    let listed: Vec<&str> = ["analysis", "sweep"]
-        .iter()
-        .filter_map(|list| summary.case.get(list)?.as_array())
-        .flatten()
-        .filter_map(|analysis| analysis.get("name")?.as_str())
-        .collect();
+    let listed = listed(summary);
     let mut records: Vec<_> = summary.analyses.iter().collect();
     records.sort_by_key(|(name, _)| listed.iter().position(|listed| listed == name));
     records
+}
+
+/// The names of the analyses and sweeps of the case.
+fn listed(summary: &Summary) -> Vec<&str> {
+    let lists = ["analysis", "sweep"];
+    let lists = lists.iter().filter_map(|list| summary.case.get(list)?.as_array());
+    lists.flatten().filter_map(|analysis| analysis.get("name")?.as_str()).collect()
+}
+
+/// Those of them that nobody has computed yet.
+fn not_computed(summary: &Summary) -> Vec<String> {
+    let names = listed(summary).into_iter().filter(|name| !summary.analyses.contains_key(*name));
+    names.map(str::to_owned).collect()
 }
 
 /// What was done and what came out, in a sentence or two.
@@ -216,9 +226,14 @@ fn lead(summary: &Summary, kept: &Keepsakes) -> String {
     let passed = kept.checks.values().flatten().filter(|check| check.passed()).count();
     let warnings = warnings(summary).len();
     let has_sweeps = summary.case.get("sweep").is_some();
+    let not_computed = not_computed(summary);
+    let rest = match not_computed.is_empty() {
+        true => String::new(),
+        false => format!(" Not computed: {}.", not_computed.join(", ")),
+    };
     format!(
-        "{done} of {} {} done, {passed} of {checks} checks within their limits, {warnings} warnings.",
-        summary.analyses.len(),
+        "{done} of {} {} done, {passed} of {checks} checks within their limits, {warnings} warnings.{rest}",
+        summary.analyses.len() + not_computed.len(),
         if has_sweeps { "analyses and sweeps" } else { "analyses" },
     )
 }
@@ -353,5 +368,5 @@ pub fn write_figure(store: &StudyFolder, figure: Figure) -> Result<PageBlock, St
 /// A page that cannot be made, or a folder that cannot be written.
 pub fn write_page(store: &StudyFolder, page: &Page) -> Result<WrittenPage, StudyError> {
     let path = store.write_file("report.html", html(page)?.as_bytes())?;
-    Ok(WrittenPage { path, undrawn: page.undrawn() })
+    Ok(WrittenPage { path, undrawn: page.undrawn(), not_computed: Vec::new() })
 }

@@ -37,6 +37,10 @@ impl ReportArguments {
             true => json!({ "report": path.to_string() }),
             false => json!({ "report": path.to_string(), "lacking": lacking }),
         })?;
+        if !page.not_computed.is_empty() {
+            let names = page.not_computed.join(", ");
+            console.note(format_args!("not computed yet: {names}; `judder run` computes them"));
+        }
         console.note(format_args!("report: {path}"));
         Ok(console.lacking(&lacking, IN_THE_REPORT))
     }

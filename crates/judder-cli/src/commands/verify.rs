@@ -52,9 +52,21 @@ fn text(found: &Verification) -> String {
 }
 
 fn verdict(found: &Verification) -> String {
-    let damaged = found.findings.iter().filter(|finding| matches!(finding, Finding::Damaged { .. })).count();
+    let count = |asked| {
+        let damages = found.findings.iter().filter_map(|finding| match finding {
+            Finding::Damaged { damage, .. } => Some(damage.is_damage()),
+            Finding::Extra { .. } | Finding::Unfinished { .. } => None,
+        });
+        damages.filter(|is_damage| *is_damage == asked).count()
+    };
+    let (damaged, unreadable) = (count(true), count(false));
     let megabytes = found.bytes as f64 / 1e6;
     let sound = format!("{} files ({megabytes:.1} MB) are as they were written", found.sound);
+    let sound = match unreadable {
+        0 => sound,
+        1 => format!("{sound}, 1 cannot be read, and nothing is known of it"),
+        count => format!("{sound}, {count} cannot be read, and nothing is known of them"),
+    };
     match (damaged, found.is_complete) {
         (0, true) => sound,
         (0, false) => {

@@ -6,6 +6,7 @@ mod bad_arguments;
 mod bad_case;
 mod bad_contact;
 mod bad_folder;
+mod beside_list;
 mod desk;
 // a program without debug assertions knows no fault
 #[cfg(debug_assertions)]

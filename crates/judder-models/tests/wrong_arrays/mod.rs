@@ -1,12 +1,14 @@
 //! Stored arrays in whose place others stand, valid ones of another type, length or dimension: told by their names, or not read, and never a panic.
 
+use crate::march::contents;
 use crate::sliding::small;
 use crate::{case, run_into};
 use judder_models::REGISTRY;
-use judder_store::{Dataset, StoreError, StudyFolder, Variable, VariableValues};
+use judder_store::{Dataset, StoreError, StudyFolder, Variable, VariableValues, content_hash};
 use judder_study::WrongArray;
 use judder_study::report::{stored, write};
-use serde_json::Value;
+use serde_json::{Map, Value, json};
+use std::collections::BTreeMap;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -182,14 +184,28 @@ fn replace(study: &Path, analysis: &str, wrong: &Variable) {
     let mut metadata = read(&group.join("zarr.json"));
     metadata["consolidated_metadata"]["metadata"][&wrong.name] = read(&to.join("zarr.json"));
     fs::write(group.join("zarr.json"), metadata.to_string()).unwrap();
-    fs::remove_file(study.join("manifest.json")).unwrap();
-    let store = StudyFolder::open(study).unwrap();
-    let summary = store.read_summary().unwrap().unwrap();
-    for name in summary.analyses.keys() {
-        store.list_sweep(name, Vec::new()).unwrap();
-    }
-    store.write_summary(&summary, None).unwrap();
-    store.seal("").unwrap();
+    list_anew(study, analysis);
+    StudyFolder::open(study).unwrap().consolidate().unwrap();
+}
+
+/// Makes the list of a study believe what lies in the folder of an analysis.
+fn list_anew(study: &Path, analysis: &str) {
+    let path = study.join("manifest.json");
+    let mut manifest: Map<String, Value> = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    let below = format!("results.zarr/{analysis}/");
+    let files: BTreeMap<String, Value> = serde_json::from_value(manifest["files"].clone()).unwrap();
+    let others = files.into_iter().filter(|(path, _)| !path.starts_with(&below));
+    let own =
+        contents(study).into_iter().filter(|(path, _)| path.starts_with(&below)).map(|(path, content)| {
+            let record = json!({ "bytes": content.len(), "hash": content_hash(&content), "of": analysis });
+            (path.to_str().unwrap().to_owned(), record)
+        });
+    let files: BTreeMap<String, Value> = others.chain(own).collect();
+    manifest.insert("files".to_owned(), json!(files));
+    manifest.shift_remove("hash");
+    let hash = content_hash(&serde_json::to_vec(&manifest).unwrap());
+    manifest.shift_insert(0, "hash".to_owned(), json!(hash));
+    fs::write(&path, serde_json::to_string_pretty(&manifest).unwrap() + "\n").unwrap();
 }
 
 fn copied(from: &Path, to: &Path) {

@@ -1,6 +1,6 @@
 //! What of a study is on the list of what it holds, and how it comes there.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::PoisonError;
 use std::{fs, io};
@@ -10,7 +10,7 @@ use crate::name::check_name;
 use crate::sweep::{self, ChunkFile, SweepChunks, SweepLayout};
 use crate::{
     FileDamage, LARGEST_DOCUMENT, Status, StoreError, StudyFolder, Summary, plain, results, scratch, staging,
-    summary,
+    summary, zarr,
 };
 
 /// How the names of what analyses keep while they run begin.
@@ -28,7 +28,7 @@ impl StudyFolder {
         let is_frame = |path: &str| path.starts_with(&below) && !path.starts_with(&chunks);
         let is_listed = self.manifest().manifest().files.keys().any(|path| is_frame(path));
         let is_whole = match self.refuse_damaged(&below, is_frame) {
-            Err(StoreError::Damaged { damage, .. }) if damage.is_damage() => false,
+            Err(StoreError::Damaged { .. }) => false,
             Ok(()) => sweep::has_frame(&self.path, layout)?,
             Err(error) => return Err(error),
         };
@@ -44,14 +44,20 @@ impl StudyFolder {
         Ok(!is_whole)
     }
 
-    /// Lists all files of a sweep whose chunks are all there. Those of `chunks` are listed as they were read; all others are read.
+    /// Lists the files of a sweep whose chunks are all there: these as they were read, what frames them as it is written. What else lies among them is not
+    /// judder's.
     ///
     /// # Errors
     /// Failures of the file system.
-    pub fn list_sweep(&self, name: &str, chunks: Vec<ChunkFile>) -> Result<(), StoreError> {
-        let group = self.group(name)?;
-        let known = chunks.into_iter().map(|ChunkFile { path, bytes, hash }| (path, (bytes, hash)));
-        self.manifest().list_folder(Some(name), &group, known.collect())
+    pub fn list_sweep(&self, layout: &SweepLayout, chunks: Vec<ChunkFile>) -> Result<(), StoreError> {
+        let mut files = sweep::frame(&self.path, layout)?;
+        files.extend(chunks.into_iter().map(|ChunkFile { path, bytes, hash }| (path, (bytes, hash))));
+        let below = format!("{}/{}/", results::FOLDER, layout.name());
+        let is_of_sweep = |path: &str| files.contains_key(&self.path.join(path));
+        let mut keeper = self.manifest();
+        keeper.take_off(|path, _| path.starts_with(&below) && !is_of_sweep(path))?;
+        keeper.list_written(Some(layout.name()), files);
+        Ok(())
     }
 
     /// Lists what killed runs have left of results that are none of the `current` ones: arrays that are on no list, and what analyses keep while they run. From
@@ -87,7 +93,7 @@ impl StudyFolder {
     pub fn list_files(&self, below: &str) -> Result<(), StoreError> {
         let path = self.inner_place(Path::new(below))?;
         self.manifest().take_off(|listed, _| Path::new(listed).starts_with(below))?;
-        if path.is_dir() { self.manifest().list_folder(None, &path, HashMap::new()) } else { Ok(()) }
+        if path.is_dir() { self.manifest().list_folder(&path) } else { Ok(()) }
     }
 
     /// Takes files that belong to no result off the list at once, before they are written anew one after the other; gives back which.
@@ -134,12 +140,21 @@ impl StudyFolder {
 
     /// What of the results that the summary calls done is not as it was written, by the names of the results: their files, all of which are read, and
     /// what the summary tells of them.
-    #[must_use]
-    pub fn damages(&self, summary: &Summary) -> BTreeMap<String, Vec<(String, FileDamage)>> {
+    ///
+    /// # Errors
+    /// [`StoreError::Unreadable`] for the first file that cannot be read: whether it is damaged is not known.
+    pub fn damages(
+        &self,
+        summary: &Summary,
+    ) -> Result<BTreeMap<String, Vec<(String, FileDamage)>>, StoreError> {
         let mut keeper = self.manifest();
         let done = summary.analyses.iter().filter(|(_, record)| record.status == Status::Done);
         let found = done.map(|(name, _)| (name.clone(), keeper.damages(name, summary)));
-        found.filter(|(_, damages)| !damages.is_empty()).collect()
+        let found: BTreeMap<_, _> = found.filter(|(_, damages)| !damages.is_empty()).collect();
+        match found.values().flatten().find(|(_, damage)| !damage.is_damage()) {
+            Some((path, damage)) => Err(StoreError::of_damage(self.path.join(path), damage.clone())),
+            None => Ok(found),
+        }
     }
 
     /// Whether a result is on the list of what the study holds: no run is at work on it, or was when it ended.
@@ -163,6 +178,18 @@ impl StudyFolder {
     #[must_use]
     pub fn has_manifest(&self) -> bool {
         self.manifest().is_on_disk()
+    }
+
+    /// Why nothing says that what the study holds is as it was written; none where it has a list.
+    #[must_use]
+    pub fn without_manifest(&self) -> Option<StoreError> {
+        let keeper = self.manifest();
+        let path = self.path.join(manifest::FILE);
+        match (keeper.is_on_disk(), keeper.was_damaged()) {
+            (true, _) => None,
+            (false, true) => Some(StoreError::ManifestDamaged { path }),
+            (false, false) => Some(StoreError::NoManifest { path: self.path.clone() }),
+        }
     }
 
     /// Writes `manifest.json`, the list of what the study holds, while more is being computed. `build` names the program.
@@ -201,12 +228,12 @@ impl StudyFolder {
     /// Refuses a summary of which nothing says that it is what was written.
     ///
     /// # Errors
-    /// [`StoreError::NoManifest`], [`StoreError::NotListed`], [`StoreError::Damaged`].
+    /// [`StoreError::NoManifest`], [`StoreError::ManifestDamaged`], [`StoreError::NotListed`], [`StoreError::Damaged`].
     pub fn vouch(&self, summary: &Summary) -> Result<(), StoreError> {
-        let keeper = self.manifest();
-        if !keeper.is_on_disk() {
-            return Err(StoreError::NoManifest { path: self.path.clone() });
+        if let Some(error) = self.without_manifest() {
+            return Err(error);
         }
+        let keeper = self.manifest();
         if let Some(name) =
             summary.analyses.keys().find(|name| !keeper.manifest().results.contains_key(*name))
         {
@@ -242,7 +269,7 @@ impl StudyFolder {
             keeper.manifest().files.iter().filter(|(path, _)| path.starts_with(below) && is_read(path));
         for (path, record) in listed {
             let path = self.path.join(path);
-            manifest::check(&path, record, true).map_err(|damage| StoreError::Damaged { path, damage })?;
+            manifest::check(&path, record, true).map_err(|damage| StoreError::of_damage(path, damage))?;
         }
         Ok(())
     }
@@ -258,11 +285,13 @@ impl StudyFolder {
 /// Where arrays of results lie, and what analyses keep while they run, each with the name of the result.
 fn work_of_results(study: &Path) -> io::Result<Vec<(String, PathBuf)>> {
     let mut work = Vec::new();
-    let folders = [(study.to_owned(), KEPT_WHILE_RUNNING), (study.join(results::FOLDER), &[""])];
-    for (folder, prefixes) in folders.iter().filter(|(folder, _)| folder.is_dir()) {
+    let arrays = study.join(results::FOLDER);
+    let folders = [(study, KEPT_WHILE_RUNNING), (arrays.as_path(), &[""])];
+    for (folder, prefixes) in folders.into_iter().filter(|(folder, _)| folder.is_dir()) {
         for entry in fs::read_dir(folder)? {
             let path = entry?.path();
-            if plain::is_link(&path) {
+            // what lies among the arrays and is none is somebody's
+            if plain::is_link(&path) || (folder == arrays && zarr::stored_hash(&path).is_none()) {
                 continue;
             }
             let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();

@@ -1,12 +1,12 @@
 //! The manifest of a study that is being written.
 
-use std::collections::HashMap;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use super::{FileRecord, Manifest, SoundFiles, hash_of, told};
+use crate::group_store::WrittenFiles;
 use crate::{FileDamage, StoreError, Summary, results, summary, sweep};
 
 /// How long the list of a new study is not forced to the disk: what a disk without power loses of it takes no longer to be computed again.
@@ -25,6 +25,8 @@ pub(crate) struct ManifestKeeper {
     now: Manifest,
     /// What the disk says; none where it says nothing.
     on_disk: Option<Manifest>,
+    /// Whether it said what nobody can believe.
+    was_damaged: bool,
     /// What has been read and is as it was written.
     sound: SoundFiles,
     /// When a study was taken that had no list.
@@ -37,19 +39,24 @@ impl ManifestKeeper {
     /// # Errors
     /// A failure of the file system.
     pub(crate) fn take(study: &Path) -> Result<Self, StoreError> {
-        let on_disk = match Manifest::read(study) {
-            Err(StoreError::ManifestDamaged { .. } | StoreError::Oversized { .. }) => None,
-            read => read?,
+        let (on_disk, was_damaged) = match Manifest::read(study) {
+            Err(StoreError::ManifestDamaged { .. } | StoreError::Oversized { .. }) => (None, true),
+            read => (read?, false),
         };
         let now = on_disk.clone().unwrap_or_default();
         let (was_complete, sound) = (now.complete, SoundFiles::default());
         let taken = on_disk.is_none().then(Instant::now);
-        Ok(Self { study: study.to_owned(), was_complete, now, on_disk, sound, taken })
+        Ok(Self { study: study.to_owned(), was_complete, now, on_disk, was_damaged, sound, taken })
     }
 
     /// Whether the study was complete when it was taken.
     pub(crate) fn was_complete(&self) -> bool {
         self.was_complete
+    }
+
+    /// Whether the manifest that the study had when it was taken was damaged.
+    pub(crate) fn was_damaged(&self) -> bool {
+        self.was_damaged
     }
 
     /// Whether the study has a manifest.
@@ -118,26 +125,28 @@ impl ManifestKeeper {
         self.now.files.insert(path, record);
     }
 
-    /// Lists all files of a folder of the study; those whose size and hash are not known are read.
-    ///
-    /// # Errors
-    /// A failure of the file system.
-    pub(crate) fn list_folder(
-        &mut self,
-        of: Option<&str>,
-        folder: &Path,
-        mut known: HashMap<PathBuf, (u64, String)>,
-    ) -> Result<(), StoreError> {
-        for path in files_below(folder).map_err(|source| StoreError::read(folder, source))? {
-            let (bytes, hash) = match known.remove(&path) {
-                Some(known) => known,
-                None => hash_of(&path).map_err(|source| StoreError::read(&path, source))?,
-            };
+    /// Lists files that have been written.
+    pub(crate) fn list_written(&mut self, of: Option<&str>, files: WrittenFiles) {
+        for (path, (bytes, hash)) in files {
             if let Some(relative) = relative(&self.study, &path) {
                 let record = FileRecord { bytes, hash, of: of.map(str::to_owned), build: String::new() };
                 self.list(relative, record);
             }
         }
+    }
+
+    /// Reads and lists all files of a folder of the study, as a part of it as a whole.
+    ///
+    /// # Errors
+    /// A failure of the file system.
+    pub(crate) fn list_folder(&mut self, folder: &Path) -> Result<(), StoreError> {
+        let files = files_below(folder).map_err(|source| StoreError::read(folder, source))?;
+        let read = |path: PathBuf| match hash_of(&path) {
+            Ok(listed) => Ok((path, listed)),
+            Err(source) => Err(StoreError::read(&path, source)),
+        };
+        let files = files.into_iter().map(read).collect::<Result<_, _>>()?;
+        self.list_written(None, files);
         Ok(())
     }
 
@@ -208,11 +217,20 @@ pub(crate) fn relative(study: &Path, path: &Path) -> Option<String> {
 pub(crate) fn files_below(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let (mut found, mut folders) = (Vec::new(), vec![folder.to_owned()]);
     while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(&folder)? {
-            let entry = entry?;
-            if entry.file_type()?.is_dir() { folders.push(entry.path()) } else { found.push(entry.path()) }
-        }
+        let (files, below) = entries(&folder)?;
+        found.extend(files);
+        folders.extend(below);
     }
     found.sort();
     Ok(found)
+}
+
+/// What a folder holds: what is no folder, links among it, and folders.
+pub(crate) fn entries(folder: &Path) -> io::Result<(Vec<PathBuf>, Vec<PathBuf>)> {
+    let (mut files, mut folders) = (Vec::new(), Vec::new());
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        if entry.file_type()?.is_dir() { folders.push(entry.path()) } else { files.push(entry.path()) }
+    }
+    Ok((files, folders))
 }

@@ -54,7 +54,7 @@ impl ManifestReader {
             let Some(record) = known.manifest.files.get(&relative) else { return Ok(None) };
             let Err(damage) = check(path, record, by_content) else { return Ok(Some(record.clone())) };
             if last == Some(known.stamp) {
-                return Err(StoreError::Damaged { path: path.to_owned(), damage });
+                return Err(StoreError::of_damage(path.to_owned(), damage));
             }
             last = Some(known.stamp);
         }

@@ -3,11 +3,13 @@
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use serde_json::{Map, Value};
 
 use super::layout::{SweepLayout, VALUES};
 use super::shard;
+use crate::group_store::{GroupStore, WrittenFiles};
 use crate::metadata::{self, BUILD_ATTRIBUTE, HASH_ATTRIBUTE};
 use crate::staging::{self, Stage};
 use crate::zarr::{self, WriteFailure};
@@ -108,16 +110,31 @@ fn begin(study: &Path, layout: &SweepLayout) -> Result<bool, WriteFailure> {
 
 /// Writes the group without a chunk.
 fn write(staged: &Path, layout: &SweepLayout) -> Result<(), WriteFailure> {
-    zarr::write_group_by(staged, layout.hash(), layout.dataset(), |store, variable| {
-        if variable.name == VALUES {
-            let array = shard::build_array(store, layout, variable)?;
-            zarr::store_metadata(&array)?;
-            zarr::array_metadata(&array)
-        } else {
-            zarr::write_variable(store, variable)
-        }
-    })
-    .map(drop)
+    let write = |store: &_, variable: &_| write_variable(layout, store, variable);
+    zarr::write_group_by(staged, layout.hash(), layout.dataset(), write).map(drop)
+}
+
+/// The files of a group in a study but for its chunks, with size and hash; nothing is read or written.
+pub(crate) fn frame(study: &Path, layout: &SweepLayout) -> Result<WrittenFiles, StoreError> {
+    let group = place(study, layout);
+    let write = |store: &_, variable: &_| write_variable(layout, store, variable);
+    zarr::files_of_group_by(&group, layout.hash(), layout.dataset(), write)
+        .map_err(|failure| failed(&group, failure))
+}
+
+/// Writes a variable, of the values of all points the metadata alone.
+fn write_variable(
+    layout: &SweepLayout,
+    store: &Arc<GroupStore>,
+    variable: &Variable,
+) -> Result<Value, WriteFailure> {
+    if variable.name == VALUES {
+        let array = shard::build_array(store, layout, variable)?;
+        zarr::store_metadata(&array)?;
+        zarr::array_metadata(&array)
+    } else {
+        zarr::write_variable(store, variable)
+    }
 }
 
 /// Refuses a group of another build, of another case, or of another layout.

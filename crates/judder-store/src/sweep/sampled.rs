@@ -68,7 +68,7 @@ fn values(
             return Err(format!("a part is missing: {}", file.display()).into());
         }
         if let Some(damage) = damage_of(&file) {
-            return Err(format!("a part is damaged: {}: {damage}", file.display()).into());
+            return Err(StoreError::of_damage(file, damage).into());
         }
         let stored: Vec<f64> = array.retrieve_chunk(&cell)?;
         for (to, from) in places {

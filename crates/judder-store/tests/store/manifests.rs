@@ -11,6 +11,8 @@ use judder_store::{
 use serde_json::json;
 
 const BUILD: &str = "0.0.0+test";
+/// The metadata of arrays of judder's.
+const GROUP: &str = r#"{"zarr_format": 3, "node_type": "group", "attributes": {"judder_hash": "h"}, "consolidated_metadata": {"metadata": {}}}"#;
 
 fn summary(names: &[&str]) -> Summary {
     let record = || AnalysisRecord {
@@ -146,14 +148,21 @@ fn what_is_not_listed_is_extra_or_unfinished() {
     let folder = tempfile::tempdir().unwrap();
     finished(folder.path());
     fs::write(folder.path().join("notes.txt"), "mine").unwrap();
-    fs::create_dir(folder.path().join("results.zarr/begun")).unwrap();
-    fs::write(folder.path().join("results.zarr/begun/c"), "").unwrap();
+    // no arrays of judder's
+    let begun = folder.path().join("results.zarr/begun");
+    fs::create_dir(&begun).unwrap();
+    fs::write(begun.join("c"), "").unwrap();
     let found = verify(folder.path(), all).unwrap();
-    let expected = [
-        Finding::Extra { path: "notes.txt".to_owned(), of: None },
-        Finding::Unfinished { path: "results.zarr/begun/c".to_owned() },
-    ];
-    assert_eq!(found.findings, expected);
+    let extra = |path: &str| Finding::Extra { path: path.to_owned(), of: None };
+    assert_eq!(found.findings, [extra("notes.txt"), extra("results.zarr/begun/c")]);
+    assert!(found.is_sound());
+    // whoever begins such has said so before
+    fs::write(begun.join("zarr.json"), GROUP).unwrap();
+    StudyFolder::open(folder.path()).unwrap().consolidate().unwrap();
+    let found = verify(folder.path(), all).unwrap();
+    let unfinished = |path: &str| Finding::Unfinished { path: path.to_owned() };
+    let [c, metadata] = ["results.zarr/begun/c", "results.zarr/begun/zarr.json"];
+    assert_eq!(found.findings, [extra("notes.txt"), unfinished(c), unfinished(metadata)]);
     assert!(!found.is_sound());
 }
 
@@ -191,7 +200,8 @@ fn a_damaged_result_is_not_done_and_the_others_are() {
         let before = fs::read(&path).unwrap();
         fs::write(&path, content).unwrap();
         let study = StudyFolder::open(folder.path()).unwrap();
-        let found: Vec<String> = study.damages(&study.read_summary().unwrap().unwrap()).into_keys().collect();
+        let found: Vec<String> =
+            study.damages(&study.read_summary().unwrap().unwrap()).unwrap().into_keys().collect();
         let vouched = study.vouch(&summary).is_ok();
         drop(study);
         fs::write(path, before).unwrap();
@@ -340,7 +350,7 @@ fn what_was_sound_and_is_as_it_was_is_not_read_again() {
     let table = folder.path().join("one.csv");
     let (content, time) = (fs::read(&table).unwrap(), fs::metadata(&table).unwrap().modified().unwrap());
     let study = StudyFolder::open(folder.path()).unwrap();
-    assert!(study.damages(&summary).is_empty());
+    assert!(study.damages(&summary).unwrap().is_empty());
     let sound = study.sound_files();
     drop(study);
     let other: Vec<u8> = content.iter().map(|byte| byte ^ 1).collect();
@@ -349,7 +359,7 @@ fn what_was_sound_and_is_as_it_was_is_not_read_again() {
         fs::File::options().write(true).open(&table).unwrap().set_modified(time).unwrap();
         let study = StudyFolder::open(folder.path()).unwrap();
         study.trust(sound.clone());
-        study.damages(&summary).len()
+        study.damages(&summary).unwrap().len()
     };
     assert_eq!(damages(time), 0, "by its stamp it is not read");
     assert_eq!(damages(time + std::time::Duration::from_secs(1)), 1);
@@ -363,6 +373,7 @@ fn what_a_killed_run_has_left_of_an_earlier_case_is_extra() {
     let group = folder.path().join("results.zarr/begun/c");
     fs::create_dir_all(&group).unwrap();
     fs::write(group.join("0"), "half").unwrap();
+    fs::write(folder.path().join("results.zarr/begun/zarr.json"), GROUP).unwrap();
     let study = StudyFolder::create(folder.path()).unwrap();
     for name in ["begun", "stopped", "gone"] {
         study.scratch(name, "h").unwrap().keep("line").unwrap();
@@ -380,6 +391,7 @@ fn what_a_killed_run_has_left_of_an_earlier_case_is_extra() {
         (".scratch-of-stopped", "unfinished", None),
         (".stream-gone/time.f64", "extra", Some("gone")),
         ("results.zarr/begun/c/0", "extra", Some("begun")),
+        ("results.zarr/begun/zarr.json", "extra", Some("begun")),
     ];
     assert_eq!(told, expected);
     // a run says it once, and takes it up where the case has it again

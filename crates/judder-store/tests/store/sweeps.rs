@@ -2,11 +2,13 @@
 
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 use std::sync::Barrier;
 
 use judder_store::{
-    ChunkClaim, ChunkState, ClaimAnswer, PointFailure, SharedStudy, StoreError, StudyFolder, SweepDimension,
-    SweepFailure, SweepLayout, SweepQuantity, SweepStore, Variable, VariableValues,
+    AnalysisRecord, ChunkClaim, ChunkState, ClaimAnswer, PointFailure, SharedStudy, Status, StoreError,
+    StudyFolder, Summary, SweepDimension, SweepFailure, SweepLayout, SweepQuantity, SweepStore, Variable,
+    VariableValues, verify,
 };
 use proptest::prelude::*;
 
@@ -272,23 +274,61 @@ fn whoever_begins_a_study_or_a_sweep_is_not_refused_by_another() {
     }
 }
 
+/// Ends a study of which `sweep` is done.
+fn seal(study: &StudyFolder) {
+    let record =
+        AnalysisRecord { hash: "h".to_owned(), status: Status::Done, wall_time_s: 0.0, warnings: Vec::new() };
+    let analyses = [("sweep".to_owned(), record)].into();
+    study.write_summary(&Summary { analyses, ..Summary::default() }, Some("sweep")).unwrap();
+    study.seal("build").unwrap();
+}
+
 #[test]
 fn chunks_are_listed_as_they_were_read() {
     let folder = tempfile::tempdir().unwrap();
     let study = StudyFolder::create(folder.path()).unwrap();
-    let store = study.sweep(&sweep("h", &[("sample", 40, 3)])).unwrap();
+    let layout = sweep("h", &[("sample", 40, 3)]);
+    let store = study.sweep(&layout).unwrap();
     write_all(&store);
-    let listed = |chunks| {
-        study.list_sweep("sweep", chunks).unwrap();
-        study.keep_manifest("build").unwrap();
-        fs::read_to_string(folder.path().join("manifest.json")).unwrap()
-    };
     let read = (0..14).map(|chunk| store.read_to_list(chunk).unwrap());
     let (content, files): (Vec<_>, Vec<_>) = read.unzip();
     assert_eq!(content[13], store.read(13).unwrap());
-    let as_read = listed(files);
-    assert_eq!(as_read.matches("values/c.").count(), 14);
-    assert_eq!(as_read, listed(Vec::new()), "read once more");
+    study.list_sweep(&layout, files).unwrap();
+    seal(&study);
+    let found = verify(folder.path(), |_, _| true).unwrap();
+    assert_eq!(found.findings, [], "all that is there is listed as it is");
+    let list = fs::read_to_string(folder.path().join("manifest.json")).unwrap();
+    assert_eq!(list.matches("values/c.").count(), 14);
+}
+
+/// What somebody else has laid among the files of a sweep is not judder's, whatever it is.
+#[cfg(unix)]
+#[test]
+fn what_lies_among_the_files_of_a_sweep_is_not_listed() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = StudyFolder::create(folder.path()).unwrap();
+    let layout = sweep("h", &[("sample", 4, 2)]);
+    let store = study.sweep(&layout).unwrap();
+    write_all(&store);
+    let group = folder.path().join("results.zarr/sweep");
+    let others = ["notes.txt", "values/c.9.0", "values/link", "values/pipe", "quantity/c/1", "mine/file"];
+    for other in &others[..2] {
+        fs::write(group.join(other), "mine").unwrap();
+    }
+    std::os::unix::fs::symlink("/nowhere", group.join(others[2])).unwrap();
+    assert!(Command::new("mkfifo").arg(group.join(others[3])).status().unwrap().success());
+    fs::create_dir(group.join("mine")).unwrap();
+    for other in &others[4..] {
+        fs::write(group.join(other), "mine").unwrap();
+    }
+    let files = (0..2).map(|chunk| store.read_to_list(chunk).unwrap().1).collect();
+    study.list_sweep(&layout, files).unwrap();
+    seal(&study);
+    let found = verify(folder.path(), |_, _| true).unwrap();
+    let mut extra: Vec<&str> =
+        found.findings.iter().map(|own| own.path().rsplit_once("sweep/").unwrap().1).collect();
+    extra.sort_by_key(|path| others.iter().position(|other| other == path));
+    assert_eq!(extra, others);
 }
 
 #[test]

@@ -304,7 +304,7 @@ pub(super) fn finished(
     let files = mem::take(&mut reading.files);
     let what = format!("what the points of {} say together", layout.name());
     let outcome = announced(progress, &what, || reading.outcome(plan, progress));
-    store.list_sweep(layout.name(), files)?;
+    store.list_sweep(layout, files)?;
     study.keep(layout.name(), layout.hash().to_owned(), outcome, began.elapsed().as_secs_f64())?;
     store.consolidate()?;
     Ok(None)

@@ -3,6 +3,7 @@
 //! - `calls.rs`: folders, files, renames, removals: those of the system.
 //! - [`StagingFolder`], [`StagedFile`] (`staged.rs`): what is put together before it takes its place; it goes when it is dropped.
 //! - [`write_whole`] (`whole.rs`): files that are there as a whole or not at all.
+//! - [`kind_in_words`] (`kind.rs`): what stands at a place.
 //! - `fault.rs`: the fault that a test asks for.
 //!
 //! # Faults
@@ -15,6 +16,7 @@
 
 mod calls;
 mod fault;
+mod kind;
 mod staged;
 mod whole;
 
@@ -23,5 +25,6 @@ pub use calls::{
     rename, set_length, sync, sync_folder, write,
 };
 pub use fault::FAULT_VARIABLE;
+pub use kind::kind_in_words;
 pub use staged::{StagedFile, StagingFolder};
 pub use whole::{remove_leftovers, write_whole};

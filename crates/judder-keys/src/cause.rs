@@ -6,6 +6,7 @@ use thiserror::Error;
 
 use crate::dimension::Dimension;
 use crate::expression::ExpressionError;
+use crate::file_reference::PathFault;
 use crate::problem::words::Problem;
 use crate::quantity::{CELSIUS_ZERO, QuantityError, WrittenNumber};
 use crate::range::Range;
@@ -343,15 +344,15 @@ pub enum Cause {
         /// What a number without a unit is there; nothing where none may stand.
         group: Option<&'static str>,
     },
-    /// A file that the case names and that is not there.
-    #[error("`{key}` names `{}`, which {what}", path.display())]
+    /// A file that the case names and that is not to be had.
+    #[error("`{key}` names `{}`, which {fault}", path.display())]
     File {
         /// The key.
         key: String,
         /// Where the file was looked for.
         path: PathBuf,
-        /// `does not exist` or `is not a file`.
-        what: &'static str,
+        /// Why not.
+        fault: PathFault,
     },
     /// Two keys of which one decides the other.
     #[error("`{first}` and `{second}` cannot both be given: one follows from the other")]

@@ -7,7 +7,30 @@ use crate::declared::{Allowed, Setting};
 use crate::document::Node;
 use crate::error::Fault;
 use crate::section::{Section, text};
+use judder_disk::kind_in_words;
 use serde_json::{Value as Json, json};
+use std::fs::FileType;
+use std::io::{Error, ErrorKind};
+use thiserror::Error;
+
+/// Why a file or a folder that a case names is not to be had.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum PathFault {
+    /// Nothing is there.
+    #[error("does not exist")]
+    Missing,
+    /// The system does not tell what is there.
+    #[error("cannot be reached: {0}")]
+    OutOfReach(ErrorKind),
+    /// Something else is there.
+    #[error("is {found}, not {asked}")]
+    Other {
+        /// What is there.
+        found: &'static str,
+        /// What should be.
+        asked: &'static str,
+    },
+}
 
 /// A file that a case names; it was there when the case was read.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -51,28 +74,81 @@ pub fn read_file_reference(section: &Section<'_>, key: &str, folder: &Path) -> R
     let name = section.path(key);
     let given = text(&name, node)?;
     let path = folder.join(given);
-    let what = match std::fs::metadata(&path) {
-        Ok(metadata) if metadata.is_file() => return Ok(FileReference { given: given.to_owned(), path }),
-        Ok(_) => "is not a file",
-        Err(_) => "does not exist",
-    };
-    Err(refused(name, path, what, node))
+    match looked_for(&path, "a file", FileType::is_file) {
+        Ok(()) => Ok(FileReference { given: given.to_owned(), path }),
+        Err(fault) => Err(Cause::File { key: name, path, fault }.at(node.place)),
+    }
 }
 
 /// The folder that a path under a key names, relative to `folder`; one of a `--set` option is sought where the program runs first, as whoever types it there means it.
 ///
 /// # Errors
 /// Where it was sought, and what is wrong with it.
-pub fn find_folder(given: &str, node: &Node, folder: &Path) -> Result<PathBuf, (PathBuf, &'static str)> {
+pub fn find_folder(given: &str, node: &Node, folder: &Path) -> Result<PathBuf, (PathBuf, PathFault)> {
     let here = PathBuf::from(given);
     let path = if node.place.is_option() && here.is_dir() { here } else { folder.join(given) };
-    match std::fs::metadata(&path) {
-        Ok(metadata) if metadata.is_dir() => Ok(path),
-        Ok(_) => Err((path, "is not a folder")),
-        Err(_) => Err((path, "does not exist")),
+    match looked_for(&path, "a folder", FileType::is_dir) {
+        Ok(()) => Ok(path),
+        Err(fault) => Err((path, fault)),
     }
 }
 
-fn refused(key: String, path: PathBuf, what: &'static str, node: &Node) -> Fault {
-    Cause::File { key, path, what }.at(node.place)
+/// Looks for what should be of a kind, wherever links lead.
+fn looked_for(path: &Path, asked: &'static str, is_asked: fn(&FileType) -> bool) -> Result<(), PathFault> {
+    match std::fs::metadata(path).map(|metadata| metadata.file_type()) {
+        Ok(kind) if is_asked(&kind) => Ok(()),
+        Ok(kind) => Err(PathFault::Other { found: kind_in_words(kind), asked }),
+        Err(error) => Err(PathFault::of(&error)),
+    }
+}
+
+impl PathFault {
+    /// What stands under the path in the case; of what is missing as given.
+    #[must_use]
+    pub fn label(self, missing: &'static str) -> &'static str {
+        match self {
+            Self::Missing => missing,
+            Self::OutOfReach(_) => "out of reach",
+            Self::Other { .. } => "something else",
+        }
+    }
+
+    /// What would be right; where another path would be, as given.
+    #[must_use]
+    pub fn help(self, path: &'static str) -> &'static str {
+        match self {
+            Self::OutOfReach(ErrorKind::PermissionDenied) => {
+                "it must be there for you to read, and every folder above it to enter"
+            }
+            Self::Missing | Self::Other { .. } | Self::OutOfReach(_) => path,
+        }
+    }
+
+    /// A file where a folder should be has nothing below it.
+    fn of(error: &Error) -> Self {
+        match error.kind() {
+            ErrorKind::NotFound | ErrorKind::NotADirectory => Self::Missing,
+            kind => Self::OutOfReach(kind),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_file_is_told_as_what_it_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("file");
+        std::fs::write(&path, "").unwrap();
+        let looked_for = |path: &Path| looked_for(path, "a file", FileType::is_file);
+        assert_eq!(looked_for(&path), Ok(()));
+        assert_eq!(looked_for(&path.join("below")), Err(PathFault::Missing));
+        assert_eq!(looked_for(folder.path()).unwrap_err().to_string(), "is a folder, not a file");
+        let too_long = looked_for(&folder.path().join("x".repeat(4000))).unwrap_err();
+        assert!(matches!(too_long, PathFault::OutOfReach(_)), "{too_long}");
+        #[cfg(unix)]
+        assert_eq!(looked_for(Path::new("/dev/zero")).unwrap_err().to_string(), "is a device, not a file");
+    }
 }

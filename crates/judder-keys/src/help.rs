@@ -68,7 +68,7 @@ impl Cause {
             Self::TooFewPoints { .. } => "too few",
             Self::TooLarge { .. } => "too many",
             Self::MixedForms { .. } => "of the other kind",
-            Self::File { .. } => "no such file",
+            Self::File { fault, .. } => fault.label("no such file"),
             Self::OneOfTwo { .. } => "one too many",
             Self::Count { .. } => "out of range",
             Self::Difference { .. } => "not a difference",
@@ -167,7 +167,9 @@ impl Cause {
                 "an entry must be finite: mind division by zero, roots and logarithms of negative numbers"
                     .to_owned()
             }
-            Self::File { .. } => "a path in a case is relative to the folder of the case file".to_owned(),
+            Self::File { fault, .. } => {
+                fault.help("a path in a case is relative to the folder of the case file").to_owned()
+            }
             Self::Count { from, to, .. } => format!("give a number from {from} to {to}"),
             Self::Difference { example, .. } => format!("write a difference: \"{example}\""),
             Self::Meaningless { key, .. } => format!("leave `{key}` out"),

@@ -4,6 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
+use judder_disk::kind_in_words;
 use judder_memory::MemoryBudget;
 
 /// Opens a regular file to read; anything else is refused without waiting for it.
@@ -21,7 +22,7 @@ pub(crate) fn open(path: &Path) -> io::Result<File> {
     if kind.is_file() {
         Ok(file)
     } else {
-        Err(io::Error::new(ErrorKind::InvalidInput, NotAFile(words(kind))))
+        Err(io::Error::new(ErrorKind::InvalidInput, NotAFile(kind_in_words(kind))))
     }
 }
 
@@ -104,31 +105,7 @@ pub(crate) fn is_link(path: &Path) -> bool {
 /// What stands in the place of a file, in words; none where it is one, or nothing is there.
 pub(crate) fn other_than_file(path: &Path) -> Option<&'static str> {
     let kind = fs::symlink_metadata(path).ok()?.file_type();
-    (!kind.is_file()).then(|| words(kind))
-}
-
-/// What something is that is no file, in words.
-pub(crate) fn words(kind: fs::FileType) -> &'static str {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::FileTypeExt;
-        if kind.is_fifo() {
-            return "a pipe";
-        }
-        if kind.is_char_device() || kind.is_block_device() {
-            return "a device";
-        }
-        if kind.is_socket() {
-            return "a socket";
-        }
-    }
-    if kind.is_dir() {
-        "a folder"
-    } else if kind.is_symlink() {
-        "a link"
-    } else {
-        "no file"
-    }
+    (!kind.is_file()).then(|| kind_in_words(kind))
 }
 
 #[cfg(unix)]

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+use judder_disk::kind_in_words;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -257,7 +258,7 @@ fn root_is_derived(study: &Path) -> Result<bool, FileDamage> {
     match kind {
         Err(_) if !results.exists() => return Ok(true),
         Err(_) => return Err(FileDamage::Missing),
-        Ok(kind) if !kind.is_file() => return Err(FileDamage::Other(plain::words(kind))),
+        Ok(kind) if !kind.is_file() => return Err(FileDamage::Other(kind_in_words(kind))),
         Ok(_) => {}
     }
     let unreadable = |source: std::io::Error| FileDamage::Unreadable(source.to_string());

@@ -122,6 +122,35 @@ fn what_a_contact_case_cannot_be() {
     );
 }
 
+/// What is there is told, whichever file it stands in the place of.
+#[cfg(unix)]
+#[test]
+fn what_is_no_file_in_the_place_of_one() {
+    let matrices = "model = \"structure\"\n[matrices]\nmass = [{ file = \"own.mtx\" }]\nstiffness = [{ file = \"own.mtx\" }]\n";
+    let desk = Desk::with_case(matrices);
+    let refused = |message: &str| {
+        for command in ["run", "check"] {
+            desk.refused(&[command, "case.toml"], message, "relative to the folder of the case");
+        }
+    };
+    refused("names `own.mtx`, which does not exist");
+    let pipe = desk.path("own.mtx");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    refused("names `own.mtx`, which is a pipe, not a file");
+    std::fs::remove_file(&pipe).unwrap();
+    std::os::unix::fs::symlink("/dev/zero", &pipe).unwrap();
+    refused("names `own.mtx`, which is a device, not a file");
+    desk.write("case.toml", format!("{matrices}folder = \"own.mtx\"\n"));
+    refused_folder(&desk, "which is a device, not a folder");
+    desk.write("case.toml", "model = \"contact\"\nsubstrate = { dma = { file = \"own.mtx\" } }\n");
+    refused("names `own.mtx`, which is a device, not a file");
+}
+
+#[cfg(unix)]
+fn refused_folder(desk: &Desk, message: &str) {
+    desk.refused(&["check", "case.toml"], message, "a folder in a case is relative to the case file");
+}
+
 #[test]
 fn data_that_are_none() {
     let desk = Desk::with_case("model = \"contact\"\nsubstrate = { dma = { file = \"data.csv\" } }\n");

@@ -120,7 +120,7 @@ fn height_files_of_no_known_form() {
     refused_file(&case, "heights.dem", "1 2", message, "they are read from .npy");
     let desk = Desk::with_case(&pressed("heights = \"folder.npy\""));
     std::fs::create_dir(desk.path("folder.npy")).unwrap();
-    let message = "`indenter.shape.heights` names `folder.npy`, which is not a file";
+    let message = "`indenter.shape.heights` names `folder.npy`, which is a folder, not a file";
     desk.refused(&["run", "case.toml"], message, "relative to the folder of the case file");
     let desk = Desk::with_case(&pressed("heights = \"none.npy\""));
     desk.refused(&["run", "case.toml"], "names `none.npy`, which does not exist", "case.toml:2:");

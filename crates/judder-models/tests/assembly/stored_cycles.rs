@@ -124,7 +124,7 @@ fn studies_without_a_cycle_to_begin_at() {
     assert_eq!(missing, format!("`start.study` names `{place}`, which does not exist"));
     std::fs::create_dir(folder.path().join("first")).unwrap();
     let foreign = refused(lines, &[], there);
-    assert_eq!(foreign, format!("`start.study` names `{place}`, which is not the folder of a study"));
+    assert_eq!(foreign, format!("`start.study` names `{place}`, which is a folder, not that of a study"));
 
     let (study, _) = first(folder.path(), 5);
     let other = refused(lines, &[], "{ study = \"first\", analysis = \"cycle\" }");

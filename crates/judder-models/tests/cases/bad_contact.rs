@@ -132,7 +132,7 @@ fn measured_data_that_are_not_there() {
 fn a_folder_in_place_of_heights() {
     refused(
         &contact("indenter = { shape = { heights = \".\" } }"),
-        "`indenter.shape.heights` names `.`, which is not a file",
+        "`indenter.shape.heights` names `.`, which is a folder, not a file",
         r#"".""#,
         "a path in a case is relative to the folder of the case file",
     );

@@ -6,6 +6,7 @@ use std::io::{ErrorKind, Read};
 use std::path::Path;
 use std::time::SystemTime;
 
+use judder_disk::kind_in_words;
 use rayon::prelude::*;
 
 use super::FileRecord;
@@ -106,7 +107,7 @@ pub(crate) fn check(path: &Path, record: &FileRecord, by_content: bool) -> Resul
         Err(source) => return Err(unreadable(source)),
     };
     if !metadata.is_file() {
-        return Err(FileDamage::Other(plain::words(metadata.file_type())));
+        return Err(FileDamage::Other(kind_in_words(metadata.file_type())));
     }
     if metadata.len() != record.bytes {
         return Err(FileDamage::Size { expected: record.bytes, found: metadata.len() });

@@ -15,7 +15,7 @@ use judder_keys::cause::Cause;
 use judder_keys::declared::{Allowed, Setting};
 use judder_keys::document::Node;
 use judder_keys::error::Fault;
-use judder_keys::file_reference::{FileReference, find_folder};
+use judder_keys::file_reference::{FileReference, PathFault, find_folder};
 use judder_keys::problem::Placed;
 use judder_keys::section::{Section, text};
 use judder_nonsmooth::contact::ContactPoints;
@@ -95,10 +95,12 @@ impl StudyReference {
         analysis: &str,
     ) -> Result<(), Fault> {
         let Some(node) = section.get(key) else { return Ok(()) };
-        let refused = |path, what| Cause::File { key: section.path(key), path, what }.at(node.place);
-        self.path = find_folder(&self.given, node, folder).map_err(|(path, what)| refused(path, what))?;
+        let refused = |path, fault| Cause::File { key: section.path(key), path, fault }.at(node.place);
+        self.path = find_folder(&self.given, node, folder).map_err(|(path, fault)| refused(path, fault))?;
         let no_study = |error: StoreError| match error {
-            StoreError::NoStudy { path } => refused(path, "is not the folder of a study"),
+            StoreError::NoStudy { path } => {
+                refused(path, PathFault::Other { found: "a folder", asked: "that of a study" })
+            }
             error => {
                 let reason = self.damage(&error).unwrap_or_else(|| error.to_string());
                 AssemblyProblem::Refused { reason }.at(node.place)

@@ -188,8 +188,8 @@ impl MatrixSums {
         let (Some(given), Some(node)) = (&self.folder, section.get("folder")) else {
             return Ok(folder.to_owned());
         };
-        find_folder(given, node, folder).map_err(|(path, what)| {
-            StructureProblem::Folder { key: section.path("folder"), path, what }.at(node.place)
+        find_folder(given, node, folder).map_err(|(path, fault)| {
+            StructureProblem::Folder { key: section.path("folder"), path, fault }.at(node.place)
         })
     }
 }

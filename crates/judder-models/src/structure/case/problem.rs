@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
+use judder_keys::file_reference::PathFault;
 use judder_keys::nearest::did_you_mean;
 use judder_keys::problem::Problem;
 use judder_memory::BeyondMemory;
@@ -85,14 +86,14 @@ pub enum StructureProblem {
         set: String,
     },
     /// A folder that is not there.
-    #[error("`{key}` names `{}`, which {what}", path.display())]
+    #[error("`{key}` names `{}`, which {fault}", path.display())]
     Folder {
         /// The key.
         key: String,
         /// Where the folder was looked for.
         path: PathBuf,
-        /// `does not exist` or `is not a folder`.
-        what: &'static str,
+        /// Why not.
+        fault: PathFault,
     },
     /// A factor of a matrix that gives NaN or an infinity.
     #[error("the factor of `{file}` is {value}{}{point}", if point.is_empty() { "" } else { ", at " })]
@@ -240,7 +241,7 @@ impl Problem for StructureProblem {
             Self::OutOfPlane { .. } => "out of the plane",
             Self::Format { .. } => "unknown format",
             Self::EmptySupport { .. } => "without effect",
-            Self::Folder { .. } => "no such folder",
+            Self::Folder { fault, .. } => fault.label("no such folder"),
             Self::Factor { .. } => "not finite",
             Self::NothingToSweep | Self::IdleParameter { .. } => "without effect",
             Self::UnsortedValues => "not in order",
@@ -281,10 +282,9 @@ impl StructureProblem {
             Self::Needs { example, .. } => format!("give {example}"),
             Self::Format { known, .. } => format!("known endings: {known}"),
             Self::EmptySupport { .. } => "give fixed = [\"x\", \"y\"] or tied = [\"y\"]".to_owned(),
-            Self::Folder { .. } => {
-                "a folder in a case is relative to the case file, one in `--set` to where the program runs"
-                    .to_owned()
-            }
+            Self::Folder { fault, .. } => fault
+                .help("a folder in a case is relative to the case file, one in `--set` to where the program runs")
+                .to_owned(),
             Self::Factor { .. } => "a factor must be finite: mind division by zero".to_owned(),
             Self::NothingToSweep => {
                 "take matrices with factors such as \"1/speed - 1\", or run the case once a value with `--set`"

@@ -9,8 +9,11 @@ use crate::quoted::quoted;
 use judder_memory::MemoryBudget;
 use std::io::Cursor;
 use zip::ZipArchive;
+use zip::result::ZipError;
 
 const ARCHIVE: &str = "the archive";
+const FORMAT: &str = "sparse matrix of SciPy";
+const REMEDY: &str = "write it with scipy.sparse.save_npz";
 
 /// The arrays of an archive, unpacked.
 struct ArchiveArrays<'a> {
@@ -25,8 +28,7 @@ const COUNT_BYTES: u128 = 24;
 
 /// Reads CSR, CSC, BSR, COO and DIA matrices.
 pub(super) fn read_npz(bytes: &[u8], budget: MemoryBudget) -> Result<Matrix, ExchangeError> {
-    let archive = ZipArchive::new(Cursor::new(bytes))
-        .map_err(|error| FileCause::Damaged { what: ARCHIVE, problem: error.to_string() })?;
+    let archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| not_opened(bytes))?;
     let mut arrays = ArchiveArrays { archive, budget };
     let shape = arrays.counts("shape")?;
     let [rows, columns] = shape.as_slice() else {
@@ -71,11 +73,7 @@ fn inconsistent(problem: String) -> ExchangeError {
 impl ArchiveArrays<'_> {
     /// An array; it unpacks no further than its own header says, and where that is not more than the archive can hold and the budget has.
     fn array(&mut self, name: &str) -> Result<NpyArray, ExchangeError> {
-        let mut file = self.archive.by_name(&format!("{name}.npy")).map_err(|error| FileCause::Foreign {
-            format: "sparse matrix of SciPy",
-            found: format!("its array `{name}` cannot be had ({error})"),
-            remedy: "write it with scipy.sparse.save_npz",
-        })?;
+        let mut file = self.archive.by_name(&format!("{name}.npy")).map_err(|error| not_had(name, &error))?;
         let header = NpyHeader::read(&mut file).map_err(refused)?;
         let each = if name == "data" { VALUE_BYTES + ENTRY_BYTES } else { COUNT_BYTES };
         let needed = header.said as u128 + header.count as u128 * each;
@@ -96,6 +94,40 @@ impl ArchiveArrays<'_> {
         let array = self.array("format")?;
         Ok(array.data.iter().filter(|byte| **byte != 0).map(|byte| char::from(*byte)).collect())
     }
+}
+
+/// What is wrong with bytes that do not open as an archive.
+fn not_opened(bytes: &[u8]) -> FileCause {
+    /// What the first file of an archive begins with.
+    const BEGINNING: &[u8] = b"PK\x03\x04";
+    // what is cut within it, or before it, begins as it does too
+    if bytes.starts_with(BEGINNING) || BEGINNING.starts_with(bytes) {
+        let problem = "the list of its arrays, which ends it, is missing or broken; was the file cut off?";
+        return FileCause::Damaged { what: ARCHIVE, problem: problem.to_owned() };
+    }
+    FileCause::Foreign {
+        format: FORMAT,
+        found: "it does not begin as an archive (ZIP) does".to_owned(),
+        remedy: REMEDY,
+    }
+}
+
+/// That an array of an archive is not to be had.
+fn not_had(name: &str, error: &ZipError) -> FileCause {
+    let found = match error {
+        ZipError::FileNotFound => format!("its archive has no array `{name}`"),
+        ZipError::CompressionMethodNotSupported(_) => {
+            format!("its array `{name}` is packed by another method than DEFLATE")
+        }
+        ZipError::InvalidPassword | ZipError::UnsupportedArchive(_) => {
+            format!("its array `{name}` is encrypted, or packed in another way than NumPy's")
+        }
+        _ => {
+            let problem = format!("where its array `{name}` should begin stands something else");
+            return FileCause::Damaged { what: ARCHIVE, problem };
+        }
+    };
+    FileCause::Foreign { format: FORMAT, found, remedy: REMEDY }
 }
 
 /// An array that cannot be used.

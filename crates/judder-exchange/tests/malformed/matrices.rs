@@ -44,7 +44,8 @@ fn binary_files_are_no_text_and_texts_no_binary_files() {
     assert!(message("a.mtx", sample("sparse.mat")).contains("is no text"));
     assert!(message("a.mtx", [0x31, 0xff, 0xfe]).contains("line 1: is no text: byte 1"));
     assert!(message("a.mat", sample("general.mtx")).contains("its header is not that of version 5"));
-    assert!(message("a.npz", sample("general.mtx")).contains("the archive does not unpack"));
+    let none = "is no sparse matrix of SciPy: it does not begin as an archive (ZIP) does; write it with";
+    assert!(message("a.npz", sample("general.mtx")).contains(none));
     assert!(message("a.mat", b"\x89HDF\r\n\x1a\n").contains("the HDF5 file does not unpack"));
     assert!(message("a.mat", b"MATLAB 7.3 MAT-file").contains("the HDF5 file does not unpack"));
     assert!(message("a.mat", b"MATLAB 5").contains("ends within the header of 128 bytes"));
@@ -73,8 +74,17 @@ fn matlab_files_that_are_cut_or_changed_are_named_with_their_byte() {
 fn archives_that_are_changed_are_named() {
     let whole = sample("csr.npz");
     each_cut("a.npz", &whole, 0..whole.len(), |length, path| {
-        assert!(read_matrix(path).is_err(), "{length}");
+        let said = read_matrix(path).unwrap_err().to_string();
+        assert!(said.ends_with("is missing or broken; was the file cut off?"), "{length}: {said}");
     });
+    let mut broken = whole;
+    broken[..4].fill(0);
+    let said = message("a.npz", broken);
+    assert!(said.contains("begin") && !said.contains("zip::"), "{said}");
+    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    archive.start_file("other.npy", SimpleFileOptions::default()).unwrap();
+    let said = message("a.npz", archive.finish().unwrap().into_inner());
+    assert!(said.contains("is no sparse matrix of SciPy: its archive has no array `shape`;"), "{said}");
     // a number that no longer fits the checksum
     let stored = replaced("bsr.npz", &1.1_f64.to_le_bytes(), &9.9_f64.to_le_bytes());
     assert!(message("a.npz", stored).contains("does not unpack"));

@@ -4,6 +4,7 @@
 
 use crate::StructureError;
 use crate::assembly::Sparse;
+use crate::definiteness::admit_mass;
 use crate::factor::SymmetricFactor;
 use crate::modes::{Mode, WantedModes, modes};
 use crate::statics::symmetric_product;
@@ -60,7 +61,7 @@ impl CraigBampton {
     ///
     /// # Errors
     /// [`StructureError::KeptTwice`] for a freedom that is named twice or is not there, [`StructureError::Singular`] where the rest
-    /// can move without force while the kept freedoms are held, what [`modes`] says of the rest.
+    /// can move without force while the kept freedoms are held, [`StructureError::IndefiniteMass`], what [`modes`] says of the rest.
     pub fn new(
         stiffness: &Sparse,
         mass: &Sparse,
@@ -68,6 +69,8 @@ impl CraigBampton {
         cut_off: CutOff,
     ) -> Result<Self, StructureError> {
         let parts = FreedomParts::new(stiffness.nrows(), kept)?;
+        // that of the rest alone may be positive where the whole is not
+        admit_mass(mass, f64::INFINITY)?;
         let (inner_stiffness, inner_mass) = (parts.inner(stiffness)?, parts.inner(mass)?);
         let (fixed_interface, from) = fixed_interface(&inner_stiffness, &inner_mass, cut_off)?;
         let factor = SymmetricFactor::new(&inner_stiffness)?;

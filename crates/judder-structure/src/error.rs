@@ -18,7 +18,7 @@ pub enum StructureError {
         requirement: &'static str,
     },
     /// A sum of a matrix that frequencies are sought between is not positive.
-    #[error("{name} is {value}: it must be positive", value = plain(*.value))]
+    #[error("{name} is {value}: it must be positive and finite", value = plain(*.value))]
     NotPositive {
         /// Which.
         name: &'static str,
@@ -243,6 +243,27 @@ pub enum StructureError {
         rows: usize,
         /// Of the pattern.
         expected: usize,
+    },
+    /// Some motions have less than no kinetic energy.
+    #[error(
+        "the mass is indefinite, negative in {negative} of its {size} eigenvalues: undamped modes are those of a mass that is positive or zero in every motion; is a sign wrong?"
+    )]
+    IndefiniteMass {
+        /// How many of its eigenvalues are negative.
+        negative: usize,
+        /// Of how many.
+        size: usize,
+    },
+    /// Some motions grow without friction and damping, below the lowest mode that swings.
+    #[error(
+        "the stiffness is indefinite, negative in {negative} of its {size} eigenvalues: so many motions grow and do not swing, and modes from the lowest on would begin \
+         with them; is a sign wrong? A band from a frequency above zero passes over them"
+    )]
+    IndefiniteStiffness {
+        /// How many of its eigenvalues are negative.
+        negative: usize,
+        /// Of how many.
+        size: usize,
     },
     /// Modes are missing that a count knows of.
     #[error("not all of {wanted} modes were found: the count of a factorisation knows of more")]

@@ -9,6 +9,7 @@
 //! - [`assembly`]: sparse stiffness and mass of a mesh.
 //! - [`rotation`]: what turns with a body: gyroscopic and centrifugal matrices, in the frame that turns or in the one that stands still.
 //! - [`factor`]: the factorisation of a symmetric matrix, with the count of its negative eigenvalues.
+//! - [`definiteness`]: how many eigenvalues of a symmetric matrix are negative or zero.
 //! - [`modes`]: undamped modes, with a count that shows whether one is missing.
 //! - [`rigid`]: which eigenvalues are those of rigid motions.
 //! - [`craig_bampton`]: a structure on the freedoms that are kept and its lowest fixed-interface modes.
@@ -36,6 +37,7 @@ pub mod chamfer;
 pub mod complex_modes;
 pub mod craig_bampton;
 pub mod damping;
+pub mod definiteness;
 pub mod diagnosis;
 mod direction;
 pub mod disc;

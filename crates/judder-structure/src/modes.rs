@@ -5,12 +5,13 @@ mod start;
 
 use crate::StructureError;
 use crate::assembly::Sparse;
+use crate::definiteness::admit_mass;
 use crate::factor::{FactorPattern, SymmetricFactor};
 use crate::statics::{dot, sum, symmetric_product};
 use faer::Mat;
 use judder_dense::symmetric::{Eigen, generalised};
 use lanczos::{APART, Lanczos, LanczosModes, combined};
-use start::{ShiftedStart, upper_edge};
+use start::{ShiftedStart, admit_start, upper_edge};
 use std::f64::consts::TAU;
 
 /// Which modes are wanted.
@@ -71,15 +72,15 @@ const ROUGH: f64 = 1e-14;
 
 /// The modes of a structure by shift-invert Lanczos in the inner product of the mass (T. Ericsson and A. Ruhe, 1980).
 ///
-/// Both matrices are symmetric and hold both triangles. A shift below zero lets rigid motions come out as what they are; a band above
+/// Both matrices are symmetric and hold both triangles; the mass is positive, or zero in some motions. A shift below zero lets rigid motions come out as what they are; a band above
 /// zero has its shift at its lower end, or a little below where an eigenvalue lies there. Sylvester's law of inertia counts the
 /// eigenvalues below a value above the last mode and below the shift; while there are more than were found, the search goes on from a
 /// start of its own.
 ///
 /// # Errors
-/// [`StructureError::MissingModes`] where the count is not reached, [`StructureError::OutOfMemory`], numbers that are not finite,
-/// [`StructureError::InvalidNumber`] for a band that does not rise.
+/// Those of [`admit`] with any number of multiplications; [`StructureError::MissingModes`] where the count is not reached.
 pub fn modes(stiffness: &Sparse, mass: &Sparse, wanted: WantedModes) -> Result<Modes, StructureError> {
+    admit_mass(mass, f64::INFINITY)?;
     let pencil = Pencil { stiffness, mass };
     let start = ShiftedStart::new(&pencil, wanted)?;
     let below = |value: f64| start.pattern.negative_eigenvalues(&pencil.shifted(value)?);
@@ -127,6 +128,30 @@ pub fn modes(stiffness: &Sparse, mass: &Sparse, wanted: WantedModes) -> Result<M
         search.start_anew();
     }
     Err(StructureError::MissingModes { wanted: aim })
+}
+
+/// Refuses what [`modes`] would refuse before it searches, as far as factorisations of no more multiplications than so many tell.
+///
+/// # Errors
+/// [`StructureError::IndefiniteMass`], [`StructureError::NotPositive`] for sums that are not, [`StructureError::IndefiniteStiffness`] where modes are wanted from the
+/// lowest on, [`StructureError::Singular`] where stiffness and mass are zero in one motion, [`StructureError::InvalidNumber`] for a band that does not rise,
+/// [`StructureError::OutOfMemory`].
+pub fn admit(
+    stiffness: &Sparse,
+    mass: &Sparse,
+    wanted: WantedModes,
+    most_operations: f64,
+) -> Result<(), StructureError> {
+    admit_mass(mass, most_operations)?;
+    admit_start(&Pencil { stiffness, mass }, wanted, most_operations)
+}
+
+/// Refuses sums of the diagonals that tell no scale of eigenvalues: a part of [`admit`] for matrices of elements, which are positive.
+///
+/// # Errors
+/// [`StructureError::NotPositive`].
+pub fn admit_sums(stiffness: &Sparse, mass: &Sparse) -> Result<(), StructureError> {
+    shift_scale(stiffness, mass).map(drop)
 }
 
 /// K − λ M.

@@ -105,12 +105,63 @@ fn matrices_that_are_not_positive_are_told() {
     );
     let run = desk.succeed(&["run", "case.toml"]);
     run.says("4 modes are asked for, and there are 3: the mass is singular");
+    // complex modes may be those of any matrices
+    let modes = std::fs::read_to_string(desk.path("case.toml")).unwrap();
+    let eigen = modes
+        .replace("kind = \"modes\"\ncount = 4", "kind = \"eigen\"\nregion = { re = [-2, 2], im = [0, 2] }");
+    desk.write("case.toml", eigen);
     desk.write("K.mtx", matrix("1 1 1\n2 2 1\n3 3 -1\n4 4 1"));
     let told = warnings(&desk);
     assert!(
         told[1].starts_with("the stiffness is indefinite, negative in 1 of its 4 eigenvalues"),
         "{told:?}"
     );
+}
+
+/// What a run certainly refuses, and nothing else.
+#[test]
+fn matrices_that_have_no_undamped_modes_are_refused_by_check_and_run() {
+    let diagonal = |entries: [&str; 4]| {
+        let lines: Vec<String> =
+            entries.iter().zip(1..).map(|(entry, k)| format!("{k} {k} {entry}\n")).collect();
+        format!("%%MatrixMarket matrix coordinate real general\n4 4 4\n{}", lines.concat())
+    };
+    let (ones, springs) = (diagonal(["1"; 4]), diagonal(["1", "4", "9", "16"]));
+    let negative_mass = diagonal(["1", "1", "1", "-1"]);
+    let pushing = diagonal(["-1", "4", "9", "16"]);
+    let skew = "%%MatrixMarket matrix coordinate real general\n4 4 4\n1 2 5\n2 1 -5\n3 4 5\n4 3 -5\n";
+    let desk = Desk::new();
+    let case = |analysis: &str| {
+        let head = "model = \"structure\"\n[matrices]\nmass = [{ file = \"M.mtx\" }]\nstiffness = [{ file = \"K.mtx\" }]\n";
+        let freedoms = "freedoms = \"f.csv\"\n[reduction]\nkept = [{ nodes = [4], directions = [\"x\"] }]\n";
+        let freedoms = if analysis.contains("reduction") { freedoms } else { "" };
+        desk.write("case.toml", format!("{head}{freedoms}[[analysis]]\nname = \"own\"\n{analysis}\n"));
+    };
+    desk.write("f.csv", "node,direction,x,y,z\n1,x,0,0,0\n2,x,1,0,0\n3,x,2,0,0\n4,x,3,0,0\n");
+    let matrices = |stiffness: &str, mass: &str| {
+        desk.write("K.mtx", stiffness);
+        desk.write("M.mtx", mass);
+    };
+    for analysis in [
+        "kind = \"modes\"\ncount = 4",
+        "kind = \"modes\"\nband = [\"0 Hz\", \"1 Hz\"]",
+        "kind = \"reduction\"",
+    ] {
+        case(analysis);
+        matrices(&diagonal(["1e308"; 4]), &ones);
+        refused_by_both(&desk, "the trace of the stiffness is inf: it must be positive and finite");
+        matrices(skew, &ones);
+        refused_by_both(&desk, "the trace of the stiffness is 0: it must be positive");
+        matrices(&pushing, &ones);
+        refused_by_both(&desk, "the stiffness is indefinite, negative in 1 of its 4 eigenvalues");
+        matrices(&springs, &negative_mass);
+        refused_by_both(&desk, "the mass is indefinite, negative in 1 of its 4 eigenvalues");
+    }
+    case("kind = \"modes\"\nband = [\"0.1 Hz\", \"1 Hz\"]");
+    refused_by_both(&desk, "the mass is indefinite");
+    matrices(&pushing, &ones);
+    assert_eq!(warnings(&desk).len(), 1);
+    desk.succeed(&["run", "case.toml"]);
 }
 
 #[test]

@@ -8,7 +8,9 @@ use crate::assembly::case::joint::{SpringSettings, Tie};
 use crate::error::ModelError;
 use crate::estimate::{title, words_json, words_text};
 use crate::structure::build::symmetric_part;
+use crate::structure::undamped::MOST_OPERATIONS;
 use judder_structure::StructureError;
+use judder_structure::definiteness::Definiteness;
 use judder_structure::modes::{WantedModes, modes};
 use judder_study::case::text::CaseText;
 use judder_study::model::{Analyses, estimates};
@@ -53,7 +55,9 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
         QuicklyFound::Refused(reason) | QuicklyFound::Doubt(reason) => Some(reason),
         QuicklyFound::Nothing => None,
     };
-    let warnings: Vec<String> = built.warnings.iter().chain(doubt).cloned().collect();
+    let masses = built.bodies.iter().map(indefinite_mass).collect::<Result<Vec<_>, _>>()?;
+    let warnings: Vec<String> =
+        built.warnings.iter().chain(doubt).cloned().chain(masses.into_iter().flatten()).collect();
     for warning in &warnings {
         text.push_str(&format!("\nwarning: {warning}\n"));
     }
@@ -71,6 +75,22 @@ pub(super) fn resolve(file: &CaseText, case: &AssemblyCase, resolved: Value) -> 
         "warnings": warnings,
     });
     Ok(Resolved { document, text })
+}
+
+/// What has to be known of the mass of a body that was not assembled here.
+fn indefinite_mass(body: &BuiltBody) -> Result<Option<String>, ModelError> {
+    if body.structure.elements.is_some() {
+        return Ok(None);
+    }
+    let found = Definiteness::of(&body.matrices.mass, MOST_OPERATIONS)?;
+    let negative = found.map_or(0, |own| own.negative);
+    let told = || {
+        let (name, size) = (&body.name, body.size());
+        format!(
+            "the mass of `{name}` is indefinite, negative in {negative} of its {size} eigenvalues: it has no undamped modes, and what begins with them is refused"
+        )
+    };
+    Ok((negative > 0).then(told))
 }
 
 /// What joins the bodies beside contacts.
@@ -112,8 +132,13 @@ impl KnownBody {
         let found = match has_modes {
             true => match modes(&stiffness, &body.matrices.mass, WantedModes::Lowest(7)) {
                 Ok(found) => Some(found),
-                // a body that turns has been softened below zero, or the stiffness pushes
-                Err(StructureError::MissingModes { .. } | StructureError::NotPositive { .. }) => None,
+                // a body that turns has been softened below zero, or the stiffness pushes; imported masses are told of apart
+                Err(
+                    StructureError::MissingModes { .. }
+                    | StructureError::NotPositive { .. }
+                    | StructureError::IndefiniteStiffness { .. }
+                    | StructureError::IndefiniteMass { .. },
+                ) => None,
                 Err(error) => return Err(error.into()),
             },
             false => None,

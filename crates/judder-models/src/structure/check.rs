@@ -5,9 +5,9 @@ use crate::error::ModelError;
 use crate::estimate::{title, words_json, words_text};
 use crate::structure::build::Structure;
 use crate::structure::case::{StructureCase, StructureSource};
-use crate::structure::definiteness::Definiteness;
-use crate::structure::undamped::Undamped;
+use crate::structure::undamped::{MOST_OPERATIONS, Undamped};
 use judder_structure::affine::Term;
+use judder_structure::definiteness::Definiteness;
 use judder_study::case::text::CaseText;
 use judder_study::model::{Analyses, estimates};
 use judder_study::resolve::Resolved;
@@ -80,19 +80,45 @@ fn of_matrices(case: &StructureCase, structure: &Structure) -> Result<Vec<String
         return Ok(Vec::new());
     }
     let Undamped { mass, stiffness, .. } = Undamped::new(case, structure)?;
-    let of_mass = Definiteness::of(&mass)?.map(|own| {
-        own.warnings(
+    let of_mass = Definiteness::of(&mass, MOST_OPERATIONS)?.map(|own| {
+        warnings(
+            own,
             "mass",
             "there are no undamped modes",
             "there are so many modes less, and eigenvalues at infinity",
         )
     });
-    let of_stiffness = Definiteness::of(&stiffness)?.map(|own| {
-        own.warnings(
+    let of_stiffness = Definiteness::of(&stiffness, MOST_OPERATIONS)?.map(|own| {
+        warnings(
+            own,
             "stiffness",
             "so many motions grow without friction and damping",
             "so many motions are rigid, or mechanisms",
         )
     });
     Ok(of_mass.into_iter().chain(of_stiffness).flatten().collect())
+}
+
+/// What has to be known of a matrix of this name in words.
+fn warnings(of: Definiteness, name: &str, of_negative: &str, of_zero: &str) -> Vec<String> {
+    let Definiteness { negative, zero, size } = of;
+    let told = |count: usize, are: &str, what: &str| {
+        (count > 0).then(|| format!("the {name} is {are} of its {size} eigenvalues: {what}"))
+    };
+    let indefinite = told(negative, &format!("indefinite, negative in {negative}"), of_negative);
+    let singular = told(zero, &format!("singular, zero to rounding in {zero}"), of_zero);
+    indefinite.into_iter().chain(singular).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_positive_is_told_in_words() {
+        let words = warnings(Definiteness { negative: 1, zero: 1, size: 3 }, "mass", "so", "thus");
+        assert_eq!(words[0], "the mass is indefinite, negative in 1 of its 3 eigenvalues: so");
+        assert_eq!(words[1], "the mass is singular, zero to rounding in 1 of its 3 eigenvalues: thus");
+        assert_eq!(warnings(Definiteness { negative: 0, zero: 0, size: 3 }, "mass", "so", "thus"), [""; 0]);
+    }
 }

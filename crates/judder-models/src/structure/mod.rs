@@ -10,7 +10,6 @@
 pub(crate) mod build;
 pub mod case;
 mod check;
-mod definiteness;
 pub mod eigen;
 pub mod eigen_sweep;
 mod fields;
@@ -20,7 +19,7 @@ pub mod reduction;
 pub(crate) mod shape_panels;
 pub(crate) mod shapes;
 pub(crate) mod solved_size;
-mod undamped;
+pub(crate) mod undamped;
 pub(crate) mod vectors;
 
 use crate::error::ModelError;

@@ -7,10 +7,14 @@ use crate::structure::case::{Matrices, StructureCase, StructureSource};
 use judder_structure::StructureError;
 use judder_structure::affine::Term;
 use judder_structure::assembly::Sparse;
+use judder_structure::modes::{WantedModes, admit, admit_sums};
 use judder_study::text::short;
 
 /// Departure from symmetry that is rounding.
 const ROUNDING: f64 = 1e-12;
+
+/// Multiplications of a factorisation up to which `judder check` looks at matrices: all looks together take about a second.
+pub(crate) const MOST_OPERATIONS: f64 = 1e9;
 
 /// Symmetric M and K at the case's own parameters, and of what they are.
 pub(super) struct Undamped {
@@ -96,6 +100,21 @@ impl Undamped {
         }
         let [(mass, _), (stiffness, _)] = of_rest;
         Ok(Self { mass, stiffness, of: ModesOf::Frictionless(left_out) })
+    }
+
+    /// Refuses, for `judder check`, what a search for modes would refuse before it begins.
+    pub(super) fn admit(
+        case: &StructureCase,
+        structure: &Structure,
+        wanted: WantedModes,
+    ) -> Result<(), ModelError> {
+        if let (StructureSource::Body(_), [mass], [stiffness]) =
+            (&case.source, structure.family.mass(), structure.family.stiffness())
+        {
+            return Ok(admit_sums(&stiffness.matrix, &mass.matrix)?);
+        }
+        let Self { mass, stiffness, .. } = Self::new(case, structure)?;
+        Ok(admit(&stiffness, &mass, wanted, MOST_OPERATIONS)?)
     }
 
     fn symmetric([(mass, of_mass), (stiffness, of_stiffness)]: [(Sparse, f64); 2]) -> Self {

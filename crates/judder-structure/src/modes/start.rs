@@ -31,28 +31,14 @@ pub(super) struct ShiftedStart {
 
 impl ShiftedStart {
     pub(super) fn new(pencil: &Pencil<'_>, wanted: WantedModes) -> Result<Self, StructureError> {
-        let scale = shift_scale(pencil.stiffness, pencil.mass)?;
-        let largest = largest_ratio(pencil.stiffness, pencil.mass);
-        let rigid_limit = rigid_limit(pencil.stiffness.nrows(), largest);
-        if let WantedModes::Band(from, to) = wanted {
-            let (name, requirement) = ("the band's end in Hz", "finite and above its start");
-            if !(to.is_finite() && from < to) {
-                return Err(StructureError::InvalidNumber { name, value: to, requirement });
-            }
-        }
-        let (from, band) = match wanted {
-            WantedModes::Band(from, to) if from > 0.0 => {
-                // above what rounding makes of zero: rigid motions have no frequency
-                let from = ((1.0 - EDGE) * (TAU * from).powi(2)).max(rigid_limit);
-                (from, Some((upper_edge(to) - from).max(0.0)))
-            }
-            _ => (-scale, None),
-        };
+        let FirstShift { shift: from, band, rigid_limit } = FirstShift::new(pencil, wanted)?;
         let at_shift = pencil.shifted(from)?;
         let pattern = FactorPattern::new(&at_shift)?;
         let factor = SymmetricFactor::with_pattern(&pattern, &at_shift)?;
-        // from zero nothing is passed over: a count that finds more below the shift ends the search as missing modes
-        let below = band.map_or(0, |_| factor.negative_eigenvalues());
+        let below = factor.negative_eigenvalues();
+        if band.is_none() {
+            admit_below(below, pencil)?;
+        }
         let mut start = Self { shift: from, factor, pattern, below, counted: (from, below), rigid_limit };
         let Some(band) = band else { return Ok(start) };
         for _ in 0..TRIES {
@@ -65,6 +51,61 @@ impl ShiftedStart {
         }
         Ok(start)
     }
+}
+
+/// The first shift that is tried.
+struct FirstShift {
+    shift: f64,
+    /// How wide the band above it is, where modes below are passed over; none from zero on.
+    band: Option<f64>,
+    rigid_limit: f64,
+}
+
+impl FirstShift {
+    fn new(pencil: &Pencil<'_>, wanted: WantedModes) -> Result<Self, StructureError> {
+        let scale = shift_scale(pencil.stiffness, pencil.mass)?;
+        let largest = largest_ratio(pencil.stiffness, pencil.mass);
+        let rigid_limit = rigid_limit(pencil.stiffness.nrows(), largest);
+        if let WantedModes::Band(from, to) = wanted {
+            let (name, requirement) = ("the band's end in Hz", "finite and above its start");
+            if !(to.is_finite() && from < to) {
+                return Err(StructureError::InvalidNumber { name, value: to, requirement });
+            }
+        }
+        let (shift, band) = match wanted {
+            WantedModes::Band(from, to) if from > 0.0 => {
+                // above what rounding makes of zero: rigid motions have no frequency
+                let from = ((1.0 - EDGE) * (TAU * from).powi(2)).max(rigid_limit);
+                (from, Some((upper_edge(to) - from).max(0.0)))
+            }
+            _ => (-scale, None),
+        };
+        Ok(Self { shift, band, rigid_limit })
+    }
+}
+
+/// Refuses what a search from zero would pass over: eigenvalues below the shift, so many.
+fn admit_below(negative: usize, pencil: &Pencil<'_>) -> Result<(), StructureError> {
+    match negative {
+        0 => Ok(()),
+        negative => Err(StructureError::IndefiniteStiffness { negative, size: pencil.stiffness.nrows() }),
+    }
+}
+
+/// Refuses what [`ShiftedStart::new`] would refuse, as far as a factorisation of no more multiplications than so many tells.
+pub(super) fn admit_start(
+    pencil: &Pencil<'_>,
+    wanted: WantedModes,
+    most_operations: f64,
+) -> Result<(), StructureError> {
+    let FirstShift { shift, band, .. } = FirstShift::new(pencil, wanted)?;
+    let at_shift = pencil.shifted(shift)?;
+    let pattern = FactorPattern::new(&at_shift)?;
+    if pattern.operations() > most_operations {
+        return Ok(());
+    }
+    let below = pattern.negative_eigenvalues(&at_shift)?;
+    if band.is_none() { admit_below(below, pencil) } else { Ok(()) }
 }
 
 /// The eigenvalue up to which modes are in a band that ends at a frequency in Hz.

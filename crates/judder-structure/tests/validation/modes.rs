@@ -10,7 +10,7 @@ use judder_structure::element::ElementKind;
 use judder_structure::freedom::Supports;
 use judder_structure::grid::Grid;
 use judder_structure::material::{Elastic, ElementSection};
-use judder_structure::modes::{Mode, Modes, WantedModes, below, modes};
+use judder_structure::modes::{Mode, Modes, WantedModes, admit, below, modes};
 use std::f64::consts::{PI, TAU};
 
 /// The two beams of the beams paper, Tables 1 and 2, held at one end.
@@ -246,4 +246,69 @@ fn where_freedoms_have_no_mass_all_modes_are_those_of_the_others() {
         assert_eq!(reduced.fixed_interface.len(), count.min(masses - 1));
         assert_eq!(reduced.error().unwrap().limit_hz(1e-4).is_finite(), left_out, "{count}");
     }
+}
+
+/// A diagonal matrix.
+fn diagonal(values: &[f64]) -> Sparse {
+    let entries: Vec<_> = values.iter().enumerate().map(|(k, value)| Triplet::new(k, k, *value)).collect();
+    Sparse::try_new_from_triplets(values.len(), values.len(), &entries).unwrap()
+}
+
+/// That modes of two matrices are refused for a reason, before they are searched and when they are.
+fn refused(stiffness: &Sparse, mass: &Sparse, wanted: WantedModes, expected: &StructureError) {
+    assert_eq!(admit(stiffness, mass, wanted, f64::INFINITY).as_ref().unwrap_err(), expected);
+    assert_eq!(modes(stiffness, mass, wanted).as_ref().unwrap_err(), expected);
+}
+
+/// Whatever is asked for, near zero or far from it, one motion among few or many.
+#[test]
+fn an_indefinite_mass_has_no_modes() {
+    let stiffness = diagonal(&[1.0, 4.0, 9.0, 16.0]);
+    let expected = StructureError::IndefiniteMass { negative: 1, size: 4 };
+    for of_last in [-1.0, -1e-9, -1e-30] {
+        let mass = diagonal(&[1.0, 1.0, 1.0, of_last]);
+        for wanted in [WantedModes::Lowest(4), WantedModes::Lowest(1), WantedModes::Band(0.1, 1.0)] {
+            refused(&stiffness, &mass, wanted, &expected);
+        }
+        let reduced = CraigBampton::new(&stiffness, &mass, &[3], CutOff::Count(3)).unwrap_err();
+        assert_eq!(reduced, expected);
+    }
+    let body = horizontal();
+    let assembled = body.assembled(&body.numbering(&body.held(&body.mesh.node_sets["start"])));
+    let mut mass = assembled.mass;
+    let size = mass.nrows();
+    // a coupling that is larger than what it couples has
+    let column = size / 2;
+    let place = mass.row_idx_of_col(column).position(|row| row == column).unwrap();
+    mass.val_of_col_mut(column)[place] *= 0.05;
+    let expected = StructureError::IndefiniteMass { negative: 1, size };
+    refused(&assembled.stiffness, &mass, WantedModes::Lowest(3), &expected);
+}
+
+#[test]
+fn an_indefinite_stiffness_has_no_modes_from_the_lowest_on() {
+    let (stiffness, mass) = (diagonal(&[-1.0, 4.0, -9.0, 16.0]), diagonal(&[1.0; 4]));
+    let expected = StructureError::IndefiniteStiffness { negative: 2, size: 4 };
+    for wanted in [WantedModes::Lowest(4), WantedModes::Lowest(1), WantedModes::Band(0.0, 1.0)] {
+        refused(&stiffness, &mass, wanted, &expected);
+    }
+    // a band above zero passes over what grows
+    let band = WantedModes::Band(0.1, 1.0);
+    admit(&stiffness, &mass, band, f64::INFINITY).unwrap();
+    let found = modes(&stiffness, &mass, band).unwrap();
+    let values: Vec<f64> = found.modes.iter().map(|mode| mode.eigenvalue.round()).collect();
+    assert_eq!((values, found.counted_from.1), (vec![4.0, 16.0], 2));
+}
+
+#[test]
+fn matrices_without_a_scale_or_without_both_in_one_motion_are_refused() {
+    let (ones, huge) = (diagonal(&[1.0; 4]), diagonal(&[1e308; 4]));
+    let name = "the trace of the stiffness";
+    let expected = StructureError::NotPositive { name, value: f64::INFINITY };
+    refused(&huge, &ones, WantedModes::Lowest(4), &expected);
+    let half = diagonal(&[1.0, 1.0, 0.0, 1.0]);
+    refused(&half, &half, WantedModes::Lowest(2), &StructureError::Singular { rows: 4 });
+    // without mass in some motions there are fewer modes
+    admit(&ones, &half, WantedModes::Lowest(4), f64::INFINITY).unwrap();
+    assert_eq!(modes(&ones, &half, WantedModes::Lowest(4)).unwrap().modes.len(), 3);
 }

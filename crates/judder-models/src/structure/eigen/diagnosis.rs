@@ -240,7 +240,7 @@ fn components(undamped: &Undamped, highest: f64) -> Result<Vec<Mode>, ModelError
     let Undamped { mass, stiffness, .. } = undamped;
     match modes(stiffness, mass, WantedModes::Band(0.0, highest / TAU)) {
         Ok(found) => return Ok(found.modes),
-        Err(StructureError::MissingModes { .. }) => (),
+        Err(StructureError::MissingModes { .. } | StructureError::IndefiniteStiffness { .. }) => (),
         Err(error) => return Err(error.into()),
     }
     let rows = mass.nrows();

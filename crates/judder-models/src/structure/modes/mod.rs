@@ -6,6 +6,7 @@ pub(crate) mod tables;
 
 pub(crate) use run::{ToldModes, run};
 
+use super::undamped::Undamped;
 use super::{StructureSubject, solved_size};
 use crate::error::ModelError;
 use crate::structure::build::Structure;
@@ -15,6 +16,7 @@ use judder_keys::Settings;
 use judder_keys::declared::{Number, NumberPair, Settings, Whole, both};
 use judder_keys::dimension::Dimension;
 use judder_store::{Declared, Results};
+use judder_structure::modes::WantedModes;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, MemoryBound, NeededMemory, Task};
 use judder_study::outcome::Outcome;
@@ -67,6 +69,13 @@ pub(crate) const PICTURE: Picture = Picture {
 };
 
 impl ModesAnalysis {
+    fn wanted(self) -> WantedModes {
+        match self {
+            Self::Count(count) => WantedModes::Lowest(count),
+            Self::Band([from, to]) => WantedModes::Band(from / TAU, to / TAU),
+        }
+    }
+
     /// What it needs of one structure.
     pub(crate) fn memory_of(self, structure: &Structure) -> NeededMemory {
         let of_factor = solved_size::undamped(structure, "undamped modes");
@@ -85,6 +94,10 @@ const FIGURE_BYTES: u128 = 30_000_000;
 const SHAPE_BYTES: u128 = 94;
 
 impl Analysis<StructureCase> for ModesAnalysis {
+    fn admit(&self, of: &StructureSubject<'_>) -> Result<(), ModelError> {
+        Undamped::admit(of.case, of.structure, self.wanted())
+    }
+
     fn run(&self, of: &StructureSubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run(of.case, of.structure, of.name, *self, None)
     }

@@ -30,10 +30,7 @@ pub(crate) fn run(
 ) -> Result<Outcome, ModelError> {
     let problem = structure.at(case, &case.values())?;
     let Undamped { mass, stiffness, of } = Undamped::new(case, structure)?;
-    let wanted = match wanted {
-        super::ModesAnalysis::Count(count) => WantedModes::Lowest(count),
-        super::ModesAnalysis::Band([from, to]) => WantedModes::Band(from / TAU, to / TAU),
-    };
+    let wanted = wanted.wanted();
     let found = modes(&stiffness, &mass, wanted)?;
     let frequency: Vec<f64> = found.modes.iter().map(Mode::frequency_hz).collect();
     let (count, rigid, ratios) = (frequency.len(), found.rigid_modes(), damping_ratios(&problem, &found));

@@ -5,6 +5,7 @@ mod files;
 mod run;
 pub(super) mod tables;
 
+use super::undamped::Undamped;
 use super::{StructureSubject, solved_size};
 use crate::error::ModelError;
 use crate::structure::case::StructureCase;
@@ -14,6 +15,7 @@ use judder_keys::Settings;
 use judder_keys::cause::Cause;
 use judder_keys::declared::{Settings, Whole, both};
 use judder_store::{Declared, Results};
+use judder_structure::modes::WantedModes;
 use judder_study::case::analysis::{Kind, Picture};
 use judder_study::model::{Analysis, NeededMemory, Task};
 use judder_study::outcome::Outcome;
@@ -54,6 +56,10 @@ pub(crate) const KIND: Kind<StructureScope, Arc<dyn Analysis<StructureCase>>> = 
 };
 
 impl Analysis<StructureCase> for ReductionAnalysis {
+    fn admit(&self, of: &StructureSubject<'_>) -> Result<(), ModelError> {
+        Undamped::admit(of.case, of.structure, WantedModes::Lowest(self.count))
+    }
+
     fn run(&self, of: &StructureSubject<'_>, _: Task<'_>) -> Result<Outcome, ModelError> {
         run::run(of.case, of.structure, of.name, self.count)
     }

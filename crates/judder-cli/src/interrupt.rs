@@ -1,6 +1,8 @@
 //! What ends a command from outside: Ctrl-C, SIGTERM, SIGHUP. The first ends it cleanly and keeps what is done, the second at once.
 
 use std::process;
+#[cfg(unix)]
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::thread;
@@ -97,14 +99,16 @@ fn set(console: Console, ending: Ending) {
 
 /// Watches for what ends a command on this system.
 fn begin() -> Result<(), Box<dyn std::error::Error>> {
-    ctrlc::set_handler(heard)?;
+    ctrlc::set_handler(|| heard("Ctrl-C once more"))?;
     #[cfg(unix)]
     {
-        use signal_hook::consts::{SIGHUP, SIGTERM};
+        use signal_hook::consts::{SIGHUP, SIGTERM, SIGXFSZ};
+        // a file beyond `ulimit -f` is an error of the write then; what is started from here has the system's own way again
+        signal_hook::flag::register(SIGXFSZ, Arc::default())?;
         let hangup = (!is_hangup_ignored()).then_some(SIGHUP);
         let mut signals = signal_hook::iterator::Signals::new([SIGTERM].into_iter().chain(hangup))?;
         thread::Builder::new().name("signals".to_owned()).spawn(move || {
-            signals.forever().for_each(|_| heard());
+            signals.forever().for_each(|_| heard("a second signal"));
         })?;
     }
     Ok(())
@@ -126,8 +130,8 @@ fn ignored_signals(status: &str) -> Option<u64> {
     u64::from_str_radix(line.trim(), 16).ok()
 }
 
-/// A signal has come.
-fn heard() {
+/// A signal has come; what ends the command at once from now on.
+fn heard(again: &str) {
     let how = *SIGNALS.how.lock().unwrap_or_else(PoisonError::into_inner);
     let Some((console, ending)) = how else { process::exit(i32::from(Exit::Incomplete.code())) };
     if SIGNALS.asked.swap(true, Ordering::Relaxed) {
@@ -137,9 +141,9 @@ fn heard() {
     }
     match ending {
         Ending::AtOnce => end(console, &Failure::missing(Message::error("interrupted"))),
-        Ending::Served => console.note("\nending; Ctrl-C once more ends at once"),
+        Ending::Served => console.note(format_args!("\nending; {again} ends at once")),
         Ending::Kept => {
-            console.note("\nending, and keeping what is done; Ctrl-C once more ends at once");
+            console.note(format_args!("\nending, and keeping what is done; {again} ends at once"));
             // a step of the computation may not ask for longer than a user waits
             thread::spawn(move || {
                 thread::sleep(GRACE);

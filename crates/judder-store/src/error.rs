@@ -49,7 +49,7 @@ pub enum StoreError {
         path: PathBuf,
     },
     /// The disk, a quota or the largest permitted file is exhausted. What stood at `path` before still stands.
-    #[error("{}: no room for {bytes} bytes ({source}); free some space or name a folder on another disk, then run again: what is done is kept", path.display())]
+    #[error("{}: no room for {} ({source}); {}, then run again: what is done is kept", path.display(), room(*bytes), roomier(source))]
     DiskFull {
         /// What was to be written.
         path: PathBuf,
@@ -410,6 +410,23 @@ pub enum StoreError {
         /// The path that was asked for.
         path: PathBuf,
     },
+}
+
+/// What there is no room for: who makes a file or syncs it writes no bytes.
+fn room(bytes: u64) -> String {
+    match bytes {
+        0 => "it".to_owned(),
+        1 => "1 byte".to_owned(),
+        bytes => format!("{bytes} bytes"),
+    }
+}
+
+/// What makes room.
+fn roomier(source: &io::Error) -> &'static str {
+    match source.kind() {
+        ErrorKind::FileTooLarge => "let larger files be written (`ulimit -f`)",
+        _ => "free some space or name a folder on another disk",
+    }
 }
 
 impl StoreError {

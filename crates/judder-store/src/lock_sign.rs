@@ -44,7 +44,7 @@ impl LockSign {
 impl fmt::Display for LockSign {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let holder = self.holder.as_deref().unwrap_or("another process");
-        write!(formatter, "{}, held by {holder},", self.file.display())
+        write!(formatter, "{}, held by {holder}", self.file.display())
     }
 }
 

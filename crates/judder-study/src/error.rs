@@ -189,7 +189,7 @@ pub enum StudyError {
     },
     /// What is needed is held by a process that seems to have stopped.
     #[error(
-        "{held} has shown no sign of life for {seconds} s; let that process go on, or end it, then run again: what is done is kept"
+        "{held}, has shown no sign of life for {seconds} s; let that process go on, or end it, then run again: what is done is kept"
     )]
     NoSignOfLife {
         /// The file that is locked, and who holds it.

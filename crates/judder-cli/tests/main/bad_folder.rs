@@ -80,6 +80,23 @@ fn a_full_disk() {
     assert!(summary["results"]["large"].is_null());
 }
 
+/// A limit of the shell, whose signal would end the process without a word.
+#[cfg(unix)]
+#[test]
+fn a_limit_on_the_size_of_files() {
+    let desk = Desk::with_case(CASE);
+    let mut command = std::process::Command::new("sh");
+    command.args(["-c", "ulimit -f 20; exec \"$JUDDER\" run case.toml --json"]);
+    command.env("JUDDER", env!("CARGO_BIN_EXE_judder")).current_dir(desk.path("."));
+    let said = Said::of(command.output().unwrap());
+    assert_eq!(said.code, 1, "{}", said.stderr);
+    let error = &said.json()["error"];
+    assert!(error["message"].as_str().unwrap().starts_with("out/case/"), "{error}");
+    said.says("File too large");
+    said.says("help: let larger files be written (`ulimit -f`)");
+    desk.succeed(&["run", "case.toml"]).says("done before: map");
+}
+
 /// Two case files of one name in different folders, both of which would go to `out/case`.
 #[test]
 fn a_folder_with_the_study_of_another_case_file() {

@@ -98,12 +98,14 @@ fn the_second_ends_at_once() {
 fn terminate_and_hang_up_end_like_ctrl_c() {
     for signal in ["-TERM", "-HUP"] {
         let desk = Desk::with_case(LONG);
-        let child = start(&desk, &["run", "case.toml", "--json", "-q"]);
+        let child = start(&desk, &["run", "case.toml", "--json"]);
         wait_for(&desk, "out/case/summary.json");
         send(&child, signal);
         let said = Said::of(child.wait_with_output().unwrap());
+        said.says("ending, and keeping what is done; a second signal ends at once");
         assert_eq!(said.code, 1, "{signal}: {}", said.stderr);
         said.says("× interrupted");
+        assert!(!said.stderr.contains("Ctrl-C"), "{}", said.stderr);
         assert_eq!(said.json()["error"]["message"], "interrupted");
         assert_eq!(desk.read_json("out/case/summary.json")["analyses"]["blink"]["status"], "done");
     }
@@ -124,6 +126,7 @@ fn what_is_waited_for_is_told() {
     BufReader::new(second.stderr.take().unwrap()).read_line(&mut line).unwrap();
     let held = format!("waiting for out/case/.judder.lock, held by process {}", first.id());
     assert!(line.contains(&held) && line.contains("this ends after 120 s"), "{line}");
+    assert!(!line.contains(",;"), "{line}");
     assert!(began.elapsed() < Duration::from_secs(3), "{:?}", began.elapsed());
     send(&second, "-TERM");
     assert_eq!(second.wait().unwrap().code(), Some(1));

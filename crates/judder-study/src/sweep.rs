@@ -31,5 +31,6 @@ pub use evaluate::Evaluator;
 pub(crate) use finish::{ReadChunks, SweepReading, read};
 pub use part::{Handed, joined, missing};
 pub use plan::SweepPlan;
+pub(crate) use plan::check_together;
 pub use shard::Shard;
 pub(crate) use waiting::when_free;

@@ -97,7 +97,15 @@ impl NeededMemory {
 
     /// Refuses what the process may not take.
     fn held(self) -> Result<Self, Refusal> {
-        self.held_against(MemoryBudget::of_whole_process())
+        let budget = MemoryBudget::of_whole_process();
+        match budget.ask(PROGRAM_BYTES) {
+            // no key of the case would change that
+            Err(source) if source.shared_by == 1 => {
+                let (what, advice) = (Cow::Borrowed("the program itself"), "lift that limit");
+                Err(Refusal::keys(&[], BudgetProblem { what, advice, source }))
+            }
+            _ => self.held_against(budget),
+        }
     }
 
     /// Refuses what this budget has not.

@@ -3,14 +3,15 @@
 use super::RunOptions;
 use crate::case::file::CaseFile;
 use crate::case::study_sweep::StudySweep;
-use crate::case::study_sweep::quantity_path::QuantitySource;
+use crate::case::study_sweep::quantity_path::{QuantityPath, QuantitySource};
 use crate::error::StudyError;
 use crate::input_file::KnownFile;
 use crate::model::Case;
-use crate::sweep::SweepPlan;
+use crate::sweep::{SweepPlan, check_together};
 use crate::version::version;
 use judder_store::{StudyFolder, content_hash, read_small_file};
 use serde_json::{Value, json};
+use std::sync::Arc;
 
 /// A case with the names and hashes of all that it has, and what of it is wanted.
 pub(crate) struct AskedCase<'a> {
@@ -41,10 +42,10 @@ impl<'a> AskedCase<'a> {
             });
         }
         let (resolved, files) = resolved_with_files(file)?;
-        let hashed =
-            |(index, name): (usize, &String)| (name.clone(), analysis_hash(&file.case, &resolved, index));
+        let hashes = Hashes::of(version(), &file.case, &resolved);
+        let hashed = |(index, name): (usize, &String)| (name.clone(), hashes.analysis(index));
         let analyses = names.iter().enumerate().map(hashed).collect();
-        let sweeps = file.sweeps.iter().map(|sweep| sweep_hash(&resolved, sweep)).collect();
+        let sweeps = file.sweeps.iter().map(|sweep| hashes.sweep(sweep)).collect();
         Ok(Self { file, only: &options.only, kept: &options.files, resolved, analyses, sweeps, files })
     }
 
@@ -76,14 +77,12 @@ impl<'a> AskedCase<'a> {
 
     /// Of results that are dropped, by name and hash, those that the build of this version has computed of this same case.
     pub(super) fn computed_by(&self, version: &str, dropped: &[(String, String)]) -> Vec<String> {
-        let names = self.analyses.iter().enumerate();
-        let hashed = names.map(|(index, (name, _))| {
-            (name, analysis_hash_by(version, &self.file.case, &self.resolved, index))
-        });
-        hashed
-            .filter(|(name, hash)| dropped.iter().any(|(own, of)| own == *name && of == hash))
-            .map(|(name, _)| name.clone())
-            .collect()
+        let hashes = Hashes::of(version, &self.file.case, &self.resolved);
+        let is_dropped = |index: usize, name: &String| {
+            dropped.iter().any(|(own, of)| own == name && *of == hashes.analysis(index))
+        };
+        let names = self.analyses.iter().map(|(name, _)| name).enumerate();
+        names.filter(|(index, name)| is_dropped(*index, name)).map(|(_, name)| name.clone()).collect()
     }
 
     /// The names that are wanted, analyses first.
@@ -94,11 +93,15 @@ impl<'a> AskedCase<'a> {
     /// The plans of the wanted sweeps.
     ///
     /// # Errors
-    /// As of [`SweepPlan::new`].
+    /// As of [`SweepPlan::new`]; sweeps that do not fit into memory together.
     pub(super) fn plans(&self) -> Result<Vec<SweepPlan>, StudyError> {
         let sweeps = self.file.sweeps.iter().zip(&self.sweeps);
-        let wanted = sweeps.filter(|(sweep, _)| self.is_wanted(&sweep.name));
-        wanted.map(|(sweep, hash)| SweepPlan::new(self.file, sweep, hash, &self.files)).collect()
+        let (wanted, hashes): (Vec<_>, Vec<_>) =
+            sweeps.filter(|(sweep, _)| self.is_wanted(&sweep.name)).unzip();
+        check_together(&wanted)?;
+        let file = Arc::new(self.file.clone());
+        let plan = |(sweep, hash): (&StudySweep, &String)| SweepPlan::new(&file, sweep, hash, &self.files);
+        wanted.into_iter().zip(hashes).map(plan).collect()
     }
 }
 
@@ -133,23 +136,50 @@ pub fn resolved_with_files(case: &CaseFile) -> Result<(Value, Vec<KnownFile>), S
 /// Names all that the result of an analysis of a case depends on: its canonical form without its list of analyses and its title, this
 /// analysis, those whose results it takes up, the version, which names the sources of the build.
 pub fn analysis_hash(case: &Case, resolved: &Value, index: usize) -> String {
-    analysis_hash_by(version(), case, resolved, index)
+    Hashes::of(version(), case, resolved).analysis(index)
 }
 
-/// The same hash as another build has it.
-fn analysis_hash_by(version: &str, case: &Case, resolved: &Value, index: usize) -> String {
-    let model = model(resolved);
-    let mut analysis = resolved.get("analysis").and_then(|list| list.get(index)).cloned();
-    let others = taken_up(case, resolved, analysis.as_ref());
-    if let Some(object) = analysis.as_mut().and_then(Value::as_object_mut) {
-        for key in case.limits() {
-            object.remove(*key);
+/// The hashes of the results of a case.
+struct Hashes<'a> {
+    /// Whose they are.
+    version: &'a str,
+    case: &'a Case,
+    resolved: &'a Value,
+    /// The case without what is asked of it, which all of them have.
+    model: Value,
+}
+
+impl<'a> Hashes<'a> {
+    /// Of the build of this version.
+    fn of(version: &'a str, case: &'a Case, resolved: &'a Value) -> Self {
+        Self { version, case, resolved, model: model(resolved) }
+    }
+
+    /// That of an analysis.
+    fn analysis(&self, index: usize) -> String {
+        let mut analysis = self.resolved.get("analysis").and_then(|list| list.get(index)).cloned();
+        let others = taken_up(self.case, self.resolved, analysis.as_ref());
+        if let Some(object) = analysis.as_mut().and_then(Value::as_object_mut) {
+            for key in self.case.limits() {
+                object.remove(*key);
+            }
         }
+        if others.is_empty() {
+            return content_hash(json!([self.version, self.model, analysis]).to_string().as_bytes());
+        }
+        content_hash(json!([self.version, self.model, analysis, others]).to_string().as_bytes())
     }
-    if others.is_empty() {
-        return content_hash(json!([version, model, analysis]).to_string().as_bytes());
+
+    /// Names all that the values of a sweep depend on: the case without its lists of analyses and sweeps and its title, the sweep, the analyses
+    /// that its quantities take, the version.
+    fn sweep(&self, sweep: &StudySweep) -> String {
+        let of = |quantity: &QuantityPath| match &quantity.source {
+            QuantitySource::Analysis { index, .. } => self.resolved["analysis"].get(index).cloned(),
+            QuantitySource::Point { .. } => None,
+        };
+        let analyses: Vec<Value> = sweep.quantities.iter().filter_map(of).collect();
+        content_hash(json!([self.version, self.model, sweep.resolved(), analyses]).to_string().as_bytes())
     }
-    content_hash(json!([version, model, analysis, others]).to_string().as_bytes())
 }
 
 /// The other analyses whose results an analysis takes up, as the case describes them.
@@ -158,18 +188,6 @@ fn taken_up<'a>(case: &Case, resolved: &'a Value, analysis: Option<&Value>) -> V
     let names = case.takes_up(name);
     let all = resolved.get("analysis").and_then(Value::as_array).into_iter().flatten();
     all.filter(|other| other["name"].as_str().is_some_and(|name| names.contains(&name))).collect()
-}
-
-/// Names all that the values of a sweep depend on: the case without its lists of analyses and sweeps and its title, the sweep, the analyses
-/// that its quantities take, the version.
-fn sweep_hash(resolved: &Value, sweep: &StudySweep) -> String {
-    let model = model(resolved);
-    let of = |quantity: &crate::case::study_sweep::quantity_path::QuantityPath| match &quantity.source {
-        QuantitySource::Analysis { index, .. } => resolved["analysis"].get(index).cloned(),
-        QuantitySource::Point { .. } => None,
-    };
-    let analyses: Vec<Value> = sweep.quantities.iter().filter_map(of).collect();
-    content_hash(json!([version(), model, sweep.resolved(), analyses]).to_string().as_bytes())
 }
 
 /// The case without its title and without what is asked of it.

@@ -12,6 +12,7 @@ use crate::model::{OperatingQuantity, OperatingWork};
 use crate::version::version;
 use judder_memory::MemoryBudget;
 use judder_store::{SweepDimension, SweepLayout, SweepQuantity, Variable};
+use std::sync::Arc;
 
 /// The most points of a chunk where the case does not say, when only the operating point is asked for: a fraction of a second.
 const POINTS_OF_POINTS: u64 = 1 << 17;
@@ -52,7 +53,8 @@ pub(super) enum StoredColumn {
 /// A sweep of a case with the layout of its results.
 #[derive(Debug, Clone)]
 pub struct SweepPlan {
-    pub(super) file: CaseFile,
+    /// Shared by all plans of a case: it has all sweeps.
+    pub(super) file: Arc<CaseFile>,
     pub(super) sweep: StudySweep,
     pub(super) columns: Vec<StoredColumn>,
     layout: SweepLayout,
@@ -66,7 +68,7 @@ impl SweepPlan {
     /// # Errors
     /// A sweep that cannot be stored.
     pub(crate) fn new(
-        file: &CaseFile,
+        file: &Arc<CaseFile>,
         sweep: &StudySweep,
         hash: &str,
         files: &[KnownFile],
@@ -77,7 +79,7 @@ impl SweepPlan {
         let mut columns: Vec<StoredColumn> = (0..keys).map(StoredColumn::Key).collect();
         columns.extend(sweep.quantities.iter().map(column));
         let layout = layout(file, sweep, &columns, hash)?;
-        Ok(Self { file: file.clone(), sweep: sweep.clone(), columns, layout, files: files.to_vec() })
+        Ok(Self { file: Arc::clone(file), sweep: sweep.clone(), columns, layout, files: files.to_vec() })
     }
 
     /// The case that is swept.
@@ -151,11 +153,27 @@ fn check_memory(sweep: &StudySweep, budget: MemoryBudget) -> Result<(), StudyErr
             StudyError::Memory { what, source }
         });
     }
-    let values: u128 = sweep.axes.iter().filter_map(SweptKey::count).map(u128::from).sum();
+    let values = grid_values(sweep);
     budget.ask(values * VALUE_BYTES).map_err(|source| {
         let what = format!("the {values} values of the keys of the sweep `{}`", sweep.name);
         StudyError::Memory { what, source }
     })
+}
+
+/// Refuses sweeps whose plans, which are made all at once, fit into memory by themselves only.
+pub(crate) fn check_together(sweeps: &[&StudySweep]) -> Result<(), StudyError> {
+    let grids: Vec<_> = sweeps.iter().filter(|sweep| sweep.method == Design::Grid).collect();
+    let values: u128 = grids.iter().map(|sweep| grid_values(sweep)).sum();
+    let asked = if grids.len() > 1 { values * VALUE_BYTES } else { 0 };
+    MemoryBudget::of_process().ask(asked).map_err(|source| {
+        let what = format!("the {values} values of the keys of {} sweeps", grids.len());
+        StudyError::Memory { what, source }
+    })
+}
+
+/// How many values the keys of a grid have.
+fn grid_values(sweep: &StudySweep) -> u128 {
+    sweep.axes.iter().filter_map(SweptKey::count).map(u128::from).sum()
 }
 
 fn column(quantity: &QuantityPath) -> StoredColumn {

@@ -5,7 +5,7 @@ use clap::{ArgAction, Args, CommandFactory, Parser};
 use serde_json::json;
 
 use crate::commands::Command;
-use crate::console::{Console, ProgressForm};
+use crate::console::{Console, ProgressForm, print_styled};
 use crate::failure::{Exit, Failure};
 use crate::memory::MemoryLimit;
 
@@ -73,8 +73,7 @@ pub(crate) fn without_command(console: Console) -> Result<Exit, Failure> {
     if console.json() {
         return Err(Failure::wrong_input("no command was given", "`judder --help` lists the commands"));
     }
-    // A reader that has gone is no failure.
-    let _ = Arguments::command().print_help();
+    print_styled(&Arguments::command().render_help())?;
     Ok(Exit::Done)
 }
 
@@ -91,8 +90,7 @@ pub(crate) fn answer(error: &clap::Error, console: Console) -> Result<Exit, Fail
     if console.json() {
         console.document(|| json!({ key: error.to_string() }))?;
     } else {
-        // A reader that has gone, as in `judder --help | head -1`, is no failure.
-        let _ = error.print();
+        print_styled(&error.render())?;
     }
     Ok(Exit::Done)
 }

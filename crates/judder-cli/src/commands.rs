@@ -17,10 +17,12 @@ mod verify;
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
+use judder_study::Progress;
 use judder_study::case::file::CaseFile;
 
 use crate::console::Console;
 use crate::failure::{Exit, Failure};
+use crate::progress::Bars;
 
 /// What judder is asked to do.
 #[derive(Debug, Subcommand)]
@@ -74,8 +76,12 @@ struct CaseArguments {
 }
 
 impl CaseArguments {
-    /// Reads the case with the changes applied.
-    fn read(&self) -> Result<CaseFile, Failure> {
-        Ok(judder_models::read(&self.case, &self.overrides)?)
+    /// Reads the case with the changes applied; a file of thousands of sweeps takes a while.
+    fn read(&self, console: Console) -> Result<CaseFile, Failure> {
+        let bars = Bars::of_what_is_not_kept(console);
+        bars.announce(Some("reading the case"));
+        let read = judder_models::read(&self.case, &self.overrides);
+        bars.announce(None);
+        Ok(read?)
     }
 }

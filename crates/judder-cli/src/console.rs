@@ -1,11 +1,13 @@
 //! What the user sees: results on standard output, everything else on standard error.
 
+use std::borrow::Cow;
 use std::ffi::OsString;
 use std::fmt::Display;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
 use std::sync::{Mutex, PoisonError};
 
 use clap::ValueEnum;
+use clap::builder::StyledStr;
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -41,15 +43,38 @@ pub(crate) enum ProgressForm {
     None,
 }
 
+/// A result as a document that says why the command ends with another exit code than 0.
+#[derive(Debug, Serialize)]
+pub(crate) struct Told<'a, D> {
+    #[serde(flatten)]
+    pub(crate) result: D,
+    /// What the result lacks, a line each.
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    pub(crate) lacking: &'a [String],
+    /// Why a part of it was refused, as a document of its own.
+    #[serde(flatten)]
+    pub(crate) error: Option<Value>,
+}
+
+impl<'a, D> Told<'a, D> {
+    /// A result of which this is missing.
+    pub(crate) fn lacking(result: D, lacking: &'a [String]) -> Self {
+        Self { result, lacking, error: None }
+    }
+}
+
 impl Console {
     pub(crate) fn new(json: bool, quiet: bool, verbosity: u8, progress: ProgressForm) -> Self {
         Self { json, quiet, verbosity, progress }
     }
 
-    /// For arguments that could not be parsed: of these only `--json` matters.
+    /// For arguments that could not be parsed: of these only those matter that say how a program reads.
     pub(crate) fn before_parsing(words: &[OsString]) -> Self {
-        let mut options = words.iter().skip(1).take_while(|argument| *argument != "--");
-        Self::new(options.any(|argument| argument == "--json"), false, 0, ProgressForm::Auto)
+        let options: Vec<_> = words.iter().skip(1).take_while(|argument| *argument != "--").collect();
+        let is_given = |option: &[&str]| options.windows(option.len()).any(|own| own == option);
+        let has_json_lines = is_given(&["--progress=json"]) || is_given(&["--progress", "json"]);
+        let progress = if has_json_lines { ProgressForm::Json } else { ProgressForm::Auto };
+        Self::new(is_given(&["--json"]), false, 0, progress)
     }
 
     /// For a command that begins: no document stands on standard output yet.
@@ -87,7 +112,7 @@ impl Console {
     /// A line that tells how far a command is.
     pub(crate) fn progress_line(self, text: impl FnOnce() -> String, line: impl FnOnce() -> Value) {
         if self.has_lines() {
-            write_message(&format!("{}\n", text()));
+            write_message(&format!("{}\n", harmless(&text())));
         }
         self.json_line(line);
     }
@@ -98,6 +123,11 @@ impl Console {
             true => self.json_line(|| json!({ "event": "message", "text": text.trim_end() })),
             false => write_message(text),
         }
+    }
+
+    /// Says a message with its place and help.
+    fn draw(self, diagnostic: &dyn Diagnostic) {
+        self.say(&drawn(diagnostic, self.has_json_lines()));
     }
 
     /// Prints the result of a command in the form that was asked for.
@@ -112,7 +142,7 @@ impl Console {
         if self.json {
             write_document(&json())
         } else {
-            write_output(|output| output.write_all(text().as_bytes()))
+            write_output(|output| output.write_all(harmless(&text()).as_bytes()))
         }
     }
 
@@ -132,20 +162,20 @@ impl Console {
     /// A line for whoever asked for as many `-v`.
     pub(crate) fn detail(self, verbosity: u8, text: impl Display) {
         if !self.quiet && self.verbosity >= verbosity {
-            self.say(&format!("{text}\n"));
+            self.say(&format!("{}\n", harmless(&text.to_string())));
         }
     }
 
     /// What the user has to know before trusting the result.
     pub(crate) fn warn(self, text: &str) {
         if !self.quiet {
-            self.say(&draw(&Message::warning(text)));
+            self.draw(&Message::warning(text));
         }
     }
 
     /// Why a result is missing although the command ended well; told also to whoever asked for silence.
     pub(crate) fn incomplete(self, text: &str, help: &str) {
-        self.say(&draw(&Message::error(text).with_help(help)));
+        self.draw(&Message::error(text).with_help(help));
     }
 
     /// What a result lacks, a line each, also for whoever asked for silence; how the command ends.
@@ -168,11 +198,11 @@ impl Console {
         /// A screen or two.
         const MOST: usize = 20;
         for one in std::iter::once(failure).chain(&failure.others).take(MOST) {
-            self.say(&draw(one.diagnostic()));
+            self.draw(one.diagnostic());
         }
         let more = (failure.others.len() + 1).saturating_sub(MOST);
         if more > 0 {
-            self.say(&draw(&Message::error(format!("{more} more things are wrong with it"))));
+            self.draw(&Message::error(format!("{more} more things are wrong with it")));
         }
     }
 
@@ -191,18 +221,55 @@ pub(crate) fn output_width() -> u16 {
     terminal_size_of(io::stdout()).map_or(WIDTH, |(Width(columns), _)| columns)
 }
 
-/// A message with its place and help. On a terminal lines wrap; in a file they stay whole.
-fn draw(diagnostic: &dyn Diagnostic) -> String {
-    let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode());
+/// A message with its place and help. On a terminal lines wrap and have colours; in a file they stay whole, as those that a program reads do.
+fn drawn(diagnostic: &dyn Diagnostic, is_for_program: bool) -> String {
+    let theme = if is_for_program { GraphicalTheme::unicode_nocolor() } else { GraphicalTheme::unicode() };
+    let handler = GraphicalReportHandler::new_themed(theme);
     let handler = match terminal_size_of(io::stderr()) {
-        Some((Width(columns), _)) => handler.with_width(usize::from(columns)),
-        None => handler.with_wrap_lines(false),
+        Some((Width(columns), _)) if !is_for_program => handler.with_width(usize::from(columns)),
+        _ => handler.with_wrap_lines(false),
     };
     let mut drawing = String::new();
     match handler.render_report(&mut drawing, diagnostic) {
-        Ok(()) => drawing,
-        Err(_) => format!("{diagnostic}\n"),
+        Ok(()) if is_for_program => harmless(&drawing).into_owned(),
+        Ok(()) => harmless_in_colour(&drawing),
+        Err(_) => harmless(&format!("{diagnostic}\n")).into_owned(),
     }
+}
+
+/// A text with its control characters, other than ends of lines and tabs, escaped: those of a title could clear the terminal.
+fn harmless(text: &str) -> Cow<'_, str> {
+    let is_told = |letter: char| letter.is_control() && !matches!(letter, '\n' | '\t');
+    if !text.contains(is_told) {
+        return text.into();
+    }
+    let mut told = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match is_told(letter) {
+            true => told.extend(letter.escape_default()),
+            false => told.push(letter),
+        }
+    }
+    told.into()
+}
+
+/// The same of a text that has colours.
+fn harmless_in_colour(text: &str) -> String {
+    const ESCAPE: char = '\u{1b}';
+    let is_colour = |code: &str| {
+        let code = code.strip_prefix('[').unwrap_or_default();
+        code.trim_start_matches(|letter: char| letter.is_ascii_digit() || letter == ';').starts_with('m')
+    };
+    let mut pieces = text.split(ESCAPE);
+    let mut told = harmless(pieces.next().unwrap_or_default()).into_owned();
+    for piece in pieces {
+        match is_colour(piece) {
+            true => told.push(ESCAPE),
+            false => told.extend(ESCAPE.escape_default()),
+        }
+        told.push_str(&harmless(piece));
+    }
+    told
 }
 
 /// Writes to standard error; the stream drops colours where they are not wanted.
@@ -224,9 +291,22 @@ fn write_document(document: &impl Serialize) -> Result<(), Failure> {
     })
 }
 
+/// Prints help or version, with colours where they are wanted.
+///
+/// # Errors
+/// As [`Console::result`].
+pub(crate) fn print_styled(text: &StyledStr) -> Result<(), Failure> {
+    let mut output = anstream::stdout().lock();
+    settle(write!(output, "{}", text.ansi()).and_then(|()| output.flush()))
+}
+
 fn write_output(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
     let mut output = BufWriter::new(io::stdout().lock());
-    match write(&mut output).and_then(|()| output.flush()) {
+    settle(write(&mut output).and_then(|()| output.flush()))
+}
+
+fn settle(written: io::Result<()>) -> Result<(), Failure> {
+    match written {
         // `judder schema | head -1`: the reader has what it wants.
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         written => written.map_err(Failure::output),

@@ -110,6 +110,22 @@ impl Failure {
         Self { exit: Exit::Incomplete, diagnostic: Box::new(message), others: Vec::new() }
     }
 
+    /// All of these as one: the first, and what else is wrong.
+    pub(crate) fn all(failures: impl IntoIterator<Item = Self>) -> Option<Self> {
+        let mut failures = failures.into_iter();
+        let first = failures.next()?;
+        Some(Self {
+            others: first.others.into_iter().chain(failures.flat_map(Self::each)).collect(),
+            ..first
+        })
+    }
+
+    /// Each thing that is wrong by itself.
+    fn each(mut self) -> Vec<Self> {
+        let others = std::mem::take(&mut self.others);
+        std::iter::once(self).chain(others).collect()
+    }
+
     /// A panic of the program.
     pub(crate) fn fault(panic: &(dyn Any + Send)) -> Self {
         let help = "please report it, with the command and its case";

@@ -9,13 +9,12 @@ use judder_memory::MemoryBudget;
 #[command(next_help_heading = "Everywhere")]
 pub(crate) struct MemoryLimit {
     /// Memory to take at most, as in "4 GiB" [default: three quarters of what is free]; what would need more is refused before it is computed
-    #[arg(long, global = true, value_name = "AMOUNT", value_parser = parse)]
+    #[arg(long, global = true, value_name = "AMOUNT", value_parser = parse, allow_hyphen_values = true)]
     memory: Option<Memory>,
 }
 
 fn parse(text: &str) -> Result<Memory, String> {
-    Memory::parse(text)
-        .ok_or_else(|| String::from("give an amount of 1 MiB or more, such as \"4 GiB\" or \"500 MB\""))
+    Memory::parse(text).ok_or_else(|| format!("give {}", Memory::form()))
 }
 
 impl MemoryLimit {

@@ -11,7 +11,7 @@ const MOST_THREADS: usize = 4096;
 #[derive(Debug, Clone, Copy, Args)]
 pub(crate) struct Threads {
     /// Threads to compute with, one a core by default; results do not depend on it
-    #[arg(long, value_name = "N", value_parser = parse)]
+    #[arg(long, value_name = "N", value_parser = parse, allow_hyphen_values = true)]
     threads: Option<usize>,
 }
 

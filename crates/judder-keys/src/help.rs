@@ -2,6 +2,7 @@
 
 use crate::cause::{Cause, gibibytes};
 use crate::dimension::Dimension;
+use crate::memory::Memory;
 use crate::nearest::{did_you_mean, nearest};
 use crate::quantity::{QuantityError, UNIT_LIST};
 
@@ -174,7 +175,7 @@ impl Cause {
             Self::Difference { example, .. } => format!("write a difference: \"{example}\""),
             Self::Meaningless { key, .. } => format!("leave `{key}` out"),
             Self::Length { expected, .. } => format!("give {expected}"),
-            Self::NotMemory { .. } => "write \"4 GiB\" or \"512 MiB\"".to_owned(),
+            Self::NotMemory { .. } => format!("write {}", Memory::form()),
             Self::Problem(problem) => return problem.help(),
             _ => return None,
         };

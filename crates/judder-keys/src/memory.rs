@@ -47,6 +47,12 @@ impl Memory {
         (bytes >= LEAST as f64 && bytes < (1_u64 << 53) as f64).then_some(Self { bytes: bytes as u64 })
     }
 
+    /// How an amount is written, in words.
+    pub fn form() -> String {
+        let units = UNITS.map(|(unit, _)| unit).join(", ");
+        format!("a number of 1 MiB or more with its unit ({units}), such as \"4 GiB\"")
+    }
+
     /// The amount that a limit would need to be, in whole GiB or MiB, as a case writes it.
     pub fn rounded_up(self) -> String {
         let (unit, size) = if self.bytes >= GIB { ("GiB", GIB) } else { ("MiB", MIB) };

@@ -12,6 +12,7 @@ mod sweeps;
 
 pub use asked::{analysis_hash, resolved_with_files};
 pub use held::{HeldRun, HeldStudy, hold};
+pub use sweeps::PartedSweep;
 
 use crate::case::file::CaseFile;
 use crate::error::StudyError;
@@ -66,8 +67,10 @@ pub enum SweepWork {
 pub struct RunReport {
     /// The study folder.
     pub folder: PathBuf,
-    /// The content of its `summary.json`.
+    /// The content of its `summary.json`; empty where the study is left to others.
     pub summary: Summary,
+    /// The sweeps of a study that is left to others: a part was asked for, or chunks of a merge are missing or damaged.
+    pub parted: Vec<PartedSweep>,
     /// Its `report.html`; none where other processes are still at work on the study, or a part or no report was asked for.
     pub report: Option<PathBuf>,
     /// Analyses that were done before.
@@ -271,6 +274,7 @@ impl Computed {
         Ok(RunReport {
             folder,
             summary,
+            parted: Vec::new(),
             report: report.map(|page| page.path),
             skipped,
             forgotten,

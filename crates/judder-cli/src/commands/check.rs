@@ -24,8 +24,9 @@ pub(crate) struct CheckArguments {
 
 impl CheckArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
+        let case = self.case.read(console)?;
         let bars = Bars::of_what_is_not_kept(console);
-        let resolved = resolve(&self.case.read()?, &bars)?;
+        let resolved = resolve(&case, &bars)?;
         drop(bars);
         console.result(|| resolved.text(), || resolved.json())?;
         Ok(Exit::Done)

@@ -35,7 +35,7 @@ pub(crate) struct MergeArguments {
 
 impl MergeArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
-        let file = self.case.read()?;
+        let file = self.case.read(console)?;
         let folder = self.output.clone().map_or_else(|| home::of_file(&file, false), Ok)?;
         // without a name given, the sweeps alone: the analyses are none of its business
         let sweeps = || file.sweeps.iter().map(|sweep| sweep.name.clone()).collect();
@@ -49,7 +49,6 @@ impl MergeArguments {
         let options = RunOptions { only, sweeps: SweepWork::Merge, ..RunOptions::default() };
         let bars = Bars::new(console);
         let report = run(&file, &folder, &options, &bars)?;
-        console.document(|| &report.summary)?;
-        Ok(tell(report, &self.case.case, console))
+        tell(report, &self.case.case, console)
     }
 }

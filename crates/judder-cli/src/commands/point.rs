@@ -6,7 +6,7 @@ use judder_models::oscillator::case::OscillatorCase;
 use judder_models::point::point;
 
 use super::CaseArguments;
-use crate::console::Console;
+use crate::console::{Console, Told};
 use crate::failure::{Exit, Failure};
 
 const HELP: &str = "\
@@ -27,16 +27,16 @@ pub(crate) struct PointArguments {
 
 impl PointArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
-        let case = self.case.read()?.case;
+        let case = self.case.read(console)?.case;
         let Some(case) = case.of::<OscillatorCase>() else {
             return Err(ModelError::WrongModel { command: "point", model: case.model() }.into());
         };
         let point = point(case)?;
-        console.result(|| point.text(), || point.json())?;
         let lacking = match point.steady.class.verdict() {
             Some(_) => Vec::new(),
             None => vec![format!("operating point: {}", point.steady.verdict_in_words())],
         };
+        console.result(|| point.text(), || Told::lacking(point.json(), &lacking))?;
         Ok(console.lacking(&lacking, "another speed, load or strength may have one: --set tries it"))
     }
 }

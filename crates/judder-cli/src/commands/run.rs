@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use judder_study::home;
-use judder_study::run::{RunOptions, RunReport, SweepWork, dry_run, run};
+use judder_study::run::{PartedSweep, RunOptions, RunReport, SweepWork, dry_run, run};
 use judder_study::sweep::{Shard, SweepEstimate};
 use serde_json::{Value, json};
 
 use super::CaseArguments;
-use crate::console::{Console, IN_THE_REPORT};
+use crate::console::{Console, IN_THE_REPORT, Told};
 use crate::failure::{Exit, Failure};
 use crate::progress::Bars;
 use crate::threads::Threads;
@@ -67,7 +67,7 @@ pub(crate) struct RunArguments {
 
 impl RunArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
-        let file = self.case.read()?;
+        let file = self.case.read(console)?;
         let folder = self.output.clone().map_or_else(|| home::of_file(&file, self.fresh), Ok)?;
         let sweeps = self.shard.map_or(SweepWork::All, SweepWork::Part);
         let options = RunOptions {
@@ -84,8 +84,7 @@ impl RunArguments {
             return Ok(Exit::Done);
         }
         let report = self.threads.install(|| run(&file, &folder, &options, &bars))??;
-        console.document(|| &report.summary)?;
-        Ok(tell(report, &self.case.case, console))
+        tell(report, &self.case.case, console)
     }
 }
 
@@ -100,8 +99,7 @@ pub(super) fn run_case(
     let folder = output.map_or_else(|| home::of_file(&file, false), |folder| Ok(folder.to_owned()))?;
     let bars = Bars::new(console);
     let report = threads.install(|| run(&file, &folder, &RunOptions::default(), &bars))??;
-    console.document(|| &report.summary)?;
-    Ok(tell(report, case, console))
+    tell(report, case, console)
 }
 
 /// What the sweeps would take, one below the other.
@@ -116,20 +114,33 @@ fn documents(estimates: &[SweepEstimate]) -> Vec<Value> {
     estimates.iter().map(SweepEstimate::json).collect()
 }
 
+/// How to have what a study lacks that is left to others.
+const COMPUTED_BY_RUN: &str = "`judder run` computes it";
+
 /// Says what came of a run. Failed checks are among the warnings: only a missing result changes the exit code.
-pub(super) fn tell(report: RunReport, case: &Path, console: Console) -> Exit {
+///
+/// # Errors
+/// As [`Console::result`].
+pub(super) fn tell(report: RunReport, case: &Path, console: Console) -> Result<Exit, Failure> {
+    let lacking = [report.lacking.as_slice(), &report.undrawn].concat();
+    let refused = report.refused.into_iter().map(|refused| Failure::of_analysis(case, refused));
+    let refused = Failure::all(refused);
+    let error = refused.as_ref().map(Failure::json);
+    if !report.parted.is_empty() {
+        let sweeps: Vec<Value> = report.parted.iter().map(PartedSweep::json).collect();
+        console.document(|| Told { result: json!({ "sweeps": sweeps }), lacking: &lacking, error })?;
+        report.notes.iter().for_each(|note| console.note(note));
+        return Ok(console.lacking(&lacking, COMPUTED_BY_RUN));
+    }
+    console.document(|| Told { result: &report.summary, lacking: &lacking, error })?;
     for line in report.forgotten.told() {
         console.note(line);
     }
     if !report.skipped.is_empty() {
         console.note(format_args!("done before: {}", report.skipped.join(", ")));
     }
-    for table in &report.tables {
-        console.note(table);
-    }
-    let is_unfinished = !report.complete && report.lacking.is_empty();
-    for note in report.notes.iter().filter(|_| !is_unfinished) {
-        console.note(note);
+    for line in report.tables.iter().chain(&report.notes) {
+        console.note(line);
     }
     for message in &report.messages {
         console.warn(message);
@@ -140,16 +151,9 @@ pub(super) fn tell(report: RunReport, case: &Path, console: Console) -> Exit {
     if let Some(page) = &report.report {
         console.note(format_args!("report: {}", page.display()));
     }
-    if !report.refused.is_empty() {
-        for refused in report.refused {
-            console.refusal(&Failure::of_analysis(case, refused));
-        }
-        return Exit::WrongInput;
+    if let Some(refused) = refused {
+        console.refusal(&refused);
+        return Ok(refused.exit);
     }
-    if is_unfinished {
-        let text = format!("a requested result is missing: {}", report.notes.join("; "));
-        console.incomplete(&text, "`judder run` computes what is missing");
-        return Exit::Incomplete;
-    }
-    console.lacking(&[report.lacking, report.undrawn].concat(), IN_THE_REPORT)
+    Ok(console.lacking(&lacking, IN_THE_REPORT))
 }

@@ -30,6 +30,7 @@ fn words_and_options() {
 fn numbers_of_threads() {
     for threads in ["0", "-1", "two", "1000000"] {
         let option = format!("--threads={threads}");
+        refused(&["run", "case.toml", "--threads", threads], &format!("invalid value '{threads}'"), "");
         refused(&["run", "case.toml", &option], &format!("invalid value '{threads}'"), "from 1 to 4096");
     }
 }

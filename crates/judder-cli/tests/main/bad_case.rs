@@ -243,7 +243,13 @@ fn sizes_that_no_memory_has() {
 #[test]
 fn memory_beyond_what_was_told() {
     let desk = Desk::with_case(CASE);
-    desk.refused(&["check", "case.toml", "--memory", "lots"], "give an amount of 1 MiB or more", "");
+    for amount in ["lots", "1 EB", "4gib", "-1", "-1 GiB", "0.5 MiB"] {
+        let units = "give a number of 1 MiB or more with its unit (TiB, GiB, MiB, KiB, TB, GB, MB, kB)";
+        let message = format!("invalid value '{amount}' for '--memory <AMOUNT>'");
+        desk.refused(&["check", "case.toml", "--memory", amount], &message, units);
+    }
+    let message = "the program itself: 44.0 MB of memory are needed, and 2.1 MB are to be had, as was said";
+    desk.refused(&["check", "case.toml", "--memory", "2 MiB"], message, "--memory \"1 GiB\"");
     let motion = "model = \"oscillator\"\n[[analysis]]\nkind = \"motion\"\npoints = 4194304\n";
     let desk = Desk::with_case(motion);
     let check = ["check", "case.toml", "--memory", "1 GiB"];

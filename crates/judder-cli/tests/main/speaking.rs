@@ -72,6 +72,33 @@ fn progress_is_lines_of_json_where_asked_for() {
 }
 
 #[test]
+fn errors_are_lines_of_json_too() {
+    let desk = Desk::new();
+    for arguments in [&["run"][..], &["run", "--threads", "x", "a.toml"], &["frob"], &["check", "nope.toml"]]
+    {
+        for form in [&["--progress", "json"][..], &["--progress=json"]] {
+            let mut command = desk.command(&[form, arguments].concat());
+            let said = Said::of(command.env("CLICOLOR_FORCE", "1").output().unwrap());
+            assert_eq!(said.code, 2, "{}", said.stderr);
+            let line: serde_json::Value = serde_json::from_str(said.stderr.trim_end()).expect(&said.stderr);
+            let text = line["text"].as_str().unwrap();
+            assert!(text.contains('×') && !text.contains('\u{1b}'), "{line}");
+        }
+    }
+}
+
+#[test]
+fn control_characters_of_a_case_do_not_reach_the_terminal() {
+    let desk = Desk::with_case("model = \"oscillator\"\ntitle = \"a\\u001b[2Jb\\u0000c\\u009b2J\"\n");
+    let told = desk.succeed(&["check", "case.toml"]).stdout;
+    assert!(told.starts_with("a\\u{1b}[2Jb\\u{0}c\\u{9b}2J\n"), "{told:?}");
+    let mut command = desk.command(&["check", "\u{1b}[2J.toml"]);
+    let said = Said::of(command.env("CLICOLOR_FORCE", "1").output().unwrap());
+    said.says("there is no file `\\u{1b}[2J.toml`");
+    assert!(said.stderr.contains("\u{1b}["), "colours stay");
+}
+
+#[test]
 fn colours_are_asked_for() {
     let desk = Desk::new();
     let coloured = |variables: &[(&str, &str)]| {
@@ -102,7 +129,10 @@ fn a_reader_that_has_gone_is_no_failure() {
 fn a_result_that_cannot_be_written_is_missing() {
     let desk = Desk::with_case(CASE);
     let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
-    let said = Said::of(desk.command(&["schema"]).stdout(full).output().unwrap());
-    assert_eq!(said.code, 1);
-    said.says("standard output could not be written: No space left on device");
+    for arguments in [&["schema"][..], &["--help"], &["run", "--help"], &["--version"], &[]] {
+        let full = full.try_clone().unwrap();
+        let said = Said::of(desk.command(arguments).stdout(full).output().unwrap());
+        assert_eq!(said.code, 1, "{arguments:?}");
+        said.says("standard output could not be written: No space left on device");
+    }
 }

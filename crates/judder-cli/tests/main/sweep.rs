@@ -194,6 +194,44 @@ fn parts_and_merge_say_what_is_wrong() {
 }
 
 #[test]
+fn what_is_left_to_others_is_a_document() {
+    let desk = Desk::with_case(SWEEPS);
+    let only = ["--only", "map", "--json"];
+    let part = |shard: &str| [&["run", "case.toml", "--shard", shard], only.as_slice()].concat();
+    let sweeps = |done: u64| serde_json::json!([{ "name": "map", "chunks": 6, "chunks_done": done }]);
+    let told = desk.succeed(&part("1/2")).json();
+    assert_eq!(told, serde_json::json!({ "sweeps": sweeps(3) }));
+    let merge = [&["merge", "case.toml"], only.as_slice()].concat();
+    let said = desk.judder(&merge);
+    assert_eq!(said.code, 1, "{}", said.stderr);
+    let lacking = ["map: 3 of 6 chunks are missing"];
+    assert_eq!(said.json(), serde_json::json!({ "sweeps": sweeps(3), "lacking": lacking }));
+    said.says(&format!("a requested result is missing: {}", lacking[0]));
+    assert_eq!(said.stderr.matches("`judder run` computes").count(), 1, "{}", said.stderr);
+
+    desk.succeed(&part("2/2"));
+    let whole = desk.succeed(&merge).json();
+    assert!(whole["lacking"].is_null() && whole["results"]["map"]["points"] == 18, "{whole}");
+    std::fs::write(desk.path("out/case/results.zarr/map/values/c.0.0.0"), "").unwrap();
+    let said = desk.judder(&merge);
+    assert_eq!(said.code, 1, "{}", said.stderr);
+    assert_eq!(said.json()["lacking"], serde_json::json!(["map: 1 chunk is damaged"]));
+}
+
+#[test]
+fn sweeps_are_held_against_the_budget_together() {
+    let sweep = |name: &str| {
+        format!(
+            "[[sweep]]\nname = \"{name}\"\nquantities = [\"growth_rate\"]\n\
+             over = [{{ key = \"operation.velocity\", from = 1e-4, to = 1.0, points = 3000000 }}]\n"
+        )
+    };
+    let text = format!("model = \"oscillator\"\n{}", ["a", "b", "c"].map(sweep).concat());
+    let message = "the 9000000 values of the keys of 3 sweeps: 216.0 MB of memory are needed";
+    Desk::with_case(&text).refused(&["check", "case.toml", "--memory", "100 MiB"], message, "--memory");
+}
+
+#[test]
 fn the_report_has_a_section_and_the_terminal_a_table() {
     let desk = Desk::with_case(SWEEPS);
     let said = desk.succeed(&["run", "case.toml", "--only", "map", "--only", "robust"]);

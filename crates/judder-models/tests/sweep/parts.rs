@@ -55,7 +55,7 @@ fn a_merge_before_its_time_says_what_is_missing() {
     let options = RunOptions { sweeps: SweepWork::Merge, ..RunOptions::default() };
     let merged = run(&file, folder.path(), &options, &Silent).unwrap();
     assert!(!merged.complete && merged.report.is_none());
-    assert!(merged.notes.iter().any(|note| note.contains("3 of 4 chunks are missing")), "{:?}", merged.notes);
+    assert!(merged.lacking == ["grid: 3 of 4 chunks are missing"], "{:?}", merged.lacking);
 }
 
 #[test]
@@ -93,7 +93,7 @@ fn a_merge_and_a_part_find_a_damaged_chunk() {
     let options = RunOptions { sweeps: SweepWork::Merge, ..RunOptions::default() };
     let merged = run(&file, folder.path(), &options, &Silent).unwrap();
     assert!(!merged.complete && merged.report.is_none());
-    assert!(merged.notes.iter().any(|note| note.contains("1 chunk is damaged")), "{:?}", merged.notes);
+    assert!(merged.lacking == ["grid: 1 chunk is damaged"], "{:?}", merged.lacking);
     let part =
         |part: &str| RunOptions { sweeps: SweepWork::Part(part.parse().unwrap()), ..RunOptions::default() };
     run(&file, folder.path(), &part("1/4"), &Silent).unwrap();

@@ -41,7 +41,9 @@ impl PySweep {
         let options = RunOptions { only: vec![self.name().to_owned()], sweeps, ..RunOptions::default() };
         let report =
             settled(py, watched(py, manner, |watch| run(self.plan.file(), folder, &options, watch))?)?;
-        Ok((report.notes, report.report.is_some()))
+        // where it is whole what its results lack is told by the study
+        let lacking = if report.parted.is_empty() { Vec::new() } else { report.lacking };
+        Ok(([report.notes, lacking].concat(), report.report.is_some()))
     }
 
     /// Refuses a point that a chunk has not.

@@ -10,9 +10,37 @@ use crate::sweep::{
     ReadChunks, Shard, SweepPlan, SweepReading, compute_anew, joined, mend, read, when_free, work,
 };
 use judder_store::{SharedStudy, SoundFiles, StoreError, StudyFolder, Summary, SweepChunks, SweepStore};
+use serde_json::{Value, json};
 use std::mem;
 use std::path::Path;
 use std::time::Instant;
+
+/// A sweep of which others may compute parts.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PartedSweep {
+    /// Its name.
+    pub name: String,
+    /// Chunks of all parts.
+    pub chunks: usize,
+    /// Those that are there.
+    pub done: usize,
+}
+
+impl PartedSweep {
+    /// What it lacks; nothing where all chunks are there.
+    #[must_use]
+    pub fn lacking(&self) -> Option<String> {
+        let Self { name, chunks, done } = self;
+        let missing = chunks.saturating_sub(*done);
+        (missing > 0).then(|| format!("{name}: {missing} of {chunks} chunks are missing"))
+    }
+
+    /// For `--json`; under the same names as in an estimate.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        json!({ "name": self.name, "chunks": self.chunks, "chunks_done": self.done })
+    }
+}
 
 /// What became of results that were there before a run.
 struct Earlier {
@@ -36,26 +64,28 @@ pub(super) fn run(
     let mut notes = mended_frames(plans, folder, options)?;
     let earlier = begun(asked, prepared, plans, folder, options, progress)?;
     let shared = joined(folder, progress)?;
-    let mut is_whole = true;
+    let mut parted = Vec::new();
     for plan in plans {
-        let (note, whole) = worked(&shared, plan, options.sweeps, progress)?;
+        let (note, sweep) = worked(&shared, plan, options.sweeps, progress)?;
         notes.extend(note);
-        is_whole &= whole;
+        parted.push(sweep);
     }
     let is_part = matches!(options.sweeps, SweepWork::Part(_));
+    let mut lacking: Vec<String> =
+        if is_part { Vec::new() } else { parted.iter().filter_map(PartedSweep::lacking).collect() };
     let (store, waited) = match shared.leave()? {
         Some(store) => (store, false),
         // whose chunks are all there others may be completing
-        None if is_whole && !is_part => (alone(folder, progress)?, true),
-        None => return Ok(unfinished(folder, Summary::default(), is_part, notes)),
+        None if lacking.is_empty() && !is_part => (alone(folder, progress)?, true),
+        None => return Ok(unfinished(folder, parted, lacking, notes)),
     };
     let is_completed = waited && is_done(&store, plans)?;
     let mut sweeps: Vec<(&SweepPlan, Option<SweepReading<'_>>)> = Vec::new();
-    if is_whole && !is_part && !is_completed {
+    if lacking.is_empty() && !is_part && !is_completed {
         for plan in plans {
             let looked = looked_through(&store, plan, options.sweeps, earlier.is_some(), progress)?;
             notes.extend(looked.note);
-            is_whole &= looked.is_whole;
+            lacking.extend(looked.lacking);
             // all values for sensitivity are in memory for one sweep at a time
             let is_kept = plans.len() == 1 || plan.sweep().sensitivity.is_none();
             sweeps.push((plan, looked.reading.filter(|_| is_kept)));
@@ -63,9 +93,8 @@ pub(super) fn run(
     } else {
         sweeps.extend(plans.iter().map(|plan| (plan, None)));
     }
-    if is_part || !is_whole {
-        let summary = store.read_summary()?.unwrap_or_default();
-        return Ok(unfinished(folder, summary, is_part, notes));
+    if is_part || !lacking.is_empty() {
+        return Ok(unfinished(folder, parted, lacking, notes));
     }
     if let Some(earlier) = &earlier {
         store.trust(earlier.sound.clone());
@@ -156,30 +185,36 @@ fn is_done(store: &StudyFolder, plans: &[SweepPlan]) -> Result<bool, StudyError>
 }
 
 /// A report of a run that leaves the study to others.
-fn unfinished(folder: &Path, summary: Summary, complete: bool, notes: Vec<String>) -> RunReport {
+fn unfinished(
+    folder: &Path,
+    parted: Vec<PartedSweep>,
+    lacking: Vec<String>,
+    notes: Vec<String>,
+) -> RunReport {
     RunReport {
         folder: folder.to_owned(),
-        summary,
+        summary: Summary::default(),
+        parted,
         report: None,
         skipped: Vec::new(),
         forgotten: ForgottenResults::default(),
-        complete,
+        complete: lacking.is_empty(),
         tables: Vec::new(),
         notes,
         messages: Vec::new(),
-        lacking: Vec::new(),
+        lacking,
         undrawn: Vec::new(),
         refused: Vec::new(),
     }
 }
 
-/// Does what is asked of the chunks of a sweep; says what became of them, and whether all are there.
+/// Does what is asked of the chunks of a sweep; says what became of them, and how many are there.
 fn worked(
     shared: &SharedStudy,
     plan: &SweepPlan,
     how: SweepWork,
     progress: &dyn Progress,
-) -> Result<(Vec<String>, bool), StudyError> {
+) -> Result<(Vec<String>, PartedSweep), StudyError> {
     let store = shared.sweep(plan.layout())?;
     let name = plan.layout().name();
     let mut notes = Vec::new();
@@ -198,32 +233,24 @@ fn worked(
     if let SweepWork::Part(shard) = how {
         notes.extend(mended(plan, &store, shard, progress)?);
     }
-    let there = store.done_chunks()?.into_iter().filter(|done| *done).count();
-    let all = plan.layout().chunk_count();
-    match how {
-        SweepWork::Part(shard) => {
-            notes.push(format!("{name}: part {shard} is done; {there} of {all} chunks are there"));
-        }
-        SweepWork::Merge if there < all => {
-            notes.push(format!(
-                "{name}: {} of {all} chunks are missing; `judder run` computes them",
-                all - there
-            ));
-        }
-        SweepWork::All | SweepWork::Merge => {}
+    let done = store.done_chunks()?.into_iter().filter(|done| *done).count();
+    let chunks = plan.layout().chunk_count();
+    if let SweepWork::Part(shard) = how {
+        notes.push(format!("{name}: part {shard} is done; {done} of {chunks} chunks are there"));
     }
-    Ok((notes, there == all))
+    Ok((notes, PartedSweep { name: name.to_owned(), chunks, done }))
 }
 
 /// What became of looking at all chunks of a sweep.
 struct LookedThrough<'a> {
     note: Option<String>,
     reading: Option<SweepReading<'a>>,
-    is_whole: bool,
+    /// What it lacks, where it is not to be computed.
+    lacking: Option<String>,
 }
 
 /// Reads all chunks of a sweep that is not done in a study that is held alone; computes damaged ones anew, where anything is to be computed. Says what
-/// was found, and whether all are whole now. Where this run has compared the study with its list, what is done is not read again.
+/// was found, and what is not whole now. Where this run has compared the study with its list, what is done is not read again.
 fn looked_through<'a>(
     study: &StudyFolder,
     plan: &'a SweepPlan,
@@ -232,7 +259,7 @@ fn looked_through<'a>(
     progress: &dyn Progress,
 ) -> Result<LookedThrough<'a>, StudyError> {
     let layout = plan.layout();
-    let whole = LookedThrough { note: None, reading: None, is_whole: true };
+    let whole = LookedThrough { note: None, reading: None, lacking: None };
     if is_compared && study.is_done(layout.name(), layout.hash())? {
         return Ok(whole);
     }
@@ -245,8 +272,7 @@ fn looked_through<'a>(
     };
     let (name, count) = (layout.name(), damaged.len());
     if how == SweepWork::Merge {
-        let note = format!("{name}: {} damaged; `judder run` computes them anew", of_chunks(count));
-        return Ok(LookedThrough { note: Some(note), is_whole: false, ..whole });
+        return Ok(LookedThrough { lacking: Some(format!("{name}: {} damaged", of_chunks(count))), ..whole });
     }
     compute_anew(plan, &study.sweep(layout)?, damaged, progress)?;
     let reading = Some(read_whole(study, plan, progress)?);

@@ -197,7 +197,7 @@ fn parts_and_merge_say_what_is_wrong() {
 fn what_is_left_to_others_is_a_document() {
     let desk = Desk::with_case(SWEEPS);
     let only = ["--only", "map", "--json"];
-    let part = |shard: &str| [&["run", "case.toml", "--shard", shard], only.as_slice()].concat();
+    let part = |shard: &'static str| [&["run", "case.toml", "--shard", shard], only.as_slice()].concat();
     let sweeps = |done: u64| serde_json::json!([{ "name": "map", "chunks": 6, "chunks_done": done }]);
     let told = desk.succeed(&part("1/2")).json();
     assert_eq!(told, serde_json::json!({ "sweeps": sweeps(3) }));

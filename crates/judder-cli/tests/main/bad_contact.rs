@@ -253,7 +253,12 @@ fn more_memory_than_the_limit() {
         "take fewer cells, or set memory_limit",
     );
     let wrong = case("memory_limit = \"lots\"", contact);
-    refused_case(&wrong, "[case.toml:2:16]", "`memory_limit` is not an amount of memory", "write \"4 GiB\"");
+    refused_case(
+        &wrong,
+        "[case.toml:2:16]",
+        "`memory_limit` is not an amount of memory",
+        "write a number of 1 MiB or more with its unit",
+    );
     // a grid that is chosen in the course of a run
     let desk = Desk::with_case(&case("memory_limit = \"4 MiB\"", contact));
     let said = desk.judder(&["run", "case.toml"]);

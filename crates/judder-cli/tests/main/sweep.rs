@@ -244,9 +244,12 @@ fn the_report_has_a_section_and_the_terminal_a_table() {
         assert!(desk.path(&format!("out/case/{table}")).is_file(), "{table}");
     }
     let page = std::fs::read_to_string(desk.path("out/case/report.html")).unwrap();
-    for words in
-        ["Quantities over all points", "Sensitivity of growth_rate", "2 of 2 analyses and sweeps done"]
-    {
+    for words in [
+        "Quantities over all points",
+        "Sensitivity of growth_rate",
+        "2 of 3 analyses and sweeps done",
+        "Not computed: cycle.",
+    ] {
         assert!(page.contains(words), "{words:?} is not on the page");
     }
     let rebuilt = desk.succeed(&["report", "out/case"]);

@@ -45,7 +45,7 @@ pub(crate) enum ProgressForm {
 
 /// A result as a document that says why the command ends with another exit code than 0.
 #[derive(Debug, Serialize)]
-pub(crate) struct Told<'a, D> {
+pub(crate) struct ResultDocument<'a, D> {
     #[serde(flatten)]
     pub(crate) result: D,
     /// What the result lacks, a line each.
@@ -56,7 +56,7 @@ pub(crate) struct Told<'a, D> {
     pub(crate) error: Option<Value>,
 }
 
-impl<'a, D> Told<'a, D> {
+impl<'a, D> ResultDocument<'a, D> {
     /// A result of which this is missing.
     pub(crate) fn lacking(result: D, lacking: &'a [String]) -> Self {
         Self { result, lacking, error: None }

@@ -22,14 +22,15 @@ pub enum PathFault {
     /// The system does not tell what is there.
     #[error("cannot be reached: {0}")]
     OutOfReach(ErrorKind),
-    /// Something else is there.
-    #[error("is {found}, not {asked}")]
-    Other {
-        /// What is there.
-        found: &'static str,
-        /// What should be.
-        asked: &'static str,
-    },
+    /// This is there in the place of a file.
+    #[error("is {0}, not a file")]
+    NotFile(&'static str),
+    /// This is there in the place of a folder.
+    #[error("is {0}, not a folder")]
+    NotFolder(&'static str),
+    /// A folder is there, and no study in it.
+    #[error("is a folder, not that of a study")]
+    NotStudy,
 }
 
 /// A file that a case names; it was there when the case was read.
@@ -74,7 +75,7 @@ pub fn read_file_reference(section: &Section<'_>, key: &str, folder: &Path) -> R
     let name = section.path(key);
     let given = text(&name, node)?;
     let path = folder.join(given);
-    match looked_for(&path, "a file", FileType::is_file) {
+    match looked_for(&path, FileType::is_file, PathFault::NotFile) {
         Ok(()) => Ok(FileReference { given: given.to_owned(), path }),
         Err(fault) => Err(Cause::File { key: name, path, fault }.at(node.place)),
     }
@@ -87,17 +88,21 @@ pub fn read_file_reference(section: &Section<'_>, key: &str, folder: &Path) -> R
 pub fn find_folder(given: &str, node: &Node, folder: &Path) -> Result<PathBuf, (PathBuf, PathFault)> {
     let here = PathBuf::from(given);
     let path = if node.place.is_option() && here.is_dir() { here } else { folder.join(given) };
-    match looked_for(&path, "a folder", FileType::is_dir) {
+    match looked_for(&path, FileType::is_dir, PathFault::NotFolder) {
         Ok(()) => Ok(path),
         Err(fault) => Err((path, fault)),
     }
 }
 
 /// Looks for what should be of a kind, wherever links lead.
-fn looked_for(path: &Path, asked: &'static str, is_asked: fn(&FileType) -> bool) -> Result<(), PathFault> {
+fn looked_for(
+    path: &Path,
+    is_asked: fn(&FileType) -> bool,
+    other: fn(&'static str) -> PathFault,
+) -> Result<(), PathFault> {
     match std::fs::metadata(path).map(|metadata| metadata.file_type()) {
         Ok(kind) if is_asked(&kind) => Ok(()),
-        Ok(kind) => Err(PathFault::Other { found: kind_in_words(kind), asked }),
+        Ok(kind) => Err(other(kind_in_words(kind))),
         Err(error) => Err(PathFault::of(&error)),
     }
 }
@@ -109,7 +114,7 @@ impl PathFault {
         match self {
             Self::Missing => missing,
             Self::OutOfReach(_) => "out of reach",
-            Self::Other { .. } => "something else",
+            Self::NotFile(_) | Self::NotFolder(_) | Self::NotStudy => "something else",
         }
     }
 
@@ -120,7 +125,9 @@ impl PathFault {
             Self::OutOfReach(ErrorKind::PermissionDenied) => {
                 "it must be there for you to read, and every folder above it to enter"
             }
-            Self::Missing | Self::Other { .. } | Self::OutOfReach(_) => path,
+            Self::Missing | Self::NotFile(_) | Self::NotFolder(_) | Self::NotStudy | Self::OutOfReach(_) => {
+                path
+            }
         }
     }
 
@@ -142,7 +149,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("file");
         std::fs::write(&path, "").unwrap();
-        let looked_for = |path: &Path| looked_for(path, "a file", FileType::is_file);
+        let looked_for = |path: &Path| looked_for(path, FileType::is_file, PathFault::NotFile);
         assert_eq!(looked_for(&path), Ok(()));
         assert_eq!(looked_for(&path.join("below")), Err(PathFault::Missing));
         assert_eq!(looked_for(folder.path()).unwrap_err().to_string(), "is a folder, not a file");

@@ -6,7 +6,7 @@ use judder_models::oscillator::case::OscillatorCase;
 use judder_models::point::point;
 
 use super::CaseArguments;
-use crate::console::{Console, Told};
+use crate::console::{Console, ResultDocument};
 use crate::failure::{Exit, Failure};
 
 const HELP: &str = "\
@@ -36,7 +36,7 @@ impl PointArguments {
             Some(_) => Vec::new(),
             None => vec![format!("operating point: {}", point.steady.verdict_in_words())],
         };
-        console.result(|| point.text(), || Told::lacking(point.json(), &lacking))?;
+        console.result(|| point.text(), || ResultDocument::lacking(point.json(), &lacking))?;
         Ok(console.lacking(&lacking, "another speed, load or strength may have one: --set tries it"))
     }
 }

@@ -6,7 +6,7 @@ use clap::Args;
 use judder_papers::rebuild;
 use serde_json::json;
 
-use crate::console::{Console, IN_THE_REPORT, Told};
+use crate::console::{Console, IN_THE_REPORT, ResultDocument};
 use crate::failure::{Exit, Failure};
 
 const HELP: &str = "\
@@ -33,7 +33,7 @@ impl ReportArguments {
     pub(super) fn execute(&self, console: Console) -> Result<Exit, Failure> {
         let page = rebuild(&self.folder, self.output.as_deref())?;
         let (path, lacking) = (page.path.display(), page.lacking());
-        console.document(|| Told::lacking(json!({ "report": path.to_string() }), &lacking))?;
+        console.document(|| ResultDocument::lacking(json!({ "report": path.to_string() }), &lacking))?;
         if !page.not_computed.is_empty() {
             let names = page.not_computed.join(", ");
             console.note(format_args!("not computed yet: {names}; `judder run` computes them"));

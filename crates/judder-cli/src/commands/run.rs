@@ -9,7 +9,7 @@ use judder_study::sweep::{Shard, SweepEstimate};
 use serde_json::{Value, json};
 
 use super::CaseArguments;
-use crate::console::{Console, IN_THE_REPORT, Told};
+use crate::console::{Console, IN_THE_REPORT, ResultDocument};
 use crate::failure::{Exit, Failure};
 use crate::progress::Bars;
 use crate::threads::Threads;
@@ -128,11 +128,15 @@ pub(super) fn tell(report: RunReport, case: &Path, console: Console) -> Result<E
     let error = refused.as_ref().map(Failure::json);
     if !report.parted.is_empty() {
         let sweeps: Vec<Value> = report.parted.iter().map(PartedSweep::json).collect();
-        console.document(|| Told { result: json!({ "sweeps": sweeps }), lacking: &lacking, error })?;
+        console.document(|| ResultDocument {
+            result: json!({ "sweeps": sweeps }),
+            lacking: &lacking,
+            error,
+        })?;
         report.notes.iter().for_each(|note| console.note(note));
         return Ok(console.lacking(&lacking, COMPUTED_BY_RUN));
     }
-    console.document(|| Told { result: &report.summary, lacking: &lacking, error })?;
+    console.document(|| ResultDocument { result: &report.summary, lacking: &lacking, error })?;
     for line in report.forgotten.told() {
         console.note(line);
     }

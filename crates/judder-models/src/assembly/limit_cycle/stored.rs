@@ -98,9 +98,7 @@ impl StudyReference {
         let refused = |path, fault| Cause::File { key: section.path(key), path, fault }.at(node.place);
         self.path = find_folder(&self.given, node, folder).map_err(|(path, fault)| refused(path, fault))?;
         let no_study = |error: StoreError| match error {
-            StoreError::NoStudy { path } => {
-                refused(path, PathFault::Other { found: "a folder", asked: "that of a study" })
-            }
+            StoreError::NoStudy { path } => refused(path, PathFault::NotStudy),
             error => {
                 let reason = self.damage(&error).unwrap_or_else(|| error.to_string());
                 AssemblyProblem::Refused { reason }.at(node.place)
